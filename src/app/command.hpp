@@ -1,0 +1,29 @@
+// What a command of the program is: a name, a sentence, and a function that adds its options.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "app/exit_code.hpp"
+
+namespace keyblock {
+
+/// The work a command does once its options are read. Throws InputError for bad input (printed by main, exit
+/// 3).
+using Action = std::function<ExitCode()>;
+
+/// A row of the table in main.cpp. `configure` adds options to the subcommand and returns the work.
+struct Command {
+  const char* name;
+  const char* sentence;
+  Action (*configure)(CLI::App& options);
+};
+
+Action configure_check(CLI::App& options);    ///< check_command.cpp
+Action configure_cut(CLI::App& options);      ///< cut_command.cpp
+Action configure_run(CLI::App& options);      ///< run_command.cpp
+Action configure_compare(CLI::App& options);  ///< compare_command.cpp
+Action configure_slide(CLI::App& options);    ///< slide_command.cpp
+
+}  // namespace keyblock

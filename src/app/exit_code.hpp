@@ -1,0 +1,17 @@
+// The exit codes of the program, one meaning each.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace keyblock {
+
+enum class ExitCode {
+  ok = 0,
+  check_failed = 1,       ///< it ran, but a check did not hold
+  usage = 2,              ///< the command line
+  unreadable = 3,         ///< input that cannot be read or used
+  numerical_failure = 4,  ///< the computation could not go on; the state is saved
+  limit_reached = 5,
+  stopped = 130,  ///< by the user
+};
+
+}  // namespace keyblock

@@ -1,0 +1,56 @@
+// The program: one table of commands; prints every error and picks the exit code.
+// To add a command: 1) write `NAME_command.cpp` beside this file, 2) declare its `configure_NAME` in
+// command.hpp, 3) add a row to the table below, 4) run its help text in tests/commands_test.cpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <exception>
+#include <memory>
+#include <vector>
+
+#include "app/command.hpp"
+#include "base/error.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr std::array<Command, 0> kCommands{};
+
+int run_program(int argc, char** argv) {
+  CLI::App program{
+      "Keyblock: reruns the files of discontinuous deformation analysis and the numerical manifold method"};
+  program.name("keyblock");
+  program.set_version_flag("--version", KEYBLOCK_VERSION);
+  program.require_subcommand(1);
+  Action chosen;
+  for (const Command& command : kCommands) {
+    CLI::App* options = program.add_subcommand(command.name, command.sentence);
+    const auto action = std::make_shared<Action>(command.configure(*options));
+    options->callback([&chosen, action] { chosen = *action; });
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return static_cast<int>(program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage);
+  }
+  return static_cast<int>(chosen());
+}
+
+}  // namespace
+}  // namespace keyblock
+
+int main(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
+  spdlog::set_pattern("%v");
+  try {
+    return keyblock::run_program(argc, argv);
+  } catch (const keyblock::InputError& error) {
+    spdlog::error("{}", error.what());
+    return static_cast<int>(keyblock::ExitCode::unreadable);
+  } catch (const std::exception& error) {
+    spdlog::error("keyblock: error: {}", error.what());
+    return static_cast<int>(keyblock::ExitCode::numerical_failure);
+  }
+}

@@ -1,0 +1,24 @@
+// Wording of places, input errors and warnings, so that every message of the program has one form.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/error.hpp"
+
+#include <fmt/format.h>
+
+namespace keyblock {
+
+std::string to_string(const Place& place) {
+  if (place.line == 0) return place.file;
+  if (place.column == 0) return fmt::format("{}:{}", place.file, place.line);
+  return fmt::format("{}:{}:{}", place.file, place.line, place.column);
+}
+
+InputError::InputError(Place place, const std::string& sentence)
+    : std::runtime_error(fmt::format("{}: error: {}", to_string(place), sentence)),
+      place_(std::move(place)),
+      sentence_(sentence) {}
+
+std::string to_string(const Warning& warning) {
+  return fmt::format("{}: warning: {} [{}]", to_string(warning.place), warning.sentence, warning.name);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,51 @@
+// What is said about input: where it stands, the one error that stops a run, and the warnings that do not.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace keyblock {
+
+/// A place in a text file; line and column count from 1, 0 means "the file as a whole".
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+
+  bool operator==(const Place&) const = default;
+};
+
+/// "file:line:column", shortened where line or column is unknown.
+std::string to_string(const Place& place);
+
+/// Input that cannot be used. `what()` is `file:line:column: error: expected …, found …`; exit code 3.
+class InputError : public std::runtime_error {
+ public:
+  InputError(Place place, const std::string& sentence);
+
+  const Place& place() const { return place_; }
+  const std::string& sentence() const { return sentence_; }
+
+ private:
+  Place place_;
+  std::string sentence_;
+};
+
+/// Odd but usable input: `name` is a stable identifier (snake_case) by which warnings are counted and tested.
+struct Warning {
+  std::string name;
+  Place place;
+  std::string sentence;
+
+  bool operator==(const Warning&) const = default;
+};
+
+using Warnings = std::vector<Warning>;
+
+/// `file:line:column: warning: sentence [name]`.
+std::string to_string(const Warning& warning);
+
+}  // namespace keyblock

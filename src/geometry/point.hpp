@@ -1,0 +1,48 @@
+// Point of the plane and the few operations every other room needs.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace keyblock {
+
+/// A point or a vector of the plane; x to the right, y up, in the length unit of the input.
+struct Point {
+  double x = 0;
+  double y = 0;
+
+  bool operator==(const Point&) const = default;
+};
+
+constexpr Point operator+(Point a, Point b) {
+  return {a.x + b.x, a.y + b.y};
+}
+constexpr Point operator-(Point a, Point b) {
+  return {a.x - b.x, a.y - b.y};
+}
+constexpr Point operator*(double s, Point a) {
+  return {s * a.x, s * a.y};
+}
+constexpr double dot(Point a, Point b) {
+  return a.x * b.x + a.y * b.y;
+}
+/// z component of a × b: positive if b lies to the left of a.
+constexpr double cross(Point a, Point b) {
+  return a.x * b.y - a.y * b.x;
+}
+inline double length(Point a) {
+  return std::hypot(a.x, a.y);
+}
+inline double distance(Point a, Point b) {
+  return length(b - a);
+}
+
+/// A straight piece from `start` to `end`; where both are equal it stands for a point.
+struct Segment {
+  Point start;
+  Point end;
+
+  bool operator==(const Segment&) const = default;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,103 @@
+// What an analysis file says: controls of the run, materials of blocks and joints, loads in time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/error.hpp"
+#include "problem/time_curve.hpp"
+
+namespace keyblock {
+
+/// Plane stress or strain components, tension positive.
+struct Stress {
+  double xx = 0;
+  double yy = 0;
+  double xy = 0;
+
+  bool operator==(const Stress&) const = default;
+};
+
+/// Velocity of a block: of its centroid, and its rotation rate (rad / time).
+struct Velocity {
+  double x = 0;
+  double y = 0;
+  double rotation = 0;
+
+  bool operator==(const Velocity&) const = default;
+};
+
+/// A block material, unit thickness.
+struct BlockMaterial {
+  double density = 0;         ///< mass / area, > 0
+  double unit_weight = 0;     ///< force / area, positive downward
+  double youngs_modulus = 0;  ///< stress, > 0
+  double poissons_ratio = 0;  ///< 0 … < 0.5 (0.5 allowed in plane stress)
+  double damping = 0;         ///< DDAML `Damping`
+  Stress initial_stress;      ///< at y = 0
+  Stress stress_gradient;     ///< change of the initial stress per unit of y (native tokens 8-10)
+  Velocity initial_velocity;  ///< native tokens 11-13; DDAML `Ivelocity`
+  std::array<double, 3> initial_strain{};  ///< DDAML `Istrain`
+  Place place;
+};
+
+/// A joint material (Coulomb friction, cohesion, tension cut-off).
+struct JointMaterial {
+  double friction_angle_deg = 0;
+  double cohesion = 0;          ///< stress
+  double tensile_strength = 0;  ///< stress
+  Place place;
+};
+
+/// DDAML `Boltproperties`.
+struct BoltProperties {
+  double stiffness = 0;
+  double strength = 0;
+  double pretension = 0;
+};
+
+/// Constants of the open-close iteration that DDAML lets a file set; defaults are the old programs'
+/// (legacy-formats 3.4).
+struct OpenCloseConstants {
+  double closing_ratio = 2e-4;             ///< s0: penetration over w0 at which an open contact closes
+  double opening_ratio = 2e-7;             ///< f0: separation over w0 at which a closed contact opens
+  double allowed_penetration = 4e-4;       ///< g3: penetration over w0 aimed at by the automatic penalty
+  double angle_overlap_deg = 3;            ///< h1: angle within which two edges count as parallel
+  double normal_to_shear_stiffness = 2.5;  ///< h2
+};
+
+enum class AnalysisDialect { berkeley, shi, ddaml };
+enum class Rotation { first_order, exact };
+
+/// An analysis file. Quantities in the file's own consistent unit set, indices from 0.
+struct Analysis {
+  AnalysisDialect dialect = AnalysisDialect::berkeley;
+  double velocity_carry_over = 0;         ///< k01: 0 static (velocity zeroed each step), 1 dynamic
+  int step_count = 0;                     ///< n5, ≥ 1
+  double allowed_displacement_ratio = 0;  ///< g2: displacement per step over w0, > 0
+  double time_step = 0;                   ///< g1: step, or its upper limit with the automatic step, > 0
+  bool automatic_time_step = false;
+  bool automatic_penalty = false;
+  std::optional<double>
+      contact_penalty;         ///< g0 of Shi's dialect, force / length; absent: penalty_factor × largest E
+  double penalty_factor = 50;  ///< pfactor
+  bool plane_strain = false;
+  Rotation rotation = Rotation::first_order;
+  std::optional<double> gravity;  ///< DDAML `Gravaccel`, length / time²; absent: from the unit weights
+  int open_close_limit = 8;       ///< passes of the open-close iteration
+  OpenCloseConstants open_close;
+  double contact_damping = 0;             ///< DDAML `ContactDamping`
+  std::optional<double> over_relaxation;  ///< SOR factor of Shi's dialect
+  std::optional<int> save_interval;       ///< DDAML `Saveinterval`, steps
+  std::vector<BlockMaterial> block_materials;
+  std::vector<JointMaterial> joint_materials;
+  std::vector<BoltProperties> bolt_properties;
+  std::vector<TimeCurve> fixed_point_motions;  ///< Shi's dialect: one a fixed point, may be empty
+  std::vector<TimeCurve>
+      point_loads;  ///< one a loading point, in order; fewer than points: the rest carry none
+  Place place;      ///< the file
+};
+
+}  // namespace keyblock

@@ -1,0 +1,60 @@
+// What a block file says, and what cutting makes of a drawing: polygons with joint edges, and points that sit
+// in blocks. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "base/error.hpp"
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+/// A corner of a block. `joint_material` belongs to the edge that arrives here (from the previous vertex),
+/// index from 0.
+struct BlockVertex {
+  Point position;
+  int joint_material = 0;
+
+  bool operator==(const BlockVertex&) const = default;
+};
+
+/// A closed chain of vertices, the first not repeated; the block lies to the left of every edge.
+using BlockLoop = std::vector<BlockVertex>;
+
+/// One block: an outer loop (counter-clockwise) and any holes in it (clockwise).
+struct BlockPolygon {
+  int material = 0;  ///< block material, index from 0
+  BlockLoop outer;
+  std::vector<BlockLoop> holes;
+
+  bool operator==(const BlockPolygon&) const = default;
+};
+
+/// A point carried by a block.
+struct BlockPoint {
+  Point position;
+  int block = 0;  ///< index from 0
+  Place place;
+};
+
+/// A bolt between two blocks; ends, then the blocks that carry them (index from 0).
+struct BlockBolt {
+  Segment segment;
+  int first_block = 0;
+  int second_block = 0;
+  double stiffness = 0;   ///< force / length
+  double strength = 0;    ///< force
+  double pretension = 0;  ///< force
+};
+
+/// The blocks of a scene and their points. Lengths in the file's unit.
+struct Blocks {
+  std::vector<BlockPolygon> blocks;
+  std::vector<BlockBolt> bolts;
+  std::vector<BlockPoint> fixed_points;
+  std::vector<BlockPoint> loading_points;
+  std::vector<BlockPoint> measured_points;
+  Place place;  ///< the file they come from
+};
+
+}  // namespace keyblock

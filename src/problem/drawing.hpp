@@ -1,0 +1,63 @@
+// What a geometry (line) file says: lines that cut blocks, and marks put on the drawing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/error.hpp"
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+/// A line that may become edges of blocks.
+struct JointLine {
+  Segment segment;
+  int joint_material = 0;  ///< index from 0 into the joint materials of the analysis
+  Place place;
+};
+
+/// Gives its block material to every block it crosses; later lines win.
+struct MaterialLine {
+  Segment segment;
+  int block_material = 0;  ///< index from 0
+  Place place;
+};
+
+/// An axial spring between two points of two blocks (values per unit thickness).
+struct BoltLine {
+  Segment segment;
+  double stiffness = 0;   ///< force / length
+  double strength = 0;    ///< force
+  double pretension = 0;  ///< force
+  int type = 0;           ///< DDAML: index from 0 of the bolt properties
+  Place place;
+};
+
+/// A fixed line: yields fixed points where it crosses block edges. A point if both ends are equal.
+struct FixedLine {
+  Segment segment;
+  Place place;
+};
+
+/// A loading, measured or hole point of the drawing.
+struct MarkedPoint {
+  Point position;
+  Place place;
+};
+
+/// The drawing of a geometry file. Lengths in the file's unit, indices from 0.
+struct Drawing {
+  double edge_node_ratio = 0;      ///< e0: snapping distance over the domain scale (Shi, line file token 1)
+  std::vector<JointLine> joints;   ///< boundary lines first
+  std::size_t boundary_count = 0;  ///< how many of `joints` are boundary lines
+  std::vector<MaterialLine> material_lines;
+  std::vector<BoltLine> bolts;
+  std::vector<FixedLine> fixed_lines;
+  std::vector<MarkedPoint> loading_points;
+  std::vector<MarkedPoint> measured_points;
+  std::vector<MarkedPoint> hole_points;
+  Place place;  ///< the file
+};
+
+}  // namespace keyblock

@@ -1,0 +1,23 @@
+// A vector that changes with time, linear between given rows: loads of points, motions of fixed points.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "base/error.hpp"
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+/// Rows (t, value), times strictly increasing. An empty curve is zero for ever.
+struct TimeCurve {
+  std::vector<double> times;
+  std::vector<Point> values;  ///< force (loading point) or displacement (fixed point)
+  Place place;
+
+  /// Linear between rows (legacy-rules 7.3); before the first and after the last row the nearest row's value
+  /// is held.
+  Point at(double time) const;
+};
+
+}  // namespace keyblock

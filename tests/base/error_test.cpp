@@ -1,0 +1,23 @@
+// Messages about input carry file, line and column in the one agreed form.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace keyblock {
+
+TEST(Error, input_error_reads_file_line_column_sentence) {
+  const InputError error({"slope.geo", 14, 7}, "expected a joint material, found \"abc\"");
+  EXPECT_STREQ(error.what(), "slope.geo:14:7: error: expected a joint material, found \"abc\"");
+}
+
+TEST(Error, place_without_line_is_the_file_alone) {
+  EXPECT_EQ(to_string(Place{"slope.geo"}), "slope.geo");
+}
+
+TEST(Error, warning_ends_with_its_name) {
+  EXPECT_EQ(to_string(Warning{"joint_material_clamped", {"a.geo", 3, 0}, "joint material 9 taken as 1"}),
+            "a.geo:3: warning: joint material 9 taken as 1 [joint_material_clamped]");
+}
+
+}  // namespace keyblock
