@@ -1,0 +1,41 @@
+// One reported instant of a run: where every element is and what it carries.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "problem/analysis.hpp"
+
+namespace keyblock {
+
+/// One element (a block) at an instant.
+struct ElementFrame {
+  std::vector<std::vector<Point>> loops;  ///< outer loop first (counter-clockwise), then holes (clockwise)
+  int material = 0;                       ///< block material, index from 0
+  Point centroid;
+  Point displacement;   ///< of the centroid since the start
+  double rotation = 0;  ///< rad, sum of the step rotations
+  Velocity velocity;
+  Stress stress;
+  double area = 0;
+};
+
+/// A point that travels with an element.
+struct PointFrame {
+  Point position;
+  Point displacement;  ///< since the start
+  int element = 0;     ///< index from 0
+};
+
+/// All elements and points at one time.
+struct Frame {
+  int step = 0;  ///< 0 is the state before the first step
+  double time = 0;
+  std::vector<ElementFrame> elements;
+  std::vector<PointFrame> fixed_points;
+  std::vector<PointFrame> loading_points;
+  std::vector<PointFrame> measured_points;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,23 @@
+// What is kept over time for the curves: one row an accepted step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "result/frame.hpp"
+
+namespace keyblock {
+
+/// One instant of the followed points.
+struct HistoryRow {
+  int step = 0;
+  double time = 0;
+  std::vector<PointFrame> points;  ///< the measured points; without any, the centroid of every element
+};
+
+struct History {
+  bool of_measured_points = true;  ///< false: the rows hold centroids
+  std::vector<HistoryRow> rows;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,22 @@
+// What one accepted step says of itself: the row of the step table.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace keyblock {
+
+struct StepReport {
+  int step = 0;     ///< from 1
+  double time = 0;  ///< at the end of the step
+  double dt = 0;
+  int passes = 0;                   ///< open-close passes (solves), redone attempts included
+  int redos = 0;                    ///< attempts thrown away before this one was accepted
+  int contacts = 0;                 ///< length of the contact list
+  int closed = 0;                   ///< contacts not open after the last judgement
+  int matrix_blocks = 0;            ///< diagonal blocks of the system and coupled pairs of elements
+  double penalty = 0;               ///< contact stiffness, force / length
+  double displacement_ratio = 0;    ///< greatest vertex displacement over the allowed one
+  double greatest_penetration = 0;  ///< of the closed contacts, length, ≥ 0
+  double residual = 0;              ///< largest relative residual of the step's linear solves
+};
+
+}  // namespace keyblock
