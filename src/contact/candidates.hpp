@@ -1,0 +1,22 @@
+// Pairs of elements close enough to matter.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "model/state.hpp"
+
+namespace keyblock {
+
+struct ElementPair {
+  ElementIndex lower;
+  ElementIndex upper;
+
+  auto operator<=>(const ElementPair&) const = default;
+};
+
+/// Pairs whose bounding boxes touch when one is grown by `distance`, ascending; the order does not depend on
+/// the search.
+std::vector<ElementPair> close_pairs(const Model& model, const State& state, double distance);
+
+}  // namespace keyblock

@@ -1,0 +1,53 @@
+// One contact: a vertex of one element against a reference line of another, and what it did last.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/index.hpp"
+
+namespace keyblock {
+
+/// A vertex (P1) and the line from `start` (P2) to `end` (P3) it may touch. The line runs against the order
+/// of its loop, so that positive distance is outside.
+struct Triple {
+  VertexIndex vertex;
+  VertexIndex start;
+  VertexIndex end;
+
+  bool operator==(const Triple&) const = default;
+};
+
+enum class ContactKind {
+  vertex_edge,    ///< one reference line, `first`
+  vertex_vertex,  ///< two reference lines; normal spring only
+};
+
+/// open, or in touch: on the one line sliding or locked (vertex_edge), on one of two lines (vertex_vertex).
+enum class ContactState { open, sliding, locked, on_first_line, on_second_line };
+
+struct Contact {
+  ContactKind kind = ContactKind::vertex_edge;
+  Triple first;
+  Triple second;               ///< vertex_vertex; also the other half of a parallel pair of edges
+  bool parallel_pair = false;  ///< vertex_edge made from two vertices with a nearly parallel pair of edges
+  VertexIndex neighbour;       ///< vertex_edge: other end of an edge that lies along the line, if one does
+
+  ContactState state = ContactState::open;
+  ContactState state_before = ContactState::open;  ///< before the last judgement
+  double distance = 0;  ///< from the active line after the last solve, positive outside
+  double slip = 0;      ///< along the line since the ratio was set
+  double ratio = 0;     ///< 0 … 1: where on the line the vertex touches, from `start`
+  double length = 0;    ///< contact length that bears cohesion and tension
+  double penalty = 0;   ///< normal stiffness in use at the last judgement
+  bool bonded = false;  ///< cohesion and tension act
+
+  bool is_open() const { return state == ContactState::open; }
+  bool has_second() const { return kind == ContactKind::vertex_vertex || parallel_pair; }
+  const Triple& active() const { return state == ContactState::on_second_line ? second : first; }
+};
+
+using Contacts = std::vector<Contact>;
+
+}  // namespace keyblock

@@ -1,0 +1,166 @@
+// Candidates by distance between the vertices of close elements, then contacts by angle.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/detect.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "contact/candidates.hpp"
+#include "contact/wedge.hpp"
+
+namespace keyblock {
+namespace {
+
+// A vertex counts as convex up to this interior angle; the excess lets a straight angle pass (legacy-rules
+// 2).
+constexpr double kConvexBelow = 180.0001;
+
+// Added to |dx| by the Berkeley program before the direction of an edge is taken, in length units
+// (legacy-rules 3).
+constexpr double kBerkeleyDirectionOffset = 1e-7;
+
+// Share of the overlap angle within which two opposed directions count as tied (legacy-rules 3,
+// vertex-vertex).
+constexpr double kTieShare = 0.3;
+
+double sine_of(double degrees) {
+  return std::sin(degrees * std::numbers::pi / 180);
+}
+
+class Detector {
+ public:
+  Detector(const Model& model, const State& state, const Settings& settings, const ContactRules& rules)
+      : model_(model), state_(state), rules_(rules) {
+    const double offset = settings.quirks.edge_direction_offset ? kBerkeleyDirectionOffset : 0;
+    for (VertexIndex v : indices(model.vertices))
+      leaving_.push_back(edge_direction(at(next(v)) - at(v), offset));
+  }
+
+  Detection run() {
+    for (const auto& [a, b] : close_pairs(model_, state_, rules_.search_distance)) {
+      for (VertexIndex i : model_.elements[a].vertices())
+        for (VertexIndex j : model_.elements[b].vertices()) meet(i, j);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  Point at(VertexIndex v) const { return state_.vertices[v]; }
+  VertexIndex next(VertexIndex v) const { return model_.vertices[v].next; }
+  VertexIndex previous(VertexIndex v) const { return model_.vertices[v].previous; }
+
+  Wedge wedge(VertexIndex v) const { return {leaving_[v], one_turn(leaving_[previous(v)] - 180)}; }
+  bool is_convex(VertexIndex v) const { return wedge(v).angle() < kConvexBelow; }
+
+  void meet(VertexIndex i, VertexIndex j) {
+    if (distance(at(i), at(j)) > rules_.search_distance) {
+      if (near_edge(i, j)) vertex_edge(i, j);
+      if (near_edge(j, i)) vertex_edge(j, i);
+    } else if (is_convex(i) && is_convex(j)) {
+      vertex_vertex(i, j);
+    } else if (is_convex(i)) {
+      vertex_edge(i, j);
+      vertex_edge(i, previous(j));
+    } else {
+      vertex_edge(j, i);
+      vertex_edge(j, previous(i));
+    }
+  }
+
+  // Vertex p against the edge from `a` to its next vertex; p is known to be away from `a` itself.
+  bool near_edge(VertexIndex p, VertexIndex a) const {
+    const Point start = at(a);
+    const Point end = at(next(a));
+    if (distance(at(p), end) <= rules_.search_distance) return false;
+    const Point edge = end - start;
+    const double size = length(edge);
+    const double from_middle = dot(at(p) - 0.5 * (start + end), edge) / size;
+    if (std::abs(from_middle) > size / 2) return false;
+    const double inward = cross(edge, at(p) - start) / size;
+    return -rules_.search_distance <= inward && inward <= rules_.search_depth;
+  }
+
+  void vertex_edge(VertexIndex i, VertexIndex j) {
+    const Wedge a = wedge(i);
+    const Wedge b{leaving_[j], one_turn(leaving_[j] - 180)};
+    if (!may_touch(a, b, rules_.angle_overlap)) return;
+    Contact contact;
+    contact.first = {i, next(j), j};
+    const auto [gap_next, gap_previous] = gaps(a, b);
+    if (gap_next < rules_.angle_overlap)
+      contact.neighbour = next(i);
+    else if (gap_previous < rules_.angle_overlap)
+      contact.neighbour = previous(i);
+    found_.contacts.push_back(contact);
+    found_.all_exchanged = false;
+  }
+
+  void vertex_vertex(VertexIndex i, VertexIndex j) {
+    const Wedge a = wedge(i);
+    const Wedge b = wedge(j);
+    if (!may_touch(a, b, rules_.angle_overlap)) return;
+    const auto [gap_next, gap_previous] = gaps(a, b);
+    if (gap_next < rules_.angle_overlap) parallel_pair({i, j, previous(j)}, {j, next(i), i});
+    if (gap_previous < rules_.angle_overlap) parallel_pair({j, i, previous(i)}, {i, next(j), j});
+    if (gap_next >= rules_.angle_overlap && gap_previous >= rules_.angle_overlap)
+      true_vertex_vertex(i, j, a, b);
+  }
+
+  // Angles left open between the two wedges on the side of i's next and of i's previous edge; negative:
+  // overlapping.
+  struct Gaps {
+    double next;
+    double previous;
+  };
+  static Gaps gaps(const Wedge& a, const Wedge& b) {
+    const double turn = turn_between(a.from, b.from);
+    return {360 - turn - b.angle(), turn - a.angle()};
+  }
+  static double turn_between(double from, double to) { return to - from < 0 ? to - from + 360 : to - from; }
+
+  void parallel_pair(Triple first, Triple second) {
+    Contact contact;
+    contact.parallel_pair = true;
+    const bool inside = dot(at(first.start) - at(first.vertex), at(first.end) - at(first.vertex)) <= 0;
+    contact.first = inside ? first : second;
+    contact.second = inside ? second : first;
+    found_.contacts.push_back(contact);
+    if (inside) found_.all_exchanged = false;
+  }
+
+  // Two possible reference lines for two convex wedges (legacy-rules 3, true vertex-vertex).
+  void true_vertex_vertex(VertexIndex i, VertexIndex j, const Wedge& a, const Wedge& b) {
+    const double tie = kTieShare * rules_.angle_overlap;
+    const double slope_a = std::abs(sine_of(a.from + a.angle() / 2));
+    const double slope_b = std::abs(sine_of(b.from + b.angle() / 2));
+    const double between_next = turn_between(a.from, b.from);
+    const double between_previous = turn_between(a.to, b.to);
+    Contact contact;
+    contact.kind = ContactKind::vertex_vertex;
+    const bool first_on_j = between_next <= 180 - tie || (between_next <= 180 + tie && slope_b >= slope_a);
+    contact.first = first_on_j ? Triple{i, next(j), j} : Triple{j, next(i), i};
+    const double first_direction = first_on_j ? b.from : a.from;
+    const bool second_on_i =
+        between_previous <= 180 - tie || (between_previous <= 180 + tie && slope_a >= slope_b);
+    contact.second = second_on_i ? Triple{j, i, previous(i)} : Triple{i, j, previous(j)};
+    if (second_on_i && std::abs(sine_of(first_direction)) < std::abs(sine_of(a.to)))
+      std::swap(contact.first, contact.second);
+    found_.contacts.push_back(contact);
+    found_.all_exchanged = false;
+  }
+
+  const Model& model_;
+  const State& state_;
+  const ContactRules& rules_;
+  Table<VertexIndex, double> leaving_;
+  Detection found_;
+};
+
+}  // namespace
+
+Detection detect(const Model& model, const State& state, const Settings& settings,
+                 const ContactRules& rules) {
+  return Detector(model, state, settings, rules).run();
+}
+
+}  // namespace keyblock

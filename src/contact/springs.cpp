@@ -1,0 +1,110 @@
+// The submatrices of one contact, and their sum.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "contact/line.hpp"
+
+namespace keyblock {
+namespace {
+
+double sign(double x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+// The elements of a contact and the operators of its three points: i carries P1, j carries the line.
+struct Ends {
+  int i;
+  int j;
+  DisplacementOperator t1;  // of element i at P1
+  DisplacementOperator t2;  // of element j at P2 and P3
+  DisplacementOperator t3;
+};
+
+Ends ends_of(const Triple& triple, const Line& line, const Model& model, const State& state) {
+  const ElementIndex i = model.vertices[triple.vertex].element;
+  const ElementIndex j = model.vertices[triple.start].element;
+  return {i.value, j.value, basis_at(model, state, i, line.p1), basis_at(model, state, j, line.p2),
+          basis_at(model, state, j, line.p3)};
+}
+
+Eigen::Vector2d vector(Point p) {
+  return {p.x, p.y};
+}
+
+// One spring: a length whose change is  on_i·D_i + on_j·D_j, and which is `stretch` at the start of the step.
+struct Spring {
+  Unknowns on_i;
+  Unknowns on_j;
+  double stretch;
+};
+
+// e, g, d of legacy-rules 8: change of the distance of P1 from the line (line length not differentiated).
+Spring normal_spring(const Line& l, const Ends& ends) {
+  const double size = l.size();
+  const Point e{(l.p2.y - l.p3.y) / size, (l.p3.x - l.p2.x) / size};
+  const Point g2{(l.p3.y - l.p1.y) / size, (l.p1.x - l.p3.x) / size};
+  const Point g3{(l.p1.y - l.p2.y) / size, (l.p2.x - l.p1.x) / size};
+  return {ends.t1.transpose() * vector(e),
+          ends.t2.transpose() * vector(g2) + ends.t3.transpose() * vector(g3), l.distance()};
+}
+
+// es, gs, s of legacy-rules 8: change of the way of P1 along the line, from the contact point P0 at `ratio`.
+Spring shear_spring(const Line& l, const Ends& ends, double ratio) {
+  const double size = l.size();
+  const Point along = l.along();
+  const Point from_p0 = l.p1 - l.at(ratio);
+  const Point g2 = (-1 / size) * ((1 - ratio) * along + from_p0);
+  const Point g3 = (1 / size) * (from_p0 - ratio * along);
+  return {ends.t1.transpose() * vector(1 / size * along),
+          ends.t2.transpose() * vector(g2) + ends.t3.transpose() * vector(g3), dot(from_p0, along) / size};
+}
+
+void add_spring(const Spring& spring, double stiffness, const Ends& ends, System& system) {
+  system.matrix.add(ends.i, ends.i, stiffness * (spring.on_i * spring.on_i.transpose()));
+  system.matrix.add(ends.j, ends.j, stiffness * (spring.on_j * spring.on_j.transpose()));
+  system.matrix.add(ends.i, ends.j, stiffness * (spring.on_i * spring.on_j.transpose()));
+  system.load_of(ends.i) -= stiffness * spring.stretch * spring.on_i;
+  system.load_of(ends.j) -= stiffness * spring.stretch * spring.on_j;
+}
+
+double friction_force(const Contact& contact, const JointMaterial& joint) {
+  const double tangent = std::tan(joint.friction_angle_deg * std::numbers::pi / 180);
+  const double cohesion = contact.bonded ? joint.cohesion * contact.length : 0;
+  return std::abs(std::min(contact.distance, 0.0)) * contact.penalty * tangent + cohesion;
+}
+
+}  // namespace
+
+void add_springs(const Contacts& contacts, const Model& model, const State& state, const ContactRules& rules,
+                 double penalty, System& system) {
+  for (const Contact& contact : contacts) {
+    if (contact.is_open()) continue;
+    const Line line = line_of(state, contact.active());
+    const Ends ends = ends_of(contact.active(), line, model, state);
+    add_spring(normal_spring(line, ends), penalty, ends, system);
+    if (contact.state == ContactState::locked)
+      add_spring(shear_spring(line, ends, contact.ratio), penalty / rules.shear_ratio, ends, system);
+  }
+}
+
+void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const Model& model,
+                  const State& state, System& system) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (!acts[c] || contact.state != ContactState::sliding) continue;
+    const Line line = line_of(state, contact.first);
+    const Ends ends = ends_of(contact.first, line, model, state);
+    const JointMaterial& joint =
+        model.joint_materials[static_cast<std::size_t>(model.vertices[contact.first.start].joint_material)];
+    const double force = friction_force(contact, joint) * sign(contact.slip);
+    const Eigen::Vector2d along = force / line.size() * vector(line.along());
+    system.load_of(ends.i) -= ends.t1.transpose() * along;
+    system.load_of(ends.j) += ((1 - contact.ratio) * ends.t2 + contact.ratio * ends.t3).transpose() * along;
+  }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,44 @@
+// The bases: one function each.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/basis.hpp"
+
+namespace keyblock {
+
+DisplacementOperator Basis::at(Point offset) const {
+  return constant + offset.x * per_x + offset.y * per_y;
+}
+
+Point Basis::displacement(const Unknowns& d, Point offset) const {
+  const Eigen::Vector2d u = at(offset) * d;
+  return {u.x(), u.y()};
+}
+
+StrainOperator Basis::strain() const {
+  StrainOperator strain(3, unknown_count());
+  strain.row(0) = per_x.row(0);
+  strain.row(1) = per_y.row(1);
+  strain.row(2) = per_y.row(0) + per_x.row(1);
+  return strain;
+}
+
+const Basis& affine_basis() {
+  static const Basis basis = [] {
+    Basis affine;
+    affine.constant = DisplacementOperator::Zero(2, 6);
+    affine.per_x = DisplacementOperator::Zero(2, 6);
+    affine.per_y = DisplacementOperator::Zero(2, 6);
+    affine.constant(0, 0) = 1;
+    affine.constant(1, 1) = 1;
+    affine.per_y(0, 2) = -1;
+    affine.per_x(1, 2) = 1;
+    affine.per_x(0, 3) = 1;
+    affine.per_y(1, 4) = 1;
+    affine.per_y(0, 5) = 0.5;
+    affine.per_x(1, 5) = 0.5;
+    affine.rotation_unknown = 2;
+    return affine;
+  }();
+  return basis;
+}
+
+}  // namespace keyblock

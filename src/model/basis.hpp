@@ -1,0 +1,46 @@
+// The displacement of a point of an element from the element's few unknowns: u(x) = T(x) d.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+/// The most unknowns an element may have; raise it when a richer basis comes in.
+inline constexpr int kMostUnknowns = 6;
+
+/// n unknowns, n × n coupling of two elements, 2 × n and 3 × n operators; n ≤ kMostUnknowns, never on the
+/// heap.
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostUnknowns, 1>;
+using UnknownBlock =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostUnknowns, kMostUnknowns>;
+using DisplacementOperator = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, kMostUnknowns>;
+using StrainOperator = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMostUnknowns>;
+
+/// A basis linear in the coordinates (X, Y) from the element's centroid: T = constant + X per_x + Y per_y.
+/// Loads, mass, stiffness and contact are written through these three operators alone, whatever the basis.
+struct Basis {
+  DisplacementOperator constant;
+  DisplacementOperator per_x;
+  DisplacementOperator per_y;
+  int rotation_unknown = -1;  ///< which unknown is the rotation (rad), -1 if none is
+
+  int unknown_count() const { return static_cast<int>(constant.cols()); }
+
+  /// T at `offset` from the centroid, 2 × n.
+  DisplacementOperator at(Point offset) const;
+
+  /// u = T d at `offset` from the centroid.
+  Point displacement(const Unknowns& d, Point offset) const;
+
+  /// B, 3 × n: engineering strain (ex, ey, gxy) = B d.
+  StrainOperator strain() const;
+};
+
+/// Shi's block: u, v, r, ex, ey, gxy about the centroid (Shi 1988, eq. of complete first-order displacement):
+///     T = [1 0 -Y X 0 Y/2; 0 1 X 0 Y X/2].
+const Basis& affine_basis();
+
+}  // namespace keyblock

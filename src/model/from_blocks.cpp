@@ -1,0 +1,110 @@
+// Builds the model from blocks, and its first state from the materials.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/from_blocks.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+int nearest_existing(int index, std::size_t count) {
+  return count == 0 ? 0 : std::clamp(index, 0, static_cast<int>(count) - 1);
+}
+
+void add_loop(Model& model, const BlockLoop& loop, ElementIndex element) {
+  const int first = model.vertices.end_index().value;
+  const int size = static_cast<int>(loop.size());
+  for (int i = 0; i < size; ++i) {
+    const BlockVertex& corner = loop[static_cast<std::size_t>(i)];
+    model.vertices.push_back({element,
+                              {first + (i + 1) % size},
+                              {first + (i + size - 1) % size},
+                              nearest_existing(corner.joint_material, model.joint_materials.size())});
+    model.start_vertices.push_back(corner.position);
+  }
+  model.elements[element].loop_sizes.push_back(size);
+}
+
+void add_block(Model& model, const BlockPolygon& block) {
+  const ElementIndex index = model.elements.end_index();
+  const VertexIndex first = model.vertices.end_index();
+  model.elements.push_back(
+      {nearest_existing(block.material, model.block_materials.size()), &affine_basis(), first, first, {}});
+  add_loop(model, block.outer, index);
+  for (const BlockLoop& hole : block.holes) add_loop(model, hole, index);
+  model.elements[index].end_vertex = model.vertices.end_index();
+}
+
+std::vector<CarriedPoint> carried(const std::vector<BlockPoint>& points,
+                                  const std::vector<TimeCurve>& curves) {
+  std::vector<CarriedPoint> result;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.push_back({points[i].position, {points[i].block}, i < curves.size() ? curves[i] : TimeCurve{}});
+  return result;
+}
+
+// Half the greater of width and height of all block vertices at the start (legacy-rules, notation).
+double scale_of(const std::vector<Point>& vertices) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Point low{kFar, kFar};
+  Point high{-kFar, -kFar};
+  for (Point p : vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return std::max(high.x - low.x, high.y - low.y) / 2;
+}
+
+Stress berkeley_stress_gradient(const BlockMaterial& material, AnalysisDialect dialect) {
+  const Velocity slots = berkeley_start_velocity(material, dialect);
+  return {slots.x, slots.y, slots.rotation};
+}
+
+}  // namespace
+
+Velocity berkeley_start_velocity(const BlockMaterial& material, AnalysisDialect dialect) {
+  if (dialect == AnalysisDialect::ddaml) return material.initial_velocity;
+  return {material.stress_gradient.xx, material.stress_gradient.yy, material.stress_gradient.xy};
+}
+
+Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {
+  Model model;
+  model.block_materials = analysis.block_materials;
+  model.joint_materials = analysis.joint_materials;
+  for (const BlockPolygon& block : blocks.blocks) add_block(model, block);
+  model.fixed_points = carried(blocks.fixed_points, analysis.fixed_point_motions);
+  model.loading_points = carried(blocks.loading_points, analysis.point_loads);
+  model.measured_points = carried(blocks.measured_points, {});
+  model.scale = scale_of(model.start_vertices);
+  return model;
+}
+
+State start_state(const Model& model, AnalysisDialect dialect, const Settings& settings) {
+  State state;
+  state.vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
+  for (ElementIndex e : indices(model.elements)) {
+    const Element& element = model.elements[e];
+    const BlockMaterial& material = model.material_of(element);
+    const auto [centroid, moments] = place(model, state.vertices, e, settings);
+    const bool slots = settings.quirks.start_velocity_slots;
+    const Velocity v = slots ? berkeley_start_velocity(material, dialect) : material.initial_velocity;
+    const Stress gradient = slots ? berkeley_stress_gradient(material, dialect) : material.stress_gradient;
+    const Stress& s = material.initial_stress;
+    Unknowns velocity = Unknowns::Zero(element.basis->unknown_count());
+    velocity.head<3>() << v.x, v.y, v.rotation;
+    state.elements.push_back(
+        {centroid,
+         moments,
+         velocity,
+         Unknowns::Zero(element.basis->unknown_count()),
+         {s.xx + centroid.y * gradient.xx, s.yy + centroid.y * gradient.yy, s.xy + centroid.y * gradient.xy},
+         0});
+  }
+  for (const CarriedPoint& p : model.fixed_points) state.fixed_points.push_back({p.start, {}});
+  for (const CarriedPoint& p : model.loading_points) state.loading_points.push_back({p.start, {}});
+  for (const CarriedPoint& p : model.measured_points) state.measured_points.push_back({p.start, {}});
+  return state;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,33 @@
+// What a scene takes: which unknowns, which terms, and why. Nothing absent from this list costs time in the
+// run. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+namespace keyblock {
+
+enum class TermKind { inertia, elastic, initial_stress, body_force, point_load, fixed_point, contact };
+
+std::string_view name_of(TermKind term);
+
+struct RequiredTerm {
+  TermKind term;
+  std::string reason;
+};
+
+struct Requirements {
+  int unknowns = 0;
+  std::string basis;  ///< one sentence: which basis, for how many elements
+  std::vector<RequiredTerm> terms;
+
+  bool has(TermKind term) const;
+};
+
+Requirements requirements(const Model& model, const Settings& settings);
+
+}  // namespace keyblock

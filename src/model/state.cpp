@@ -1,0 +1,40 @@
+// Where the operators and the polygon integrals of an element are taken, as its vertices lie now.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/state.hpp"
+
+#include <span>
+
+namespace keyblock {
+
+DisplacementOperator basis_at(const Model& model, const State& state, ElementIndex element, Point x) {
+  return model.elements[element].basis->at(x - state.elements[element].centroid);
+}
+
+Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, ElementIndex index,
+                const Settings& settings) {
+  const Element& element = model.elements[index];
+  // Near the polygon, so that a scene far from the origin keeps its digits; the Berkeley program does not do
+  // so.
+  const Point origin = settings.quirks.moments_about_origin ? Point{} : vertices[element.first_vertex];
+  const std::span<const Point> points(&vertices[element.first_vertex],
+                                      static_cast<std::size_t>(element.vertices().size()));
+  Moments sum;
+  std::size_t first = 0;
+  for (int size : element.loop_sizes) {
+    sum += moments(points.subspan(first, static_cast<std::size_t>(size)), origin);
+    first += static_cast<std::size_t>(size);
+  }
+  const double x = sum.x / sum.area;
+  const double y = sum.y / sum.area;
+  // Shifting theorem: second moments about the centroid.
+  return {origin + Point{x, y}, {sum.area, 0, 0, sum.xx - x * sum.x, sum.yy - y * sum.y, sum.xy - x * sum.y}};
+}
+
+Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings) {
+  const double carry = settings.velocity_carry_over;
+  if (state.step == 0 || carry == 0) return carry * element.velocity;
+  if (!settings.quirks.velocity_from_coming_step) return element.velocity;
+  return 2 / state.dt * element.last_step - carry * element.velocity;
+}
+
+}  // namespace keyblock

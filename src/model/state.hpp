@@ -1,0 +1,55 @@
+// What changes during a run: time, positions, velocities and stresses.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/simplex.hpp"
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+namespace keyblock {
+
+/// What an element carries. Moments are those of the current polygon about its centroid.
+struct ElementState {
+  Point centroid;
+  Moments moments;
+  Unknowns
+      velocity;  ///< rate of the unknowns that the next attempt starts from (see velocity_from_coming_step)
+  Unknowns last_step;  ///< the last accepted increment of the unknowns
+  Stress stress;
+  double rotation = 0;  ///< sum of the step rotations, rad
+};
+
+/// A carried point now, and how far it has come.
+struct PointState {
+  Point position;
+  Point displacement;
+};
+
+struct State {
+  int step = 0;
+  double time = 0;
+  double dt = 0;  ///< of the last accepted step
+  Table<VertexIndex, Point> vertices;
+  Table<ElementIndex, ElementState> elements;
+  std::vector<PointState> fixed_points;
+  std::vector<PointState> loading_points;
+  std::vector<PointState> measured_points;
+};
+
+/// Displacement operator of `element` at the point `x` of the plane.
+DisplacementOperator basis_at(const Model& model, const State& state, ElementIndex element, Point x);
+
+/// Centroid and moments of an element's polygon as its vertices lie now.
+struct Placement {
+  Point centroid;
+  Moments moments;  ///< about the centroid
+};
+Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, ElementIndex element,
+                const Settings& settings);
+
+/// Velocity of the unknowns at the end of the last accepted step; zero where none is carried (static).
+Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings);
+
+}  // namespace keyblock

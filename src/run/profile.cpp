@@ -1,0 +1,73 @@
+// Each profile is one function from the analysis file to settings; the list of them is the table.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace keyblock {
+namespace {
+
+// One gravity for all, from `Gravaccel` or from material 1 (legacy-formats 3.2).
+double berkeley_gravity(const Analysis& analysis) {
+  const BlockMaterial& first = analysis.block_materials.front();
+  return analysis.gravity.value_or(first.unit_weight / first.density);
+}
+
+// g0 of the file, or the penalty factor times the greatest modulus (legacy-formats 3.4); g0 = 0 means
+// "program chooses".
+double start_penalty(const Analysis& analysis) {
+  if (analysis.contact_penalty.value_or(0) > 0) return *analysis.contact_penalty;
+  const auto stiffest =
+      std::ranges::max_element(analysis.block_materials, {}, &BlockMaterial::youngs_modulus);
+  return analysis.penalty_factor * stiffest->youngs_modulus;
+}
+
+// The rules of the Berkeley program, quirks included. Shi's own dialect names its start velocity and gradient
+// apart, and gives each material its own weight: there the two quirks about them are off.
+Settings legacy(const Analysis& analysis) {
+  Settings settings;
+  settings.step_count = analysis.step_count;
+  settings.time_step = analysis.time_step;
+  settings.step_control = analysis.automatic_time_step ? StepControl::shi : StepControl::constant;
+  settings.velocity_carry_over = analysis.velocity_carry_over;
+  settings.rotation = analysis.rotation;
+  settings.plane = analysis.plane_strain ? Plane::strain : Plane::stress;
+  settings.gravity = berkeley_gravity(analysis);
+  settings.contact_penalty = start_penalty(analysis);
+  settings.penalty_control = analysis.automatic_penalty ? PenaltyControl::adaptive : PenaltyControl::constant;
+  settings.allowed_displacement_ratio = analysis.allowed_displacement_ratio;
+  settings.pass_limit = analysis.open_close_limit;
+  settings.open_close = analysis.open_close;
+  settings.quirks.start_velocity_slots = analysis.dialect != AnalysisDialect::shi;
+  settings.quirks.weight_of_first_material = analysis.dialect != AnalysisDialect::shi;
+  return settings;
+}
+
+struct Profile {
+  const char* name;
+  Settings (*settings)(const Analysis&);
+};
+
+constexpr std::array<Profile, 1> kProfiles{{{"legacy", legacy}}};
+
+}  // namespace
+
+std::vector<std::string> profile_names() {
+  std::vector<std::string> names;
+  for (const Profile& profile : kProfiles) names.push_back(profile.name);
+  return names;
+}
+
+Settings profile_settings(const std::string& name, const Analysis& analysis) {
+  const auto profile =
+      std::ranges::find(kProfiles, name, [](const Profile& p) { return std::string(p.name); });
+  if (profile == kProfiles.end())
+    throw std::invalid_argument(fmt::format("there is no profile \"{}\"", name));
+  return profile->settings(analysis);
+}
+
+}  // namespace keyblock

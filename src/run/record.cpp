@@ -1,0 +1,60 @@
+// Copies what is reported out of the state.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/record.hpp"
+
+namespace keyblock {
+namespace {
+
+std::vector<std::vector<Point>> loops_of(const Element& element, const State& state) {
+  std::vector<std::vector<Point>> loops;
+  VertexIndex v = element.first_vertex;
+  for (int size : element.loop_sizes) {
+    std::vector<Point>& loop = loops.emplace_back();
+    for (int i = 0; i < size; ++i, ++v.value) loop.push_back(state.vertices[v]);
+  }
+  return loops;
+}
+
+std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points,
+                                  const std::vector<PointState>& states) {
+  std::vector<PointFrame> frames;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    frames.push_back({states[i].position, states[i].displacement, points[i].element.value});
+  return frames;
+}
+
+}  // namespace
+
+Frame frame_of(const Model& model, const State& state, const State& start, const Settings& settings) {
+  Frame frame{state.step, state.time, {}, {}, {}, {}};
+  for (ElementIndex e : indices(model.elements)) {
+    const Element& element = model.elements[e];
+    const ElementState& now = state.elements[e];
+    const Unknowns velocity = end_velocity(now, state, settings);
+    const Point moved = now.centroid - start.elements[e].centroid;
+    frame.elements.push_back({loops_of(element, state),
+                              element.material,
+                              now.centroid,
+                              moved,
+                              now.rotation,
+                              {velocity[0], velocity[1], velocity[2]},
+                              now.stress,
+                              now.moments.area});
+  }
+  frame.fixed_points = points_of(model.fixed_points, state.fixed_points);
+  frame.loading_points = points_of(model.loading_points, state.loading_points);
+  frame.measured_points = points_of(model.measured_points, state.measured_points);
+  return frame;
+}
+
+HistoryRow history_row(const Model& model, const State& state, const State& start) {
+  HistoryRow row{state.step, state.time, points_of(model.measured_points, state.measured_points)};
+  if (!row.points.empty()) return row;
+  for (ElementIndex e : indices(model.elements)) {
+    const Point centroid = state.elements[e].centroid;
+    row.points.push_back({centroid, centroid - start.elements[e].centroid, e.value});
+  }
+  return row;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,38 @@
+// A problem from its first state to its last: steps made one after another, handed to an observer as they
+// come. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "problem/blocks.hpp"
+#include "result/frame.hpp"
+#include "result/history.hpp"
+#include "result/step_report.hpp"
+#include "step/advance.hpp"
+
+namespace keyblock {
+
+/// Who is told what, and who may stop the run. Any may be left empty.
+struct Observer {
+  std::function<void(const Frame&)> on_frame;
+  std::function<void(const StepReport&, const HistoryRow&)> on_step;
+  std::function<bool()> wants_stop;
+};
+
+enum class RunEnd { finished, failed, stopped };
+
+struct RunOutcome {
+  RunEnd end = RunEnd::finished;
+  std::string reason;                 ///< why it failed; empty otherwise
+  std::vector<std::size_t> contacts;  ///< contacts (from 0) that would not settle
+  int steps = 0;                      ///< accepted
+  double time = 0;                    ///< reached
+};
+
+/// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever
+/// the end was.
+RunOutcome run(const Scene& scene, int record_every, const Observer& observer);
+
+}  // namespace keyblock

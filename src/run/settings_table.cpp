@@ -1,0 +1,186 @@
+// The table of settings: one row a setting, with its kind, range and meaning.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/settings_table.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <variant>
+
+namespace keyblock {
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::max();
+
+struct Real {
+  double& (*of)(Settings&);
+  double least;
+  bool open = false;  ///< the least value itself is excluded
+  double greatest = kNoLimit;
+};
+struct Whole {
+  int& (*of)(Settings&);
+  int least;
+};
+struct Choice {
+  std::vector<std::string> names;
+  std::function<int(const Settings&)> get;
+  std::function<void(Settings&, int)> set;
+};
+
+struct Row {
+  const char* name;
+  const char* meaning;
+  std::variant<Real, Whole, Choice> kind;
+};
+
+template <class E>
+Choice choice(E Settings::*member, std::vector<std::string> names) {
+  return {std::move(names), [member](const Settings& s) { return static_cast<int>(s.*member); },
+          [member](Settings& s, int value) { s.*member = static_cast<E>(value); }};
+}
+
+Choice quirk(bool BerkeleyQuirks::*member) {
+  return {{"off", "on"},
+          [member](const Settings& s) { return s.quirks.*member ? 1 : 0; },
+          [member](Settings& s, int value) { s.quirks.*member = value == 1; }};
+}
+
+const std::vector<Row>& table() {
+  static const std::vector<Row> rows{
+      {"steps", "number of time steps", Whole{[](Settings& s) -> int& { return s.step_count; }, 1}},
+      {"time_step", "step size, or its starting value under rule shi [time]",
+       Real{[](Settings& s) -> double& { return s.time_step; }, 0, true}},
+      {"step_control", "how the step size is chosen", choice(&Settings::step_control, {"constant", "shi"})},
+      {"velocity_carry_over", "share of the velocity carried into a step: 0 static, 1 dynamic",
+       Real{[](Settings& s) -> double& { return s.velocity_carry_over; }, 0, false, 1}},
+      {"rotation", "how points move under a rotation", choice(&Settings::rotation, {"first_order", "exact"})},
+      {"plane", "plane stress or plane strain", choice(&Settings::plane, {"stress", "strain"})},
+      {"gravity", "acceleration of gravity, downward [length/time^2]",
+       Real{[](Settings& s) -> double& { return s.gravity; }, -kNoLimit}},
+      {"contact_penalty", "starting normal contact stiffness [force/length]",
+       Real{[](Settings& s) -> double& { return s.contact_penalty; }, 0, true}},
+      {"penalty_control", "how the contact stiffness changes",
+       choice(&Settings::penalty_control, {"constant", "adaptive"})},
+      {"fixed_point_factor", "stiffness of fixed points over the starting contact stiffness",
+       Real{[](Settings& s) -> double& { return s.fixed_point_factor; }, 0, true}},
+      {"allowed_displacement_ratio", "allowed displacement of a step over half the size of the scene",
+       Real{[](Settings& s) -> double& { return s.allowed_displacement_ratio; }, 0, true}},
+      {"pass_limit", "open-close passes of one attempt",
+       Whole{[](Settings& s) -> int& { return s.pass_limit; }, 1}},
+      {"redo_limit", "attempts at one step before the run stops",
+       Whole{[](Settings& s) -> int& { return s.redo_limit; }, 0}},
+      {"closing_ratio", "penetration at which a contact closes, over half the size of the scene",
+       Real{[](Settings& s) -> double& { return s.open_close.closing_ratio; }, 0}},
+      {"opening_ratio", "separation at which a contact opens, over half the size of the scene",
+       Real{[](Settings& s) -> double& { return s.open_close.opening_ratio; }, 0}},
+      {"allowed_penetration", "penetration the adaptive stiffness aims at, over half the size of the scene",
+       Real{[](Settings& s) -> double& { return s.open_close.allowed_penetration; }, 0, true}},
+      {"angle_overlap_deg", "angle within which two edges count as parallel [degree]",
+       Real{[](Settings& s) -> double& { return s.open_close.angle_overlap_deg; }, 0}},
+      {"normal_to_shear_stiffness", "normal over shear contact stiffness",
+       Real{[](Settings& s) -> double& { return s.open_close.normal_to_shear_stiffness; }, 0, true}},
+      {"quirk.moments_about_origin", "rules 7: area moments about the origin of coordinates",
+       quirk(&BerkeleyQuirks::moments_about_origin)},
+      {"quirk.search_full_depth", "rules 2: penetration side searched to the full distance",
+       quirk(&BerkeleyQuirks::search_full_depth)},
+      {"quirk.edge_direction_offset", "rules 3: 1e-7 added to |dx| in edge directions",
+       quirk(&BerkeleyQuirks::edge_direction_offset)},
+      {"quirk.stale_contact_list", "rules 3: a step without contacts keeps the last list",
+       quirk(&BerkeleyQuirks::stale_contact_list)},
+      {"quirk.contact_length_last_vertex", "rules 5: end of a shared edge mistaken",
+       quirk(&BerkeleyQuirks::contact_length_last_vertex)},
+      {"quirk.plane_strain_factor", "rules 7.2: plane-strain stiffness too stiff",
+       quirk(&BerkeleyQuirks::plane_strain_factor)},
+      {"quirk.velocity_from_coming_step", "rules 7.4: velocity from the coming step size",
+       quirk(&BerkeleyQuirks::velocity_from_coming_step)},
+      {"quirk.start_velocity_slots", "rules 7.5: stress gradient and start velocity share values",
+       quirk(&BerkeleyQuirks::start_velocity_slots)},
+      {"quirk.weight_of_first_material", "one gravity for all materials",
+       quirk(&BerkeleyQuirks::weight_of_first_material)},
+      {"quirk.cut_step_stays", "rules 11.2: a cut step stays cut", quirk(&BerkeleyQuirks::cut_step_stays)},
+      {"quirk.fixed_pass_bound", "rules 11.1: 8 passes whatever the limit",
+       quirk(&BerkeleyQuirks::fixed_pass_bound)},
+      {"quirk.step_rule_by_time", "rules 13: time in place of the displacement ratio",
+       quirk(&BerkeleyQuirks::step_rule_by_time)},
+  };
+  return rows;
+}
+
+template <class T>
+std::optional<T> parse(const std::string& text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void refuse(const Row& row, const std::string& expected, const std::string& found) {
+  throw std::invalid_argument(
+      fmt::format("setting {}: expected {}, found \"{}\"", row.name, expected, found));
+}
+
+struct Write {
+  const Settings& settings;
+  std::string operator()(const Real& r) const {
+    return fmt::format("{}", r.of(const_cast<Settings&>(settings)));
+  }
+  std::string operator()(const Whole& w) const {
+    return fmt::format("{}", w.of(const_cast<Settings&>(settings)));
+  }
+  std::string operator()(const Choice& c) const { return c.names[static_cast<std::size_t>(c.get(settings))]; }
+};
+
+struct Read {
+  Settings& settings;
+  const Row& row;
+  const std::string& text;
+
+  void operator()(const Real& r) const {
+    const std::optional<double> value = parse<double>(text);
+    const bool in_range = value && std::isfinite(*value) && *value <= r.greatest &&
+                          (r.open ? *value > r.least : *value >= r.least);
+    if (!in_range) refuse(row, range_of(r), text);
+    r.of(settings) = *value;
+  }
+  void operator()(const Whole& w) const {
+    const std::optional<int> value = parse<int>(text);
+    if (!value || *value < w.least) refuse(row, fmt::format("a whole number of at least {}", w.least), text);
+    w.of(settings) = *value;
+  }
+  void operator()(const Choice& c) const {
+    for (std::size_t i = 0; i < c.names.size(); ++i) {
+      if (c.names[i] == text) return c.set(settings, static_cast<int>(i));
+    }
+    refuse(row, fmt::format("one of {}", fmt::join(c.names, ", ")), text);
+  }
+  static std::string range_of(const Real& r) {
+    if (r.least == -kNoLimit) return "a number";
+    if (r.greatest != kNoLimit) return fmt::format("a number from {} to {}", r.least, r.greatest);
+    return fmt::format("a number {} {}", r.open ? "greater than" : "of at least", r.least);
+  }
+};
+
+}  // namespace
+
+std::vector<SettingText> list(const Settings& settings) {
+  std::vector<SettingText> texts;
+  for (const Row& row : table())
+    texts.push_back({row.name, std::visit(Write{settings}, row.kind), row.meaning});
+  return texts;
+}
+
+void set(Settings& settings, const std::string& name, const std::string& value) {
+  for (const Row& row : table()) {
+    if (name == row.name) return std::visit(Read{settings, row, value}, row.kind);
+  }
+  throw std::invalid_argument(
+      fmt::format("there is no setting \"{}\"; `keyblock run --settings` lists them", name));
+}
+
+}  // namespace keyblock

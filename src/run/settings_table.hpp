@@ -1,0 +1,27 @@
+// Every setting by name: what `--set key=value` may set and what run.json reports.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/settings.hpp"
+
+namespace keyblock {
+
+/// A setting as people see it.
+struct SettingText {
+  std::string name;
+  std::string value;
+  std::string meaning;  ///< one phrase, with the unit
+};
+
+/// All settings in the order of the table.
+std::vector<SettingText> list(const Settings& settings);
+
+/// Sets one setting from text. Throws std::invalid_argument with the expected values if the name or the value
+/// is not valid.
+void set(Settings& settings, const std::string& name, const std::string& value);
+
+}  // namespace keyblock

@@ -1,0 +1,205 @@
+// Detect, carry, assemble, open-close, accept or redo, update (legacy-rules 1).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/advance.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/carry.hpp"
+#include "contact/detect.hpp"
+#include "model/from_blocks.hpp"
+#include "step/motion.hpp"
+#include "step/open_close.hpp"
+#include "step/penalty.hpp"
+#include "step/update.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kGreatestRatio = 3;     // a step that moves further than this times the allowance is cut
+constexpr double kUnsettledCut = 0.3;    // automatic step: cut after passes without an end
+constexpr double kSmallestShare = 0.01;  // no cut goes below this share of the given step
+
+// The Berkeley program's count of contacts is refreshed only by contacts that were not exchanged: a step that
+// finds none keeps the last list, as open contacts (legacy-rules 3, stale list).
+Contacts with_stale_contacts(Detection found, const Contacts& previous) {
+  if (!found.all_exchanged) return std::move(found.contacts);
+  Contacts contacts = previous;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (i < found.contacts.size()) {
+      contacts[i] = found.contacts[i];
+      continue;
+    }
+    contacts[i].state = contacts[i].state_before = ContactState::open;
+    contacts[i].bonded = false;
+    contacts[i].ratio = contacts[i].length = 0;
+  }
+  return contacts;
+}
+
+Contacts contacts_of_step(const Scene& scene, const Stepping& stepping) {
+  if (!scene.has_contact) return {};
+  const State& state = stepping.state;
+  const BerkeleyQuirks& quirks = scene.settings.quirks;
+  Detection found = detect(scene.model, state, scene.settings, scene.rules);
+  Contacts contacts = quirks.stale_contact_list ? with_stale_contacts(std::move(found), stepping.contacts)
+                                                : std::move(found.contacts);
+  contacts = carry(std::move(contacts), stepping.contacts, state, scene.rules, quirks);
+  if (state.step > 0) return contacts;
+  return scene.settings.velocity_carry_over == 0 ? start_open(std::move(contacts))
+                                                 : start_closed(std::move(contacts), state, scene.rules);
+}
+
+double step_size(const Scene& scene, const Stepping& stepping) {
+  if (stepping.state.step > 0)
+    return next_step_size(scene.model, stepping.state, scene.settings, stepping.history);
+  double speed = 0;
+  for (const BlockMaterial& m : scene.model.block_materials) {
+    const Velocity& v = m.initial_velocity;
+    speed = std::max({speed, std::abs(v.x), std::abs(v.y), std::abs(v.rotation)});
+  }
+  return first_step_size(scene.model, stepping.state, scene.settings, speed);
+}
+
+// Coupled pairs of elements and the diagonal: what the matrix of the step holds.
+int matrix_blocks(const Model& model, const Contacts& contacts) {
+  std::vector<std::pair<ElementIndex, ElementIndex>> pairs;
+  for (const Contact& contact : contacts) {
+    const auto [a, b] = std::minmax(model.vertices[contact.first.vertex].element,
+                                    model.vertices[contact.first.start].element);
+    pairs.push_back({a, b});
+  }
+  std::ranges::sort(pairs);
+  const auto repeated = std::ranges::unique(pairs);
+  return static_cast<int>(model.elements.size() + pairs.size() - repeated.size());
+}
+
+enum class Verdict { accepted, redo };
+
+// One attempt after another at the same step, each with its own step size and stiffness.
+class Attempts {
+ public:
+  Attempts(const Scene& scene, Stepping& stepping)
+      : scene_(scene),
+        settings_(scene.settings),
+        stepping_(stepping),
+        start_(stepping.state),
+        contacts_(contacts_of_step(scene, stepping)),
+        dt_(step_size(scene, stepping)),
+        penalty_(stepping.history.penalty) {}
+
+  std::variant<StepReport, StepFailure> run() {
+    for (report_.redos = 0; report_.redos <= settings_.redo_limit; ++report_.redos) {
+      const OpenCloseOutcome outcome = attempt();
+      if (!outcome.solved) return StepFailure{failure("the system of equations could not be solved"), {}};
+      contacts_ = outcome.contacts;
+      if (judge_step(outcome) == Verdict::accepted) return accept(outcome);
+      if (at_floor_again_) return StepFailure{failure("blocks move too far even at the smallest step"), {}};
+      unsettled_ = outcome.still_changing;
+    }
+    return StepFailure{failure(fmt::format("contacts {} open and close without end", one_based(unsettled_))),
+                       unsettled_};
+  }
+
+ private:
+  OpenCloseOutcome attempt() {
+    if (start_.step > 0 && settings_.quirks.velocity_from_coming_step)
+      start_ = with_velocity_of_last_step(scene_.model, std::move(start_), settings_, dt_);
+    const System system = assemble(scene_.terms, {scene_.model, start_, settings_, dt_});
+    const Attempt kind = !stepping_.has_solved ? Attempt::first_of_run
+                         : report_.redos == 0  ? Attempt::first_of_step
+                                               : Attempt::redone;
+    OpenCloseOutcome outcome = open_close(system, contacts_, scene_.model, start_, settings_, scene_.rules,
+                                          penalty_, kind, stepping_.solver);
+    stepping_.has_solved = true;
+    report_.passes += outcome.passes;
+    report_.residual = std::max(report_.residual, outcome.residual);
+    return outcome;
+  }
+
+  // Legacy-rules 11, in this order: passes without an end, displacement, penetration.
+  Verdict judge_step(const OpenCloseOutcome& outcome) {
+    const double allowed = settings_.allowed_displacement_ratio * scene_.model.scale;
+    ratio_ = greatest_displacement(scene_.model, start_, outcome.increments, settings_.rotation) / allowed;
+    const double floor = kSmallestShare * settings_.time_step;
+    const bool accepts_unfinished = settings_.quirks.fixed_pass_bound && settings_.pass_limit != 8;
+    if (!outcome.still_changing.empty() && !accepts_unfinished) {
+      if (settings_.step_control == StepControl::shi) dt_ = std::max(kUnsettledCut * dt_, floor);
+      return Verdict::redo;
+    }
+    if (ratio_ > kGreatestRatio) {
+      at_floor_again_ = dt_ <= floor;
+      dt_ = std::max(dt_ / std::sqrt(ratio_), floor);
+      return Verdict::redo;
+    }
+    const AdaptedPenalty adapted = adapt(penalty_, misfit(contacts_), scene_.model.scale, settings_);
+    used_penalty_ = penalty_;
+    penalty_ = adapted.penalty;
+    return adapted.redo ? Verdict::redo : Verdict::accepted;
+  }
+
+  StepReport accept(const OpenCloseOutcome& outcome) {
+    stepping_.state = update(scene_.model, std::move(start_), settings_, outcome.increments, dt_);
+    stepping_.contacts = std::move(contacts_);
+    report_.step = stepping_.state.step;
+    report_.time = stepping_.state.time;
+    report_.dt = dt_;
+    report_.contacts = static_cast<int>(stepping_.contacts.size());
+    report_.closed = static_cast<int>(
+        std::ranges::count_if(stepping_.contacts, [](const Contact& c) { return !c.is_open(); }));
+    report_.matrix_blocks = matrix_blocks(scene_.model, stepping_.contacts);
+    report_.penalty = used_penalty_;
+    report_.displacement_ratio = ratio_;
+    report_.greatest_penetration = misfit(stepping_.contacts).penetration;
+    report_.unsettled_contacts = static_cast<int>(outcome.still_changing.size());
+    stepping_.history = {dt_, ratio_, report_.greatest_penetration, penalty_};
+    return report_;
+  }
+
+  std::string failure(const std::string& what) const {
+    return fmt::format("step {} (time {}, dt {}): {}", stepping_.state.step + 1, stepping_.state.time, dt_,
+                       what);
+  }
+  static std::string one_based(std::vector<std::size_t> numbers) {
+    for (std::size_t& n : numbers) ++n;
+    return fmt::format("{}", fmt::join(numbers, ", "));
+  }
+
+  const Scene& scene_;
+  const Settings& settings_;
+  Stepping& stepping_;
+  State start_;
+  Contacts contacts_;
+  double dt_;
+  double penalty_;
+  double used_penalty_ = 0;
+  double ratio_ = 0;
+  bool at_floor_again_ = false;
+  std::vector<std::size_t> unsettled_;
+  StepReport report_;
+};
+
+}  // namespace
+
+Scene scene_of(Model model, Settings settings, AnalysisDialect dialect) {
+  const Requirements needs = requirements(model, settings);
+  const ContactRules rules = contact_rules(model, settings);
+  return {std::move(model), std::move(settings),         dialect, rules,
+          terms_for(needs), needs.has(TermKind::contact)};
+}
+
+Stepping start(const Scene& scene) {
+  Stepping stepping;
+  stepping.state = start_state(scene.model, scene.dialect, scene.settings);
+  stepping.history = {scene.settings.time_step, 0, 0, scene.settings.contact_penalty};
+  return stepping;
+}
+
+std::variant<StepReport, StepFailure> advance(const Scene& scene, Stepping& stepping) {
+  return Attempts(scene, stepping).run();
+}
+
+}  // namespace keyblock

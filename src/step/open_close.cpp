@@ -1,0 +1,62 @@
+// One pass after another on the system of the step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/open_close.hpp"
+
+#include <algorithm>
+
+#include "contact/springs.hpp"
+
+namespace keyblock {
+namespace {
+
+// The Berkeley loop ends here whatever the limit in the file says (legacy-rules 11.1).
+constexpr int kBerkeleyPassBound = 8;
+
+Increments split(const Eigen::VectorXd& x, const Model& model, const BlockMatrix& matrix) {
+  Increments increments(model.elements.size());
+  for (ElementIndex e : indices(model.elements))
+    increments[e] = x.segment(matrix.first_row(e.value), matrix.size(e.value));
+  return increments;
+}
+
+// A contact that has just closed has no friction yet; in the first pass of a step friction is that of the
+// last step.
+std::vector<bool> friction_acts(const Contacts& contacts, Attempt attempt, int pass) {
+  std::vector<bool> acts;
+  for (const Contact& contact : contacts) {
+    const bool first_pass = pass == 1;
+    acts.push_back(first_pass ? attempt != Attempt::redone : contact.state_before != ContactState::open);
+  }
+  return acts;
+}
+
+}  // namespace
+
+OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model,
+                            const State& state, const Settings& settings, const ContactRules& rules,
+                            double penalty, Attempt attempt, Solver& solver) {
+  OpenCloseOutcome outcome;
+  outcome.contacts = std::move(contacts);
+  const int bound = settings.quirks.fixed_pass_bound ? kBerkeleyPassBound : settings.pass_limit;
+  while (outcome.passes < bound) {
+    ++outcome.passes;
+    System system = without_contact;
+    add_springs(outcome.contacts, model, state, rules, penalty, system);
+    add_friction(outcome.contacts, friction_acts(outcome.contacts, attempt, outcome.passes), model, state,
+                 system);
+    const std::optional<Solution> solution = solver.solve(system);
+    if (!solution) {
+      outcome.solved = false;
+      return outcome;
+    }
+    outcome.residual = std::max(outcome.residual, solution->residual);
+    outcome.increments = split(solution->x, model, system.matrix);
+    outcome.contacts = judge(std::move(outcome.contacts), model, state, outcome.increments, rules, penalty);
+    outcome.still_changing = changed(outcome.contacts);
+    const bool must_repeat = attempt == Attempt::first_of_run && outcome.passes == 1;
+    if (outcome.still_changing.empty() && !must_repeat) break;
+  }
+  return outcome;
+}
+
+}  // namespace keyblock

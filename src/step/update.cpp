@@ -1,0 +1,80 @@
+// Applies the increments of an accepted step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/update.hpp"
+
+#include "material/elastic.hpp"
+#include "step/motion.hpp"
+
+namespace keyblock {
+namespace {
+
+class Mover {
+ public:
+  Mover(const Model& model, const State& before, const Increments& increments, Rotation rotation)
+      : model_(model), before_(before), increments_(increments), rotation_(rotation) {}
+
+  Point operator()(ElementIndex e, Point p) const {
+    const Point offset = p - before_.elements[e].centroid;
+    return displacement(*model_.elements[e].basis, increments_[e], offset, rotation_);
+  }
+
+ private:
+  const Model& model_;
+  const State& before_;
+  const Increments& increments_;
+  Rotation rotation_;
+};
+
+void move(std::vector<PointState>& states, const std::vector<CarriedPoint>& points, const Mover& mover) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point step = mover(points[i].element, states[i].position);
+    states[i].position = states[i].position + step;
+    states[i].displacement = states[i].displacement + step;
+  }
+}
+
+Stress stress_after(const Stress& stress, const Eigen::Vector3d& change) {
+  return {stress.xx + change[0], stress.yy + change[1], stress.xy + change[2]};
+}
+
+}  // namespace
+
+State update(const Model& model, State state, const Settings& settings, const Increments& increments,
+             double dt) {
+  const State before = state;
+  const Mover mover(model, before, increments, settings.rotation);
+  for (VertexIndex v : indices(model.vertices))
+    state.vertices[v] = before.vertices[v] + mover(model.vertices[v].element, before.vertices[v]);
+  move(state.fixed_points, model.fixed_points, mover);
+  move(state.loading_points, model.loading_points, mover);
+  move(state.measured_points, model.measured_points, mover);
+  for (ElementIndex e : indices(model.elements)) {
+    const Element& element = model.elements[e];
+    const BlockMaterial& material = model.material_of(element);
+    ElementState& now = state.elements[e];
+    const Eigen::Matrix3d modulus =
+        settings.plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
+    now.stress = stress_after(now.stress, modulus * (element.basis->strain() * increments[e]));
+    now.last_step = increments[e];
+    if (element.basis->rotation_unknown >= 0) now.rotation += increments[e][element.basis->rotation_unknown];
+    const Placement placement = place(model, state.vertices, e, settings);
+    now.centroid = placement.centroid;
+    now.moments = placement.moments;
+  }
+  if (!settings.quirks.velocity_from_coming_step)
+    state = with_velocity_of_last_step(model, std::move(state), settings, dt);
+  state.time += dt;
+  state.dt = dt;
+  ++state.step;
+  return state;
+}
+
+State with_velocity_of_last_step(const Model& model, State state, const Settings& settings, double dt) {
+  for (ElementIndex e : indices(model.elements)) {
+    ElementState& now = state.elements[e];
+    now.velocity = 2 / dt * now.last_step - settings.velocity_carry_over * now.velocity;
+  }
+  return state;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,53 @@
+// The symmetric matrix of a step, made of small dense blocks, and the vector beside it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace keyblock {
+
+/// Symmetric; only blocks (i, j) with i ≤ j are stored. Block i has `size(i)` rows.
+class BlockMatrix {
+ public:
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+  struct Entry {
+    int column;
+    Block block;
+  };
+
+  explicit BlockMatrix(std::vector<int> sizes);
+
+  /// Adds `block` (size(i) × size(j)) at (i, j), and with it its transpose at (j, i).
+  void add(int i, int j, const Block& block);
+
+  int block_count() const { return static_cast<int>(sizes_.size()); }
+  int size(int i) const { return sizes_[static_cast<std::size_t>(i)]; }
+  /// First scalar row of block i; `first_row(block_count())` is the number of unknowns.
+  int first_row(int i) const { return first_rows_[static_cast<std::size_t>(i)]; }
+  int row_count() const { return first_rows_.back(); }
+  /// The diagonal block, then those to its right, columns ascending.
+  const std::vector<Entry>& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+
+  /// y = A x.
+  Eigen::VectorXd operator*(const Eigen::VectorXd& x) const;
+
+ private:
+  Block& block(int i, int j);
+
+  std::vector<int> sizes_;
+  std::vector<int> first_rows_;
+  std::vector<std::vector<Entry>> rows_;
+};
+
+/// A x = b of one solve.
+struct System {
+  BlockMatrix matrix;
+  Eigen::VectorXd load;
+
+  explicit System(std::vector<int> sizes);
+  /// The rows of block i in `load`.
+  auto load_of(int i) { return load.segment(matrix.first_row(i), matrix.size(i)); }
+};
+
+}  // namespace keyblock

@@ -1,0 +1,45 @@
+// The one list of terms. A new term is a new file pair and a new row here.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "terms/assemble.hpp"
+
+#include <array>
+#include <utility>
+
+#include "terms/body_force.hpp"
+#include "terms/elastic.hpp"
+#include "terms/fixed_point.hpp"
+#include "terms/inertia.hpp"
+#include "terms/initial_stress.hpp"
+#include "terms/point_load.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr std::array<std::pair<TermKind, Term>, 6> kTerms{{
+    {TermKind::fixed_point, add_fixed_point},
+    {TermKind::elastic, add_elastic},
+    {TermKind::initial_stress, add_initial_stress},
+    {TermKind::body_force, add_body_force},
+    {TermKind::point_load, add_point_load},
+    {TermKind::inertia, add_inertia},
+}};
+
+}  // namespace
+
+std::vector<Term> terms_for(const Requirements& requirements) {
+  std::vector<Term> terms;
+  for (const auto& [kind, term] : kTerms) {
+    if (requirements.has(kind)) terms.push_back(term);
+  }
+  return terms;
+}
+
+System assemble(const std::vector<Term>& terms, const StepContext& context) {
+  std::vector<int> sizes;
+  for (const Element& element : context.model.elements) sizes.push_back(element.basis->unknown_count());
+  System system(std::move(sizes));
+  for (Term term : terms) term(context, system);
+  return system;
+}
+
+}  // namespace keyblock

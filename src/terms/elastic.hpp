@@ -1,0 +1,13 @@
+// Stiffness of the element against strain.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "terms/term.hpp"
+
+namespace keyblock {
+
+/// K += S Bᵀ D B with the current area S (Shi 1988, elastic submatrix).
+/// Quirk plane_strain_factor: Berkeley plane strain is stiffer by (1+nu)/(1-nu) (legacy-rules 7.2).
+void add_elastic(const StepContext& context, System& system);
+
+}  // namespace keyblock
