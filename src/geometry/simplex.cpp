@@ -1,0 +1,35 @@
+// Simplex integration of the second-order monomials; see simplex.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/simplex.hpp"
+
+namespace keyblock {
+
+Moments& Moments::operator+=(const Moments& other) {
+  area += other.area;
+  x += other.x;
+  y += other.y;
+  xx += other.xx;
+  yy += other.yy;
+  xy += other.xy;
+  return *this;
+}
+
+// Over the triangle (0, a, b) with J = a × b (Shi 1988, chapter 1): ∫1 = J/2, ∫x = J (xa + xb) / 6,
+// ∫x² = J (xa² + xa xb + xb²) / 12, ∫xy = J (2 xa ya + xa yb + xb ya + 2 xb yb) / 24.
+Moments moments(std::span<const Point> loop, Point origin) {
+  Moments sum;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point a = loop[i] - origin;
+    const Point b = loop[i + 1 == loop.size() ? 0 : i + 1] - origin;
+    const double j = cross(a, b);
+    sum += {j / 2,
+            j * (a.x + b.x) / 6,
+            j * (a.y + b.y) / 6,
+            j * (a.x * a.x + a.x * b.x + b.x * b.x) / 12,
+            j * (a.y * a.y + a.y * b.y + b.y * b.y) / 12,
+            j * (2 * a.x * a.y + a.x * b.y + b.x * a.y + 2 * b.x * b.y) / 24};
+  }
+  return sum;
+}
+
+}  // namespace keyblock
