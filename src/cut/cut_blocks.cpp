@@ -1,0 +1,253 @@
+// Drawing to blocks; see cut_blocks.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/cut_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cut/crossings.hpp"
+#include "cut/faces.hpp"
+#include "cut/nodes.hpp"
+#include "cut/place_points.hpp"
+#include "cut/planarize.hpp"
+#include "cut/prune.hpp"
+#include "geometry/predicates.hpp"
+
+namespace keyblock {
+namespace {
+
+/// The lines that have a length, with what the drawing says of each.
+struct UsedLines {
+  std::vector<Segment> segments;
+  std::vector<const JointLine*> sources;
+  std::size_t boundary_count = 0;
+};
+
+bool is_finite(const Segment& s) {
+  return std::isfinite(s.start.x) && std::isfinite(s.start.y) && std::isfinite(s.end.x) &&
+         std::isfinite(s.end.y);
+}
+
+/// One cutting, from stage to stage.
+class Cutting {
+ public:
+  explicit Cutting(const Drawing& drawing) : drawing_(drawing) {
+    lines_ = used_lines();
+    result_.report.tolerances = cut_tolerances(drawing);
+    result_.report.lines = static_cast<int>(lines_.segments.size());
+    result_.blocks.place = drawing.place;
+  }
+
+  CutResult run() {
+    prune_edges(meet());
+    if (!tolerances().is_exact()) straighten_out();
+    make_blocks();
+    if (result_.blocks.blocks.empty()) refuse();
+    Warnings more = place_marks(drawing_, tolerances(), result_.blocks);
+    result_.warnings.insert(result_.warnings.end(), more.begin(), more.end());
+    return std::move(result_);
+  }
+
+ private:
+  const CutTolerances& tolerances() const { return result_.report.tolerances; }
+  const Place& place(int line) const { return lines_.sources[line]->place; }
+  int material(int line) const { return lines_.sources[line]->joint_material; }
+
+  void warn(std::string name, Place at, std::string sentence) {
+    result_.warnings.push_back({std::move(name), std::move(at), std::move(sentence)});
+  }
+
+  UsedLines used_lines() {
+    UsedLines used;
+    for (std::size_t i = 0; i < drawing_.joints.size(); ++i) {
+      const JointLine& line = drawing_.joints[i];
+      if (!is_finite(line.segment)) throw InputError(line.place, "expected finite coordinates of a line");
+      if (line.segment.start == line.segment.end) {
+        warn("zero_length_line", line.place, "the line has no length and is left out");
+        continue;
+      }
+      used.segments.push_back(line.segment);
+      used.sources.push_back(&line);
+      if (i < drawing_.boundary_count) ++used.boundary_count;
+    }
+    return used;
+  }
+
+  /// Crossings and nodes, with what is to be said of them.
+  Arrangement meet() {
+    const Crossings crossings = find_crossings(lines_.segments, tolerances());
+    report_overlaps(crossings.found);
+    NodeTable table = make_nodes(lines_.segments, lines_.boundary_count, crossings, tolerances());
+    report_merging(crossings.found, table);
+    result_.report.crossings = static_cast<int>(crossings.found.size());
+    result_.report.nodes = static_cast<int>(table.arrangement.nodes.size());
+    result_.report.edges = static_cast<int>(table.arrangement.edges.size());
+    return std::move(table.arrangement);
+  }
+
+  void report_overlaps(const std::vector<Crossing>& found) {
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const Crossing& c = found[k];
+      const bool is_first = k == 0 || found[k - 1].line != c.line || found[k - 1].other != c.other;
+      const bool is_pair =
+          is_first && k + 1 < found.size() && found[k + 1].line == c.line && found[k + 1].other == c.other;
+      if (!c.is_end || !is_pair) continue;
+      const bool is_same = has_same_ends(lines_.segments[c.line], lines_.segments[c.other]);
+      warn(is_same ? "duplicate_line" : "overlapping_lines", place(c.line),
+           fmt::format("the line {} line {}; the joint material is that of the earlier one",
+                       is_same ? "repeats" : "partly covers", number(c.other)));
+    }
+  }
+
+  static bool has_same_ends(const Segment& a, const Segment& b) {
+    return a == b || a == Segment{b.end, b.start};
+  }
+
+  /// As the file counts lines, from 1.
+  std::size_t number(int line) const {
+    return static_cast<std::size_t>(lines_.sources[line] - drawing_.joints.data()) + 1;
+  }
+
+  void report_merging(const std::vector<Crossing>& found, const NodeTable& table) {
+    for (const Crossing& c : found) {
+      if (!c.is_reached) continue;
+      ++result_.report.reached;
+    }
+    for (const NodeMove& move : table.moves) {
+      const Point to = table.arrangement.nodes[move.node].position;
+      result_.snaps.push_back({Snap::Kind::node_merged, move.from, to, place(move.line)});
+    }
+    result_.report.merged = static_cast<int>(table.moves.size());
+    if (!table.moves.empty()) {
+      warn(
+          "nodes_merged", place(table.moves.front().line),
+          fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
+                      table.moves.size(), tolerances().merge, table.moves.front().from.x,
+                      table.moves.front().from.y));
+    }
+    if (!table.undecided_nodes.empty()) {
+      const Point at = table.arrangement.nodes[table.undecided_nodes.front()].position;
+      warn("merging_left_close_nodes", drawing_.place,
+           fmt::format("{} nodes stay apart from a neighbour nearer than {:.6g}, because the group would "
+                       "grow wider than "
+                       "that; the first is ({:.9g}, {:.9g})",
+                       table.undecided_nodes.size(), tolerances().merge, at.x, at.y));
+    }
+  }
+
+  void prune_edges(Arrangement arrangement) {
+    arrangement_ = std::move(arrangement);
+    Pruning pruning = prune(arrangement_);
+    result_.report.dangling_edges += static_cast<int>(pruning.dangling.size());
+    result_.report.bridge_edges += static_cast<int>(pruning.bridges.size());
+    report_removed("dangling_lines_removed", "hang loose", pruning.dangling);
+    report_removed("bridge_lines_removed", "have the same block on both sides", pruning.bridges);
+    arrangement_.edges = std::move(pruning.kept);
+  }
+
+  void report_removed(const char* name, const char* why, const std::vector<Edge>& edges) {
+    if (edges.empty()) return;
+    std::vector<int> lines;
+    for (const Edge& e : edges) lines.push_back(e.line);
+    std::sort(lines.begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    warn(name, place(lines.front()),
+         fmt::format("{} pieces of {} lines {} and are removed; the first is of this line", edges.size(),
+                     lines.size(), why));
+  }
+
+  /// What merging has bent is made a plane drawing again.
+  void straighten_out() {
+    Planarized planar = planarize(std::move(arrangement_), lines_.boundary_count, tolerances());
+    for (const Detour& d : planar.detours) {
+      result_.snaps.push_back(
+          {Snap::Kind::edge_rerouted, d.from, planar.arrangement.nodes[d.node].position, place(d.line)});
+    }
+    result_.report.detours = static_cast<int>(planar.detours.size());
+    result_.report.late_crossings = planar.crossings;
+    if (!planar.detours.empty()) {
+      warn("edges_rerouted", place(planar.detours.front().line),
+           fmt::format("{} pieces pass a node nearer than {:.6g} and are led through it",
+                       planar.detours.size(), tolerances().near_pass));
+    }
+    prune_edges(std::move(planar.arrangement));
+  }
+
+  void make_blocks() {
+    const std::vector<Face> faces = trace_faces(arrangement_);
+    result_.report.faces = static_cast<int>(faces.size());
+    result_.report.pruned_edges = static_cast<int>(arrangement_.edges.size());
+    std::vector<char> is_used(arrangement_.nodes.size(), 0);
+    for (const Edge& e : arrangement_.edges) is_used[e.from] = is_used[e.to] = 1;
+    result_.report.pruned_nodes = static_cast<int>(std::count(is_used.begin(), is_used.end(), 1));
+    for (const Face& face : faces) add_block(face);
+  }
+
+  void add_block(const Face& face) {
+    BlockPolygon block{0, make_loop(face.outer), {}};
+    if (block.outer.size() < 3) {
+      warn("sliver_removed", place(face.outer.front().line),
+           "the lines close a block without an area; it is left out");
+      return;
+    }
+    for (const Chain& hole : face.holes) {
+      BlockLoop loop = make_loop(hole);
+      if (loop.size() < 3) continue;
+      warn("block_inside_block", place(hole.front().line),
+           fmt::format("a closed loop lies inside block {}: it is cut out there (the old programs count its "
+                       "area twice)",
+                       result_.blocks.blocks.size() + 1));
+      block.holes.push_back(std::move(loop));
+    }
+    result_.blocks.blocks.push_back(std::move(block));
+  }
+
+  /// Leaves out straight vertices; an edge so joined keeps the material of its last part.
+  BlockLoop make_loop(const Chain& chain) const {
+    BlockLoop loop;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const ChainLink& before = chain[i == 0 ? chain.size() - 1 : i - 1];
+      const ChainLink& after = chain[i + 1 == chain.size() ? 0 : i + 1];
+      if (is_straight(before, chain[i], after)) continue;
+      loop.push_back({arrangement_.nodes[chain[i].node].position, material(chain[i].line)});
+    }
+    return loop;
+  }
+
+  bool is_straight(const ChainLink& before, const ChainLink& here, const ChainLink& after) const {
+    const Point a = arrangement_.nodes[before.node].position;
+    const Point b = arrangement_.nodes[here.node].position;
+    const Point c = arrangement_.nodes[after.node].position;
+    if (tolerances().is_exact()) {
+      const Segment& first = arrangement_.lines[here.line];
+      const Segment& second = arrangement_.lines[after.line];
+      return here.line == after.line || turn(first.start, first.end, second.start, second.end) == 0;
+    }
+    return std::fabs(cross(b - a, c - a)) <= tolerances().collinear;
+  }
+
+  [[noreturn]] void refuse() const {
+    throw InputError(
+        drawing_.place,
+        fmt::format(
+            "expected lines that close at least one block, found {} lines meeting in {} points and no "
+            "closed chain",
+            result_.report.lines, result_.report.nodes));
+  }
+
+  const Drawing& drawing_;
+  UsedLines lines_;
+  Arrangement arrangement_;
+  CutResult result_;
+};
+
+}  // namespace
+
+CutResult cut_blocks(const Drawing& drawing) {
+  return Cutting(drawing).run();
+}
+
+}  // namespace keyblock

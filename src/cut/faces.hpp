@@ -1,0 +1,31 @@
+// Traces the faces of an arrangement: each an outer chain counter-clockwise and the chains of its holes
+// clockwise. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "cut/arrangement.hpp"
+
+namespace keyblock {
+
+/// A node of a chain and the line of the edge that arrives there.
+struct ChainLink {
+  int node = 0;
+  int line = 0;
+};
+
+using Chain = std::vector<ChainLink>;
+
+/// The face lies to the left of every edge of its chains. A chain passes each node once: where a hole touches
+/// the outer chain in a node they are two chains.
+struct Face {
+  Chain outer;
+  std::vector<Chain> holes;
+};
+
+/// All bounded faces of a pruned arrangement, numbered as the old programs do: nodes ascending, about each
+/// node its edges counter-clockwise from the x direction; each edge calls for the face to its right. A chain
+/// starts at its lowest node.
+std::vector<Face> trace_faces(const Arrangement& arrangement);
+
+}  // namespace keyblock

@@ -1,0 +1,234 @@
+// Nodes from crossings, edges from lines; see nodes.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "cut/union_find.hpp"
+
+namespace keyblock {
+namespace {
+
+struct NearPair {
+  double distance = 0;
+  int first = 0;
+  int second = 0;
+};
+
+/// All pairs of points nearer than `reach`, by distance: points sorted into square cells of that size.
+class NearPairs {
+ public:
+  NearPairs(const std::vector<Point>& points, double reach) : points_(points), reach_(reach) {
+    cells_.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      cells_.push_back({cell(points[i].x), cell(points[i].y), static_cast<int>(i)});
+    }
+    std::sort(cells_.begin(), cells_.end());
+  }
+
+  std::vector<NearPair> sorted() {
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      const auto [x, y, i] = cells_[k];
+      add_from(k + 1, x, y + 1, i);  // the rest of this cell and the one above it
+      add_column(x + 1, y - 1, y + 1, i);
+    }
+    std::sort(pairs_.begin(), pairs_.end(), [](const NearPair& a, const NearPair& b) {
+      return std::tie(a.distance, a.first, a.second) < std::tie(b.distance, b.first, b.second);
+    });
+    return std::move(pairs_);
+  }
+
+ private:
+  using Cell = std::tuple<std::int64_t, std::int64_t, int>;
+
+  std::int64_t cell(double v) const { return static_cast<std::int64_t>(std::floor(v / reach_)); }
+
+  void add_from(std::size_t k, std::int64_t x, std::int64_t last_y, int i) {
+    for (; k < cells_.size() && std::get<0>(cells_[k]) == x && std::get<1>(cells_[k]) <= last_y; ++k) {
+      const int j = std::get<2>(cells_[k]);
+      const double gap = distance(points_[i], points_[j]);
+      if (gap <= reach_) pairs_.push_back({gap, std::min(i, j), std::max(i, j)});
+    }
+  }
+
+  void add_column(std::int64_t x, std::int64_t first_y, std::int64_t last_y, int i) {
+    const auto at = std::lower_bound(cells_.begin(), cells_.end(), Cell{x, first_y, -1});
+    add_from(static_cast<std::size_t>(at - cells_.begin()), x, last_y, i);
+  }
+
+  const std::vector<Point>& points_;
+  double reach_;
+  std::vector<Cell> cells_;
+  std::vector<NearPair> pairs_;
+};
+
+/// Groups crossings into nodes.
+class Merger {
+ public:
+  Merger(const Crossings& crossings, std::size_t boundary_count, const CutTolerances& tolerances)
+      : crossings_(crossings),
+        boundary_count_(static_cast<int>(boundary_count)),
+        groups_(crossings.found.size()) {
+    for (const std::size_t k : crossings.equal_before) {
+      groups_.unite(crossings.stops[k - 1].crossing, crossings.stops[k].crossing);
+    }
+    is_merged_.assign(crossings.found.size(), 0);
+    if (!tolerances.is_exact()) merge_near(tolerances);
+  }
+
+  int group(int crossing) { return groups_.find(crossing); }
+  bool is_exact(int crossing) { return !is_merged_[groups_.find(crossing)]; }
+  const std::vector<int>& undecided() const { return undecided_; }
+
+  /// Order of finding in the old programs.
+  std::tuple<bool, int> found_before(int crossing) const {
+    return {crossings_.found[crossing].other >= boundary_count_, crossing};
+  }
+
+  /// Which crossing gives the coordinates: the first found, but an end of overlapping lines after all others,
+  /// since it is where a line stops, not where lines cross.
+  std::tuple<bool, bool, int> precedence(int crossing) const {
+    return std::tuple_cat(std::tuple(crossings_.found[crossing].is_end), found_before(crossing));
+  }
+
+ private:
+  bool is_boundary(int crossing) const { return crossings_.found[crossing].line < boundary_count_; }
+
+  void merge_near(const CutTolerances& tolerances) {
+    std::vector<int> leaders;
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < crossings_.found.size(); ++i) {
+      const int crossing = static_cast<int>(i);
+      if (groups_.find(crossing) != crossing) continue;
+      leaders.push_back(crossing);
+      points.push_back(crossings_.found[i].position);
+    }
+    members_.resize(crossings_.found.size());
+    for (const int leader : leaders) members_[leader] = {leader};
+    // Exactly coinciding crossings of inner lines hide a boundary crossing; the group then counts as
+    // boundary.
+    has_boundary_.assign(crossings_.found.size(), 0);
+    for (std::size_t i = 0; i < crossings_.found.size(); ++i) {
+      if (is_boundary(static_cast<int>(i))) has_boundary_[groups_.find(static_cast<int>(i))] = 1;
+    }
+    for (const NearPair& pair : NearPairs(points, tolerances.merge).sorted()) {
+      join(leaders[pair.first], leaders[pair.second], pair.distance, tolerances);
+    }
+    std::sort(undecided_.begin(), undecided_.end());
+    undecided_.erase(std::unique(undecided_.begin(), undecided_.end()), undecided_.end());
+  }
+
+  void join(int first, int second, double gap, const CutTolerances& tolerances) {
+    const int a = groups_.find(first);
+    const int b = groups_.find(second);
+    if (a == b) return;
+    const bool is_round_off = gap <= tolerances.round_off;
+    if (!is_round_off && has_boundary_[a] && has_boundary_[b]) return;
+    if (!is_round_off && !fit_together(a, b, tolerances.merge)) {
+      undecided_.push_back(a);
+      return;
+    }
+    groups_.unite(a, b);
+    const auto [low, high] = std::minmax(a, b);
+    members_[low].insert(members_[low].end(), members_[high].begin(), members_[high].end());
+    members_[high].clear();
+    has_boundary_[low] |= has_boundary_[high];
+    is_merged_[low] = 1;
+  }
+
+  bool fit_together(int a, int b, double merge) const {
+    for (const int i : members_[a]) {
+      for (const int j : members_[b]) {
+        if (distance(crossings_.found[i].position, crossings_.found[j].position) > merge) return false;
+      }
+    }
+    return true;
+  }
+
+  const Crossings& crossings_;
+  int boundary_count_;
+  UnionFind groups_;
+  std::vector<std::vector<int>> members_;  // of each group's leader
+  std::vector<char> has_boundary_;
+  std::vector<char> is_merged_;
+  std::vector<int> undecided_;
+};
+
+/// The node of each crossing; nodes numbered by the first crossing found.
+std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, NodeTable& table) {
+  std::vector<int> order(crossings.found.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return merger.found_before(a) < merger.found_before(b); });
+  std::vector<int> node_of_group(crossings.found.size(), -1);
+  std::vector<int> node_of_crossing(crossings.found.size());
+  std::vector<int> source;  // of each node: the crossing that gives its coordinates
+  for (const int crossing : order) {
+    int& node = node_of_group[merger.group(crossing)];
+    if (node < 0) {
+      node = static_cast<int>(source.size());
+      source.push_back(crossing);
+    } else if (merger.precedence(crossing) < merger.precedence(source[node])) {
+      source[node] = crossing;
+    }
+    node_of_crossing[crossing] = node;
+  }
+  for (const int crossing : source) {
+    table.arrangement.nodes.push_back({crossings.found[crossing].position, merger.is_exact(crossing)});
+  }
+  for (const int group : merger.undecided()) {
+    table.undecided_nodes.push_back(node_of_group[merger.group(group)]);
+  }
+  return node_of_crossing;
+}
+
+/// Pieces between consecutive nodes of every line; where lines share a piece the lowest-numbered line has it.
+std::vector<Edge> make_edges(const Crossings& crossings, const std::vector<int>& node_of_crossing,
+                             const std::vector<Node>& nodes) {
+  std::vector<Edge> edges;
+  for (std::size_t line = 0; line + 1 < crossings.first_stop.size(); ++line) {
+    int last = -1;
+    for (std::size_t k = crossings.first_stop[line]; k < crossings.first_stop[line + 1]; ++k) {
+      const int node = node_of_crossing[crossings.stops[k].crossing];
+      if (last >= 0 && node != last) {
+        edges.push_back({last, node, static_cast<int>(line), nodes[last].is_exact && nodes[node].is_exact});
+      }
+      last = node;
+    }
+  }
+  const auto ends = [](const Edge& e) { return std::pair(std::min(e.from, e.to), std::max(e.from, e.to)); };
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+    return std::tuple(ends(a), a.line) < std::tuple(ends(b), b.line);
+  });
+  edges.erase(std::unique(edges.begin(), edges.end(),
+                          [&](const Edge& a, const Edge& b) { return ends(a) == ends(b); }),
+              edges.end());
+  return edges;
+}
+
+}  // namespace
+
+NodeTable make_nodes(std::vector<Segment> lines, std::size_t boundary_count, const Crossings& crossings,
+                     const CutTolerances& tolerances) {
+  NodeTable table;
+  Merger merger(crossings, boundary_count, tolerances);
+  const std::vector<int> node_of_crossing = number_nodes(merger, crossings, table);
+  for (std::size_t i = 0; i < crossings.found.size(); ++i) {
+    const Crossing& c = crossings.found[i];
+    const int node = node_of_crossing[i];
+    if (distance(c.position, table.arrangement.nodes[node].position) > tolerances.round_off &&
+        !tolerances.is_exact()) {
+      table.moves.push_back({node, c.line, c.position});
+    }
+  }
+  table.arrangement.edges = make_edges(crossings, node_of_crossing, table.arrangement.nodes);
+  table.arrangement.lines = std::move(lines);
+  return table;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,40 @@
+// A uniform grid over many segments that answers "which of them may come near this one".
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+/// Each segment is entered in every cell that it, fattened by `margin`, touches.
+class SegmentGrid {
+ public:
+  SegmentGrid(std::span<const Segment> segments, double margin);
+
+  /// Indices below `limit`, ascending and each once, of the segments sharing a cell with `segment`. Valid
+  /// until the next call.
+  const std::vector<int>& near(const Segment& segment, int limit);
+
+ private:
+  template <class Visit>
+  void visit_cells(const Segment& segment, Visit visit) const;
+  int column(double x) const;
+  int row(double y) const;
+
+  Point low_;
+  double cell_ = 1;
+  double margin_ = 0;
+  int columns_ = 1;
+  int rows_ = 1;
+  std::vector<std::size_t> start_;  // of each cell's part of entries_
+  std::vector<int> entries_;
+  std::vector<int> seen_;  // number of the last call that met a segment
+  int call_ = 0;
+  std::vector<int> found_;
+};
+
+}  // namespace keyblock

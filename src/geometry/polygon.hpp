@@ -1,0 +1,23 @@
+// Area, centroid, orientation and containment of a closed chain of points (the first not repeated).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+/// Signed area, positive counter-clockwise; computed about the first vertex, so that far from the origin
+/// nothing is lost.
+double area(std::span<const Point> loop);
+
+/// Centroid of the enclosed area; the mean of the vertices where the area is zero.
+Point centroid(std::span<const Point> loop);
+
+enum class Side { outside, on_edge, inside };
+
+/// Where a point lies, by exact crossing counts (even-odd): no ray direction to be unlucky with.
+Side side(std::span<const Point> loop, Point p);
+
+}  // namespace keyblock
