@@ -40,15 +40,36 @@ Layout choose_layout(const Box& box, bool chart) {
   return tall ? Layout{{300, 560}, true} : Layout{{kRoom, 440}, false};
 }
 
-void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture) {
-  const double width = edge_width(map.size(), picture.end.elements.size());
-  for (const ElementFrame& element : picture.end.elements)
+/// Whether the move of an element can be seen: some vertex went further than a page unit.
+bool moved_visibly(const PageMap& map, const ElementFrame& start, const ElementFrame& end) {
+  if (start.loops.empty() || end.loops.empty() || start.loops[0].size() != end.loops[0].size()) return true;
+  for (std::size_t i = 0; i < start.loops[0].size(); ++i)
+    if (distance(map(start.loops[0][i]), map(end.loops[0][i])) > 1) return true;
+  return false;
+}
+
+void draw_end(SvgPage& page, const PageMap& map, const Frame& end, double width) {
+  for (const ElementFrame& element : end.elements)
     page.polygon(map(element.loops),
                  {.fill = area_colour(element.material), .stroke = "#333333", .stroke_width = width});
-  for (const ElementFrame& element : picture.start.elements)
+}
+
+/// Outlines of what stayed would only hide the picture.
+void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, double width) {
+  const std::vector<ElementFrame>& start = picture.start.elements;
+  const std::vector<ElementFrame>& end = picture.end.elements;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (i < end.size() && !moved_visibly(map, start[i], end[i])) continue;
     page.polygon(
-        map(element.loops),
+        map(start[i].loops),
         {.stroke = kStartColour, .stroke_width = std::min(width, 1.0), .dash = width > 0.5 ? "4 3" : "2 1"});
+  }
+}
+
+void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture) {
+  const double width = edge_width(map.size(), picture.end.elements.size());
+  draw_end(page, map, picture.end, width);
+  draw_start(page, map, picture, width);
 }
 
 void draw_marks(SvgPage& page, const PageMap& map, const Frame& frame) {

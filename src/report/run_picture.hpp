@@ -12,7 +12,7 @@ namespace keyblock::report {
 
 struct RunPicture {
   std::string title;
-  Frame start;                ///< drawn as dashed outlines
+  Frame start;                ///< drawn as dashed outlines, where an element moved
   Frame end;                  ///< drawn filled
   std::vector<Curve> curves;  ///< without any point the chart is left out
   AxisLabels axes;            ///< of the chart, with units: "time [s]", "displacement [m]"

@@ -46,6 +46,13 @@ TEST(RunPicture, start_end_and_curves_are_named) {
     EXPECT_TRUE(has(picture, words)) << words;
 }
 
+TEST(RunPicture, only_what_moved_has_an_outline_of_its_start) {
+  RunPicture picture = slide();
+  EXPECT_TRUE(has(run_picture(picture), "Z\" fill=\"none\" stroke=\"#b03060\""));
+  picture.end = picture.start;
+  EXPECT_FALSE(has(run_picture(picture), "Z\" fill=\"none\" stroke=\"#b03060\""));
+}
+
 TEST(RunPicture, without_a_point_to_draw_there_is_no_chart) {
   RunPicture picture = slide();
   picture.curves = {{"nothing", {0}, {std::numeric_limits<double>::quiet_NaN()}, Curve::Style::line}};
