@@ -11,12 +11,15 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/usage_error.hpp"
 #include "base/error.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 1> kCommands{{
+constexpr std::array<Command, 3> kCommands{{
+    {"run", "reruns a case and writes its results into a folder", configure_run},
+    {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
 }};
 
@@ -51,6 +54,9 @@ int main(int argc, char** argv) {
   } catch (const keyblock::InputError& error) {
     spdlog::error("{}", error.what());
     return static_cast<int>(keyblock::ExitCode::unreadable);
+  } catch (const keyblock::UsageError& error) {
+    spdlog::error("keyblock: error: {}", error.what());
+    return static_cast<int>(keyblock::ExitCode::usage);
   } catch (const std::exception& error) {
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::numerical_failure);

@@ -17,6 +17,7 @@ RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
   };
   RunOutcome outcome;
   show();
+  if (observer.on_row) observer.on_row(history_row(scene.model, stepping.state, first));
   while (stepping.state.step < scene.settings.step_count) {
     if (observer.wants_stop && observer.wants_stop()) {
       outcome.end = RunEnd::stopped;
@@ -29,8 +30,8 @@ RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
       outcome.contacts = failure->contacts;
       break;
     }
-    if (observer.on_step)
-      observer.on_step(std::get<StepReport>(made), history_row(scene.model, stepping.state, first));
+    if (observer.on_step) observer.on_step(std::get<StepReport>(made));
+    if (observer.on_row) observer.on_row(history_row(scene.model, stepping.state, first));
     if (stepping.state.step % record_every == 0) show();
   }
   show();

@@ -17,7 +17,8 @@ namespace keyblock {
 /// Who is told what, and who may stop the run. Any may be left empty.
 struct Observer {
   std::function<void(const Frame&)> on_frame;
-  std::function<void(const StepReport&, const HistoryRow&)> on_step;
+  std::function<void(const StepReport&)> on_step;
+  std::function<void(const HistoryRow&)> on_row;  ///< at the start and after every step
   std::function<bool()> wants_stop;
 };
 

@@ -171,7 +171,8 @@ struct Read {
 std::vector<SettingText> list(const Settings& settings) {
   std::vector<SettingText> texts;
   for (const Row& row : table())
-    texts.push_back({row.name, std::visit(Write{settings}, row.kind), row.meaning});
+    texts.push_back({row.name, std::visit(Write{settings}, row.kind), row.meaning,
+                     !std::holds_alternative<Choice>(row.kind)});
   return texts;
 }
 

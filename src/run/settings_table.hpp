@@ -15,6 +15,7 @@ struct SettingText {
   std::string name;
   std::string value;
   std::string meaning;  ///< one phrase, with the unit
+  bool is_number = false;
 };
 
 /// All settings in the order of the table.

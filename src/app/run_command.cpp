@@ -1,0 +1,205 @@
+// `keyblock run`: a case from its files to results in a folder.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/command.hpp"
+#include "app/progress.hpp"
+#include "app/run_folder.hpp"
+#include "app/run_report.hpp"
+#include "app/usage_error.hpp"
+#include "run/profile.hpp"
+#include "run/settings_table.hpp"
+
+namespace keyblock {
+namespace {
+
+// Unless asked otherwise, a run leaves at most this many frames: more are seldom looked at and fill the disk.
+constexpr int kMostFrames = 100;
+
+std::atomic<bool> stop_asked = false;
+
+extern "C" void ask_to_stop(int) {
+  stop_asked = true;
+}
+
+struct RunOptions {
+  std::vector<std::string> files;
+  std::string profile = "legacy";
+  std::string folder;
+  std::vector<std::string> sets;
+  int record_every = 0;
+  bool as_json = false;
+  bool trace = false;
+  bool force = false;
+  bool list_settings = false;
+};
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<Override> overrides_of(const std::vector<std::string>& sets) {
+  std::vector<Override> overrides;
+  for (const std::string& text : sets) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      throw UsageError(fmt::format("--set: expected key=value, found \"{}\"", text));
+    overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return overrides;
+}
+
+// A wrong profile or setting is the user's, not the file's.
+Prepared prepare_as_asked(const Problem& problem, const RunOptions& options) {
+  try {
+    return prepare(problem, options.profile, overrides_of(options.sets));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
+  std::vector<InputRecord> records;
+  for (const formats::FileReading& file : readings)
+    records.push_back({file.path, sha256(formats::load(file.path).text),
+                       std::string(file.choice->format->name), file.choice->recognition.evidence});
+  return records;
+}
+
+int frame_interval(const RunOptions& options, const Problem& problem, const Settings& settings) {
+  if (options.record_every > 0) return options.record_every;
+  const int thinned = (settings.step_count + kMostFrames - 1) / kMostFrames;
+  return std::max(problem.analysis->save_interval.value_or(1), thinned);
+}
+
+void append(Warnings& warnings, const Warnings& more) {
+  warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
+Warnings run_warnings(const std::vector<StepReport>& steps, const Place& place) {
+  Warnings warnings;
+  for (const StepReport& step : steps) {
+    if (step.unsettled_contacts > 0)
+      warnings.push_back({"unsettled_step_accepted", place,
+                          fmt::format("step {}: {} contacts still opened or closed at the pass limit",
+                                      step.step, step.unsettled_contacts)});
+  }
+  return warnings;
+}
+
+void print_summary(const RunRecord& record, const std::string& folder) {
+  for (const auto& w : warnings_json(record.warnings)) {
+    const int count = w["count"];
+    spdlog::warn("{}{}", w["first"].get<std::string>(), count > 1 ? fmt::format(" ({} times)", count) : "");
+  }
+  if (record.outcome.end == RunEnd::failed) spdlog::error("keyblock: error: {}", record.outcome.reason);
+  if (record.outcome.end == RunEnd::stopped) spdlog::warn("stopped by request");
+  spdlog::info("{} steps, time {:.6g}; results in {}", record.outcome.steps, record.outcome.time, folder);
+}
+
+ExitCode exit_code(RunEnd end) {
+  switch (end) {
+    case RunEnd::finished:
+      return ExitCode::ok;
+    case RunEnd::failed:
+      return ExitCode::numerical_failure;
+    case RunEnd::stopped:
+      return ExitCode::stopped;
+  }
+  return ExitCode::numerical_failure;
+}
+
+ExitCode list_settings() {
+  for (const SettingText& setting : list(Settings{})) fmt::print("{:32} {}\n", setting.name, setting.meaning);
+  return ExitCode::ok;
+}
+
+ExitCode run_files(const RunOptions& options) {
+  if (options.list_settings) return list_settings();
+  if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file");
+  if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
+  Stopwatch watch;
+  RunRecord record;
+  record.profile = options.profile;
+  const formats::Case loaded = formats::load_case(options.files);
+  record.inputs = input_records(formats::read_files(options.files));
+  record.timings.read = watch.lap();
+  const Prepared prepared = prepare_as_asked(loaded.problem, options);
+  record.timings.prepare = watch.lap();
+  record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
+  append(record.warnings, loaded.warnings);
+  append(record.warnings, prepared.warnings);
+
+  RunFolder folder(options.folder, options.force ? Overwrite::yes : Overwrite::no);
+  History history{!prepared.scene.model.measured_points.empty(), {}};
+  ProgressLine progress(prepared.scene.settings.step_count);
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  record.outcome =
+      run(prepared.scene, record.record_every,
+          {[&](const Frame& frame) { folder.add(frame); },
+           [&](const StepReport& report) {
+             record.steps.push_back(report);
+             progress.show(report);
+           },
+           [&](const HistoryRow& row) { history.rows.push_back(row); }, [] { return stop_asked.load(); }});
+  progress.finish();
+  record.timings.run = watch.lap();
+  append(record.warnings, run_warnings(record.steps, loaded.problem.analysis->place));
+
+  const std::string title = std::filesystem::path(options.files.front()).stem().string();
+  folder.finish(title, history, record.steps, options.trace ? Trace::yes : Trace::no);
+  record.outputs = folder.outputs();
+  const std::string json =
+      run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  folder.write_record(json + "\n");
+  if (options.as_json) fmt::print("{}\n", json);
+  print_summary(record, options.folder);
+  return exit_code(record.outcome.end);
+}
+
+}  // namespace
+
+Action configure_run(CLI::App& options) {
+  const auto chosen = std::make_shared<RunOptions>();
+  options.add_option("files", chosen->files,
+                     "geometry (or blocks) and analysis file, or one DDAML file with both");
+  options.add_option("--profile", chosen->profile, "preset of all choices")
+      ->check(CLI::IsMember(profile_names()))
+      ->capture_default_str();
+  options.add_option("-o,--output", chosen->folder, "folder for the results");
+  options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
+      ->take_all();
+  options
+      .add_option(
+          "--record-every", chosen->record_every,
+          fmt::format("a frame every so many steps (default: the file's save interval, at most {} frames)",
+                      kMostFrames))
+      ->check(CLI::PositiveNumber);
+  options.add_flag("--trace", chosen->trace,
+                   "also write steps.csv (every step) and blocks.csv (every frame)");
+  options.add_flag("--json", chosen->as_json, "print run.json on standard output");
+  options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
+  options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");
+  return [chosen] { return run_files(*chosen); };
+}
+
+}  // namespace keyblock

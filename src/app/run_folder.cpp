@@ -1,0 +1,86 @@
+// Writes the results of one run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include "app/usage_error.hpp"
+#include "formats/csv.hpp"
+#include "formats/vtk.hpp"
+#include "report/run_picture.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kRecord = "run.json";
+constexpr const char* kFrameFolder = "frames";
+
+// How far each followed point has come, over time.
+std::vector<report::Curve> displacement_curves(const History& history) {
+  constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
+  std::vector<report::Curve> curves;
+  if (history.rows.empty()) return curves;
+  const std::size_t count = std::min(history.rows.front().points.size(), kMostCurves);
+  for (std::size_t i = 0; i < count; ++i) {
+    report::Curve curve;
+    curve.label = fmt::format("{} {}", history.of_measured_points ? "measured point" : "block", i + 1);
+    for (const HistoryRow& row : history.rows) {
+      curve.x.push_back(row.time);
+      curve.y.push_back(length(row.points[i].displacement));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(fs::path folder, Overwrite overwrite) : folder_(std::move(folder)) {
+  if (fs::exists(folder_) && !fs::is_directory(folder_))
+    throw UsageError(fmt::format("{} is a file, not a folder", folder_.string()));
+  for (const char* name :
+       {kRecord, "history.csv", "fields.pvd", "picture.svg", "steps.csv", "blocks.csv", kFrameFolder})
+    require_free(folder_ / name, overwrite);
+  std::error_code error;
+  // Frames and the record of an earlier run are no part of this one.
+  fs::remove_all(folder_ / kFrameFolder, error);
+  fs::remove(folder_ / kRecord, error);
+  fs::create_directories(folder_ / kFrameFolder, error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
+}
+
+void RunFolder::write(const std::string& name, const std::string& text) {
+  write_file(folder_ / name, text);
+  outputs_.push_back(name);
+}
+
+void RunFolder::add(const Frame& frame) {
+  const std::string name = fmt::format("{}/{:08}.vtu", kFrameFolder, frame.step);
+  write_file(folder_ / name, formats::vtu(frame));
+  frame_files_.emplace_back(frame.time, name);
+  frames_.push_back(frame);
+}
+
+void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
+                       Trace trace) {
+  write("fields.pvd", formats::pvd(frame_files_));
+  write("history.csv", formats::history_csv(history));
+  write("picture.svg", report::run_picture({title,
+                                            frames_.front(),
+                                            frames_.back(),
+                                            displacement_curves(history),
+                                            {"time [T]", "displacement [L]"},
+                                            ""}));
+  if (trace == Trace::no) return;
+  write("steps.csv", formats::steps_csv(steps));
+  write("blocks.csv", formats::blocks_csv(frames_));
+}
+
+void RunFolder::write_record(const std::string& json) {
+  write(kRecord, json);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,127 @@
+// Builds run.json.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_report.hpp"
+
+#include <algorithm>
+
+#include "run/settings_table.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word_for(RunEnd end) {
+  switch (end) {
+    case RunEnd::finished:
+      return "finished";
+    case RunEnd::failed:
+      return "failed";
+    case RunEnd::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+Json inputs_json(const std::vector<InputRecord>& inputs) {
+  Json all = Json::array();
+  for (const InputRecord& input : inputs)
+    all.push_back({{"file", input.file},
+                   {"sha256", input.sha256},
+                   {"format", input.format},
+                   {"evidence", input.evidence}});
+  return all;
+}
+
+Json settings_json(const Settings& settings) {
+  Json all = Json::object();
+  for (const SettingText& setting : list(settings))
+    all[setting.name] = setting.is_number ? Json::parse(setting.value) : Json(setting.value);
+  return all;
+}
+
+Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps) {
+  const Model& model = prepared.scene.model;
+  int contacts = 0;
+  int redos = 0;
+  long passes = 0;
+  for (const StepReport& step : steps) {
+    contacts = std::max(contacts, step.contacts);
+    redos += step.redos;
+    passes += step.passes;
+  }
+  Json counts = {{"blocks", model.elements.size()},
+                 {"vertices", model.vertices.size()},
+                 {"unknowns", prepared.requirements.unknowns},
+                 {"fixed_points", model.fixed_points.size()},
+                 {"loading_points", model.loading_points.size()},
+                 {"measured_points", model.measured_points.size()},
+                 {"most_contacts", contacts},
+                 {"passes", passes},
+                 {"redone_attempts", redos}};
+  if (prepared.cut) counts["snaps"] = prepared.snaps.size();
+  return counts;
+}
+
+// One array a step under one list of column names: the table may be long.
+Json steps_json(const std::vector<StepReport>& steps) {
+  Json rows = Json::array();
+  for (const StepReport& s : steps)
+    rows.push_back({s.step, s.time, s.dt, s.passes, s.redos, s.contacts, s.closed, s.penalty,
+                    s.greatest_penetration, s.displacement_ratio, s.residual, s.unsettled_contacts});
+  return {{"columns",
+           {"step", "time", "dt", "passes", "redos", "contacts", "closed", "penalty", "greatest_penetration",
+            "displacement_ratio", "residual", "unsettled_contacts"}},
+          {"rows", rows}};
+}
+
+Json outcome_json(const RunOutcome& outcome) {
+  Json contacts = Json::array();
+  for (std::size_t c : outcome.contacts) contacts.push_back(c + 1);
+  Json json = {{"end", word_for(outcome.end)}, {"steps", outcome.steps}, {"time", outcome.time}};
+  if (outcome.end == RunEnd::failed) {
+    json["reason"] = outcome.reason;
+    json["contacts"] = contacts;
+  }
+  return json;
+}
+
+}  // namespace
+
+Json warnings_json(const Warnings& warnings) {
+  Json all = Json::array();
+  for (const Warning& warning : warnings) {
+    const auto known = std::ranges::find_if(all, [&](const Json& w) { return w["name"] == warning.name; });
+    if (known == all.end())
+      all.push_back({{"name", warning.name}, {"count", 1}, {"first", to_string(warning)}});
+    else
+      (*known)["count"] = (*known)["count"].get<int>() + 1;
+  }
+  return all;
+}
+
+Json requirements_json(const Requirements& requirements) {
+  Json terms = Json::array();
+  for (const RequiredTerm& term : requirements.terms)
+    terms.push_back({{"term", name_of(term.term)}, {"reason", term.reason}});
+  return {{"unknowns", requirements.unknowns}, {"basis", requirements.basis}, {"terms", terms}};
+}
+
+Json run_json(const Prepared& prepared, const RunRecord& record) {
+  return {{"program", "keyblock"},
+          {"version", KEYBLOCK_VERSION},
+          {"profile", record.profile},
+          {"outcome", outcome_json(record.outcome)},
+          {"inputs", inputs_json(record.inputs)},
+          {"settings", settings_json(prepared.scene.settings)},
+          {"requirements", requirements_json(prepared.requirements)},
+          {"counts", counts_json(prepared, record.steps)},
+          {"warnings", warnings_json(record.warnings)},
+          {"recorded_every", record.record_every},
+          {"seconds",
+           {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
+          {"outputs", record.outputs},
+          {"steps", steps_json(record.steps)}};
+}
+
+}  // namespace keyblock

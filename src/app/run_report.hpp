@@ -1,0 +1,48 @@
+// The record of a run, run.json: what went in, what was chosen, what came out. Its keys are stable.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "formats/case.hpp"
+#include "run/prepare.hpp"
+#include "run/run.hpp"
+
+namespace keyblock {
+
+/// An input file as run.json names it.
+struct InputRecord {
+  std::string file;
+  std::string sha256;
+  std::string format;
+  std::string evidence;
+};
+
+/// Seconds of wall time.
+struct Timings {
+  double read = 0;
+  double prepare = 0;  ///< cutting and building the model
+  double run = 0;      ///< steps, and the frames written on the way
+};
+
+struct RunRecord {
+  std::string profile;
+  std::vector<InputRecord> inputs;
+  std::vector<StepReport> steps;
+  RunOutcome outcome;
+  Timings timings;
+  Warnings warnings;
+  int record_every = 1;
+  std::vector<std::string> outputs;  ///< file names in the run's folder
+};
+
+/// Warnings as name, count and the first of each.
+nlohmann::ordered_json warnings_json(const Warnings& warnings);
+
+nlohmann::ordered_json requirements_json(const Requirements& requirements);
+
+nlohmann::ordered_json run_json(const Prepared& prepared, const RunRecord& record);
+
+}  // namespace keyblock

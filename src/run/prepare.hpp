@@ -1,0 +1,33 @@
+// From a problem to a scene ready to step: cut where a drawing was given, choices taken from profile and overrides.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cut/cut_blocks.hpp"
+#include "model/requirements.hpp"
+#include "problem/problem.hpp"
+#include "step/advance.hpp"
+
+namespace keyblock {
+
+/// A setting the user gave on top of the profile: name and value as text.
+using Override = std::pair<std::string, std::string>;
+
+/// A scene, what it takes, and how it came about.
+struct Prepared {
+  Blocks blocks;
+  std::optional<CutReport> cut;  ///< of a drawing; absent where blocks were given
+  std::vector<Snap> snaps;
+  Warnings warnings;
+  Requirements requirements;
+  Scene scene;
+};
+
+/// The blocks of a problem's geometry. Throws InputError where there is none, or lines close no block.
+Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
+
+}  // namespace keyblock

@@ -1,0 +1,53 @@
+// Walks folders for cases.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/cases.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace keyblock::study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>& cases) {
+  const bool has_expected = fs::exists(folder / "expected.csv");
+  const bool has_trace = fs::exists(folder / "steps.csv") && fs::exists(folder / "blocks.csv");
+  if (has_expected || has_trace) {
+    const fs::path relative = folder.lexically_relative(root);
+    const std::string name =
+        relative == "." ? folder.lexically_normal().filename().string() : relative.generic_string();
+    cases.push_back({folder, name, has_expected, has_trace});
+  }
+  std::vector<fs::path> inner;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_directory()) inner.push_back(entry.path());
+  std::ranges::sort(inner);
+  for (const fs::path& below : inner) visit(below, root, cases);
+}
+
+}  // namespace
+
+std::vector<std::string> CaseFolder::inputs() const {
+  const fs::path base = folder / fs::absolute(folder).lexically_normal().filename();
+  return {base.string() + ".geo", base.string() + ".ana"};
+}
+
+std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths) {
+  std::vector<CaseFolder> cases;
+  for (const std::string& path : paths) {
+    fs::path root = fs::path(path).lexically_normal();
+    if (!root.has_filename()) root = root.parent_path();
+    if (!fs::is_directory(root)) throw InputError({path, 0, 0}, "expected a folder with cases, found none");
+    const std::size_t before = cases.size();
+    visit(root, root, cases);
+    if (cases.size() == before)
+      throw InputError({path, 0, 0},
+                       "expected a case (expected.csv, or steps.csv with blocks.csv), found none below it");
+  }
+  return cases;
+}
+
+}  // namespace keyblock::study

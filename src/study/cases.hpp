@@ -1,0 +1,24 @@
+// Where cases lie: the folders below the given ones that hold expected values or a reference trace.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace keyblock::study {
+
+/// A case folder: `NAME/NAME.geo`, `NAME/NAME.ana`, and `expected.csv` or `steps.csv` with `blocks.csv`.
+struct CaseFolder {
+  std::filesystem::path folder;
+  std::string name;  ///< the folder as it was asked for, for tables
+  bool has_expected = false;
+  bool has_trace = false;
+
+  std::vector<std::string> inputs() const;
+};
+
+/// Cases at or below each path, sorted by name. Throws InputError for a path without any.
+std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths);
+
+}  // namespace keyblock::study
