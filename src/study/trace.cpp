@@ -63,6 +63,8 @@ class Follower {
     difference_.steps_in_trace = static_cast<int>(steps_.size());
     last_ = last_step(folder, difference_.steps_in_trace);
     stress_scale_ = kStressNoise * greatest_modulus / kTraceTolerance;
+    for (std::size_t row = 0; row < steps_.size(); ++row)
+      ratio_scale_ = std::max(ratio_scale_, steps_(row, "disp_ratio"));
     for (std::size_t row = 0; row < blocks_.size(); ++row) {
       if (blocks_(row, "step") > last_) continue;
       rows_[static_cast<int>(blocks_(row, "step"))].push_back(row);
@@ -84,10 +86,8 @@ class Follower {
     equal("contacts", report.step, steps_(row, "contacts"), report.contacts, 0);
     equal("closed", report.step, steps_(row, "closed"), report.closed, 0);
     equal("penalty", report.step, steps_(row, "penalty"), report.penalty, kPrinted);
-    const double ratio = steps_(row, "disp_ratio");
-    if (ratio > 0)
-      difference_.disp_ratio =
-          std::max(difference_.disp_ratio, std::abs(report.displacement_ratio / ratio - 1));
+    const double off = std::abs(steps_(row, "disp_ratio") - report.displacement_ratio);
+    difference_.disp_ratio = std::max(difference_.disp_ratio, off / ratio_scale_);
   }
 
   void frame(const Frame& frame) {
@@ -148,6 +148,7 @@ class Follower {
   int last_ = 0;
   double position_scale_ = std::numeric_limits<double>::min();
   double stress_scale_ = 0;
+  double ratio_scale_ = std::numeric_limits<double>::min();
   TraceDifference difference_;
 };
 

@@ -20,7 +20,7 @@ struct TraceDifference {
   double position = 0;               ///< centroids and displacements
   double rotation = 0;
   double stress = 0;
-  double disp_ratio = 0;  ///< greatest relative difference of the displacement ratio (printed with 6 digits)
+  double disp_ratio = 0;  ///< displacement ratio, relative to its greatest (the trace has 6 digits)
 
   /// Everything equal that must be, and polygons, positions, rotations and stresses within `kTraceTolerance`.
   bool holds() const;

@@ -1,0 +1,55 @@
+// Profile `legacy` follows every trace of the Berkeley program from its input files.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "study/trace.hpp"
+#include "tests/support/shared.hpp"
+
+namespace keyblock::study {
+namespace {
+
+const std::string kTraces = KEYBLOCK_SOURCE_DIR "/legacy_cases/reference_traces";
+
+void expect_followed(const CaseFolder& folder) {
+  const TraceDifference difference = follow_trace(folder);
+  EXPECT_TRUE(difference.holds()) << fmt::format(
+      "{}: {} of {} steps, polygon {:.1e}, position {:.1e}, rotation {:.1e}, stress {:.1e}\n{}", difference.name,
+      difference.steps, difference.steps_in_trace, difference.polygon, difference.position, difference.rotation,
+      difference.stress, fmt::join(difference.unequal, "\n"));
+}
+
+}  // namespace
+
+TEST(Traces, legacy_profile_follows_all_sixteen_traces_in_the_repository) {
+  const std::vector<CaseFolder> folders = find_cases({kTraces});
+  EXPECT_EQ(folders.size(), 16U);
+  for (const CaseFolder& folder : folders) expect_followed(folder);
+}
+
+TEST(Traces, legacy_profile_follows_the_push_block_trace) {
+  const std::string folder = testing::shared_folder() + "/reference_runs/pushblock";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the push-block trace has no licence and lies only in ../shared";
+  for (const CaseFolder& found : find_cases({folder})) expect_followed(found);
+}
+
+// The measure itself: a run with another penalty does not follow, and is said to.
+TEST(Traces, a_run_that_differs_is_found_to_differ) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "keyblock_trace_test" / "incline_a30_p20_dt1ms";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder.parent_path());
+  std::filesystem::copy(kTraces + "/incline_a30_p20_dt1ms", folder);
+  std::string analysis = testing::read_text(folder / "incline_a30_p20_dt1ms.ana");
+  const std::string given = "<Friction> 20 </Friction>";
+  analysis.replace(analysis.find(given), given.size(), "<Friction> 20.001 </Friction>");
+  testing::write_text(folder / "incline_a30_p20_dt1ms.ana", analysis);
+  const TraceDifference difference = follow_trace(find_cases({folder.string()}).front());
+  EXPECT_FALSE(difference.holds());
+  EXPECT_GT(difference.position, kTraceTolerance);
+  std::filesystem::remove_all(folder.parent_path());
+}
+
+}  // namespace keyblock::study
