@@ -110,7 +110,7 @@ Recognition recognise(const Source& source) {
   const Tokens tokens = tokenise(source);
   const auto have = static_cast<std::int64_t>(tokens.numbers.size());
   const auto head = head_of(tokens.numbers, 9);
-  if (head && head->total({}) == have)
+  if (head && head->total({}) == have && materials_are_whole(tokens.numbers, *head, {}))
     return {Fit::exact, fmt::format("9-number head gives {} numbers, the file has {}", have, have)};
   if (const auto variant = variant_of(tokens.numbers))
     return {Fit::variant, fmt::format("{} gives the file's {} numbers", describe(*variant), have)};

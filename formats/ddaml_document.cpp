@@ -17,6 +17,16 @@ std::string_view local_name(std::string_view name) {
   return name.substr(name.rfind(':') + 1);  // npos + 1 is 0
 }
 
+/// pugixml stops one character short of the end of a text that breaks off.
+[[noreturn]] void refuse(const DocumentText& text, const pugi::xml_parse_result& result) {
+  const std::size_t size = text.buffer.size();
+  const auto offset = static_cast<std::size_t>(result.offset);
+  if (offset + 1 >= size)
+    throw InputError(text.map->place(size), "expected well-formed XML, found end of file");
+  throw InputError(text.map->place(offset),
+                   fmt::format("expected well-formed XML, found a fault: {}", result.description()));
+}
+
 }  // namespace
 
 std::optional<std::size_t> DocumentText::offset_of(const char* position) const {
@@ -31,9 +41,7 @@ Document::Document(const Source& source) {
       DocumentText{std::string(text), std::make_shared<TextMap>(source.name, text)});
   const pugi::xml_parse_result result = document_.load_buffer_inplace(
       text_->buffer.data(), text_->buffer.size(), kParseFlags, pugi::encoding_utf8);
-  if (!result)
-    throw InputError(text_->map->place(static_cast<std::size_t>(result.offset)),
-                     fmt::format("expected well-formed XML, found a fault: {}", result.description()));
+  if (!result) refuse(*text_, result);
 }
 
 std::string_view Element::name() const {

@@ -118,13 +118,14 @@ Choice recognise(const Source& source) {
   const auto fit = [](const Choice& choice) { return choice.recognition.fit; };
   const auto best = std::ranges::max_element(found, {}, fit);  // the first of equals: order of trial
   if (fit(*best) != Fit::exact) return *best;
-  const auto rival = std::find_if(std::next(best), found.end(),
-                                  [](const Choice& c) { return c.recognition.fit == Fit::exact; });
-  if (rival != found.end())
-    throw InputError(
-        {source.name},
-        fmt::format("expected a file of one format, found one that fits two: {} and {}; name the format",
-                    describe(*best), describe(*rival)));
+  const auto is_rival = [](const Choice& c) {
+    return c.format == &kNmmAnalysis && c.recognition.fit == Fit::exact;
+  };
+  const auto rival = std::ranges::find_if(found, is_rival);
+  if (best->format == &kDdaAnalysisShi && rival != found.end())
+    throw InputError({source.name},
+                     fmt::format("expected a file of one format, found one that fits two: {} and {}",
+                                 describe(*best), describe(*rival)));
   return *best;
 }
 

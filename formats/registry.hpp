@@ -23,8 +23,10 @@ struct Choice {
   Recognition recognition;
 };
 
-/// An exact fit wins, then a variant, then surplus numbers, then what the file begins like. Throws InputError
-/// for an empty, binary or HTML file, for one that fits two formats exactly, and for one that fits none.
+/// An exact fit wins, then a variant, then surplus numbers, then what the file begins like; among equals the
+/// order of trial, which is that of strength. Throws InputError for an empty, binary or HTML file, for one
+/// that fits nothing, and for an analysis file that fits Shi's dialect and the NMM one alike, whose equations
+/// are equally weak.
 Choice recognise(const Source& source);
 
 /// Reads by `recognise`. Throws InputError, also for formats that are recognised only.

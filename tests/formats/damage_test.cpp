@@ -1,0 +1,106 @@
+// Files cut off anywhere or changed at random are read or refused with an InputError, never anything else.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "formats/case.hpp"
+#include "formats/dda_blocks.hpp"
+#include "formats/registry.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+const std::string kFolder = std::string(KEYBLOCK_SOURCE_DIR) + "/tests/malformed/";
+constexpr int kMutationsAFile = 3000;
+
+std::string block_file() {
+  Blocks blocks;
+  blocks.blocks = {{0, {{{0, 0}, 0}, {{1, 0}, 0}, {{1, 1}, 2}, {{0, 1}, 0}}, {}},
+                   {1, {{{1, 0}, 2}, {{2, 0}, 0}, {{2, 1}, 0}, {{1, 1}, 0}}, {}}};
+  blocks.bolts = {{{{.5, .5}, {1.5, .5}}, 0, 1, 1e6, 2e3, 50}};
+  blocks.fixed_points = {{{.5, .1}, 0, {}}};
+  blocks.loading_points = {{{1.5, .9}, 1, {}}};
+  return kDdaBlocks.write({{}, blocks, {}});
+}
+
+/// One sound file of each kind.
+std::vector<std::string> sound_files() {
+  std::vector<std::string> texts{block_file(),
+                                 "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 "
+                                 "0 0 0 0 0 0 0\n30 0 0\n1.5\n"};
+  for (const char* name :
+       {"00_control_xml.geo", "00_control_xml.ana", "00_control_orig.geo", "00_control_orig.ana"})
+    texts.push_back(load(kFolder + name).text);
+  return texts;
+}
+
+/// Reads and checks; any exception but InputError ends the test.
+void read_and_check(const std::string& text) {
+  try {
+    check(pair({read({"f", text}, {1, 2}).content}));
+  } catch (const InputError&) {
+  }
+}
+
+/// A byte replaced, removed or put in, a stretch removed or doubled.
+std::string mutated(std::string text, std::mt19937& random) {
+  static const std::string kBytes =
+      std::string("0123456789.-+eEdD \n\r\t,;#<>/\"'=&!?nai", 38) + std::string("\0\xff\x1a", 3);
+  const auto below = [&](std::size_t limit) {
+    return static_cast<std::size_t>(random()) % std::max<std::size_t>(limit, 1);
+  };
+  for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
+    const std::size_t at = below(text.size() + 1);
+    const char byte = kBytes[below(kBytes.size())];
+    switch (below(5)) {
+      case 0:
+        if (at < text.size()) text[at] = byte;
+        break;
+      case 1:
+        text.insert(at, 1, byte);
+        break;
+      case 2:
+        text.erase(at, 1);
+        break;
+      case 3:
+        text.erase(at, below(40));
+        break;
+      default:
+        text.insert(at, text.substr(below(text.size()), below(40)));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST(Damage, files_cut_off_at_any_byte_are_read_or_refused) {
+  for (const std::string& text : sound_files())
+    for (std::size_t size = 0; size < text.size(); ++size)
+      ASSERT_NO_THROW(read_and_check(text.substr(0, size))) << size;
+}
+
+TEST(Damage, files_changed_at_random_are_read_or_refused) {
+  std::mt19937 random(20010520);
+  for (const std::string& text : sound_files())
+    for (int i = 0; i < kMutationsAFile; ++i) {
+      const std::string changed = mutated(text, random);
+      ASSERT_NO_THROW(read_and_check(changed)) << changed;
+    }
+}
+
+TEST(Damage, every_reader_stands_every_file_of_every_kind) {
+  for (const std::string& text : sound_files())
+    for (const Format* format : all_formats()) {
+      if (!format->read) continue;
+      try {
+        format->read({"f", text}, {});
+      } catch (const InputError&) {
+      }
+    }
+}
+
+}  // namespace keyblock::formats
