@@ -225,7 +225,8 @@ NodeTable make_nodes(std::vector<Segment> lines, std::size_t boundary_count, con
     if (tolerances.is_exact()) continue;
     // A crossing that slides along both its lines bends neither: the end of an overlap, mostly.
     const Point to = table.arrangement.nodes[node].position;
-    if (std::max(distance_to_carrier(lines[c.line], to), distance_to_carrier(lines[c.other], to)) > tolerances.round_off) {
+    if (std::max(distance_to_carrier(lines[c.line], to), distance_to_carrier(lines[c.other], to)) >
+        tolerances.round_off) {
       table.moves.push_back({node, c.line, c.position});
     }
   }

@@ -54,7 +54,8 @@ inline Drawing two_joint_sets(int count, double length, std::uint64_t seed) {
   return drawing;
 }
 
-/// Lines between near points of a lattice: coinciding ends, many lines through one point, overlaps and repetitions.
+/// Lines between near points of a lattice: coinciding ends, many lines through one point, overlaps and
+/// repetitions.
 inline Drawing lattice_lines(int count, int size, int reach, std::uint64_t seed) {
   Dice dice(seed);
   Drawing drawing;
