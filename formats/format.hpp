@@ -34,21 +34,31 @@ struct Reading {
   Warnings warnings;
 };
 
+/// What the geometry says that an analysis file cannot be read without: Shi's holds a flag and a curve for
+/// each fixed and each loading point, but neither number. A drawing knows its fixed points only after
+/// cutting.
+struct ReadHint {
+  std::optional<int> fixed_points;
+  std::optional<int> loading_points;
+};
+
 /// How sure a format is that a file is its own, and from what it concludes so (one sentence for the user).
+/// `damaged`: it begins like one, but the counts do not fit; its reader will say where. `surplus`: more
+/// numbers than the counts ask for. `variant`: exact by a known variant of the layout.
 struct Recognition {
-  enum class Fit { none, surplus, exact };
+  enum class Fit { none, damaged, surplus, variant, exact };
   Fit fit = Fit::none;
   std::string evidence;
 };
 
-/// One format. A missing function means "cannot".
+/// One format. A missing function means "cannot". `read` throws InputError; `write` throws
+/// std::invalid_argument where the content lacks the part it writes.
 struct Format {
   std::string_view name;   ///< stable identifier, e.g. "dda-geometry"
   std::string_view title;  ///< one line for people
   Recognition (*recognise)(const Source&) = nullptr;
-  Reading (*read)(const Source&) = nullptr;  ///< throws InputError
-  std::string (*write)(const Content&) =
-      nullptr;  ///< content → text; throws std::invalid_argument if it lacks the part
+  Reading (*read)(const Source&, const ReadHint&) = nullptr;
+  std::string (*write)(const Content&) = nullptr;
 };
 
 }  // namespace keyblock::formats

@@ -16,7 +16,9 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 0> kCommands{};
+constexpr std::array<Command, 1> kCommands{{
+    {"check", "says what files are, what they hold and what is odd about them", configure_check},
+}};
 
 int run_program(int argc, char** argv) {
   CLI::App program{

@@ -1,0 +1,38 @@
+// The files of a case read and put together to one problem.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/registry.hpp"
+#include "problem/problem.hpp"
+
+namespace keyblock::formats {
+
+/// What became of one file: a reading or an error, and the format chosen where one could be.
+struct FileReading {
+  std::string path;
+  std::optional<Choice> choice;
+  std::optional<Reading> reading;
+  std::optional<InputError> error;
+};
+
+/// Reads every file whatever befalls the others; geometry first, because Shi's analysis file needs its
+/// counts.
+std::vector<FileReading> read_files(const std::vector<std::string>& paths);
+
+/// One problem from the contents, in any order. Throws InputError at a second geometry or a second analysis.
+Problem pair(const std::vector<Content>& contents);
+
+/// A case ready to use and everything odd about it, from the readers and from `check`.
+struct Case {
+  Problem problem;
+  Warnings warnings;
+};
+
+/// Reads, pairs and checks. Throws the first InputError met.
+Case load_case(const std::vector<std::string>& paths);
+
+}  // namespace keyblock::formats

@@ -1,0 +1,333 @@
+// Reads Berkeley's and Shi's native analysis files, writes Berkeley's; layout in the header.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/dda_analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+#include "formats/demands.hpp"
+#include "formats/numbers.hpp"
+#include "formats/tokens.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+constexpr std::int64_t kBlockMaterialSize = 13;
+constexpr std::int64_t kJointMaterialSize = 3;
+constexpr Demand kRowCount{[](double v) { return is_whole(v) && (v == 0 || v >= 2); }, "0, or 2 and more"};
+
+/// Numbers taken by the materials a head announces; nothing where the head cannot be one.
+struct Materials {
+  std::int64_t blocks, joints;
+
+  std::int64_t size() const { return kBlockMaterialSize * blocks + kJointMaterialSize * joints; }
+};
+
+std::optional<Materials> materials_of(std::span<const double> numbers) {
+  if (numbers.size() < 6 || !kShare.holds(numbers[0])) return std::nullopt;
+  for (const int i : {1, 2, 3})
+    if (!is_whole(numbers[i])) return std::nullopt;
+  if (numbers[2] < 1 || numbers[3] < 0) return std::nullopt;
+  return Materials{static_cast<std::int64_t>(numbers[2]), static_cast<std::int64_t>(numbers[3])};
+}
+
+/// Whether block materials can stand from `at` on: mass, E and nu have possible values. The numbers must be
+/// there.
+bool block_materials_at(std::span<const double> numbers, std::int64_t at, std::int64_t count) {
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto material = numbers.subspan(at + kBlockMaterialSize * i);
+    if (material[0] < 0 || !(material[2] > 0) || !kPoissonPlaneStress.holds(material[3])) return false;
+  }
+  return true;
+}
+
+Recognition recognise_berkeley(const Source& source) {
+  using Fit = Recognition::Fit;
+  const Tokens tokens = tokenise(source);
+  const auto have = static_cast<std::int64_t>(tokens.numbers.size());
+  if (tokens.numbers.empty() || !kShare.holds(tokens.numbers[0])) return {};
+  if (const auto materials = materials_of(tokens.numbers)) {
+    const std::int64_t total = 6 + materials->size();
+    const std::string evidence =
+        fmt::format("6-number head with {} block and {} joint materials gives {} numbers, the file has {}",
+                    materials->blocks, materials->joints, total, have);
+    if (total == have) return {Fit::exact, evidence};
+    if (total < have && block_materials_at(tokens.numbers, 6, materials->blocks))
+      return {Fit::surplus, evidence};
+  }
+  return {Fit::damaged,
+          fmt::format("its first number, {}, can be a velocity carry-over, but the counts do not fit",
+                      format_real(tokens.numbers[0]))};
+}
+
+/// Whether the rows behind `points` flags, the first at `flags`, can be curves: times increase within each.
+bool times_increase(std::span<const double> numbers, std::int64_t flags, std::int64_t points) {
+  std::int64_t time = flags + points;
+  for (const double flag : numbers.subspan(flags, points)) {
+    const auto rows = static_cast<std::int64_t>(flag);
+    for (std::int64_t row = 1; row < rows; ++row)
+      if (!(numbers[time + 3 * row] > numbers[time + 3 * (row - 1)])) return false;
+    time += 3 * rows;
+  }
+  return true;
+}
+
+/// Every number of points that turns the count equation of Shi's file into the count the file has.
+std::vector<int> possible_point_counts(std::span<const double> numbers) {
+  const auto materials = materials_of(numbers);
+  const auto have = static_cast<std::int64_t>(numbers.size());
+  std::vector<int> counts;
+  std::int64_t rows = 0;
+  for (std::int64_t points = 0; materials; ++points) {
+    const std::int64_t start = 7 + points + 3 * rows;
+    const std::int64_t tail = have - start - materials->size();
+    if (tail < 0) break;
+    const bool sound_tail = tail == 0 || (tail == 1 && numbers[have - 1] >= 1 && numbers[have - 1] <= 2);
+    if (sound_tail && times_increase(numbers, 7, points) &&
+        block_materials_at(numbers, start, materials->blocks))
+      counts.push_back(static_cast<int>(points));
+    const double flag = numbers[7 + points];
+    if (!kRowCount.holds(flag) || flag > static_cast<double>(have)) break;
+    rows += static_cast<std::int64_t>(flag);
+  }
+  return counts;
+}
+
+Recognition recognise_shi(const Source& source) {
+  const Tokens tokens = tokenise(source);
+  const std::vector<int> counts = possible_point_counts(tokens.numbers);
+  if (counts.empty()) return {};
+  return {Recognition::Fit::exact,
+          fmt::format("7-number head, {} points and the materials give the file's {} numbers",
+                      fmt::join(counts, " or "), tokens.numbers.size())};
+}
+
+Analysis next_head(Cursor& cursor) {
+  Analysis analysis;
+  analysis.velocity_carry_over = cursor.next_real("the velocity carry-over (0 static, 1 dynamic)", kShare);
+  analysis.step_count = cursor.next_integer("the number of time steps", kStepCount);
+  return analysis;
+}
+
+struct MaterialCounts {
+  int blocks = 0;
+  int joints = 0;
+};
+
+MaterialCounts next_material_counts(Cursor& cursor) {
+  MaterialCounts counts;
+  const auto next = [&](std::string_view name) {
+    const Place place = cursor.place();
+    const int count = cursor.next_count(name);
+    if (count == 0) throw InputError(place, fmt::format("expected {} (1 or more), found \"0\"", name));
+    return count;
+  };
+  counts.blocks = next("the number of block materials");
+  counts.joints = next("the number of joint materials");
+  return counts;
+}
+
+Stress next_stress(Cursor& cursor, std::string_view xx, std::string_view yy, std::string_view xy) {
+  Stress stress;
+  stress.xx = cursor.next_real(xx);
+  stress.yy = cursor.next_real(yy);
+  stress.xy = cursor.next_real(xy);
+  return stress;
+}
+
+BlockMaterial next_block_material(Cursor& cursor) {
+  BlockMaterial material;
+  material.place = cursor.place();
+  material.density = cursor.next_real("the mass per unit area", kPositive);
+  material.unit_weight = cursor.next_real("the weight per unit area");
+  material.youngs_modulus = cursor.next_real("Young's modulus", kPositive);
+  material.poissons_ratio = cursor.next_real("Poisson's ratio", kPoissonPlaneStress);
+  material.initial_stress =
+      next_stress(cursor, "the initial stress xx", "the initial stress yy", "the initial stress xy");
+  material.stress_gradient =
+      next_stress(cursor, "the stress gradient xx", "the stress gradient yy", "the stress gradient xy");
+  material.initial_velocity.x = cursor.next_real("the initial velocity in x");
+  material.initial_velocity.y = cursor.next_real("the initial velocity in y");
+  material.initial_velocity.rotation = cursor.next_real("the initial rotation rate");
+  return material;
+}
+
+JointMaterial next_joint_material(Cursor& cursor) {
+  JointMaterial material;
+  material.place = cursor.place();
+  material.friction_angle_deg = cursor.next_real("the friction angle", kFrictionAngle);
+  material.cohesion = cursor.next_real("the cohesion", kNotNegative);
+  material.tensile_strength = cursor.next_real("the tensile strength", kNotNegative);
+  return material;
+}
+
+std::vector<BlockMaterial> next_block_materials(Cursor& cursor, int count) {
+  std::vector<BlockMaterial> materials;
+  for (int i = 0; i < count; ++i) {
+    cursor.enter({"block material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
+    materials.push_back(next_block_material(cursor));
+  }
+  cursor.leave();
+  return materials;
+}
+
+std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count) {
+  std::vector<JointMaterial> materials;
+  for (int i = 0; i < count; ++i) {
+    cursor.enter({"joint material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
+    materials.push_back(next_joint_material(cursor));
+  }
+  cursor.leave();
+  return materials;
+}
+
+Analysis with_native_choices(Analysis analysis, AnalysisDialect dialect, const Source& source) {
+  analysis.dialect = dialect;
+  analysis.automatic_time_step = true;
+  analysis.automatic_penalty = false;
+  analysis.penalty_factor = 50;
+  analysis.place = {source.name};
+  return analysis;
+}
+
+Reading read_berkeley(const Source& source, const ReadHint&) {
+  const Tokens tokens = tokenise(source);
+  Cursor cursor(tokens);
+  Analysis analysis = next_head(cursor);
+  const MaterialCounts counts = next_material_counts(cursor);
+  analysis.allowed_displacement_ratio = cursor.next_real("the allowed displacement ratio", kPositive);
+  analysis.time_step = cursor.next_real("the upper limit of the time step", kPositive);
+  analysis.block_materials = next_block_materials(cursor, counts.blocks);
+  analysis.joint_materials = next_joint_materials(cursor, counts.joints);
+  return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::berkeley, source)},
+          cursor.remainder()};
+}
+
+/// How many of the points with a flag are fixed and how many carry loads.
+struct CurveCounts {
+  int points = 0;
+  std::optional<int> fixed;  ///< absent: not known without the geometry
+};
+
+CurveCounts curve_counts(const Tokens& tokens, const ReadHint& hint) {
+  if (hint.fixed_points && hint.loading_points)
+    return {*hint.fixed_points + *hint.loading_points, hint.fixed_points};
+  std::vector<int> counts = possible_point_counts(tokens.numbers);
+  if (hint.loading_points) std::erase_if(counts, [&](int points) { return points < *hint.loading_points; });
+  if (counts.size() != 1)
+    throw InputError(
+        tokens.place_of(7),
+        fmt::format("expected the block or geometry file beside this one, to know its number of fixed "
+                    "and loading points; found {} that fit",
+                    counts.empty() ? "none" : fmt::format("{}", fmt::join(counts, ", "))));
+  if (hint.loading_points) return {counts[0], counts[0] - *hint.loading_points};
+  return {counts[0], std::nullopt};
+}
+
+TimeCurve next_curve(Cursor& cursor, int rows) {
+  TimeCurve curve;
+  curve.place = cursor.place();
+  for (int row = 0; row < rows; ++row) {
+    cursor.enter({"row", static_cast<std::size_t>(row) + 1, static_cast<std::size_t>(rows)});
+    curve.times.push_back(row == 0 ? cursor.next_real("the time")
+                                   : cursor.next_real_above(curve.times.back(), "the time"));
+    const double x = cursor.next_real("the x value");
+    curve.values.push_back({x, cursor.next_real("the y value")});
+  }
+  cursor.leave();
+  return curve;
+}
+
+std::vector<TimeCurve> next_curves(Cursor& cursor, int points) {
+  std::vector<int> rows;
+  for (int i = 0; i < points; ++i) {
+    cursor.enter(
+        {"fixed or loading point", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(points)});
+    rows.push_back(cursor.next_integer("the number of time rows", kRowCount));
+  }
+  cursor.leave();
+  std::vector<TimeCurve> curves;
+  for (const int count : rows) curves.push_back(next_curve(cursor, count));
+  return curves;
+}
+
+/// Curves to the two lists of the analysis. Without the geometry this is possible only where none has rows.
+Analysis with_curves(Analysis analysis, const std::vector<TimeCurve>& curves, const CurveCounts& counts) {
+  if (counts.fixed) {
+    analysis.fixed_point_motions.assign(curves.begin(), curves.begin() + *counts.fixed);
+    analysis.point_loads.assign(curves.begin() + *counts.fixed, curves.end());
+    return analysis;
+  }
+  for (const TimeCurve& curve : curves)
+    if (!curve.times.empty())
+      throw InputError(
+          curve.place,
+          "expected the block or geometry file beside this one, to know whether these time rows move a "
+          "fixed point or load a loading point; found none");
+  return analysis;
+}
+
+Reading read_shi(const Source& source, const ReadHint& hint) {
+  const Tokens tokens = tokenise(source);
+  Cursor cursor(tokens);
+  Warnings warnings;
+  Analysis analysis = next_head(cursor);
+  const MaterialCounts materials = next_material_counts(cursor);
+  analysis.allowed_displacement_ratio = cursor.next_real("the allowed displacement ratio", kPositive);
+  analysis.time_step = cursor.next_real("the upper limit of the time step", kPositive);
+  const Place penalty_place = cursor.place();
+  const double penalty = cursor.next_real("the contact stiffness", kNotNegative);
+  if (penalty > 0) analysis.contact_penalty = penalty;
+  if (penalty == 0)
+    warnings.push_back(
+        {"contact_stiffness_zero", penalty_place,
+         "contact stiffness 0 taken as \"program chooses\": 50 × the largest Young's modulus"});
+  const CurveCounts counts = curve_counts(tokens, hint);
+  analysis = with_curves(std::move(analysis), next_curves(cursor, counts.points), counts);
+  analysis.block_materials = next_block_materials(cursor, materials.blocks);
+  analysis.joint_materials = next_joint_materials(cursor, materials.joints);
+  if (cursor.numbers_left() > 0) analysis.over_relaxation = cursor.next_real("the over-relaxation factor");
+  const Warnings remainder = cursor.remainder();
+  warnings.insert(warnings.end(), remainder.begin(), remainder.end());
+  return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::shi, source)},
+          std::move(warnings)};
+}
+
+std::string text_of(const Stress& stress) {
+  return fmt::format("{} {} {}\n", format_real(stress.xx), format_real(stress.yy), format_real(stress.xy));
+}
+
+std::string text_of(const BlockMaterial& material) {
+  const Velocity& velocity = material.initial_velocity;
+  return fmt::format("{} {} {} {}\n", format_real(material.density), format_real(material.unit_weight),
+                     format_real(material.youngs_modulus), format_real(material.poissons_ratio)) +
+         text_of(material.initial_stress) + text_of(material.stress_gradient) +
+         fmt::format("{} {} {}\n", format_real(velocity.x), format_real(velocity.y),
+                     format_real(velocity.rotation));
+}
+
+std::string write_berkeley(const Content& content) {
+  if (!content.analysis) throw std::invalid_argument("an analysis file needs an analysis");
+  const Analysis& analysis = *content.analysis;
+  std::string text =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", format_real(analysis.velocity_carry_over), analysis.step_count,
+                  analysis.block_materials.size(), analysis.joint_materials.size(),
+                  format_real(analysis.allowed_displacement_ratio), format_real(analysis.time_step));
+  for (const BlockMaterial& material : analysis.block_materials) text += text_of(material);
+  for (const JointMaterial& material : analysis.joint_materials)
+    text += fmt::format("{} {} {}\n", format_real(material.friction_angle_deg),
+                        format_real(material.cohesion), format_real(material.tensile_strength));
+  return text;
+}
+
+}  // namespace
+
+constinit const Format kDdaAnalysisBerkeley{"dda-analysis-berkeley", "native DDA analysis, Berkeley dialect",
+                                            recognise_berkeley, read_berkeley, write_berkeley};
+constinit const Format kDdaAnalysisShi{"dda-analysis-shi", "native DDA analysis, Shi's dialect",
+                                       recognise_shi, read_shi, nullptr};
+
+}  // namespace keyblock::formats

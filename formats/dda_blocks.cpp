@@ -1,0 +1,335 @@
+// Reads and writes the block file; layout in the header.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/dda_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+#include "formats/edge_convention.hpp"
+#include "formats/numbers.hpp"
+#include "formats/tokens.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+constexpr std::int64_t kSpareSlots = 4;  // the repeated first vertex and three of scratch
+
+struct Head {
+  std::int64_t blocks, bolts, slots, fixed, loading, measured;
+
+  std::int64_t points() const { return fixed + loading + measured; }
+  std::int64_t before_points() const { return 6 + 3 * blocks + 3 * slots + 9 * bolts; }
+};
+
+std::optional<Head> head_of(std::span<const double> numbers) {
+  if (numbers.size() < 9) return std::nullopt;
+  for (int i = 0; i < 9; ++i)
+    if (!is_whole(numbers[i]) || numbers[i] < 0) return std::nullopt;
+  const auto count = [&](int i) { return static_cast<std::int64_t>(numbers[i]); };
+  const Head head{count(0), count(1), count(2), count(3), count(4), count(5)};
+  const bool first_block_starts = numbers[7] == 1 && numbers[8] >= 3;
+  if (head.blocks < 1 || !first_block_starts) return std::nullopt;
+  return head;
+}
+
+/// Numbers a point takes: 4 or 3, from the total; nothing where neither fits.
+std::optional<int> point_size(const Head& head, std::size_t numbers) {
+  for (const int size : {4, 3})
+    if (head.before_points() + size * head.points() == static_cast<std::int64_t>(numbers)) return size;
+  return std::nullopt;
+}
+
+/// Whether the blocks' slot ranges follow each other as the writer lays them out and fill the slots.
+bool ranges_follow(std::span<const double> numbers, const Head& head) {
+  double expected_start = 1;
+  for (std::int64_t block = 0; block < head.blocks; ++block) {
+    const auto range = numbers.subspan(6 + 3 * block, 3);
+    if (range[1] != expected_start || range[2] < range[1] + 2) return false;
+    expected_start = range[2] + 1 + kSpareSlots;
+  }
+  return expected_start == static_cast<double>(head.slots) + 1;
+}
+
+Recognition recognise(const Source& source) {
+  using Fit = Recognition::Fit;
+  const Tokens tokens = tokenise(source);
+  const auto head = head_of(tokens.numbers);
+  if (!head) return {};
+  const auto size = point_size(*head, tokens.numbers.size());
+  const auto have = static_cast<std::int64_t>(tokens.numbers.size());
+  if (size && ranges_follow(tokens.numbers, *head))
+    return {Fit::exact,
+            fmt::format("6-number head with {} numbers a point gives {} numbers, the file has {}, and the "
+                        "vertex slots of {} blocks follow each other",
+                        *size, have, have, head->blocks)};
+  const std::int64_t total = head->before_points() + 4 * head->points();
+  const std::string evidence = fmt::format("6-number head gives {} numbers, the file has {}", total, have);
+  if (total < have && ranges_follow(tokens.numbers, *head)) return {Fit::surplus, evidence};
+  return {Fit::damaged, evidence};
+}
+
+struct Range {
+  int material = 0;
+  int first = 0;  ///< slot, from 0
+  int size = 0;
+};
+
+std::vector<Range> next_ranges(Cursor& cursor, int blocks, int slots) {
+  std::vector<Range> ranges;
+  int start = 0;
+  for (int i = 0; i < blocks; ++i) {
+    cursor.enter({"block", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(blocks)});
+    const int material = cursor.next_index("the block material");
+    const Place place = cursor.place();
+    const int first = cursor.next_index("the first vertex slot");
+    const int last = cursor.next_index("the last vertex slot");
+    const bool sound = first == start && last >= first + 2 && last <= slots - 1 - kSpareSlots;
+    if (!sound)
+      throw InputError(
+          place, fmt::format("expected vertex slots of block {} of {} (from {} on, 3 or more, at most {}), "
+                             "found \"{} {}\"",
+                             i + 1, blocks, start + 1, slots - kSpareSlots, first + 1, last + 1));
+    ranges.push_back({material, first, last - first + 1});
+    start = last + 1 + static_cast<int>(kSpareSlots);
+  }
+  return ranges;
+}
+
+std::vector<BlockVertex> next_slots(Cursor& cursor, int count) {
+  std::vector<BlockVertex> slots;
+  for (int i = 0; i < count; ++i) {
+    cursor.enter({"vertex slot", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
+    const double material = cursor.next_real("the joint material");
+    const double x = cursor.next_real("x");
+    const double y = cursor.next_real("y");
+    slots.push_back({{x, y}, is_whole(material) ? static_cast<int>(material) - 1 : -1});
+  }
+  return slots;
+}
+
+int next_block_number(Cursor& cursor, int blocks, std::string_view name) {
+  if (cursor.numbers_left() > 0) {
+    const Place place = cursor.place();
+    const int block = cursor.next_integer(name);
+    if (block >= 0 && block <= blocks) return block - 1;
+    throw InputError(place, fmt::format("expected {} (0 to {}), found \"{}\"", name, blocks, block));
+  }
+  cursor.fail(name);
+}
+
+std::vector<BlockBolt> next_bolts(Cursor& cursor, int count, int blocks) {
+  std::vector<BlockBolt> bolts;
+  for (int i = 0; i < count; ++i) {
+    cursor.enter({"bolt", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
+    BlockBolt bolt;
+    bolt.segment.start.x = cursor.next_real("x of the start");
+    bolt.segment.start.y = cursor.next_real("y of the start");
+    bolt.segment.end.x = cursor.next_real("x of the end");
+    bolt.segment.end.y = cursor.next_real("y of the end");
+    bolt.first_block = next_block_number(cursor, blocks, "the first block number");
+    bolt.second_block = next_block_number(cursor, blocks, "the second block number");
+    bolt.stiffness = cursor.next_real("the stiffness");
+    bolt.strength = cursor.next_real("the strength");
+    bolt.pretension = cursor.next_real("the pre-tension");
+    bolts.push_back(bolt);
+  }
+  return bolts;
+}
+
+struct PointLayout {
+  int size = 4;
+  int blocks = 0;
+};
+
+std::vector<BlockPoint> next_points(Cursor& cursor, std::string_view noun, int count,
+                                    const PointLayout& layout) {
+  std::vector<BlockPoint> points;
+  for (int i = 0; i < count; ++i) {
+    cursor.enter({noun, static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
+    const Place place = cursor.place();
+    if (layout.size == 4) cursor.next_real("the point type");
+    const double x = cursor.next_real("x");
+    const double y = cursor.next_real("y");
+    points.push_back({{x, y}, next_block_number(cursor, layout.blocks, "the block number"), place});
+  }
+  return points;
+}
+
+/// Points the cutting program found in no block carry block 0: they are dropped, each with a warning.
+Warnings outside_warnings(const std::vector<BlockPoint>& points, std::string_view noun) {
+  Warnings warnings;
+  for (const BlockPoint& point : points)
+    if (point.block < 0)
+      warnings.push_back({"point_outside_blocks", point.place,
+                          fmt::format("{} in block 0, that is in none, is left out", noun)});
+  return warnings;
+}
+
+/// A load without a block is no odd input but a lost load, and would shift the curves of those behind it.
+void refuse_outside(const std::vector<BlockPoint>& loading_points) {
+  for (const BlockPoint& point : loading_points)
+    if (point.block < 0)
+      throw InputError(point.place, "expected a loading point within a block, found one in block 0");
+}
+
+std::vector<BlockPoint> inside_only(std::vector<BlockPoint> points) {
+  std::erase_if(points, [](const BlockPoint& point) { return point.block < 0; });
+  return points;
+}
+
+std::vector<BlockPolygon> polygons(const std::vector<Range>& ranges, const std::vector<BlockVertex>& slots) {
+  std::vector<BlockPolygon> blocks;
+  for (const Range& range : ranges) {
+    BlockPolygon block;
+    block.material = range.material;
+    block.outer.assign(slots.begin() + range.first, slots.begin() + range.first + range.size);
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+void append(Warnings& all, const Warnings& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+Warnings bolt_warnings(const std::vector<BlockBolt>& bolts, const Place& place) {
+  Warnings warnings;
+  for (const BlockBolt& bolt : bolts)
+    if (bolt.first_block < 0 || bolt.second_block < 0)
+      warnings.push_back(
+          {"bolt_outside_blocks", place, "a bolt with an end in block 0, that is in none, is left out"});
+  return warnings;
+}
+
+Reading read(const Source& source, const ReadHint&) {
+  const Tokens tokens = tokenise(source);
+  Cursor cursor(tokens);
+  const Place start = cursor.place();
+  const int block_count = cursor.next_count("the number of blocks");
+  if (block_count == 0) throw InputError(start, "expected the number of blocks (1 or more), found \"0\"");
+  const int bolt_count = cursor.next_count("the number of bolts");
+  const int slot_count = cursor.next_count("the number of vertex slots");
+  const int fixed = cursor.next_count("the number of fixed points");
+  const int loading = cursor.next_count("the number of loading points");
+  const int measured = cursor.next_count("the number of measured points");
+  const std::vector<Range> ranges = next_ranges(cursor, block_count, slot_count);
+  const std::vector<BlockVertex> slots = next_slots(cursor, slot_count);
+  Blocks blocks;
+  blocks.blocks = polygons(ranges, slots);
+  blocks.bolts = next_bolts(cursor, bolt_count, block_count);
+  const Head head{block_count, bolt_count, slot_count, fixed, loading, measured};
+  const PointLayout layout{point_size(head, tokens.numbers.size()).value_or(4), block_count};
+  const auto fixed_points = next_points(cursor, "fixed point", fixed, layout);
+  const auto loading_points = next_points(cursor, "loading point", loading, layout);
+  refuse_outside(loading_points);
+  const auto measured_points = next_points(cursor, "measured point", measured, layout);
+  Warnings warnings = bolt_warnings(blocks.bolts, start);
+  append(warnings, outside_warnings(fixed_points, "a fixed point"));
+  append(warnings, outside_warnings(measured_points, "a measured point"));
+  std::erase_if(blocks.bolts,
+                [](const BlockBolt& bolt) { return bolt.first_block < 0 || bolt.second_block < 0; });
+  blocks.fixed_points = inside_only(fixed_points);
+  blocks.loading_points = loading_points;
+  blocks.measured_points = inside_only(measured_points);
+  if (convention_of(blocks.blocks) == EdgeConvention::leaving) {
+    blocks.blocks = with_arriving_edges(std::move(blocks.blocks));
+    warnings.push_back(
+        {"leaving_edge_materials", start,
+         "blocks agree on shared edges only if each slot holds the joint material of the edge that leaves "
+         "it; read so"});
+  }
+  append(warnings, cursor.remainder());
+  blocks.place = {source.name};
+  return {{{}, std::move(blocks), {}}, std::move(warnings)};
+}
+
+/// What fills the scratch slots: area, first moments, and the greatest distance of a vertex from the
+/// centroid.
+struct Moments {
+  double area = 0;
+  Point first;
+  Point centroid;
+  double radius = 0;
+};
+
+/// Taken about the first vertex, so that nothing cancels far from the origin.
+Moments moments_of(const BlockLoop& loop) {
+  Moments moments;
+  Point about_origin;
+  const Point origin = loop.front().position;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point a = loop[i].position - origin;
+    const Point b = loop[(i + 1) % loop.size()].position - origin;
+    moments.area += cross(a, b) / 2;
+    about_origin = about_origin + cross(a, b) / 6 * (a + b);
+  }
+  moments.first = about_origin + moments.area * origin;
+  moments.centroid = moments.area != 0 ? origin + 1 / moments.area * about_origin : origin;
+  for (const BlockVertex& vertex : loop)
+    moments.radius = std::max(moments.radius, distance(vertex.position, moments.centroid));
+  return moments;
+}
+
+std::string slot_text(int material, double x, double y) {
+  return fmt::format("{} {} {}\n", material, format_real(x), format_real(y));
+}
+
+std::string slots_text(const BlockLoop& loop) {
+  std::string text;
+  for (const BlockVertex& vertex : loop)
+    text += slot_text(vertex.joint_material + 1, vertex.position.x, vertex.position.y);
+  const Moments moments = moments_of(loop);
+  text += slot_text(loop.front().joint_material + 1, loop.front().position.x, loop.front().position.y);
+  text += slot_text(0, moments.radius, moments.area);
+  text += slot_text(0, moments.first.x, moments.first.y);
+  return text + slot_text(0, moments.centroid.x, moments.centroid.y);
+}
+
+std::string bolt_text(const BlockBolt& bolt) {
+  const Segment& ends = bolt.segment;
+  return fmt::format("{} {} {}\n{} {} {}\n{} {} {}\n", format_real(ends.start.x), format_real(ends.start.y),
+                     format_real(ends.end.x), format_real(ends.end.y), bolt.first_block + 1,
+                     bolt.second_block + 1, format_real(bolt.stiffness), format_real(bolt.strength),
+                     format_real(bolt.pretension));
+}
+
+std::string points_text(const std::vector<BlockPoint>& points, int type) {
+  std::string text;
+  for (const BlockPoint& point : points)
+    text += fmt::format("{} {} {} {}\n", type, format_real(point.position.x), format_real(point.position.y),
+                        point.block + 1);
+  return text;
+}
+
+std::string write(const Content& content) {
+  if (!content.blocks) throw std::invalid_argument("a block file needs blocks");
+  const Blocks& blocks = *content.blocks;
+  std::size_t slots = 0;
+  std::string ranges;
+  for (const BlockPolygon& block : blocks.blocks) {
+    if (block.outer.size() < 3)
+      throw std::invalid_argument("a block file needs blocks of 3 vertices and more");
+    ranges += fmt::format("{} {} {}\n", block.material + 1, slots + 1, slots + block.outer.size());
+    slots += block.outer.size() + kSpareSlots;
+  }
+  std::string text =
+      fmt::format("{} {} {}\n{} {} {}\n", blocks.blocks.size(), blocks.bolts.size(), slots,
+                  blocks.fixed_points.size(), blocks.loading_points.size(), blocks.measured_points.size());
+  text += ranges;
+  for (const BlockPolygon& block : blocks.blocks) text += slots_text(block.outer);
+  for (const BlockBolt& bolt : blocks.bolts) text += bolt_text(bolt);
+  return text + points_text(blocks.fixed_points, 0) + points_text(blocks.loading_points, 2) +
+         points_text(blocks.measured_points, 1);
+}
+
+}  // namespace
+
+constinit const Format kDdaBlocks{"dda-blocks", "native block file (blocks after cutting)", recognise, read,
+                                  write};
+
+}  // namespace keyblock::formats

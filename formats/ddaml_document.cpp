@@ -1,0 +1,103 @@
+// Parsing in place, so that every name and value pugixml hands out is an offset into the text.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/ddaml_document.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+
+namespace keyblock::formats {
+namespace {
+
+/// Line ends and references stay as they are: nothing moves within the buffer, so offsets stay true.
+constexpr unsigned kParseFlags = pugi::parse_cdata;
+
+std::string_view local_name(std::string_view name) {
+  return name.substr(name.rfind(':') + 1);  // npos + 1 is 0
+}
+
+}  // namespace
+
+std::optional<std::size_t> DocumentText::offset_of(const char* position) const {
+  const char* begin = buffer.data();
+  if (std::less<>{}(position, begin) || std::less<>{}(begin + buffer.size(), position)) return std::nullopt;
+  return static_cast<std::size_t>(position - begin);
+}
+
+Document::Document(const Source& source) {
+  const std::string_view text = without_bom(source.text);
+  text_ = std::make_unique<DocumentText>(
+      DocumentText{std::string(text), std::make_shared<TextMap>(source.name, text)});
+  const pugi::xml_parse_result result = document_.load_buffer_inplace(
+      text_->buffer.data(), text_->buffer.size(), kParseFlags, pugi::encoding_utf8);
+  if (!result)
+    throw InputError(text_->map->place(static_cast<std::size_t>(result.offset)),
+                     fmt::format("expected well-formed XML, found a fault: {}", result.description()));
+}
+
+std::string_view Element::name() const {
+  return local_name(node_.name());
+}
+
+Place Element::place() const {
+  return text_->map->place(text_->offset_of(node_.name()).value_or(0));
+}
+
+std::vector<Element> Element::children() const {
+  std::vector<Element> elements;
+  for (const pugi::xml_node child : node_.children())
+    if (child.type() == pugi::node_element) elements.emplace_back(child, *text_);
+  return elements;
+}
+
+std::optional<Attribute> Element::attribute(std::string_view name) const {
+  for (const pugi::xml_attribute attribute : node_.attributes()) {
+    if (local_name(attribute.name()) != name) continue;
+    const auto offset = text_->offset_of(attribute.value());
+    return Attribute{attribute.value(), offset ? text_->map->place(*offset) : place()};
+  }
+  return std::nullopt;
+}
+
+Tokens Element::tokens() const {
+  std::vector<Word> words;
+  std::size_t end = text_->offset_of(node_.name()).value_or(0);
+  pugi::xml_node node = node_.first_child();
+  while (node) {
+    const std::string_view value = node.value();
+    if (const auto offset = text_->offset_of(node.value()); offset && node.type() != pugi::node_element) {
+      const std::vector<Word> more = split_words(value, Syntax::xml, *offset);
+      words.insert(words.end(), more.begin(), more.end());
+      end = *offset + value.size();
+    }
+    pugi::xml_node next = node.first_child();
+    for (; !next && node != node_; node = node.parent()) next = node.next_sibling();
+    node = next;
+  }
+  return tokenise_words(text_->map, std::move(words), end);
+}
+
+Tokens Element::attribute_tokens(std::string_view name) const {
+  const auto found = attribute(name);
+  if (!found)
+    throw InputError(place(), fmt::format("expected the attribute {} of {}, found none", name, this->name()));
+  const std::size_t offset = text_->offset_of(found->value.data()).value_or(0);
+  return tokenise_words(text_->map, split_words(found->value, Syntax::xml, offset),
+                        offset + found->value.size());
+}
+
+Warning ignored(const Element& element) {
+  static constexpr std::array<std::array<std::string_view, 2>, 5> kNames{
+      {{"Seismicpointlist", "seismic_points_ignored"},
+       {"Timehistory", "time_history_ignored"},
+       {"Pipeflow", "pipe_flow_ignored"},
+       {"Fluids", "pipe_flow_ignored"},
+       {"PipeFlow", "pipe_flow_ignored"}}};
+  std::string name = "unknown_element";
+  for (const auto& [element_name, warning_name] : kNames)
+    if (element.name() == element_name) name = warning_name;
+  return {name, element.place(), fmt::format("{} is ignored", element.name())};
+}
+
+}  // namespace keyblock::formats

@@ -1,0 +1,143 @@
+// The list of formats and the choice by content.
+// To add a format: 1) write its file pair beside this one, 2) add its record to the list below, 3) a row to
+// README.md. SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "formats/dda_analysis.hpp"
+#include "formats/dda_blocks.hpp"
+#include "formats/dda_geometry.hpp"
+#include "formats/ddaml.hpp"
+#include "formats/recognised_only.hpp"
+#include "formats/tokens.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+using Fit = Recognition::Fit;
+
+/// In the order of trial: by a mark first, then by the strength of the token equation.
+constexpr std::array<const Format*, 9> kFormats{
+    &kDdaExtended,         &kDdaml,          &kNmmCover,    &kDdaBlocks, &kDdaGeometry,
+    &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis, &kDiskDda,
+};
+
+[[noreturn]] void refuse(const Place& place, std::string_view found) {
+  throw InputError(place, fmt::format("expected a DDA geometry, block or analysis file, found {}", found));
+}
+
+bool is_blank(std::string_view text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return std::isspace(c) != 0; });
+}
+
+/// The first byte that no text holds; npos where there is none.
+std::size_t find_binary(std::string_view text) {
+  const auto is_binary = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r' && byte != '\f' && byte != '\v' &&
+           byte != 0x1a;
+  };
+  const auto found = std::ranges::find_if(text, is_binary);
+  return found == text.end() ? std::string_view::npos : static_cast<std::size_t>(found - text.begin());
+}
+
+bool is_html(std::string_view text) {
+  std::string head(text.substr(0, 4096));
+  std::ranges::transform(head, head.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return head.find("<!doctype html") != std::string::npos || head.find("<html") != std::string::npos;
+}
+
+void refuse_other_files(const Source& source) {
+  const std::string_view text = without_bom(source.text);
+  if (text.empty()) refuse({source.name}, "an empty file");
+  if (is_blank(text)) refuse({source.name}, "nothing but white space");
+  if (const std::size_t at = find_binary(text); at != std::string_view::npos)
+    refuse(TextMap(source.name, text).place(at), "a binary file");
+  const std::size_t first = text.find_first_not_of(" \t\r\n\f\v");
+  if (text[first] == '<' && is_html(text)) refuse(TextMap(source.name, text).place(first), "an HTML page");
+}
+
+std::vector<Choice> choices(const Source& source) {
+  std::vector<Choice> found;
+  for (const Format* format : kFormats) {
+    Recognition recognition = format->recognise(source);
+    if (recognition.fit != Fit::none) found.push_back({format, std::move(recognition)});
+  }
+  return found;
+}
+
+std::string describe(const Choice& choice) {
+  return fmt::format("{} ({})", choice.format->title, choice.recognition.evidence);
+}
+
+[[noreturn]] void refuse_nothing_fits(const Source& source) {
+  const Tokens tokens = tokenise(source);
+  if (tokens.words.empty()) refuse({source.name}, "nothing but comments");
+  Cursor(tokens).fail("a DDA geometry, block or analysis file");
+}
+
+}  // namespace
+
+std::span<const Format* const> all_formats() {
+  return kFormats;
+}
+
+const Format* find_format(std::string_view name) {
+  const auto found = std::ranges::find(kFormats, name, &Format::name);
+  return found == kFormats.end() ? nullptr : *found;
+}
+
+Source load(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw InputError({path}, "expected a file, found none");
+  if (std::filesystem::is_directory(status)) throw InputError({path}, "expected a file, found a directory");
+  if (!std::filesystem::is_regular_file(status))
+    throw InputError({path}, "expected a regular file, found a device or pipe");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError({path}, "expected a readable file, found one that cannot be opened");
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (stream.bad()) throw InputError({path}, "expected a readable file, found one that breaks off");
+  return {path, std::move(text)};
+}
+
+Choice recognise(const Source& source) {
+  refuse_other_files(source);
+  const std::vector<Choice> found = choices(source);
+  if (found.empty()) refuse_nothing_fits(source);
+  const auto fit = [](const Choice& choice) { return choice.recognition.fit; };
+  const auto best = std::ranges::max_element(found, {}, fit);  // the first of equals: order of trial
+  if (fit(*best) != Fit::exact) return *best;
+  const auto rival = std::find_if(std::next(best), found.end(),
+                                  [](const Choice& c) { return c.recognition.fit == Fit::exact; });
+  if (rival != found.end())
+    throw InputError(
+        {source.name},
+        fmt::format("expected a file of one format, found one that fits two: {} and {}; name the format",
+                    describe(*best), describe(*rival)));
+  return *best;
+}
+
+Reading read(const Source& source, const ReadHint& hint) {
+  return read_as(recognise(source), source, hint);
+}
+
+Reading read_as(const Choice& choice, const Source& source, const ReadHint& hint) {
+  if (!choice.format->read)
+    throw InputError({source.name},
+                     fmt::format("expected a file this version reads, found {}: recognised, not yet read",
+                                 describe(choice)));
+  return choice.format->read(source, hint);
+}
+
+}  // namespace keyblock::formats

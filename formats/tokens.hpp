@@ -1,0 +1,119 @@
+// Text to numbers that know their place: the one tokeniser and the one cursor every reader walks with.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+#include "formats/format.hpp"
+
+namespace keyblock::formats {
+
+/// Offsets of a text to line and column (bytes, both from 1). LF, CRLF and a lone CR all end a line.
+class TextMap {
+ public:
+  TextMap(std::string file, std::string_view text);
+  Place place(std::size_t offset) const;
+
+ private:
+  std::string file_;
+  std::size_t size_ = 0;
+  std::vector<std::size_t> line_starts_;
+};
+
+/// The text without its UTF-8 byte order mark.
+std::string_view without_bom(std::string_view text);
+
+/// A run of characters between separators. Views the text it was cut from.
+struct Word {
+  std::string_view text;
+  std::size_t offset = 0;
+};
+
+enum class Syntax {
+  native,  ///< white space and commas separate; `#` `%` `!` `;` `//` start a comment to the end of the line
+  xml,     ///< white space, commas and semicolons separate; no comments (the XML reader has dropped them)
+};
+
+/// Words of `text`, their offsets counted from `first_offset`.
+std::vector<Word> split_words(std::string_view text, Syntax syntax, std::size_t first_offset = 0);
+
+/// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive.
+struct Tokens {
+  std::shared_ptr<const TextMap> map;
+  std::vector<Word> words;      ///< all of them
+  std::vector<double> numbers;  ///< the leading words that are finite numbers
+  std::size_t end = 0;          ///< offset at which the text ends
+
+  /// First word that is no number; `pen=0.1*g0` in mf13, `nan` anywhere.
+  std::optional<Word> junk() const;
+  Place place_of(std::size_t index) const;
+};
+
+Tokens tokenise(const Source& source);
+Tokens tokenise_words(std::shared_ptr<const TextMap> map, std::vector<Word> words, std::size_t end);
+
+/// What a number must satisfy, and the words by which a message says so.
+struct Demand {
+  bool (*holds)(double value);
+  std::string_view wording;
+};
+
+/// The record being read, for messages: "line 3 of 30".
+struct Record {
+  std::string_view noun;
+  std::size_t number = 0;  ///< from 1; 0: the record is the only one
+  std::size_t of = 0;
+};
+
+/// Walks over tokens by name. Every failure is `expected NAME of RECORD, found …` at the token.
+class Cursor {
+ public:
+  /// `end_name` says what running out of tokens is called: "end of file", "end of element".
+  explicit Cursor(const Tokens& tokens, std::string_view end_name = "end of file")
+      : tokens_(tokens), end_name_(end_name) {}
+
+  void enter(Record record) { record_ = record; }
+  void leave() { record_.reset(); }
+
+  double next_real(std::string_view name);
+  double next_real(std::string_view name, const Demand& demand);
+  double next_real_above(double limit, std::string_view name);
+  int next_integer(std::string_view name);
+  int next_integer(std::string_view name, const Demand& demand);
+  /// An integer ≥ 0 that announces as many records; refused where fewer words than that follow, so that
+  /// nothing is ever allocated for records that cannot exist.
+  int next_count(std::string_view name);
+  /// The same where a part of something already counted is announced: `whole` in words, "the number of
+  /// lines".
+  int next_count_up_to(int limit, std::string_view whole, std::string_view name);
+  /// A number counted from 1 in the file, given from 0.
+  int next_index(std::string_view name) { return next_integer(name) - 1; }
+
+  std::size_t position() const { return position_; }
+  std::size_t numbers_left() const { return tokens_.numbers.size() - position_; }
+  bool at_end() const { return position_ == tokens_.words.size(); }
+  Place place() const { return tokens_.place_of(position_); }
+  /// Throws InputError at the next token.
+  [[noreturn]] void fail(std::string_view expected) const;
+  /// What stands behind the last record: surplus numbers and trailing text, each as a warning.
+  Warnings remainder() const;
+
+ private:
+  std::string full_name(std::string_view name) const;
+  std::string found() const;
+
+  const Tokens& tokens_;
+  std::string_view end_name_;
+  std::size_t position_ = 0;
+  std::optional<Record> record_;
+};
+
+bool is_whole(double value);
+
+}  // namespace keyblock::formats

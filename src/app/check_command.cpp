@@ -1,0 +1,166 @@
+// `keyblock check`: says what each file is and why we think so, what it holds, and what is odd or wrong about
+// it. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command.hpp"
+#include "formats/case.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  bool as_json = false;
+};
+
+/// The whole case: its complaints, or why it could not be put together.
+struct CaseReport {
+  Warnings warnings;
+  std::vector<std::string> errors;
+};
+
+Json counts_of(const Drawing& drawing) {
+  return {{"lines", drawing.joints.size()},
+          {"boundary_lines", drawing.boundary_count},
+          {"material_lines", drawing.material_lines.size()},
+          {"bolts", drawing.bolts.size()},
+          {"fixed_lines", drawing.fixed_lines.size()},
+          {"loading_points", drawing.loading_points.size()},
+          {"measured_points", drawing.measured_points.size()},
+          {"hole_points", drawing.hole_points.size()}};
+}
+
+Json counts_of(const Blocks& blocks) {
+  return {{"blocks", blocks.blocks.size()},
+          {"bolts", blocks.bolts.size()},
+          {"fixed_points", blocks.fixed_points.size()},
+          {"loading_points", blocks.loading_points.size()},
+          {"measured_points", blocks.measured_points.size()}};
+}
+
+Json counts_of(const Analysis& analysis) {
+  return {{"steps", analysis.step_count},
+          {"block_materials", analysis.block_materials.size()},
+          {"joint_materials", analysis.joint_materials.size()},
+          {"load_curves", analysis.point_loads.size()},
+          {"motion_curves", analysis.fixed_point_motions.size()}};
+}
+
+Json counts_of(const formats::Content& content) {
+  Json counts = Json::object();
+  if (content.drawing) counts.update(counts_of(*content.drawing));
+  if (content.blocks) counts.update(counts_of(*content.blocks));
+  if (content.analysis) counts.update(counts_of(*content.analysis));
+  return counts;
+}
+
+Json json_of(const Warnings& warnings) {
+  Json all = Json::array();
+  for (const Warning& warning : warnings)
+    all.push_back({{"name", warning.name},
+                   {"file", warning.place.file},
+                   {"line", warning.place.line},
+                   {"column", warning.place.column},
+                   {"sentence", warning.sentence}});
+  return all;
+}
+
+Json json_of(const formats::FileReading& file) {
+  Json json = {{"file", file.path}};
+  if (file.choice) {
+    json["format"] = file.choice->format->name;
+    json["evidence"] = file.choice->recognition.evidence;
+  }
+  if (file.reading) {
+    json["counts"] = counts_of(file.reading->content);
+    json["warnings"] = json_of(file.reading->warnings);
+  }
+  if (file.error) json["error"] = file.error->what();
+  return json;
+}
+
+std::string text_of(const Json& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts.items()) {
+    std::string words = name;
+    for (char& c : words)
+      if (c == '_') c = ' ';
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.dump(), words);
+  }
+  return text;
+}
+
+void print(const Warnings& warnings) {
+  for (const Warning& warning : warnings) fmt::print("  {}\n", to_string(warning));
+}
+
+void print(const formats::FileReading& file) {
+  if (file.choice)
+    fmt::print("{}: {} [{}]: {}\n", file.path, file.choice->format->title, file.choice->format->name,
+               file.choice->recognition.evidence);
+  if (file.reading) {
+    fmt::print("  {}\n", text_of(counts_of(file.reading->content)));
+    print(file.reading->warnings);
+  }
+  if (file.error) fmt::print("  {}\n", file.error->what());
+}
+
+void print(const CaseReport& report) {
+  if (report.warnings.empty() && report.errors.empty()) return;
+  fmt::print("the files together:\n");
+  print(report.warnings);
+  for (const std::string& error : report.errors) fmt::print("  {}\n", error);
+}
+
+CaseReport report_of(const std::vector<formats::FileReading>& files) {
+  std::vector<formats::Content> contents;
+  for (const formats::FileReading& file : files)
+    if (file.reading) contents.push_back(file.reading->content);
+  try {
+    const Checked checked = check(formats::pair(contents));
+    CaseReport report{checked.warnings, {}};
+    for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
+    return report;
+  } catch (const InputError& error) {
+    return {{}, {error.what()}};
+  }
+}
+
+void print_json(const std::vector<formats::FileReading>& files, const CaseReport& report) {
+  Json json = {{"files", Json::array()},
+               {"case", {{"warnings", json_of(report.warnings)}, {"errors", report.errors}}}};
+  for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+ExitCode check_files(const CheckOptions& options) {
+  const std::vector<formats::FileReading> files = formats::read_files(options.files);
+  const CaseReport report = report_of(files);
+  bool failed = !report.errors.empty();
+  for (const formats::FileReading& file : files) failed = failed || file.error.has_value();
+  if (options.as_json) {
+    print_json(files, report);
+  } else {
+    for (const formats::FileReading& file : files) print(file);
+    print(report);
+  }
+  return failed ? ExitCode::unreadable : ExitCode::ok;
+}
+
+}  // namespace
+
+Action configure_check(CLI::App& options) {
+  const auto chosen = std::make_shared<CheckOptions>();
+  options.add_option("files", chosen->files, "geometry and analysis files, in any order")->required();
+  options.add_flag("--json", chosen->as_json, "print the report as JSON");
+  return [chosen] { return check_files(*chosen); };
+}
+
+}  // namespace keyblock

@@ -1,0 +1,199 @@
+// The checks of a problem: each looks at one thing and returns its complaints.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "problem/problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+constexpr double kUsualEdgeNodeRatio =
+    0.1;  // files hold 0.001 … 0.02; from here on the cutter eats whole blocks
+
+void append(Warnings& all, Warnings more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// Counts the material numbers that were out of range and remembers where each was met first.
+class Clamp {
+ public:
+  Clamp(std::string noun, std::size_t materials)
+      : noun_(std::move(noun)), last_(static_cast<int>(materials) - 1) {}
+
+  int operator()(int index, const Place& place) {
+    if (last_ < 0 || (index >= 0 && index <= last_)) return index;
+    ++met_.try_emplace(index, Met{place, 0}).first->second.times;
+    return std::clamp(index, 0, last_);
+  }
+
+  Warnings warnings(const std::string& name, std::string_view carriers) const {
+    Warnings all;
+    for (const auto& [index, met] : met_)
+      all.push_back({name, met.place,
+                     fmt::format("{} {} of {} {} is outside 1 to {}; taken as {}", noun_,
+                                 static_cast<long long>(index) + 1, met.times, carriers, last_ + 1,
+                                 std::clamp(index, 0, last_) + 1)});
+    return all;
+  }
+
+ private:
+  struct Met {
+    Place place;
+    int times = 0;
+  };
+  std::string noun_;
+  int last_;
+  std::map<int, Met> met_;
+};
+
+Warnings clamp_materials(Drawing& drawing, const Analysis& analysis) {
+  Clamp joint("joint material", analysis.joint_materials.size());
+  Clamp block("block material", analysis.block_materials.size());
+  for (JointLine& line : drawing.joints) line.joint_material = joint(line.joint_material, line.place);
+  for (MaterialLine& line : drawing.material_lines)
+    line.block_material = block(line.block_material, line.place);
+  Warnings warnings = joint.warnings("joint_material_clamped", "lines");
+  append(warnings, block.warnings("block_material_clamped", "material lines"));
+  return warnings;
+}
+
+Warnings clamp_materials(Blocks& blocks, const Analysis& analysis) {
+  Clamp joint("joint material", analysis.joint_materials.size());
+  Clamp material("block material", analysis.block_materials.size());
+  for (BlockPolygon& block : blocks.blocks) {
+    block.material = material(block.material, blocks.place);
+    for (BlockVertex& vertex : block.outer)
+      vertex.joint_material = joint(vertex.joint_material, blocks.place);
+    for (BlockLoop& hole : block.holes)
+      for (BlockVertex& vertex : hole) vertex.joint_material = joint(vertex.joint_material, blocks.place);
+  }
+  Warnings warnings = joint.warnings("joint_material_clamped", "edges");
+  append(warnings, material.warnings("block_material_clamped", "blocks"));
+  return warnings;
+}
+
+bool is_point(const Segment& segment) {
+  return segment.start == segment.end;
+}
+
+Warnings zero_length_lines(const Drawing& drawing) {
+  Warnings warnings;
+  for (const JointLine& line : drawing.joints)
+    if (is_point(line.segment))
+      warnings.push_back(
+          {"zero_length_line", line.place, "a line without length cuts nothing and is left out"});
+  for (const BoltLine& bolt : drawing.bolts)
+    if (is_point(bolt.segment))
+      warnings.push_back(
+          {"zero_length_bolt", bolt.place, "a bolt without length has no direction and is left out"});
+  return warnings;
+}
+
+void drop_zero_length_lines(Drawing& drawing) {
+  const auto boundaries = drawing.joints.begin() + static_cast<std::ptrdiff_t>(drawing.boundary_count);
+  const auto is_dropped = [](const JointLine& line) { return is_point(line.segment); };
+  drawing.boundary_count -=
+      static_cast<std::size_t>(std::count_if(drawing.joints.begin(), boundaries, is_dropped));
+  std::erase_if(drawing.joints, is_dropped);
+  std::erase_if(drawing.bolts, [](const BoltLine& bolt) { return is_point(bolt.segment); });
+}
+
+Warnings unusual_ratio(const Drawing& drawing) {
+  if (drawing.edge_node_ratio > 0 && drawing.edge_node_ratio < kUsualEdgeNodeRatio) return {};
+  return {{"edge_node_ratio_unusual", drawing.place,
+           fmt::format("edge-node ratio {} is outside the usual 0.001 to 0.02", drawing.edge_node_ratio)}};
+}
+
+Warnings no_fixed_points(std::size_t count, const Place& place) {
+  if (count > 0) return {};
+  return {{"no_fixed_points", place, "nothing holds the blocks: there are no fixed points"}};
+}
+
+Warnings curves_and_points(const Analysis& analysis, std::size_t loading_points, const Place& place) {
+  const std::size_t curves = analysis.point_loads.size();
+  if (curves > loading_points)
+    return {{"surplus_load_curves", analysis.point_loads[loading_points].place,
+             fmt::format("{} load curves for {} loading points; the surplus is ignored", curves,
+                         loading_points)}};
+  if (curves < loading_points)
+    return {{"loading_points_without_load", place,
+             fmt::format("{} load curves for {} loading points; the others carry no load", curves,
+                         loading_points)}};
+  return {};
+}
+
+/// Properties by the type of the bolt; a drawing that states its own (native files) keeps them.
+Warnings give_bolts_their_properties(Drawing& drawing, const Analysis& analysis) {
+  const auto& properties = analysis.bolt_properties;
+  if (drawing.bolts.empty() || analysis.dialect != AnalysisDialect::ddaml) return {};
+  if (properties.empty())
+    return {{"bolts_without_properties", drawing.bolts.front().place,
+             fmt::format("the analysis holds no bolt properties for {} bolts; they are as the drawing says",
+                         drawing.bolts.size())}};
+  Clamp type("bolt type", properties.size());
+  for (BoltLine& bolt : drawing.bolts) {
+    bolt.type = type(bolt.type, bolt.place);
+    const BoltProperties& own = properties[static_cast<std::size_t>(bolt.type)];
+    bolt.stiffness = own.stiffness;
+    bolt.strength = own.strength;
+    bolt.pretension = own.pretension;
+  }
+  return type.warnings("bolt_type_clamped", "bolts");
+}
+
+double area_of(const BlockLoop& loop) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    twice += cross(loop[i].position - loop[0].position, loop[i + 1].position - loop[0].position);
+  return twice / 2;
+}
+
+std::vector<InputError> impossible_blocks(const Blocks& blocks) {
+  std::vector<InputError> errors;
+  for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
+    if (const double area = area_of(blocks.blocks[i].outer); !(area > 0))
+      errors.emplace_back(blocks.place,
+                          fmt::format("expected block {} of {} counter-clockwise with an area, found area {}",
+                                      i + 1, blocks.blocks.size(), area));
+  return errors;
+}
+
+void check_geometry(Checked&, std::monostate) {}
+
+void check_geometry(Checked& checked, Drawing& drawing) {
+  append(checked.warnings, zero_length_lines(drawing));
+  drop_zero_length_lines(drawing);
+  append(checked.warnings, unusual_ratio(drawing));
+  append(checked.warnings, no_fixed_points(drawing.fixed_lines.size(), drawing.place));
+  if (drawing.joints.empty())
+    checked.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
+  if (!checked.problem.analysis) return;
+  const Analysis& analysis = *checked.problem.analysis;
+  append(checked.warnings, clamp_materials(drawing, analysis));
+  append(checked.warnings, give_bolts_their_properties(drawing, analysis));
+  append(checked.warnings, curves_and_points(analysis, drawing.loading_points.size(), drawing.place));
+}
+
+void check_geometry(Checked& checked, Blocks& blocks) {
+  append(checked.warnings, no_fixed_points(blocks.fixed_points.size(), blocks.place));
+  for (InputError& error : impossible_blocks(blocks)) checked.errors.push_back(std::move(error));
+  if (!checked.problem.analysis) return;
+  append(checked.warnings, clamp_materials(blocks, *checked.problem.analysis));
+  append(checked.warnings,
+         curves_and_points(*checked.problem.analysis, blocks.loading_points.size(), blocks.place));
+}
+
+}  // namespace
+
+Checked check(Problem problem) {
+  Checked checked{std::move(problem), {}, {}};
+  std::visit([&](auto& geometry) { check_geometry(checked, geometry); }, checked.problem.geometry);
+  return checked;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,35 @@
+// A whole problem, geometry and analysis together, and every complaint about it at once.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "base/error.hpp"
+#include "problem/analysis.hpp"
+#include "problem/blocks.hpp"
+#include "problem/drawing.hpp"
+
+namespace keyblock {
+
+/// What the files of a case say together. A geometry or an analysis alone is a problem too, though none to
+/// run.
+struct Problem {
+  std::variant<std::monostate, Drawing, Blocks> geometry;
+  std::optional<Analysis> analysis;
+};
+
+/// A problem made sound, and what was said about it: warnings for what was mended, errors for what cannot be.
+struct Checked {
+  Problem problem;
+  Warnings warnings;
+  std::vector<InputError> errors;
+};
+
+/// Brings material numbers into their range (as the old analysis programs do, but not silently), gives bolts
+/// their properties, and complains about what is odd or cannot be. One warning a kind and number, at its
+/// first place.
+Checked check(Problem problem);
+
+}  // namespace keyblock
