@@ -1,0 +1,71 @@
+# The menu of the project: installs what is missing (Debian), lets CMake and Ninja do the work. `make help` lists it.
+SHELL := /bin/sh
+JOBS ?= $(shell nproc)
+SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
+
+# What a bare Debian 12 needs beside make.
+PACKAGES = g++ cmake ninja-build libboost-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
+           nlohmann-json3-dev libpugixml-dev libspdlog-dev
+
+.PHONY: help build debug run test cases sanitize format tidy clean packages
+.DEFAULT_GOAL := help
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
+
+run: build ## the sliding block: displacement beside theory, picture in out/sliding_block.svg
+	@mkdir -p out
+	build/keyblock compare legacy_cases/sliding_block/a30_p20 --picture out/sliding_block.svg
+	@echo "picture: out/sliding_block.svg"
+
+test: build ## build and pass every test
+	ctest --test-dir build --output-on-failure -j $(JOBS)
+
+cases: build ## rerun every legacy case against its expected values
+	build/keyblock compare legacy_cases
+
+build: packages ## the program build/keyblock and its tests
+	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+	cmake --build build --parallel $(JOBS)
+
+debug: packages ## the same with assertions and debug information, in build-debug
+	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug
+	cmake --build build-debug --parallel $(JOBS)
+
+# Debug keeps the assertions; -O1 because unoptimised Eigen is ten times slower.
+sanitize: packages ## the tests under address and undefined behaviour sanitizers
+	cmake -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DKEYBLOCK_SANITIZE=ON
+	cmake --build build-sanitize --parallel $(JOBS)
+	ctest --test-dir build-sanitize --output-on-failure -j $(JOBS)
+
+format: ## lay out every source by .clang-format
+	@$(call install_missing,clang-format)
+	clang-format -i $(SOURCES)
+
+tidy: build ## clang-tidy over every source, by .clang-tidy
+	@$(call install_missing,clang-tidy)
+	clang-tidy --quiet -p build $(filter %.cpp,$(SOURCES))
+
+clean: ## remove what was built and written
+	rm -rf build build-debug build-sanitize out
+
+packages:
+	@$(call install_missing,$(PACKAGES))
+
+# Installs those of the named Debian packages that are missing: silent and without network when none is. The package
+# lists are fetched only if installing without that fails.
+define install_missing
+command -v dpkg-query >/dev/null || { \
+  echo "not a Debian system; going on, but these Debian packages (or their like) are needed: $(1)"; exit 0; }; \
+missing=""; \
+for name in $(1); do \
+  case "$$(dpkg-query -W -f='$${Status}' "$$name" 2>/dev/null)" in *" installed") ;; *) missing="$$missing $$name";; esac; \
+done; \
+if [ -z "$$missing" ]; then exit 0; fi; \
+echo "installing:$$missing"; \
+if [ "$$(id -u)" = 0 ]; then as_root="env"; \
+elif command -v sudo >/dev/null; then as_root="sudo"; \
+else echo "cannot install without root or sudo; please install:$$missing"; exit 1; fi; \
+get="$$as_root DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install"; \
+$$get $$missing >/dev/null 2>&1 || { $$as_root apt-get -qq update && $$get $$missing >/dev/null; }
+endef

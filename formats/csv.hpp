@@ -1,0 +1,59 @@
+// Comma-separated tables: results out, and tables (expected values, traces) in.
+//
+// Layout (RFC 4180): a header line, then one line a row; cells with a comma, quote or line break stand in
+// double quotes, a quote inside is doubled. Written with `\n` and the shortest numbers that read back the
+// same; read with `\n` or `\r\n`, a byte-order mark and empty lines are passed over. Units: the programs know
+// no unit system, every number is in the units of the input. Headers name the dimension where it helps: [T]
+// time, [L] length.
+//   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start
+//   steps    step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration: one line an
+//   accepted step; oci counts the
+//            open-close passes, k_blocks the stored blocks of the matrix, disp_ratio is the greatest
+//            displacement over the allowed
+//   blocks   step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area: one line a block and frame; block and
+//   material from 1, rot in
+//            radians, stress tension positive
+// The last two are the columns of legacy_cases/reference_traces.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/format.hpp"
+#include "result/frame.hpp"
+#include "result/history.hpp"
+#include "result/step_report.hpp"
+
+namespace keyblock::formats {
+
+std::string history_csv(const History& history);
+std::string steps_csv(std::span<const StepReport> steps);
+std::string blocks_csv(std::span<const Frame> frames);
+
+/// One row of cells and the line of the file it began on.
+struct CsvRow {
+  std::vector<std::string> cells;
+  int line = 0;
+};
+
+/// A table as text; every row has as many cells as the header.
+struct CsvTable {
+  std::string name;  ///< of the file, for messages
+  std::vector<std::string> header;
+  std::vector<CsvRow> rows;
+};
+
+/// Throws InputError where a row has more or fewer cells than the header, or a quote is not closed.
+CsvTable read_csv(const Source& source);
+
+/// Index of the column with this heading; InputError if there is none.
+std::size_t csv_column(const CsvTable& table, std::string_view heading);
+
+/// The cell as a finite number; InputError if it is none.
+double csv_real(const CsvTable& table, const CsvRow& row, std::size_t column);
+
+}  // namespace keyblock::formats

@@ -1,0 +1,143 @@
+// Draws areas first, then edges, then bolts and points, so that nothing hides a smaller thing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/blocks_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <vector>
+
+#include "report/colours.hpp"
+#include "report/scene.hpp"
+#include "report/svg.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr double kPageWidth = 900;
+constexpr double kMargin = 30;
+constexpr double kTitleHeight = 40;
+constexpr double kDrawingHeight = 640;
+constexpr double kFootHeight = 40;  // scale bar
+constexpr std::size_t kLegendLimit = 12;
+
+Box bounds(const Blocks& blocks) {
+  Box box;
+  for (const BlockPolygon& block : blocks.blocks)
+    for (const BlockVertex& vertex : block.outer) box.include(vertex.position);
+  return box;
+}
+
+std::vector<Point> corners(const BlockLoop& loop) {
+  std::vector<Point> points;
+  points.reserve(loop.size());
+  for (const BlockVertex& vertex : loop) points.push_back(vertex.position);
+  return points;
+}
+
+void draw_area(SvgPage& page, const PageMap& map, const BlockPolygon& block) {
+  std::vector<std::vector<Point>> loops{map(corners(block.outer))};
+  for (const BlockLoop& hole : block.holes) loops.push_back(map(corners(hole)));
+  page.polygon(loops, {.fill = area_colour(block.material)});
+}
+
+/// Runs of edges of one joint material become one line each: fewer shapes for scenes of many blocks.
+void draw_edges(SvgPage& page, const PageMap& map, const BlockLoop& loop, double width) {
+  if (loop.size() < 2) return;
+  std::vector<Point> run{map(loop.back().position)};
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    run.push_back(map(loop[i].position));
+    const bool last = i + 1 == loop.size();
+    if (!last && loop[i + 1].joint_material == loop[i].joint_material) continue;
+    page.polyline(run, {.stroke = line_colour(loop[i].joint_material), .stroke_width = width});
+    run.assign(1, run.back());
+  }
+}
+
+void draw_points(SvgPage& page, const PageMap& map, const std::vector<BlockPoint>& points, Mark mark) {
+  for (const BlockPoint& point : points) draw_mark(page, map(point.position), mark);
+}
+
+void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers, LegendEntry::Sign sign,
+                  std::string_view word) {
+  std::size_t shown = 0;
+  for (int number : numbers) {
+    if (++shown > kLegendLimit) {
+      legend.push_back({.sign = LegendEntry::Sign::area,
+                        .colour = "#ffffff",
+                        .words = fmt::format("and {} more", numbers.size() - kLegendLimit)});
+      return;
+    }
+    const std::string_view colour =
+        sign == LegendEntry::Sign::area ? area_colour(number) : line_colour(number);
+    legend.push_back({.sign = sign, .colour = colour, .words = fmt::format("{} {}", word, number + 1)});
+  }
+}
+
+void add_mark(std::vector<LegendEntry>& legend, const std::vector<BlockPoint>& points, Mark mark,
+              std::string_view word) {
+  if (points.empty()) return;
+  legend.push_back({.sign = LegendEntry::Sign::mark,
+                    .colour = {},
+                    .mark = mark,
+                    .words = fmt::format("{} ({})", word, points.size())});
+}
+
+std::vector<LegendEntry> make_legend(const Blocks& blocks) {
+  std::set<int> materials;
+  std::set<int> joints;
+  for (const BlockPolygon& block : blocks.blocks) {
+    materials.insert(block.material);
+    for (const BlockVertex& vertex : block.outer) joints.insert(vertex.joint_material);
+    for (const BlockLoop& hole : block.holes)
+      for (const BlockVertex& vertex : hole) joints.insert(vertex.joint_material);
+  }
+  std::vector<LegendEntry> legend;
+  add_numbered(legend, materials, LegendEntry::Sign::area, "block material");
+  add_numbered(legend, joints, LegendEntry::Sign::line, "joint material");
+  add_mark(legend, blocks.fixed_points, Mark::fixed_point, "fixed points");
+  add_mark(legend, blocks.loading_points, Mark::loading_point, "loading points");
+  add_mark(legend, blocks.measured_points, Mark::measured_point, "measured points");
+  if (!blocks.bolts.empty())
+    legend.push_back({.sign = LegendEntry::Sign::dashed_line, .colour = "#7a0177", .words = "bolts"});
+  return legend;
+}
+
+void draw_scene(SvgPage& page, const PageMap& map, const Blocks& blocks) {
+  for (const BlockPolygon& block : blocks.blocks) draw_area(page, map, block);
+  const double width = edge_width(map.size(), blocks.blocks.size());
+  for (const BlockPolygon& block : blocks.blocks) {
+    draw_edges(page, map, block.outer, width);
+    for (const BlockLoop& hole : block.holes) draw_edges(page, map, hole, width);
+  }
+  for (const BlockBolt& bolt : blocks.bolts)
+    page.line(map(bolt.segment.start), map(bolt.segment.end),
+              {.stroke = "#7a0177", .stroke_width = 1.5, .dash = "4 3"});
+  draw_points(page, map, blocks.fixed_points, Mark::fixed_point);
+  draw_points(page, map, blocks.loading_points, Mark::loading_point);
+  draw_points(page, map, blocks.measured_points, Mark::measured_point);
+}
+
+}  // namespace
+
+std::string blocks_picture(const Blocks& blocks) {
+  const double room = kPageWidth - 2 * kMargin;
+  const Box box = bounds(blocks);
+  Point corner{kMargin, kTitleHeight};
+  const Point size = PageMap(box, corner, {room, kDrawingHeight}).size();
+  corner.x += (room - size.x) / 2;
+  const PageMap map(box, corner, {room, kDrawingHeight});
+  const std::vector<LegendEntry> legend = make_legend(blocks);
+  const double foot = kTitleHeight + size.y + 30;  // room for marks at the lower edge
+  SvgPage page(kPageWidth, foot + kFootHeight + legend_height(legend, room));
+  page.text({kMargin, 26},
+            fmt::format("{} block{}", blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s"),
+            {.size = 16, .bold = true});
+  if (box.empty()) return page.str();
+  draw_scene(page, map, blocks);
+  draw_scale_bar(page, {kMargin, foot}, room, map);
+  draw_legend(page, {kMargin, foot + 14}, room, legend);
+  return page.str();
+}
+
+}  // namespace keyblock::report

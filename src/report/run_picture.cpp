@@ -1,0 +1,136 @@
+// Lays out scene and chart on one page.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/run_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/colours.hpp"
+#include "report/scene.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr double kPageWidth = 900;
+constexpr double kMargin = 30;
+constexpr double kTitleHeight = 44;
+constexpr double kRoom = kPageWidth - 2 * kMargin;
+constexpr double kScaleBarHeight = 26;
+constexpr std::string_view kStartColour = "#b03060";
+
+/// Where the parts stand.
+struct Layout {
+  Point scene_room;
+  bool chart_beside = false;
+};
+
+Box bounds(const Frame& start, const Frame& end) {
+  Box box;
+  for (const Frame* frame : {&start, &end})
+    for (const ElementFrame& element : frame->elements)
+      for (const std::vector<Point>& loop : element.loops)
+        for (Point p : loop) box.include(p);
+  return box;
+}
+
+Layout choose_layout(const Box& box, bool chart) {
+  if (!chart) return {{kRoom, 640}, false};
+  const bool tall = !box.empty() && box.height() > 1.1 * box.width();
+  return tall ? Layout{{300, 560}, true} : Layout{{kRoom, 440}, false};
+}
+
+/// Whether the move of an element can be seen: some vertex went further than a page unit.
+bool moved_visibly(const PageMap& map, const ElementFrame& start, const ElementFrame& end) {
+  if (start.loops.empty() || end.loops.empty() || start.loops[0].size() != end.loops[0].size()) return true;
+  for (std::size_t i = 0; i < start.loops[0].size(); ++i)
+    if (distance(map(start.loops[0][i]), map(end.loops[0][i])) > 1) return true;
+  return false;
+}
+
+void draw_end(SvgPage& page, const PageMap& map, const Frame& end, double width) {
+  for (const ElementFrame& element : end.elements)
+    page.polygon(map(element.loops),
+                 {.fill = area_colour(element.material), .stroke = "#333333", .stroke_width = width});
+}
+
+/// Outlines of what stayed would only hide the picture.
+void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, double width) {
+  const std::vector<ElementFrame>& start = picture.start.elements;
+  const std::vector<ElementFrame>& end = picture.end.elements;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (i < end.size() && !moved_visibly(map, start[i], end[i])) continue;
+    page.polygon(
+        map(start[i].loops),
+        {.stroke = kStartColour, .stroke_width = std::min(width, 1.0), .dash = width > 0.5 ? "4 3" : "2 1"});
+  }
+}
+
+void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture) {
+  const double width = edge_width(map.size(), picture.end.elements.size());
+  draw_end(page, map, picture.end, width);
+  draw_start(page, map, picture, width);
+}
+
+void draw_marks(SvgPage& page, const PageMap& map, const Frame& frame) {
+  for (const PointFrame& point : frame.fixed_points) draw_mark(page, map(point.position), Mark::fixed_point);
+  for (const PointFrame& point : frame.loading_points)
+    draw_mark(page, map(point.position), Mark::loading_point);
+  for (const PointFrame& point : frame.measured_points)
+    draw_mark(page, map(point.position), Mark::measured_point);
+}
+
+std::string time_words(std::string_view word, double time, const std::string& unit) {
+  return fmt::format("{}, t = {:g}{}{}", word, time, unit.empty() ? "" : " ", unit);
+}
+
+std::vector<LegendEntry> make_legend(const RunPicture& picture) {
+  using Sign = LegendEntry::Sign;
+  std::vector<LegendEntry> legend{{.sign = Sign::dashed_line,
+                                   .colour = kStartColour,
+                                   .words = time_words("start", picture.start.time, picture.time_unit)},
+                                  {.sign = Sign::area,
+                                   .colour = area_colour(0),
+                                   .words = time_words("end", picture.end.time, picture.time_unit)}};
+  const auto add = [&legend](const std::vector<PointFrame>& points, Mark mark, std::string_view words) {
+    if (!points.empty())
+      legend.push_back({.sign = Sign::mark, .colour = {}, .mark = mark, .words = std::string(words)});
+  };
+  add(picture.end.fixed_points, Mark::fixed_point, "fixed point");
+  add(picture.end.loading_points, Mark::loading_point, "loading point");
+  add(picture.end.measured_points, Mark::measured_point, "measured point");
+  return legend;
+}
+
+}  // namespace
+
+std::string run_picture(const RunPicture& picture) {
+  const bool chart = has_points(picture.curves);
+  const Box box = bounds(picture.start, picture.end);
+  const Layout layout = choose_layout(box, chart);
+  const std::vector<LegendEntry> legend = make_legend(picture);
+  const double scene_top = kTitleHeight + legend_height(legend, kRoom) + 12;
+  const Point size = PageMap(box, {}, layout.scene_room).size();
+  const PageMap map(box, {kMargin + (layout.scene_room.x - size.x) / 2, scene_top}, layout.scene_room);
+  const double bar_line = scene_top + size.y + 26;
+  const double scene_bottom = bar_line + kScaleBarHeight;
+  Point chart_corner{kMargin, scene_bottom};
+  Point chart_size{kRoom, 340};
+  if (layout.chart_beside) {
+    chart_corner = {kMargin + layout.scene_room.x + 30, scene_top};
+    chart_size = {kRoom - layout.scene_room.x - 30, 400};
+  }
+  const double bottom = chart ? std::max(scene_bottom, chart_corner.y + chart_size.y) : scene_bottom;
+  SvgPage page(kPageWidth, bottom + 14);
+  page.text({kMargin, 28}, picture.title, {.size = 17, .bold = true});
+  draw_legend(page, {kMargin, kTitleHeight}, kRoom, legend);
+  if (!box.empty()) {
+    draw_elements(page, map, picture);
+    draw_marks(page, map, picture.end);
+    draw_scale_bar(page, {kMargin, bar_line}, std::min(layout.scene_room.x, kRoom), map);
+  }
+  if (chart) draw_chart(page, chart_corner, chart_size, picture.curves, picture.axes);
+  return page.str();
+}
+
+}  // namespace keyblock::report

@@ -1,0 +1,25 @@
+// A picture of a run: its start and end, and curves of what happened between.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/chart.hpp"
+#include "result/frame.hpp"
+
+namespace keyblock::report {
+
+struct RunPicture {
+  std::string title;
+  Frame start;                ///< drawn as dashed outlines, where an element moved
+  Frame end;                  ///< drawn filled
+  std::vector<Curve> curves;  ///< without any point the chart is left out
+  AxisLabels axes;            ///< of the chart, with units: "time [s]", "displacement [m]"
+  std::string time_unit;      ///< for the legend, e.g. "s"; may be empty
+};
+
+/// An SVG document. The chart stands below a wide scene and beside a tall one.
+std::string run_picture(const RunPicture& picture);
+
+}  // namespace keyblock::report

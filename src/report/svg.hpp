@@ -1,0 +1,93 @@
+// A small SVG page: shapes and text in page coordinates, and the map from the plane of the blocks onto the
+// page. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace keyblock::report {
+
+/// How a shape is drawn; colours as SVG writes them.
+struct Style {
+  std::string_view fill = "none";
+  std::string_view stroke = "none";
+  double stroke_width = 1;
+  std::string_view dash = {};  ///< lengths of dash and gap, e.g. "4 3"; empty for a full line
+};
+
+enum class Anchor { start, middle, end };
+
+struct TextStyle {
+  double size = 13;
+  Anchor anchor = Anchor::start;
+  std::string_view fill = "#222222";
+  bool bold = false;
+  double turn_deg = 0;  ///< clockwise on the page, about the anchor
+};
+
+/// Collects shapes in drawing order; page coordinates run right and down from the top left corner. Shapes
+/// with a coordinate that is not finite are left out.
+class SvgPage {
+ public:
+  SvgPage(double width, double height) : width_(width), height_(height) {}
+
+  /// Closed loops filled by the even-odd rule, so that inner loops are holes.
+  void polygon(const std::vector<std::vector<Point>>& loops, const Style& style);
+  void polyline(const std::vector<Point>& points, const Style& style);
+  void line(Point from, Point to, const Style& style);
+  void circle(Point center, double radius, const Style& style);
+  void rectangle(Point corner, double width, double height, const Style& style);
+  void text(Point anchor, std::string_view words, const TextStyle& style = {});
+
+  /// The whole document.
+  std::string str() const;
+
+ private:
+  double width_;
+  double height_;
+  std::string body_;
+};
+
+/// Text made safe for an XML document.
+std::string escape_xml(std::string_view text);
+
+/// A width that the text will not exceed in a common sans-serif face.
+double text_width(std::string_view utf8, double size);
+
+/// An upright rectangle that grows around points; empty until the first.
+struct Box {
+  Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+  bool empty() const { return !(low.x <= high.x && low.y <= high.y); }
+  double width() const { return high.x - low.x; }
+  double height() const { return high.y - low.y; }
+  /// Points that are not finite are passed over.
+  void include(Point p);
+};
+
+/// Maps a box of the plane (y up) onto the page (y down), as large as fits in `room`, both axes at one scale.
+class PageMap {
+ public:
+  /// The drawing starts at the top left corner `corner`; see size() for what it takes of the room.
+  PageMap(const Box& world, Point corner, Point room);
+
+  Point operator()(Point p) const;
+  std::vector<Point> operator()(const std::vector<Point>& points) const;
+  std::vector<std::vector<Point>> operator()(const std::vector<std::vector<Point>>& loops) const;
+
+  double scale() const { return scale_; }  ///< page units per unit of the plane
+  Point size() const { return size_; }     ///< width and height on the page
+
+ private:
+  Box world_;
+  Point corner_;
+  double scale_ = 1;
+  Point size_;
+};
+
+}  // namespace keyblock::report

@@ -1,0 +1,26 @@
+// Round values for axes and scale bars: 1, 2 or 5 times a power of ten, and how to write them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace keyblock::report {
+
+/// The largest of 1, 2, 5 times a power of ten that does not exceed `value` (> 0).
+double round_down(double value);
+
+/// An axis that covers the data and ends on ticks.
+struct Axis {
+  std::vector<double> ticks;        ///< ascending, at least two
+  std::vector<std::string> labels;  ///< of the ticks, in units of 10^exponent
+  int exponent = 0;                 ///< a multiple of three, 0 unless the labels would be long
+
+  double low() const { return ticks.front(); }
+  double high() const { return ticks.back(); }
+};
+
+/// About `wanted` intervals from at or below `low` to at or above `high`.
+Axis make_axis(double low, double high, int wanted);
+
+}  // namespace keyblock::report

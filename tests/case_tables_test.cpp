@@ -1,0 +1,97 @@
+// Every case has its input, its README of four headings, and a table whose values state tolerance, reason and
+// source. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "formats/csv.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kCases = fs::path(KEYBLOCK_SOURCE_DIR) / "legacy_cases";
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<fs::path> tables() {
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kCases))
+    if (entry.path().filename() == "expected.csv") found.push_back(entry.path());
+  std::ranges::sort(found);
+  return found;
+}
+
+CsvTable read_table(const fs::path& file) {
+  return read_csv({file.string(), text_of(file)});
+}
+
+}  // namespace
+
+TEST(CaseTables, there_are_nine_sliding_blocks_and_every_case_has_one_input_pair) {
+  std::size_t slides = 0;
+  for (const fs::path& table : tables())
+    if (table.parent_path().parent_path().filename() == "sliding_block") ++slides;
+  EXPECT_EQ(slides, 9U);
+  for (const fs::path& table : tables()) {
+    const fs::path folder = table.parent_path();
+    const fs::path input = folder / folder.filename();
+    EXPECT_TRUE(fs::exists(input.string() + ".geo")) << folder;
+    EXPECT_TRUE(fs::exists(input.string() + ".ana")) << folder;
+  }
+}
+
+TEST(CaseTables, every_value_has_tolerance_reason_and_source) {
+  const std::vector<std::string> header{"quantity",         "block", "time", "value", "tolerance",
+                                        "tolerance_reason", "source"};
+  const std::set<std::string> quantities{
+      "displacement", "dx",  "dy",   "cx",    "cy",         "rotation",    "sxx",
+      "syy",          "sxy", "area", "speed", "total_area", "block_count", "fixed_point_count"};
+  for (const fs::path& file : tables()) {
+    const CsvTable table = read_table(file);
+    ASSERT_EQ(table.header, header) << file;
+    EXPECT_FALSE(table.rows.empty()) << file;
+    for (const CsvRow& row : table.rows) {
+      EXPECT_TRUE(quantities.contains(row.cells[0])) << file << ':' << row.line;
+      EXPECT_GE(csv_real(table, row, csv_column(table, "time")), 0) << file << ':' << row.line;
+      EXPECT_NO_THROW(csv_real(table, row, csv_column(table, "value")));
+      EXPECT_GE(csv_real(table, row, csv_column(table, "tolerance")), 0) << file << ':' << row.line;
+      EXPECT_FALSE(row.cells[5].empty() || row.cells[6].empty()) << file << ':' << row.line;
+    }
+  }
+}
+
+TEST(CaseTables, no_tolerance_is_so_wide_that_standing_still_would_pass) {
+  for (const fs::path& file : tables()) {
+    const CsvTable table = read_table(file);
+    for (const CsvRow& row : table.rows) {
+      const double value = csv_real(table, row, csv_column(table, "value"));
+      if (value == 0) continue;
+      EXPECT_LT(csv_real(table, row, csv_column(table, "tolerance")), 0.1 * std::abs(value))
+          << file << ':' << row.line;
+    }
+  }
+}
+
+TEST(CaseTables, every_case_says_reference_analysis_purpose_and_summary) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(kCases)) {
+    if (!entry.is_directory()) continue;
+    const std::string text = text_of(entry.path() / "README.md");
+    std::size_t at = 0;
+    for (const char* heading : {"\n## Reference\n", "\n## Analysis\n", "\n## Purpose\n", "\n## Summary\n"}) {
+      at = text.find(heading, at);
+      EXPECT_NE(at, std::string::npos) << entry.path() << ' ' << heading;
+    }
+  }
+}
+
+}  // namespace keyblock::formats

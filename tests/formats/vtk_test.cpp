@@ -1,0 +1,93 @@
+// Files for viewers are well-formed, count what they hold, and keep times and coordinates to the last digit.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/vtk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+#include <sstream>
+
+namespace keyblock::formats {
+namespace {
+
+Frame square_with_hole_and_triangle() {
+  Frame frame;
+  frame.time = 0.1;
+  ElementFrame square;
+  square.loops = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
+  ElementFrame triangle;
+  triangle.loops = {{{4, 0}, {1.0 / 3.0 + 4, 0}, {4, 1}}};
+  triangle.material = 1;
+  triangle.stress = {0, -12262.5, 0};
+  frame.elements = {square, triangle};
+  return frame;
+}
+
+std::vector<double> numbers(const pugi::xml_node& array) {
+  std::istringstream text(array.text().get());
+  std::vector<double> values;
+  for (double value = 0; text >> value;) values.push_back(value);
+  return values;
+}
+
+/// Parses a frame; `piece` holds counts and arrays.
+struct Parsed {
+  pugi::xml_document document;
+  pugi::xml_node piece;
+
+  explicit Parsed(const Frame& frame) {
+    EXPECT_TRUE(document.load_string(vtu(frame).c_str()));
+    piece = document.child("VTKFile").child("UnstructuredGrid").child("Piece");
+  }
+  std::vector<double> array(const char* part, const char* name) const {
+    return numbers(piece.child(part).find_child_by_attribute("DataArray", "Name", name));
+  }
+};
+
+double chain_area(const std::vector<double>& coordinates, std::size_t first, std::size_t last) {
+  double twice = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const std::size_t j = i + 1 == last ? first : i + 1;
+    twice += coordinates[3 * i] * coordinates[3 * j + 1] - coordinates[3 * j] * coordinates[3 * i + 1];
+  }
+  return twice / 2;
+}
+
+}  // namespace
+
+TEST(Vtk, a_hole_is_reached_by_a_bridge_and_the_area_is_that_of_the_block) {
+  const Parsed parsed(square_with_hole_and_triangle());
+  EXPECT_EQ(parsed.piece.attribute("NumberOfPoints").as_int(), 13);
+  EXPECT_EQ(parsed.array("Cells", "offsets"), (std::vector<double>{10, 13}));
+  EXPECT_DOUBLE_EQ(chain_area(parsed.array("Points", "Points"), 0, 10), 15);
+}
+
+TEST(Vtk, every_block_is_a_polygon_with_its_number_material_and_stress) {
+  const Parsed parsed(square_with_hole_and_triangle());
+  EXPECT_EQ(parsed.piece.attribute("NumberOfCells").as_int(), 2);
+  EXPECT_EQ(parsed.array("Cells", "types"), (std::vector<double>{7, 7}));
+  EXPECT_EQ(parsed.array("CellData", "block"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(parsed.array("CellData", "material"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(parsed.array("CellData", "stress_yy"), (std::vector<double>{0, -12262.5}));
+}
+
+TEST(Vtk, coordinates_keep_their_last_digit) {
+  const Parsed parsed(square_with_hole_and_triangle());
+  EXPECT_EQ(parsed.array("Points", "Points").at(33), 1.0 / 3.0 + 4);
+}
+
+TEST(Vtk, a_frame_without_blocks_is_an_empty_grid) {
+  const Parsed parsed(Frame{});
+  EXPECT_EQ(parsed.piece.attribute("NumberOfCells").as_int(-1), 0);
+}
+
+TEST(Vtk, the_list_of_files_gives_real_times_and_safe_names) {
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(pvd({{0.1, "a&b.vtu"}, {1, "c.vtu"}}).c_str()));
+  const pugi::xml_node first = document.child("VTKFile").child("Collection").first_child();
+  EXPECT_STREQ(first.attribute("timestep").value(), "0.10000000000000001");
+  EXPECT_STREQ(first.attribute("file").value(), "a&b.vtu");
+  EXPECT_STREQ(first.next_sibling().attribute("timestep").value(), "1");
+}
+
+}  // namespace keyblock::formats
