@@ -173,7 +173,11 @@ class Cutting {
            fmt::format("{} pieces pass a node nearer than {:.6g} and are led through it",
                        planar.detours.size(), tolerances().near_pass));
     }
-    prune_edges(std::move(planar.arrangement));
+    if (planar.detours.empty() && planar.crossings == 0) {
+      arrangement_ = std::move(planar.arrangement);
+    } else {
+      prune_edges(std::move(planar.arrangement));
+    }
   }
 
   void make_blocks() {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cut/union_find.hpp"
+#include "geometry/segment.hpp"
 
 namespace keyblock {
 namespace {
@@ -221,8 +222,11 @@ NodeTable make_nodes(std::vector<Segment> lines, std::size_t boundary_count, con
   for (std::size_t i = 0; i < crossings.found.size(); ++i) {
     const Crossing& c = crossings.found[i];
     const int node = node_of_crossing[i];
-    if (distance(c.position, table.arrangement.nodes[node].position) > tolerances.round_off &&
-        !tolerances.is_exact()) {
+    if (tolerances.is_exact()) continue;
+    // A crossing that slides along both its lines bends neither: the end of an overlap, mostly.
+    const Point to = table.arrangement.nodes[node].position;
+    if (std::max(distance_to_carrier(lines[c.line], to), distance_to_carrier(lines[c.other], to)) >
+        tolerances.round_off) {
       table.moves.push_back({node, c.line, c.position});
     }
   }

@@ -90,49 +90,75 @@ class NodeGrid {
   SegmentGrid grid_;
 };
 
-/// One round of detours; says whether there were any.
-bool make_detours(Planarized& p, std::size_t boundary_count, const CutTolerances& tolerances) {
-  Arrangement& a = p.arrangement;
-  NodeGrid nodes(a, tolerances.near_pass);
-  std::vector<Edge> edges;
-  bool has_changed = false;
-  for (const Edge& edge : a.edges) {
-    const bool is_boundary = edge.line < static_cast<int>(boundary_count);
-    std::vector<Via> vias = nodes.beside(a, edge, is_boundary ? tolerances.round_off : tolerances.near_pass);
-    for (const Via& via : vias)
-      p.detours.push_back({edge.line, via.node, point_at(segment_of(a, edge), via.t)});
-    has_changed |= !vias.empty();
-    add_chain(edges, edge, std::move(vias));
+/// Leads pieces through the nodes beside them; a detour that passes a further node makes a detour of its own.
+class Detours {
+ public:
+  Detours(Planarized& p, std::size_t boundary_count, const CutTolerances& tolerances)
+      : p_(p),
+        boundary_count_(static_cast<int>(boundary_count)),
+        tolerances_(tolerances),
+        nodes_(p.arrangement, tolerances.near_pass) {}
+
+  void make() {
+    const std::size_t before = p_.detours.size();
+    for (const Edge& edge : p_.arrangement.edges) settle(edge, 0);
+    if (p_.detours.size() == before) return;
+    drop_doubles(edges_);
+    p_.arrangement.edges = std::move(edges_);
   }
-  drop_doubles(edges);
-  a.edges = std::move(edges);
-  return has_changed;
+
+ private:
+  void settle(const Edge& edge, int depth) {
+    const double reach = edge.line < boundary_count_ ? tolerances_.round_off : tolerances_.near_pass;
+    const std::vector<Via> vias =
+        depth < kMaxRounds ? nodes_.beside(p_.arrangement, edge, reach) : std::vector<Via>{};
+    if (vias.empty()) {
+      edges_.push_back(edge);
+      return;
+    }
+    const Segment piece = segment_of(p_.arrangement, edge);
+    for (const Via& via : vias) p_.detours.push_back({edge.line, via.node, point_at(piece, via.t)});
+    std::vector<Edge> chain;
+    add_chain(chain, edge, vias);
+    for (const Edge& part : chain) settle(part, depth + 1);
+  }
+
+  Planarized& p_;
+  int boundary_count_;
+  const CutTolerances& tolerances_;
+  NodeGrid nodes_;
+  std::vector<Edge> edges_;
+};
+
+/// Do two pieces cross away from common nodes? Pieces still on their lines never do.
+bool cross_each_other(const Arrangement& a, const Edge& e, const Edge& f) {
+  if (e.is_on_line && f.is_on_line) return false;
+  if (e.from == f.from || e.from == f.to || e.to == f.from || e.to == f.to) return false;
+  return meeting(segment_of(a, e), segment_of(a, f)) == Meeting::crossing;
 }
 
 /// One round of crossings; says whether there were any.
 bool split_crossings(Planarized& p) {
   Arrangement& a = p.arrangement;
+  if (std::all_of(a.edges.begin(), a.edges.end(), [](const Edge& e) { return e.is_on_line; })) return false;
   const std::vector<Segment> pieces = segments_of(a);
   SegmentGrid grid(pieces, 0);
   std::vector<std::vector<Via>> vias(a.edges.size());
-  bool has_changed = false;
+  const std::size_t before = a.nodes.size();
   for (int i = 0; i < static_cast<int>(a.edges.size()); ++i) {
-    for (const int j : grid.near(pieces[i], i)) {
-      const Edge& e = a.edges[i];
-      const Edge& f = a.edges[j];
-      if (e.is_on_line && f.is_on_line) continue;
-      if (e.from == f.from || e.from == f.to || e.to == f.from || e.to == f.to) continue;
-      if (meeting(pieces[i], pieces[j]) != Meeting::crossing) continue;
+    if (a.edges[i].is_on_line) continue;
+    for (const int j : grid.near(pieces[i], static_cast<int>(pieces.size()))) {
+      const bool is_second_look = j <= i && !a.edges[j].is_on_line;
+      if (is_second_look || !cross_each_other(a, a.edges[i], a.edges[j])) continue;
       const double t = station(pieces[i], pieces[j]).value;
       const int node = static_cast<int>(a.nodes.size());
       a.nodes.push_back({point_at(pieces[i], t), false});
       vias[i].push_back({t, node});
       vias[j].push_back({station(pieces[j], pieces[i]).value, node});
-      ++p.crossings;
-      has_changed = true;
     }
   }
-  if (!has_changed) return false;
+  if (a.nodes.size() == before) return false;
+  p.crossings += static_cast<int>(a.nodes.size() - before);
   std::vector<Edge> edges;
   for (std::size_t i = 0; i < vias.size(); ++i) add_chain(edges, a.edges[i], std::move(vias[i]));
   drop_doubles(edges);
@@ -145,7 +171,7 @@ bool split_crossings(Planarized& p) {
 Planarized planarize(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances) {
   Planarized result{std::move(arrangement), {}, 0};
   for (int round = 0; round < kMaxRounds; ++round) {
-    if (make_detours(result, boundary_count, tolerances)) continue;
+    Detours(result, boundary_count, tolerances).make();
     if (!split_crossings(result)) break;
   }
   return result;

@@ -12,8 +12,8 @@ namespace {
 /// A quarter of the mean length: smaller cells cost entries without sparing many tests (measured on two joint
 /// sets and on random lines).
 constexpr double kCellsPerMeanLength = 4;
-/// Cells per segment at most, so that a drawing of specks in a wide plane does not fill the memory.
-constexpr double kCellsPerSegment = 8;
+/// Cells per segment at most: pieces of an arrangement fill the plane, and more cells only cost memory.
+constexpr double kCellsPerSegment = 2;
 
 }  // namespace
 
