@@ -7,7 +7,8 @@
 #include <filesystem>
 
 #include "study/trace.hpp"
-#include "tests/support/shared.hpp"
+#include "tests/shared_folder.hpp"
+#include "tests/support/text_files.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -31,9 +32,9 @@ TEST(Traces, legacy_profile_follows_all_sixteen_traces_in_the_repository) {
 }
 
 TEST(Traces, legacy_profile_follows_the_push_block_trace) {
-  const std::string folder = testing::shared_folder() + "/reference_runs/pushblock";
+  const std::filesystem::path folder = shared_folder() / "reference_runs" / "pushblock";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the push-block trace has no licence and lies only in ../shared";
-  for (const CaseFolder& found : find_cases({folder})) expect_followed(found);
+  for (const CaseFolder& found : find_cases({folder.string()})) expect_followed(found);
 }
 
 // The measure itself: a run with another penalty does not follow, and is said to.
