@@ -18,9 +18,9 @@ const std::string kTraces = KEYBLOCK_SOURCE_DIR "/legacy_cases/reference_traces"
 void expect_followed(const CaseFolder& folder) {
   const TraceDifference difference = follow_trace(folder);
   EXPECT_TRUE(difference.holds()) << fmt::format(
-      "{}: {} of {} steps, polygon {:.1e}, position {:.1e}, rotation {:.1e}, stress {:.1e}\n{}", difference.name,
-      difference.steps, difference.steps_in_trace, difference.polygon, difference.position, difference.rotation,
-      difference.stress, fmt::join(difference.unequal, "\n"));
+      "{}: {} of {} steps, polygon {:.1e}, position {:.1e}, rotation {:.1e}, stress {:.1e}\n{}",
+      difference.name, difference.steps, difference.steps_in_trace, difference.polygon, difference.position,
+      difference.rotation, difference.stress, fmt::join(difference.unequal, "\n"));
 }
 
 }  // namespace
@@ -33,13 +33,15 @@ TEST(Traces, legacy_profile_follows_all_sixteen_traces_in_the_repository) {
 
 TEST(Traces, legacy_profile_follows_the_push_block_trace) {
   const std::filesystem::path folder = shared_folder() / "reference_runs" / "pushblock";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the push-block trace has no licence and lies only in ../shared";
+  if (!std::filesystem::exists(folder))
+    GTEST_SKIP() << "the push-block trace has no licence and lies only in ../shared";
   for (const CaseFolder& found : find_cases({folder.string()})) expect_followed(found);
 }
 
 // The measure itself: a run with another penalty does not follow, and is said to.
 TEST(Traces, a_run_that_differs_is_found_to_differ) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "keyblock_trace_test" / "incline_a30_p20_dt1ms";
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / "keyblock_trace_test" / "incline_a30_p20_dt1ms";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder.parent_path());
   std::filesystem::copy(kTraces + "/incline_a30_p20_dt1ms", folder);

@@ -1,0 +1,70 @@
+// The grid finds exactly the pairs that testing all against all finds.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/candidates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::legacy_scene;
+using testing::plain_analysis;
+using testing::rectangle;
+
+struct Scattered {
+  Blocks blocks;
+  std::vector<std::pair<Point, Point>> boxes;
+};
+
+Scattered scattered(int count, double greatest_size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(0, 30);
+  std::uniform_real_distribution<double> size(0.1, greatest_size);
+  Scattered scene;
+  for (int i = 0; i < count; ++i) {
+    const Point low{place(random), place(random)};
+    const Point high = low + Point{size(random), size(random)};
+    scene.blocks.blocks.push_back(rectangle(low, high));
+    scene.boxes.push_back({low, high});
+  }
+  return scene;
+}
+
+std::vector<ElementPair> all_against_all(const Scattered& scene, double distance) {
+  std::vector<ElementPair> pairs;
+  const int count = static_cast<int>(scene.boxes.size());
+  for (int a = 0; a < count; ++a) {
+    for (int b = a + 1; b < count; ++b) {
+      const auto& [low_a, high_a] = scene.boxes[static_cast<std::size_t>(a)];
+      const auto& [low_b, high_b] = scene.boxes[static_cast<std::size_t>(b)];
+      if (low_a.x - distance <= high_b.x && low_b.x <= high_a.x + distance &&
+          low_a.y - distance <= high_b.y && low_b.y <= high_a.y + distance)
+        pairs.push_back({{a}, {b}});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+TEST(Candidates, grid_and_all_against_all_find_the_same_pairs) {
+  for (double size : {1.0, 3.0, 40.0}) {  // the last: elements that cover the whole grid
+    const Scattered scattering = scattered(300, size, 5);
+    const Scene scene = legacy_scene(scattering.blocks, plain_analysis(1e-3, 1));
+    for (double distance : {0.0, 0.3, 5.0})
+      EXPECT_EQ(close_pairs(scene.model, start(scene).state, distance), all_against_all(scattering, distance))
+          << "size " << size << " distance " << distance;
+  }
+}
+
+TEST(Candidates, one_element_has_no_pair) {
+  const Scene scene =
+      legacy_scene({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
+  EXPECT_TRUE(close_pairs(scene.model, start(scene).state, 1).empty());
+}
+
+}  // namespace keyblock

@@ -1,0 +1,93 @@
+// Step size, penalty and redo rules, and what happens when a step cannot be made.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "step/motion.hpp"
+#include "step/penalty.hpp"
+#include "step/step_size.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::legacy_scene;
+using testing::plain_analysis;
+using testing::rectangle;
+using testing::step_once;
+
+Blocks one_block() {
+  return {{rectangle({0, 0}, {2, 2})}, {}, {}, {}, {}, {}};
+}
+
+}  // namespace
+
+// dt = sqrt(2 g2 w0 / a) from rest under gravity (legacy-formats 3.4).
+TEST(StepSize, first_automatic_step_reaches_the_allowed_displacement) {
+  Analysis analysis = plain_analysis(1, 10);
+  analysis.automatic_time_step = true;
+  analysis.allowed_displacement_ratio = 0.01;
+  const Scene scene = legacy_scene(one_block(), analysis);
+  EXPECT_NEAR(first_step_size(scene.model, start(scene).state, scene.settings, 0), std::sqrt(2 * 0.01 / 9.81),
+              1e-15);
+}
+
+TEST(StepSize, without_anything_to_move_the_given_step_is_used) {
+  Analysis analysis = plain_analysis(0.25, 10);
+  analysis.automatic_time_step = true;
+  analysis.block_materials[0].unit_weight = 0;
+  const Scene scene = legacy_scene(one_block(), analysis);
+  EXPECT_EQ(first_step_size(scene.model, start(scene).state, scene.settings, 0), 0.25);
+}
+
+// Legacy-rules 11.2: q > 3 cuts dt by sqrt(q) and, with a constant step, the cut stays.
+TEST(StepSize, a_step_that_moves_too_far_is_cut_and_stays_cut) {
+  Analysis analysis = plain_analysis(0.1, 10);
+  analysis.allowed_displacement_ratio = 0.01;
+  const Scene scene = legacy_scene(one_block(), analysis);
+  Stepping stepping = start(scene);
+  const StepReport first = step_once(scene, stepping);
+  EXPECT_EQ(first.redos, 1);
+  const double ratio = 9.81 * 0.1 * 0.1 / 2 / 0.01;
+  EXPECT_NEAR(first.dt, 0.1 / std::sqrt(ratio), 1e-12);
+  EXPECT_LE(step_once(scene, stepping).dt, first.dt);
+}
+
+TEST(StepSize, a_run_that_cannot_move_within_the_allowance_fails_and_says_so) {
+  Analysis analysis = plain_analysis(1, 10);
+  analysis.allowed_displacement_ratio = 1e-6;
+  analysis.block_materials[0].initial_velocity = {100, 0, 0};
+  const Scene scene = legacy_scene(one_block(), analysis);
+  Stepping stepping = start(scene);
+  const auto made = advance(scene, stepping);
+  ASSERT_TRUE(std::holds_alternative<StepFailure>(made));
+  EXPECT_NE(std::get<StepFailure>(made).reason.find("smallest step"), std::string::npos);
+  EXPECT_EQ(stepping.state.step, 0);
+}
+
+// Legacy-rules 11.3: kn := max(kn w6/g3, kn/3), ten times that and a redo beyond 2.5 g3.
+TEST(Penalty, grows_with_penetration_and_falls_slowly) {
+  Settings settings;
+  settings.penalty_control = PenaltyControl::adaptive;
+  settings.allowed_displacement_ratio = 0.01;
+  EXPECT_NEAR(adapt(100, {0, 2 * 4e-4}, 1, settings).penalty, 200, 1e-6);
+  EXPECT_FALSE(adapt(100, {0, 2 * 4e-4}, 1, settings).redo);
+  EXPECT_TRUE(adapt(100, {0, 3 * 4e-4}, 1, settings).redo);
+  EXPECT_NEAR(adapt(100, {0, 3 * 4e-4}, 1, settings).penalty, 3000, 1e-5);
+  EXPECT_NEAR(adapt(100, {0, 0}, 1, settings).penalty, 100.0 / 3, 1e-12);
+  settings.penalty_control = PenaltyControl::constant;
+  EXPECT_EQ(adapt(100, {0, 1}, 1, settings).penalty, 100);
+}
+
+// dda-14: uncorrected rotation scales every length by sqrt(1 + r²) a step; the exact rotation keeps it.
+TEST(Motion, first_order_rotation_expands_and_exact_rotation_does_not) {
+  Unknowns turn = Unknowns::Zero(6);
+  turn[2] = 0.1;
+  const Point arm{3, 4};
+  EXPECT_NEAR(length(arm + displacement(affine_basis(), turn, arm, Rotation::first_order)),
+              5 * std::sqrt(1.01), 1e-14);
+  EXPECT_NEAR(length(arm + displacement(affine_basis(), turn, arm, Rotation::exact)), 5, 1e-14);
+}
+
+}  // namespace keyblock
