@@ -121,13 +121,12 @@ Case load_case(const std::vector<std::string>& paths) {
   for (FileReading& file : read_files(paths)) {
     if (file.error) throw *file.error;
     contents.push_back(std::move(file.reading->content));
-    result.warnings.insert(result.warnings.end(), file.reading->warnings.begin(),
-                           file.reading->warnings.end());
+    result.warnings = joined(std::move(result.warnings), file.reading->warnings);
   }
   Checked checked = check(pair(contents));
   if (!checked.errors.empty()) throw checked.errors.front();
   result.problem = std::move(checked.problem);
-  result.warnings.insert(result.warnings.end(), checked.warnings.begin(), checked.warnings.end());
+  result.warnings = joined(std::move(result.warnings), checked.warnings);
   return result;
 }
 

@@ -290,8 +290,7 @@ Reading read_shi(const Source& source, const ReadHint& hint) {
   analysis.block_materials = next_block_materials(cursor, materials.blocks);
   analysis.joint_materials = next_joint_materials(cursor, materials.joints);
   if (cursor.numbers_left() > 0) analysis.over_relaxation = cursor.next_real("the over-relaxation factor");
-  const Warnings remainder = cursor.remainder();
-  warnings.insert(warnings.end(), remainder.begin(), remainder.end());
+  warnings = joined(std::move(warnings), cursor.remainder());
   return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::shi, source)},
           std::move(warnings)};
 }

@@ -20,7 +20,7 @@ namespace {
 constexpr std::int64_t kSpareSlots = 4;  // the repeated first vertex and three of scratch
 
 struct Head {
-  std::int64_t blocks, bolts, slots, fixed, loading, measured;
+  std::int64_t blocks = 0, bolts = 0, slots = 0, fixed = 0, loading = 0, measured = 0;
 
   std::int64_t points() const { return fixed + loading + measured; }
   std::int64_t before_points() const { return 6 + 3 * blocks + 3 * slots + 9 * bolts; }
@@ -193,10 +193,6 @@ std::vector<BlockPolygon> polygons(const std::vector<Range>& ranges, const std::
   return blocks;
 }
 
-void append(Warnings& all, const Warnings& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 Warnings bolt_warnings(const std::vector<BlockBolt>& bolts, const Place& place) {
   Warnings warnings;
   for (const BlockBolt& bolt : bolts)
@@ -206,46 +202,63 @@ Warnings bolt_warnings(const std::vector<BlockBolt>& bolts, const Place& place) 
   return warnings;
 }
 
-Reading read(const Source& source, const ReadHint&) {
-  const Tokens tokens = tokenise(source);
-  Cursor cursor(tokens);
+Head next_head(Cursor& cursor) {
   const Place start = cursor.place();
-  const int block_count = cursor.next_count("the number of blocks");
-  if (block_count == 0) throw InputError(start, "expected the number of blocks (1 or more), found \"0\"");
-  const int bolt_count = cursor.next_count("the number of bolts");
-  const int slot_count = cursor.next_count("the number of vertex slots");
-  const int fixed = cursor.next_count("the number of fixed points");
-  const int loading = cursor.next_count("the number of loading points");
-  const int measured = cursor.next_count("the number of measured points");
+  Head head;
+  head.blocks = cursor.next_count("the number of blocks");
+  if (head.blocks == 0) throw InputError(start, "expected the number of blocks (1 or more), found \"0\"");
+  head.bolts = cursor.next_count("the number of bolts");
+  head.slots = cursor.next_count("the number of vertex slots");
+  head.fixed = cursor.next_count("the number of fixed points");
+  head.loading = cursor.next_count("the number of loading points");
+  head.measured = cursor.next_count("the number of measured points");
+  return head;
+}
+
+/// The file's content as it stands: points in block 0 are still there, joint materials where they were found.
+Blocks next_blocks(Cursor& cursor, const Head& head, int point_numbers) {
+  const int block_count = static_cast<int>(head.blocks);
+  const int slot_count = static_cast<int>(head.slots);
   const std::vector<Range> ranges = next_ranges(cursor, block_count, slot_count);
   const std::vector<BlockVertex> slots = next_slots(cursor, slot_count);
   Blocks blocks;
   blocks.blocks = polygons(ranges, slots);
-  blocks.bolts = next_bolts(cursor, bolt_count, block_count);
-  const Head head{block_count, bolt_count, slot_count, fixed, loading, measured};
-  const PointLayout layout{point_size(head, tokens.numbers.size()).value_or(4), block_count};
-  const auto fixed_points = next_points(cursor, "fixed point", fixed, layout);
-  const auto loading_points = next_points(cursor, "loading point", loading, layout);
-  refuse_outside(loading_points);
-  const auto measured_points = next_points(cursor, "measured point", measured, layout);
-  Warnings warnings = bolt_warnings(blocks.bolts, start);
-  append(warnings, outside_warnings(fixed_points, "a fixed point"));
-  append(warnings, outside_warnings(measured_points, "a measured point"));
+  blocks.bolts = next_bolts(cursor, static_cast<int>(head.bolts), block_count);
+  const PointLayout layout{point_numbers, block_count};
+  blocks.fixed_points = next_points(cursor, "fixed point", static_cast<int>(head.fixed), layout);
+  blocks.loading_points = next_points(cursor, "loading point", static_cast<int>(head.loading), layout);
+  blocks.measured_points = next_points(cursor, "measured point", static_cast<int>(head.measured), layout);
+  return blocks;
+}
+
+Blocks without_outsiders(Blocks blocks) {
+  blocks.fixed_points = inside_only(std::move(blocks.fixed_points));
+  blocks.measured_points = inside_only(std::move(blocks.measured_points));
   std::erase_if(blocks.bolts,
                 [](const BlockBolt& bolt) { return bolt.first_block < 0 || bolt.second_block < 0; });
-  blocks.fixed_points = inside_only(fixed_points);
-  blocks.loading_points = loading_points;
-  blocks.measured_points = inside_only(measured_points);
+  return blocks;
+}
+
+Reading read(const Source& source, const ReadHint&) {
+  const Tokens tokens = tokenise(source);
+  Cursor cursor(tokens);
+  const Place start = cursor.place();
+  const Head head = next_head(cursor);
+  Blocks blocks = next_blocks(cursor, head, point_size(head, tokens.numbers.size()).value_or(4));
+  refuse_outside(blocks.loading_points);
+  Warnings warnings = bolt_warnings(blocks.bolts, start);
+  warnings = joined(std::move(warnings), outside_warnings(blocks.fixed_points, "a fixed point"));
+  warnings = joined(std::move(warnings), outside_warnings(blocks.measured_points, "a measured point"));
+  blocks = without_outsiders(std::move(blocks));
   if (convention_of(blocks.blocks) == EdgeConvention::leaving) {
     blocks.blocks = with_arriving_edges(std::move(blocks.blocks));
-    warnings.push_back(
-        {"leaving_edge_materials", start,
-         "blocks agree on shared edges only if each slot holds the joint material of the edge that leaves "
-         "it; read so"});
+    warnings.push_back({"leaving_edge_materials", start,
+                        "blocks agree on shared edges only if each slot holds the joint material of the edge "
+                        "that leaves it; "
+                        "read so"});
   }
-  append(warnings, cursor.remainder());
   blocks.place = {source.name};
-  return {{{}, std::move(blocks), {}}, std::move(warnings)};
+  return {{{}, std::move(blocks), {}}, joined(std::move(warnings), cursor.remainder())};
 }
 
 /// What fills the scratch slots: area, first moments, and the greatest distance of a vertex from the

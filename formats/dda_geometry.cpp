@@ -16,8 +16,6 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr Demand kEdgeNodeRatio{[](double v) { return v >= 0 && v < 1; }, "at least 0 and below 1"};
-
 /// The parts in which known files differ.
 struct Layout {
   int head = 9;  ///< 8: no count of hole points
@@ -249,48 +247,45 @@ Warnings layout_warnings(const Layout& layout, const Counts& counts, const Place
   return warnings;
 }
 
-Drawing next_drawing(Cursor& cursor, const Layout& layout, const Counts& counts, double edge_node_ratio) {
-  Drawing drawing;
-  drawing.edge_node_ratio = edge_node_ratio;
-  drawing.boundary_count = static_cast<std::size_t>(counts.boundaries);
-  drawing.joints = next_joint_lines(cursor, counts.lines);
-  drawing.material_lines = next_material_lines(cursor, counts.material_lines);
-  drawing.bolts = next_bolts(cursor, counts.bolts, layout.bolt);
-  drawing.fixed_lines = next_fixed_lines(cursor, counts.fixed, layout.fixed);
-  return drawing;
+Layout layout_of(const Tokens& tokens) {
+  const auto head = head_of(tokens.numbers, 9);
+  const bool is_standard = head && head->total({}) == static_cast<std::int64_t>(tokens.numbers.size());
+  return is_standard ? Layout{} : variant_of(tokens.numbers).value_or(Layout{});
 }
 
-void append(Warnings& all, Warnings more) {
-  all.insert(all.end(), more.begin(), more.end());
+Drawing next_lines(Cursor& cursor, const Layout& layout, const Counts& counts) {
+  Drawing drawing;
+  drawing.boundary_count = static_cast<std::size_t>(counts.boundaries);
+  drawing.joints = next_joint_lines(cursor, static_cast<std::size_t>(counts.lines));
+  drawing.material_lines = next_material_lines(cursor, static_cast<std::size_t>(counts.material_lines));
+  drawing.bolts = next_bolts(cursor, static_cast<std::size_t>(counts.bolts), layout.bolt);
+  drawing.fixed_lines = next_fixed_lines(cursor, static_cast<std::size_t>(counts.fixed), layout.fixed);
+  return drawing;
 }
 
 Reading read(const Source& source, const ReadHint&) {
   const Tokens tokens = tokenise(source);
-  const Layout layout = [&] {
-    const auto head = head_of(tokens.numbers, 9);
-    const bool standard = head && head->total({}) == static_cast<std::int64_t>(tokens.numbers.size());
-    return standard ? Layout{} : variant_of(tokens.numbers).value_or(Layout{});
-  }();
+  const Layout layout = layout_of(tokens);
   const std::int64_t missing = layout == Layout{} ? points_missing(tokens) : 0;
   Cursor cursor(tokens);
   const Place start = cursor.place();
   const double ratio = cursor.next_real("the edge-node ratio", kEdgeNodeRatio);
   const Counts counts = next_counts(cursor, layout);
-  Drawing drawing = next_drawing(cursor, layout, counts, ratio);
-  const auto next_present = [&](std::string_view noun, int count) {
-    const std::size_t present = missing > 0 ? cursor.numbers_left() / 2 : static_cast<std::size_t>(count);
-    return next_points(cursor, noun, static_cast<std::size_t>(count), present);
+  Drawing drawing = next_lines(cursor, layout, counts);
+  drawing.edge_node_ratio = ratio;
+  drawing.place = {source.name};
+  const auto next_present = [&](std::string_view noun, int announced) {
+    const auto count = static_cast<std::size_t>(announced);
+    return next_points(cursor, noun, count, missing > 0 ? cursor.numbers_left() / 2 : count);
   };
   drawing.loading_points = next_present("loading point", counts.loading);
   drawing.measured_points = next_present("measured point", counts.measured);
   drawing.hole_points = next_present("hole point", counts.holes);
-  drawing.place = {source.name};
   Warnings warnings = layout_warnings(layout, counts, start);
   if (missing > 0)
     warnings.push_back({"points_missing", cursor.place(),
                         fmt::format("the file ends {} points early; they are taken as not there", missing)});
-  append(warnings, cursor.remainder());
-  return {{std::move(drawing), {}, {}}, std::move(warnings)};
+  return {{std::move(drawing), {}, {}}, joined(std::move(warnings), cursor.remainder())};
 }
 
 std::string text_of(Point point) {

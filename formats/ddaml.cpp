@@ -38,10 +38,6 @@ std::vector<Element> sections_of(const Element& root) {
   return {root};
 }
 
-void append(Warnings& all, Warnings more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 Reading read(const Source& source, const ReadHint&) {
   const Document document(source);
   const Element root = document.root();
@@ -59,12 +55,12 @@ Reading read(const Source& source, const ReadHint&) {
       once(reading.content.drawing.has_value(), section);
       auto [drawing, warnings] = read_geometry(section);
       reading.content.drawing = std::move(drawing);
-      append(reading.warnings, std::move(warnings));
+      reading.warnings = joined(std::move(reading.warnings), warnings);
     } else if (section.name() == "Analysis") {
       once(reading.content.analysis.has_value(), section);
       auto [analysis, warnings] = read_analysis(section);
       reading.content.analysis = std::move(analysis);
-      append(reading.warnings, std::move(warnings));
+      reading.warnings = joined(std::move(reading.warnings), warnings);
     } else {
       reading.warnings.push_back(ignored(section));
     }

@@ -6,12 +6,12 @@
 
 #include <array>
 
+#include "formats/demands.hpp"
 #include "formats/tokens.hpp"
 
 namespace keyblock::formats {
 namespace {
 
-constexpr Demand kEdgeNodeRatio{[](double v) { return v >= 0 && v < 1; }, "at least 0 and below 1"};
 constexpr std::string_view kEnd = "end of element";
 
 class GeometryReader {

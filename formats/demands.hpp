@@ -1,4 +1,4 @@
-// The limits that input values must keep, with the words messages use; shared by every analysis format.
+// The limits that input values must keep, with the words messages use; shared by every format.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,6 +9,7 @@ namespace keyblock::formats {
 inline constexpr Demand kPositive{[](double v) { return v > 0; }, "greater than 0"};
 inline constexpr Demand kNotNegative{[](double v) { return v >= 0; }, "0 or more"};
 inline constexpr Demand kShare{[](double v) { return v >= 0 && v <= 1; }, "0 to 1"};
+inline constexpr Demand kEdgeNodeRatio{[](double v) { return v >= 0 && v < 1; }, "at least 0 and below 1"};
 inline constexpr Demand kFrictionAngle{[](double v) { return v >= 0 && v < 90; },
                                        "at least 0 and below 90 degrees"};
 /// Plane stress divides by 1 − ν², plane strain by 1 − 2ν: only the latter excludes 0.5.

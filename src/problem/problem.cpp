@@ -15,10 +15,6 @@ namespace {
 constexpr double kUsualEdgeNodeRatio =
     0.1;  // files hold 0.001 … 0.02; from here on the cutter eats whole blocks
 
-void append(Warnings& all, Warnings more) {
-  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 /// Counts the material numbers that were out of range and remembers where each was met first.
 class Clamp {
  public:
@@ -51,32 +47,6 @@ class Clamp {
   std::map<int, Met> met_;
 };
 
-Warnings clamp_materials(Drawing& drawing, const Analysis& analysis) {
-  Clamp joint("joint material", analysis.joint_materials.size());
-  Clamp block("block material", analysis.block_materials.size());
-  for (JointLine& line : drawing.joints) line.joint_material = joint(line.joint_material, line.place);
-  for (MaterialLine& line : drawing.material_lines)
-    line.block_material = block(line.block_material, line.place);
-  Warnings warnings = joint.warnings("joint_material_clamped", "lines");
-  append(warnings, block.warnings("block_material_clamped", "material lines"));
-  return warnings;
-}
-
-Warnings clamp_materials(Blocks& blocks, const Analysis& analysis) {
-  Clamp joint("joint material", analysis.joint_materials.size());
-  Clamp material("block material", analysis.block_materials.size());
-  for (BlockPolygon& block : blocks.blocks) {
-    block.material = material(block.material, blocks.place);
-    for (BlockVertex& vertex : block.outer)
-      vertex.joint_material = joint(vertex.joint_material, blocks.place);
-    for (BlockLoop& hole : block.holes)
-      for (BlockVertex& vertex : hole) vertex.joint_material = joint(vertex.joint_material, blocks.place);
-  }
-  Warnings warnings = joint.warnings("joint_material_clamped", "edges");
-  append(warnings, material.warnings("block_material_clamped", "blocks"));
-  return warnings;
-}
-
 bool is_point(const Segment& segment) {
   return segment.start == segment.end;
 }
@@ -92,15 +62,6 @@ Warnings zero_length_lines(const Drawing& drawing) {
       warnings.push_back(
           {"zero_length_bolt", bolt.place, "a bolt without length has no direction and is left out"});
   return warnings;
-}
-
-void drop_zero_length_lines(Drawing& drawing) {
-  const auto boundaries = drawing.joints.begin() + static_cast<std::ptrdiff_t>(drawing.boundary_count);
-  const auto is_dropped = [](const JointLine& line) { return is_point(line.segment); };
-  drawing.boundary_count -=
-      static_cast<std::size_t>(std::count_if(drawing.joints.begin(), boundaries, is_dropped));
-  std::erase_if(drawing.joints, is_dropped);
-  std::erase_if(drawing.bolts, [](const BoltLine& bolt) { return is_point(bolt.segment); });
 }
 
 Warnings unusual_ratio(const Drawing& drawing) {
@@ -127,25 +88,6 @@ Warnings curves_and_points(const Analysis& analysis, std::size_t loading_points,
   return {};
 }
 
-/// Properties by the type of the bolt; a drawing that states its own (native files) keeps them.
-Warnings give_bolts_their_properties(Drawing& drawing, const Analysis& analysis) {
-  const auto& properties = analysis.bolt_properties;
-  if (drawing.bolts.empty() || analysis.dialect != AnalysisDialect::ddaml) return {};
-  if (properties.empty())
-    return {{"bolts_without_properties", drawing.bolts.front().place,
-             fmt::format("the analysis holds no bolt properties for {} bolts; they are as the drawing says",
-                         drawing.bolts.size())}};
-  Clamp type("bolt type", properties.size());
-  for (BoltLine& bolt : drawing.bolts) {
-    bolt.type = type(bolt.type, bolt.place);
-    const BoltProperties& own = properties[static_cast<std::size_t>(bolt.type)];
-    bolt.stiffness = own.stiffness;
-    bolt.strength = own.strength;
-    bolt.pretension = own.pretension;
-  }
-  return type.warnings("bolt_type_clamped", "bolts");
-}
-
 double area_of(const BlockLoop& loop) {
   double twice = 0;
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
@@ -163,37 +105,111 @@ std::vector<InputError> impossible_blocks(const Blocks& blocks) {
   return errors;
 }
 
-void check_geometry(Checked&, std::monostate) {}
+/// Holds the problem while it is looked at and mended.
+class Checker {
+ public:
+  explicit Checker(Problem problem) : checked_{std::move(problem), {}, {}} {}
 
-void check_geometry(Checked& checked, Drawing& drawing) {
-  append(checked.warnings, zero_length_lines(drawing));
-  drop_zero_length_lines(drawing);
-  append(checked.warnings, unusual_ratio(drawing));
-  append(checked.warnings, no_fixed_points(drawing.fixed_lines.size(), drawing.place));
-  if (drawing.joints.empty())
-    checked.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
-  if (!checked.problem.analysis) return;
-  const Analysis& analysis = *checked.problem.analysis;
-  append(checked.warnings, clamp_materials(drawing, analysis));
-  append(checked.warnings, give_bolts_their_properties(drawing, analysis));
-  append(checked.warnings, curves_and_points(analysis, drawing.loading_points.size(), drawing.place));
-}
+  Checked check() {
+    std::visit([this](auto& geometry) { look_at(geometry); }, checked_.problem.geometry);
+    return std::move(checked_);
+  }
 
-void check_geometry(Checked& checked, Blocks& blocks) {
-  append(checked.warnings, no_fixed_points(blocks.fixed_points.size(), blocks.place));
-  for (InputError& error : impossible_blocks(blocks)) checked.errors.push_back(std::move(error));
-  if (!checked.problem.analysis) return;
-  append(checked.warnings, clamp_materials(blocks, *checked.problem.analysis));
-  append(checked.warnings,
-         curves_and_points(*checked.problem.analysis, blocks.loading_points.size(), blocks.place));
-}
+ private:
+  void look_at(std::monostate) {}
+
+  void look_at(Drawing& drawing) {
+    warn(zero_length_lines(drawing));
+    drop_zero_length_lines(drawing);
+    warn(unusual_ratio(drawing));
+    warn(no_fixed_points(drawing.fixed_lines.size(), drawing.place));
+    if (drawing.joints.empty())
+      checked_.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
+    if (!checked_.problem.analysis) return;
+    clamp_materials(drawing, *checked_.problem.analysis);
+    give_bolts_their_properties(drawing, *checked_.problem.analysis);
+    warn(curves_and_points(*checked_.problem.analysis, drawing.loading_points.size(), drawing.place));
+  }
+
+  void look_at(Blocks& blocks) {
+    warn(no_fixed_points(blocks.fixed_points.size(), blocks.place));
+    for (InputError& error : impossible_blocks(blocks)) checked_.errors.push_back(std::move(error));
+    if (!checked_.problem.analysis) return;
+    clamp_materials(blocks, *checked_.problem.analysis);
+    warn(curves_and_points(*checked_.problem.analysis, blocks.loading_points.size(), blocks.place));
+  }
+
+  void warn(const Warnings& more) {
+    checked_.warnings.insert(checked_.warnings.end(), more.begin(), more.end());
+  }
+
+  void drop_zero_length_lines(Drawing& drawing) {
+    const auto boundaries = drawing.joints.begin() + static_cast<std::ptrdiff_t>(drawing.boundary_count);
+    const auto is_dropped = [](const JointLine& line) { return is_point(line.segment); };
+    drawing.boundary_count -=
+        static_cast<std::size_t>(std::count_if(drawing.joints.begin(), boundaries, is_dropped));
+    std::erase_if(drawing.joints, is_dropped);
+    std::erase_if(drawing.bolts, [](const BoltLine& bolt) { return is_point(bolt.segment); });
+  }
+
+  void clamp_materials(Drawing& drawing, const Analysis& analysis) {
+    Clamp joint("joint material", analysis.joint_materials.size());
+    Clamp block("block material", analysis.block_materials.size());
+    for (JointLine& line : drawing.joints) line.joint_material = joint(line.joint_material, line.place);
+    for (MaterialLine& line : drawing.material_lines)
+      line.block_material = block(line.block_material, line.place);
+    warn(joint.warnings("joint_material_clamped", "lines"));
+    warn(block.warnings("block_material_clamped", "material lines"));
+  }
+
+  void clamp_materials(Blocks& blocks, const Analysis& analysis) {
+    Clamp joint("joint material", analysis.joint_materials.size());
+    Clamp material("block material", analysis.block_materials.size());
+    for (BlockPolygon& block : blocks.blocks) {
+      block.material = material(block.material, blocks.place);
+      for (BlockVertex& vertex : block.outer)
+        vertex.joint_material = joint(vertex.joint_material, blocks.place);
+      for (BlockLoop& hole : block.holes)
+        for (BlockVertex& vertex : hole) vertex.joint_material = joint(vertex.joint_material, blocks.place);
+    }
+    warn(joint.warnings("joint_material_clamped", "edges"));
+    warn(material.warnings("block_material_clamped", "blocks"));
+  }
+
+  /// By the type of the bolt. One whose drawing states its properties (native files) keeps them.
+  void give_bolts_their_properties(Drawing& drawing, const Analysis& analysis) {
+    const auto& properties = analysis.bolt_properties;
+    if (std::ranges::all_of(drawing.bolts, has_properties)) return;
+    if (properties.empty()) return warn({bolts_without_properties(drawing)});
+    Clamp type("bolt type", properties.size());
+    for (BoltLine& bolt : drawing.bolts) {
+      if (has_properties(bolt)) continue;
+      bolt.type = type(bolt.type, bolt.place);
+      const BoltProperties& own = properties[static_cast<std::size_t>(bolt.type)];
+      bolt.stiffness = own.stiffness;
+      bolt.strength = own.strength;
+      bolt.pretension = own.pretension;
+    }
+    warn(type.warnings("bolt_type_clamped", "bolts"));
+  }
+
+  static bool has_properties(const BoltLine& bolt) {
+    return bolt.stiffness != 0 || bolt.strength != 0 || bolt.pretension != 0;
+  }
+
+  static Warning bolts_without_properties(const Drawing& drawing) {
+    return {"bolts_without_properties", drawing.bolts.front().place,
+            fmt::format("no properties are given for bolts, of which there are {}; they carry no force",
+                        drawing.bolts.size())};
+  }
+
+  Checked checked_;
+};
 
 }  // namespace
 
 Checked check(Problem problem) {
-  Checked checked{std::move(problem), {}, {}};
-  std::visit([&](auto& geometry) { check_geometry(checked, geometry); }, checked.problem.geometry);
-  return checked;
+  return Checker(std::move(problem)).check();
 }
 
 }  // namespace keyblock

@@ -48,7 +48,7 @@ void read_and_check(const std::string& text) {
 /// A byte replaced, removed or put in, a stretch removed or doubled.
 std::string mutated(std::string text, std::mt19937& random) {
   static const std::string kBytes =
-      std::string("0123456789.-+eEdD \n\r\t,;#<>/\"'=&!?nai", 38) + std::string("\0\xff\x1a", 3);
+      std::string("0123456789.-+eEdD \n\r\t,;#<>/\"'=&!?nai") + std::string("\0\xff\x1a", 3);
   const auto below = [&](std::size_t limit) {
     return static_cast<std::size_t>(random()) % std::max<std::size_t>(limit, 1);
   };

@@ -91,9 +91,8 @@ TEST(Problem, more_or_fewer_load_curves_than_loading_points_are_warnings) {
   EXPECT_EQ(names(check({drawing, analysis})), std::vector<std::string>{"loading_points_without_load"});
 }
 
-TEST(Problem, bolts_of_ddaml_get_the_properties_of_their_type) {
+TEST(Problem, bolts_that_state_no_properties_get_those_of_their_type) {
   Analysis analysis = sound_analysis();
-  analysis.dialect = AnalysisDialect::ddaml;
   analysis.bolt_properties = {{1, 2, 3}, {4, 5, 6}};
   Drawing drawing = sound_drawing();
   drawing.bolts.resize(2);
@@ -103,6 +102,22 @@ TEST(Problem, bolts_of_ddaml_get_the_properties_of_their_type) {
   EXPECT_EQ(names(checked), std::vector<std::string>{"bolt_type_clamped"});
   EXPECT_EQ(std::get<Drawing>(checked.problem.geometry).bolts[0].stiffness, 1);
   EXPECT_EQ(std::get<Drawing>(checked.problem.geometry).bolts[1].pretension, 6);
+}
+
+TEST(Problem, bolts_that_state_their_properties_keep_them) {
+  Analysis analysis = sound_analysis();
+  analysis.bolt_properties = {{1, 2, 3}};
+  Drawing drawing = sound_drawing();
+  drawing.bolts = {{{{0, 0}, {1, 1}}, 7, 8, 9, 0, {}}};
+  const Checked checked = check({drawing, analysis});
+  EXPECT_EQ(checked.warnings, Warnings{});
+  EXPECT_EQ(std::get<Drawing>(checked.problem.geometry).bolts[0].stiffness, 7);
+}
+
+TEST(Problem, bolts_without_any_properties_are_a_warning) {
+  Drawing drawing = sound_drawing();
+  drawing.bolts = {{{{0, 0}, {1, 1}}, 0, 0, 0, 0, {}}};
+  EXPECT_EQ(names(check({drawing, sound_analysis()})), std::vector<std::string>{"bolts_without_properties"});
 }
 
 TEST(Problem, block_that_turns_clockwise_is_an_error) {
