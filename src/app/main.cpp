@@ -16,8 +16,9 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 1> kCommands{{
+constexpr std::array<Command, 2> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
+    {"cut", "cuts a drawing into blocks", configure_cut},
 }};
 
 int run_program(int argc, char** argv) {
