@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cut/drawings.hpp"
+#include "validate/exact_arrangement.hpp"
 #include "validate/random_drawings.hpp"
 
 namespace keyblock {
@@ -123,6 +124,16 @@ TEST(CutBlocks, exact_arrangement_of_a_lattice_survives_permutation_and_reversal
   const Blocks blocks = cut_blocks(drawing).blocks;
   expect_same(blocks, cut_blocks(permuted(drawing, 3)).blocks, 1e-13);
   expect_same(blocks, cut_blocks(reversed(drawing)).blocks, 1e-13);
+}
+
+TEST(CutBlocks, a_lattice_with_overlaps_has_the_vertices_and_edges_of_the_exact_arrangement) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Drawing drawing = lattice_lines(200, 12, 4, seed);
+    const CutReport report = cut_blocks(drawing).report;
+    const ExactCounts exact = count_exactly(drawing);
+    EXPECT_EQ(report.nodes, exact.vertices) << seed;
+    EXPECT_EQ(report.edges, exact.edges) << seed;
+  }
 }
 
 TEST(CutBlocks, lines_through_a_corner_that_miss_it_by_rounding_meet_in_one_node) {
