@@ -157,7 +157,8 @@ class Merger {
 /// Chooses the crossing of a node that gives its coordinates: the first found, as in the old programs, where
 /// all of them differ by round-off only. Where they differ more, not the order of the lines but the drawing
 /// decides: a crossing before the end of an overlap, boundary lines before others, ends drawn there before
-/// lines passing through, long lines before short ones.
+/// lines passing through, long lines before short ones, square crossings before flat ones. The first found
+/// again where all this is equal.
 class Placing {
  public:
   Placing(std::span<const Segment> lines, std::size_t boundary_count, const Crossings& crossings,
@@ -201,8 +202,13 @@ class Placing {
       return std::tuple(!found_[i].is_end, found_[i].line < boundary_count_, ends_drawn_at(i));
     };
     if (merit(a) != merit(b)) return merit(a) > merit(b);
-    return summed_length(a) > kClearlyLonger * summed_length(b);
+    if (is_clearly_more(summed_length(a), summed_length(b))) return true;
+    if (is_clearly_more(summed_length(b), summed_length(a))) return false;
+    return is_clearly_more(squareness(a), squareness(b));
   }
+
+  /// Equal measures must not be told apart by their rounding.
+  static bool is_clearly_more(double a, double b) { return a > b * (1 + 1e-6); }
 
   /// 2 for each of the two lines that ends right there, 1 where it ends within the merging distance (an
   /// overshoot).
@@ -222,8 +228,14 @@ class Placing {
     return distance(a.start, a.end) + distance(b.start, b.end);
   }
 
-  /// Equal lengths must not be told apart by their rounding.
-  static constexpr double kClearlyLonger = 1 + 1e-6;
+  /// |sin| of the angle between the two lines.
+  double squareness(int crossing) const {
+    const Segment& a = lines_[found_[crossing].line];
+    const Segment& b = lines_[found_[crossing].other];
+    const Point along = a.end - a.start;
+    const Point across = b.end - b.start;
+    return std::fabs(cross(along, across)) / (length(along) * length(across));
+  }
 
   std::span<const Segment> lines_;
   int boundary_count_;
