@@ -17,10 +17,11 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 3> kCommands{{
+constexpr std::array<Command, 4> kCommands{{
+    {"check", "says what files are, what they hold and what is odd about them", configure_check},
+    {"cut", "cuts a drawing into blocks", configure_cut},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
-    {"check", "says what files are, what they hold and what is odd about them", configure_check},
 }};
 
 int run_program(int argc, char** argv) {

@@ -34,6 +34,18 @@ struct Snap {
   Place place;  ///< the line that was moved
 };
 
+constexpr const char* to_string(Snap::Kind kind) {
+  switch (kind) {
+    case Snap::Kind::node_merged:
+      return "node_merged";
+    case Snap::Kind::end_reached:
+      return "end_reached";
+    case Snap::Kind::edge_rerouted:
+      return "edge_rerouted";
+  }
+  return "";
+}
+
 struct Arrangement {
   std::vector<Segment> lines;  ///< what `Edge::line` counts
   std::vector<Node> nodes;

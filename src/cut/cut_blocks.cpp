@@ -15,6 +15,7 @@
 #include "cut/planarize.hpp"
 #include "cut/prune.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/segment.hpp"
 
 namespace keyblock {
 namespace {
@@ -39,11 +40,13 @@ class Cutting {
     result_.report.tolerances = cut_tolerances(drawing);
     result_.report.lines = static_cast<int>(lines_.segments.size());
     result_.blocks.place = drawing.place;
+    is_dangling_.assign(lines_.segments.size(), 0);
   }
 
   CutResult run() {
     prune_edges(meet());
     if (!tolerances().is_exact()) straighten_out();
+    report_dangling();
     make_blocks();
     if (result_.blocks.blocks.empty()) refuse();
     Warnings more = place_marks(drawing_, tolerances(), result_.blocks);
@@ -80,6 +83,7 @@ class Cutting {
   Arrangement meet() {
     const Crossings crossings = find_crossings(lines_.segments, tolerances());
     report_overlaps(crossings.found);
+    mark_free_ends(crossings);
     NodeTable table = make_nodes(lines_.segments, lines_.boundary_count, crossings, tolerances());
     report_merging(crossings.found, table);
     result_.report.crossings = static_cast<int>(crossings.found.size());
@@ -102,6 +106,28 @@ class Cutting {
     }
   }
 
+  /// Ends that reach no other line, overshoots of the merging distance excepted: drawings are meant to have
+  /// these.
+  void mark_free_ends(const Crossings& crossings) {
+    constexpr double kRoundOffOfStation = 1e-12;
+    for (std::size_t line = 0; line < lines_.segments.size(); ++line) {
+      const std::size_t first = crossings.first_stop[line];
+      const std::size_t end = crossings.first_stop[line + 1];
+      const Segment& s = lines_.segments[line];
+      const double slack = tolerances().merge / distance(s.start, s.end) + kRoundOffOfStation;
+      is_dangling_[line] = first == end || crossings.stops[first].station.value > slack ||
+                           crossings.stops[end - 1].station.value < 1 - slack;
+    }
+  }
+
+  void report_dangling() {
+    const auto first = std::find(is_dangling_.begin(), is_dangling_.end(), 1);
+    if (first == is_dangling_.end()) return;
+    warn("dangling_lines_removed", place(static_cast<int>(first - is_dangling_.begin())),
+         fmt::format("{} of {} lines have parts that hang loose and are removed; this is the first",
+                     std::count(is_dangling_.begin(), is_dangling_.end(), 1), is_dangling_.size()));
+  }
+
   static bool has_same_ends(const Segment& a, const Segment& b) {
     return a == b || a == Segment{b.end, b.start};
   }
@@ -113,8 +139,7 @@ class Cutting {
 
   void report_merging(const std::vector<Crossing>& found, const NodeTable& table) {
     for (const Crossing& c : found) {
-      if (!c.is_reached) continue;
-      ++result_.report.reached;
+      if (c.is_reached) report_reach(c);
     }
     for (const NodeMove& move : table.moves) {
       const Point to = table.arrangement.nodes[move.node].position;
@@ -122,11 +147,12 @@ class Cutting {
     }
     result_.report.merged = static_cast<int>(table.moves.size());
     if (!table.moves.empty()) {
-      warn(
-          "nodes_merged", place(table.moves.front().line),
-          fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
-                      table.moves.size(), tolerances().merge, table.moves.front().from.x,
-                      table.moves.front().from.y));
+      warn("nodes_merged", place(table.moves.front().line),
+           fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, "
+                       "{:.9g}); {} nodes do "
+                       "not stand at the crossing found first, where the old programs put them",
+                       table.moves.size(), tolerances().merge, table.moves.front().from.x,
+                       table.moves.front().from.y, table.placed_otherwise));
     }
     if (!table.undecided_nodes.empty()) {
       const Point at = table.arrangement.nodes[table.undecided_nodes.front()].position;
@@ -138,12 +164,23 @@ class Cutting {
     }
   }
 
+  void report_reach(const Crossing& c) {
+    ++result_.report.reached;
+    for (const int line : {c.line, c.other}) {
+      const double miss = distance(lines_.segments[line], c.position);
+      if (miss <= tolerances().round_off) continue;
+      const Segment& s = lines_.segments[line];
+      const bool is_start = distance(s.start, c.position) < distance(s.end, c.position);
+      result_.snaps.push_back({Snap::Kind::end_reached, is_start ? s.start : s.end, c.position, place(line)});
+    }
+  }
+
   void prune_edges(Arrangement arrangement) {
     arrangement_ = std::move(arrangement);
     Pruning pruning = prune(arrangement_);
     result_.report.dangling_edges += static_cast<int>(pruning.dangling.size());
     result_.report.bridge_edges += static_cast<int>(pruning.bridges.size());
-    report_removed("dangling_lines_removed", "hang loose", pruning.dangling);
+    for (const Edge& e : pruning.dangling) is_dangling_[e.line] = 1;
     report_removed("bridge_lines_removed", "have the same block on both sides", pruning.bridges);
     arrangement_.edges = std::move(pruning.kept);
   }
@@ -245,6 +282,7 @@ class Cutting {
   const Drawing& drawing_;
   UsedLines lines_;
   Arrangement arrangement_;
+  std::vector<char> is_dangling_;  // of each line: a part of it hangs loose
   CutResult result_;
 };
 

@@ -91,12 +91,6 @@ class Merger {
     return {crossings_.found[crossing].other >= boundary_count_, crossing};
   }
 
-  /// Which crossing gives the coordinates: the first found, but an end of overlapping lines after all others,
-  /// since it is where a line stops, not where lines cross.
-  std::tuple<bool, bool, int> precedence(int crossing) const {
-    return std::tuple_cat(std::tuple(crossings_.found[crossing].is_end), found_before(crossing));
-  }
-
  private:
   bool is_boundary(int crossing) const { return crossings_.found[crossing].line < boundary_count_; }
 
@@ -160,31 +154,128 @@ class Merger {
   std::vector<int> undecided_;
 };
 
-/// The node of each crossing; nodes numbered by the first crossing found.
-std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, NodeTable& table) {
+/// Chooses the crossing of a node that gives its coordinates: the first found, as in the old programs, where
+/// all of them differ by round-off only. Where they differ more, not the order of the lines but the drawing
+/// decides: a crossing before the end of an overlap, boundary lines before others, ends drawn there before
+/// lines passing through, long lines before short ones, square crossings before flat ones. The first found
+/// again where all this is equal.
+class Placing {
+ public:
+  Placing(std::span<const Segment> lines, std::size_t boundary_count, const Crossings& crossings,
+          const CutTolerances& tolerances)
+      : lines_(lines),
+        boundary_count_(static_cast<int>(boundary_count)),
+        found_(crossings.found),
+        tolerances_(tolerances) {}
+
+  /// Of crossings that are exactly one point: the first found, but the end of an overlap only if there is
+  /// nothing else.
+  int first_found(const std::vector<int>& members) const {
+    const auto crossing =
+        std::find_if(members.begin(), members.end(), [&](int i) { return !found_[i].is_end; });
+    return crossing == members.end() ? members.front() : *crossing;
+  }
+
+  /// `members` in the order of finding.
+  int choose(const std::vector<int>& members) const {
+    const int first = first_found(members);
+    const auto is_at = [&](int place) {
+      return [this, place](int crossing) { return gap(crossing, place) <= tolerances_.round_off; };
+    };
+    if (std::all_of(members.begin(), members.end(), is_at(first))) return first;
+    int best = first;
+    for (const int crossing : members) {
+      if (is_better(crossing, best)) best = crossing;
+    }
+    const auto is_same_place = is_at(best);
+    return *std::find_if(members.begin(), members.end(), [&](int crossing) {
+      return crossing == best || (!found_[crossing].is_end && is_same_place(crossing));
+    });
+  }
+
+  double round_off() const { return tolerances_.round_off; }
+  double gap(int a, int b) const { return distance(found_[a].position, found_[b].position); }
+
+ private:
+  bool is_better(int a, int b) const {
+    const auto merit = [this](int i) {
+      return std::tuple(!found_[i].is_end, found_[i].line < boundary_count_, ends_drawn_at(i));
+    };
+    if (merit(a) != merit(b)) return merit(a) > merit(b);
+    if (is_clearly_more(summed_length(a), summed_length(b))) return true;
+    if (is_clearly_more(summed_length(b), summed_length(a))) return false;
+    return is_clearly_more(squareness(a), squareness(b));
+  }
+
+  /// Equal measures must not be told apart by their rounding.
+  static bool is_clearly_more(double a, double b) { return a > b * (1 + 1e-6); }
+
+  /// 2 for each of the two lines that ends right there, 1 where it ends within the merging distance (an
+  /// overshoot).
+  int ends_drawn_at(int crossing) const {
+    const Crossing& c = found_[crossing];
+    int sum = 0;
+    for (const Segment& s : {lines_[c.line], lines_[c.other]}) {
+      const double nearest = std::min(distance(s.start, c.position), distance(s.end, c.position));
+      sum += nearest <= tolerances_.round_off ? 2 : nearest <= tolerances_.merge ? 1 : 0;
+    }
+    return sum;
+  }
+
+  double summed_length(int crossing) const {
+    const Segment& a = lines_[found_[crossing].line];
+    const Segment& b = lines_[found_[crossing].other];
+    return distance(a.start, a.end) + distance(b.start, b.end);
+  }
+
+  /// |sin| of the angle between the two lines.
+  double squareness(int crossing) const {
+    const Segment& a = lines_[found_[crossing].line];
+    const Segment& b = lines_[found_[crossing].other];
+    const Point along = a.end - a.start;
+    const Point across = b.end - b.start;
+    return std::fabs(cross(along, across)) / (length(along) * length(across));
+  }
+
+  std::span<const Segment> lines_;
+  int boundary_count_;
+  const std::vector<Crossing>& found_;
+  const CutTolerances& tolerances_;
+};
+
+/// The crossings of each node, in the order of finding; nodes in the order of their first crossing.
+std::vector<std::vector<int>> members_of_nodes(Merger& merger, const Crossings& crossings) {
   std::vector<int> order(crossings.found.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](int a, int b) { return merger.found_before(a) < merger.found_before(b); });
   std::vector<int> node_of_group(crossings.found.size(), -1);
-  std::vector<int> node_of_crossing(crossings.found.size());
-  std::vector<int> source;  // of each node: the crossing that gives its coordinates
+  std::vector<std::vector<int>> members;
   for (const int crossing : order) {
     int& node = node_of_group[merger.group(crossing)];
     if (node < 0) {
-      node = static_cast<int>(source.size());
-      source.push_back(crossing);
-    } else if (merger.precedence(crossing) < merger.precedence(source[node])) {
-      source[node] = crossing;
+      node = static_cast<int>(members.size());
+      members.emplace_back();
     }
-    node_of_crossing[crossing] = node;
+    members[node].push_back(crossing);
   }
-  for (const int crossing : source) {
-    table.arrangement.nodes.push_back({crossings.found[crossing].position, merger.is_exact(crossing)});
+  return members;
+}
+
+/// Makes the nodes and says which node each crossing is.
+std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const Placing& placing,
+                              NodeTable& table) {
+  const std::vector<std::vector<int>> members = members_of_nodes(merger, crossings);
+  std::vector<int> node_of_crossing(crossings.found.size());
+  for (std::size_t node = 0; node < members.size(); ++node) {
+    const int first = members[node].front();
+    const bool is_exact = merger.is_exact(first);
+    const int source = is_exact ? placing.first_found(members[node]) : placing.choose(members[node]);
+    if (!is_exact && placing.gap(first, source) > placing.round_off()) ++table.placed_otherwise;
+    table.arrangement.nodes.push_back({crossings.found[source].position, is_exact});
+    for (const int crossing : members[node]) node_of_crossing[crossing] = static_cast<int>(node);
   }
-  for (const int group : merger.undecided()) {
-    table.undecided_nodes.push_back(node_of_group[merger.group(group)]);
-  }
+  for (const int crossing : merger.undecided()) table.undecided_nodes.push_back(node_of_crossing[crossing]);
   return node_of_crossing;
 }
 
@@ -218,7 +309,8 @@ NodeTable make_nodes(std::vector<Segment> lines, std::size_t boundary_count, con
                      const CutTolerances& tolerances) {
   NodeTable table;
   Merger merger(crossings, boundary_count, tolerances);
-  const std::vector<int> node_of_crossing = number_nodes(merger, crossings, table);
+  const std::vector<int> node_of_crossing =
+      number_nodes(merger, crossings, Placing(lines, boundary_count, crossings, tolerances), table);
   for (std::size_t i = 0; i < crossings.found.size(); ++i) {
     const Crossing& c = crossings.found[i];
     const int node = node_of_crossing[i];

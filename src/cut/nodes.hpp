@@ -21,12 +21,13 @@ struct NodeMove {
 struct NodeTable {
   Arrangement arrangement;
   std::vector<NodeMove> moves;  ///< crossings farther than round-off from their node
-  std::vector<int>
-      undecided_nodes;  ///< nodes with a neighbour nearer than the merging distance that stayed apart
+  int placed_otherwise = 0;  ///< nodes farther than round-off from the crossing found first
+  /// Nodes with a neighbour nearer than the merging distance that stayed apart.
+  std::vector<int> undecided_nodes;
 };
 
 /// Numbers the nodes in the order in which the old programs find them: boundary lines' crossings first, then
-/// by higher line, then by lower line; the first crossing found gives a node its coordinates.
+/// by higher line, then by lower line.
 ///
 /// Which crossings merge does not depend on that order: pairs are joined from the nearest on, as long as no
 /// two members of a group are farther apart than the merging distance. Two crossings of boundary lines stay

@@ -13,9 +13,8 @@
 namespace keyblock {
 namespace {
 
-/// A detour may lead past a further node, a new node may lie on a further piece. Nodes stand at least the
-/// merging distance apart, so this ends after few rounds; the bound only guards against nodes that could not
-/// be merged.
+/// A node put on a crossing may lie beside a further piece, whose detour may cross another. No piece crossed another in
+/// enough in all drawings tried; the bound only makes sure of an end.
 constexpr int kMaxRounds = 20;
 
 Segment segment_of(const Arrangement& a, const Edge& e) {
@@ -101,26 +100,32 @@ class Detours {
 
   void make() {
     const std::size_t before = p_.detours.size();
-    for (const Edge& edge : p_.arrangement.edges) settle(edge, 0);
+    for (const Edge& edge : p_.arrangement.edges) settle(edge, {edge.from, edge.to});
     if (p_.detours.size() == before) return;
     drop_doubles(edges_);
     p_.arrangement.edges = std::move(edges_);
   }
 
  private:
-  void settle(const Edge& edge, int depth) {
+  /// `passed`: the nodes on the way of the piece that this one is part of; it does not turn back to them.
+  void settle(const Edge& edge, std::vector<int> passed) {
     const double reach = edge.line < boundary_count_ ? tolerances_.round_off : tolerances_.near_pass;
-    const std::vector<Via> vias =
-        depth < kMaxRounds ? nodes_.beside(p_.arrangement, edge, reach) : std::vector<Via>{};
+    std::vector<Via> vias = nodes_.beside(p_.arrangement, edge, reach);
+    std::erase_if(vias, [&](const Via& via) {
+      return std::find(passed.begin(), passed.end(), via.node) != passed.end();
+    });
     if (vias.empty()) {
       edges_.push_back(edge);
       return;
     }
     const Segment piece = segment_of(p_.arrangement, edge);
-    for (const Via& via : vias) p_.detours.push_back({edge.line, via.node, point_at(piece, via.t)});
+    for (const Via& via : vias) {
+      p_.detours.push_back({edge.line, via.node, point_at(piece, via.t)});
+      passed.push_back(via.node);
+    }
     std::vector<Edge> chain;
-    add_chain(chain, edge, vias);
-    for (const Edge& part : chain) settle(part, depth + 1);
+    add_chain(chain, edge, std::move(vias));
+    for (const Edge& part : chain) settle(part, passed);
   }
 
   Planarized& p_;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cut/cut_blocks.hpp"
-#include "validate/random_drawings.hpp"
+#include "tests/validate/random_drawings.hpp"
 
 namespace keyblock {
 namespace {

@@ -1,0 +1,129 @@
+// `keyblock cut`: a drawing in, a block file out, and on request a picture and the counts of cutting.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "app/command.hpp"
+#include "cut/cut_blocks.hpp"
+#include "formats/case.hpp"
+#include "formats/dda_blocks.hpp"
+#include "report/blocks_picture.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CutOptions {
+  std::string drawing;
+  std::string output;
+  std::string picture;
+  bool may_overwrite = false;
+  bool as_json = false;
+};
+
+Json json_of(const CutResult& cut) {
+  Json warnings = Json::array();
+  for (const Warning& w : cut.warnings) {
+    warnings.push_back(
+        {{"name", w.name}, {"file", w.place.file}, {"line", w.place.line}, {"sentence", w.sentence}});
+  }
+  Json snaps = Json::array();
+  for (const Snap& snap : cut.snaps) {
+    snaps.push_back({{"kind", to_string(snap.kind)},
+                     {"line", snap.place.line},
+                     {"from", {snap.from.x, snap.from.y}},
+                     {"to", {snap.to.x, snap.to.y}},
+                     {"distance", distance(snap.from, snap.to)}});
+  }
+  const CutReport& r = cut.report;
+  return {{"blocks", cut.blocks.blocks.size()},
+          {"fixed_points", cut.blocks.fixed_points.size()},
+          {"loading_points", cut.blocks.loading_points.size()},
+          {"measured_points", cut.blocks.measured_points.size()},
+          {"bolts", cut.blocks.bolts.size()},
+          {"lines", r.lines},
+          {"crossings", r.crossings},
+          {"nodes", r.nodes},
+          {"edges", r.edges},
+          {"dangling_edges", r.dangling_edges},
+          {"bridge_edges", r.bridge_edges},
+          {"scale", r.tolerances.scale},
+          {"merging_distance", r.tolerances.merge},
+          {"snaps", std::move(snaps)},
+          {"warnings", std::move(warnings)}};
+}
+
+/// Refuses before any work is done, so that a long cut is not lost to a file that is there already.
+void ask_leave(const std::string& path, const CutOptions& options) {
+  if (path.empty() || options.may_overwrite || !std::filesystem::exists(path)) return;
+  throw InputError({path, 0, 0}, "expected a new file, found an existing one; --force overwrites it");
+}
+
+void save(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file.flush()) throw InputError({path, 0, 0}, "expected a file that can be written");
+}
+
+/// The drawing of a case that is read and checked.
+const Drawing& drawing_of(const formats::Case& loaded, const std::string& path) {
+  const Drawing* drawing = std::get_if<Drawing>(&loaded.problem.geometry);
+  if (drawing == nullptr) throw InputError({path, 0, 0}, "expected a drawing (lines to cut), found none");
+  return *drawing;
+}
+
+/// A block file cannot hold holes.
+void warn_of_holes(const Blocks& blocks) {
+  for (const BlockPolygon& block : blocks.blocks) {
+    if (block.holes.empty()) continue;
+    spdlog::warn("{}",
+                 to_string(Warning{"holes_not_written", blocks.place,
+                                   "a block file holds no holes: blocks inside others overlap them there"}));
+    return;
+  }
+}
+
+ExitCode cut_file(const CutOptions& options) {
+  ask_leave(options.output, options);
+  ask_leave(options.picture, options);
+  const formats::Case loaded = formats::load_case({options.drawing});
+  CutResult cut = cut_blocks(drawing_of(loaded, options.drawing));
+  cut.warnings.insert(cut.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
+  for (const Warning& warning : cut.warnings) spdlog::warn("{}", to_string(warning));
+  if (!options.output.empty()) {
+    warn_of_holes(cut.blocks);
+    save(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}));
+  }
+  if (!options.picture.empty()) save(options.picture, report::blocks_picture(cut.blocks));
+  if (options.as_json) {
+    fmt::print("{}\n", json_of(cut).dump(2));
+  } else {
+    fmt::print("{}: {} blocks from {} lines, {} fixed, {} loading and {} measured points\n", options.drawing,
+               cut.blocks.blocks.size(), cut.report.lines, cut.blocks.fixed_points.size(),
+               cut.blocks.loading_points.size(), cut.blocks.measured_points.size());
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Action configure_cut(CLI::App& app) {
+  auto options = std::make_shared<CutOptions>();
+  app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs")->required();
+  app.add_option("-o,--output", options->output, "the block file to write");
+  app.add_option("--svg", options->picture, "a picture of the blocks to write");
+  app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
+  app.add_flag("--json", options->as_json, "print counts, warnings and snaps as JSON");
+  return [options] { return cut_file(*options); };
+}
+
+}  // namespace keyblock

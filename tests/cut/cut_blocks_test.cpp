@@ -1,0 +1,284 @@
+// Areas add up to the outline, blocks do not depend on how lines are given, and what is odd is said by name.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/cut_blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "tests/cut/drawings.hpp"
+#include "tests/validate/exact_arrangement.hpp"
+#include "tests/validate/random_drawings.hpp"
+
+namespace keyblock {
+namespace {
+
+const std::vector<Segment> kSquare = rectangle({0, 0}, {10, 10});
+
+/// A slope with two joint sets, cut off by a polygonal outline; ends overshoot a little. Gaps stay above the
+/// merging distance.
+Drawing jointed_slope() {
+  std::vector<Segment> lines = {{{-0.01, 0}, {10.01, 0}},
+                                {{10, -0.01}, {10, 6.01}},
+                                {{10.01, 6}, {4.99, 6}},
+                                {{5.005, 6.01}, {0.995, -0.02}},
+                                {{-0.02, 0.01}, {2, -0.01}}};
+  for (int i = 0; i < 5; ++i) lines.push_back({{1.3 + 1.7 * i, -0.02}, {1.3 + 1.7 * i + 2.5, 6.02}});
+  for (int i = 0; i < 4; ++i) lines.push_back({{0.5, 1.05 + 1.2 * i + 0.3}, {10.02, 0.35 + 1.2 * i}});
+  return drawing_of(lines, 0.001);
+}
+
+Drawing permuted(Drawing drawing, unsigned seed) {
+  std::shuffle(drawing.joints.begin(), drawing.joints.end(), std::mt19937(seed));
+  return drawing;
+}
+
+template <class Map>
+Drawing mapped(Drawing drawing, Map map) {
+  for (JointLine& line : drawing.joints) line.segment = {map(line.segment.start), map(line.segment.end)};
+  return drawing;
+}
+
+Drawing reversed(Drawing drawing) {
+  for (JointLine& line : drawing.joints) std::swap(line.segment.start, line.segment.end);
+  return drawing;
+}
+
+/// Mirrored blocks run clockwise: back to counter-clockwise.
+template <class Map>
+Blocks mapped_back(Blocks blocks, Map map, bool is_mirror) {
+  const auto map_loop = [&](BlockLoop& loop) {
+    for (BlockVertex& v : loop) v.position = map(v.position);
+    if (is_mirror) std::reverse(loop.begin(), loop.end());
+  };
+  for (BlockPolygon& block : blocks.blocks) {
+    map_loop(block.outer);
+    for (BlockLoop& hole : block.holes) map_loop(hole);
+  }
+  return blocks;
+}
+
+void expect_same(const Blocks& a, const Blocks& b, double tolerance) {
+  EXPECT_EQ(a.blocks.size(), b.blocks.size());
+  EXPECT_EQ(count_missing(a, b, tolerance), 0);
+  EXPECT_EQ(count_missing(b, a, tolerance), 0);
+}
+
+constexpr double kRoundOff = 1e-12;
+
+}  // namespace
+
+TEST(CutBlocks, a_square_with_a_cross_gives_four_blocks) {
+  const Drawing drawing = drawing_of(kSquare + std::vector<Segment>{{{5, -1}, {5, 11}}, {{-1, 4}, {11, 4}}});
+  const CutResult cut = cut_blocks(drawing);
+  ASSERT_EQ(cut.blocks.blocks.size(), 4U);
+  EXPECT_DOUBLE_EQ(total_area(cut.blocks), 100);
+  EXPECT_TRUE(cut.snaps.empty());
+  EXPECT_TRUE(has_warning(cut.warnings, "dangling_lines_removed")) << "the ends of the cross stand out by 1";
+}
+
+TEST(CutBlocks, areas_add_up_to_the_outline) {
+  for (const double e0 : {0.0, 1e-6, 0.001}) {
+    Drawing drawing = two_joint_sets(300, 0.5, 7);
+    drawing.edge_node_ratio = e0;
+    const Drawing outline = drawing_of(rectangle({-1, -1}, {2, 2}));
+    drawing.joints.insert(drawing.joints.begin(), outline.joints.begin(), outline.joints.end());
+    const Blocks blocks = cut_blocks(drawing).blocks;
+    EXPECT_GT(blocks.blocks.size(), 500U);
+    EXPECT_NEAR(total_area(blocks), 9, 9e-12) << "e0 = " << e0;
+  }
+}
+
+TEST(CutBlocks, order_of_lines_does_not_matter) {
+  const Drawing drawing = jointed_slope();
+  const Blocks blocks = cut_blocks(drawing).blocks;
+  EXPECT_GT(blocks.blocks.size(), 20U);
+  for (unsigned seed = 0; seed < 5; ++seed)
+    expect_same(blocks, cut_blocks(permuted(drawing, seed)).blocks, kRoundOff);
+}
+
+TEST(CutBlocks, direction_of_lines_does_not_matter) {
+  expect_same(cut_blocks(jointed_slope()).blocks, cut_blocks(reversed(jointed_slope())).blocks, kRoundOff);
+}
+
+TEST(CutBlocks, a_mirror_image_has_mirrored_blocks) {
+  const auto mirror = [](Point p) { return Point{-p.x, p.y}; };
+  const Blocks mirrored = cut_blocks(mapped(jointed_slope(), mirror)).blocks;
+  expect_same(cut_blocks(jointed_slope()).blocks, mapped_back(mirrored, mirror, true), kRoundOff);
+}
+
+TEST(CutBlocks, a_shift_by_ten_million_changes_nothing_but_last_digits) {
+  const Point far{1e7, -1e7};
+  const Blocks blocks = cut_blocks(mapped(jointed_slope(), [&](Point p) { return p + far; })).blocks;
+  const Blocks back = mapped_back(
+      blocks, [&](Point p) { return p - far; }, false);
+  // The input itself moves by half a unit in the last place of 1e7, 1e-9; flat crossings more.
+  expect_same(cut_blocks(jointed_slope()).blocks, back, 2e-8);
+}
+
+TEST(CutBlocks, exact_arrangement_of_a_lattice_survives_permutation_and_reversal) {
+  const Drawing drawing = lattice_lines(400, 20, 5, 11);
+  const Blocks blocks = cut_blocks(drawing).blocks;
+  expect_same(blocks, cut_blocks(permuted(drawing, 3)).blocks, 1e-13);
+  expect_same(blocks, cut_blocks(reversed(drawing)).blocks, 1e-13);
+}
+
+TEST(CutBlocks, a_lattice_with_overlaps_has_the_vertices_and_edges_of_the_exact_arrangement) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Drawing drawing = lattice_lines(200, 12, 4, seed);
+    const CutReport report = cut_blocks(drawing).report;
+    const ExactCounts exact = count_exactly(drawing);
+    EXPECT_EQ(report.nodes, exact.vertices) << seed;
+    EXPECT_EQ(report.edges, exact.edges) << seed;
+  }
+}
+
+TEST(CutBlocks, lines_through_a_corner_that_miss_it_by_rounding_meet_in_one_node) {
+  const double off = 3e-10;
+  const CutResult cut = cut_blocks(drawing_of(
+      kSquare + std::vector<Segment>{{{-1, -1 + off}, {11, 11 + off}}, {{-1, 11 - off}, {11, -1 - off}}},
+      0.01));
+  EXPECT_EQ(cut.blocks.blocks.size(), 4U);
+  EXPECT_TRUE(cut.snaps.empty()) << "moves within round-off are no snaps";
+}
+
+TEST(CutBlocks, nodes_nearer_than_the_merging_distance_become_one_and_are_reported) {
+  // w0 = 1.02 * 5.05; merging below 0.064.
+  const CutResult cut =
+      cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{0.05, -0.05}, {10.05, 10.05}}}, 0.01));
+  EXPECT_EQ(cut.blocks.blocks.size(), 2U);
+  EXPECT_TRUE(has_warning(cut.warnings, "nodes_merged"));
+  EXPECT_FALSE(cut.snaps.empty());
+  EXPECT_NEAR(total_area(cut.blocks), 100, 1e-10);
+}
+
+TEST(CutBlocks, a_line_beside_another_nearer_than_the_tolerance_is_led_through_its_nodes) {
+  // The second line bends 0.03 away from the side and back: no block that thin is left.
+  const std::vector<Segment> lines = kSquare + std::vector<Segment>{{{3, 0}, {5, 0.03}}, {{5, 0.03}, {7, 0}}};
+  const CutResult cut = cut_blocks(drawing_of(lines, 0.01));
+  EXPECT_EQ(cut.blocks.blocks.size(), 1U);
+  EXPECT_TRUE(has_warning(cut.warnings, "edges_rerouted"));
+  Drawing kept = drawing_of(lines, 0.01);
+  kept.boundary_count = 4;
+  EXPECT_EQ(cut_blocks(kept).blocks.blocks.size(), 2U) << "boundary lines are never moved";
+}
+
+TEST(CutBlocks, an_end_that_falls_short_by_less_than_the_reach_meets_the_line) {
+  const CutResult cut = cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{5, 5e-7}, {5, 10}}}, 0.01));
+  EXPECT_EQ(cut.blocks.blocks.size(), 2U);
+  EXPECT_EQ(
+      cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{5, 1e-4}, {5, 10}}}, 0.01)).blocks.blocks.size(),
+      1U);
+}
+
+TEST(CutBlocks, shared_edges_take_the_material_of_the_lower_numbered_line) {
+  const std::vector<Segment> lines =
+      rectangle({0, 0}, {2, 1}) + std::vector<Segment>{{{1, 0}, {1, 1}}, {{1, -0.5}, {1, 1.5}}};
+  const Blocks blocks = cut_blocks(drawing_of(lines)).blocks;
+  ASSERT_EQ(blocks.blocks.size(), 2U);
+  for (const BlockPolygon& block : blocks.blocks) {
+    for (const BlockVertex& v : block.outer) EXPECT_NE(v.joint_material, 5);
+  }
+}
+
+TEST(CutBlocks, a_joined_straight_edge_keeps_the_material_of_its_last_part) {
+  // The lower side is two lines, 0 and 1, left to right: the edge arriving at (2, 0) is joined, its last part
+  // is line 1.
+  const std::vector<Segment> lines = {
+      {{0, 0}, {1, 0}}, {{1, 0}, {2, 0}}, {{2, 0}, {2, 1}}, {{2, 1}, {0, 1}}, {{0, 1}, {0, 0}}};
+  const Blocks blocks = cut_blocks(drawing_of(lines)).blocks;
+  ASSERT_EQ(blocks.blocks.size(), 1U);
+  const BlockLoop& loop = blocks.blocks[0].outer;
+  ASSERT_EQ(loop.size(), 4U);
+  const auto corner = std::find_if(loop.begin(), loop.end(), [](const BlockVertex& v) {
+    return v.position == Point{2, 0};
+  });
+  ASSERT_NE(corner, loop.end());
+  EXPECT_EQ(corner->joint_material, 1);
+}
+
+TEST(CutBlocks, a_loop_inside_a_block_is_cut_out_of_it) {
+  const CutResult cut =
+      cut_blocks(drawing_of(kSquare + rectangle({2, 2}, {8, 8}) + rectangle({4, 4}, {6, 6})));
+  ASSERT_EQ(cut.blocks.blocks.size(), 3U);
+  EXPECT_DOUBLE_EQ(total_area(cut.blocks), 100);
+  EXPECT_DOUBLE_EQ(area(cut.blocks.blocks[0]), 64);
+  EXPECT_DOUBLE_EQ(area(cut.blocks.blocks[1]), 32);
+  EXPECT_DOUBLE_EQ(area(cut.blocks.blocks[2]), 4);
+  EXPECT_LT(area(points_of(cut.blocks.blocks[0].holes.at(0))), 0) << "holes run clockwise";
+  EXPECT_TRUE(has_warning(cut.warnings, "block_inside_block"));
+}
+
+TEST(CutBlocks, two_loops_side_by_side_inside_a_block_are_two_holes) {
+  const CutResult cut =
+      cut_blocks(drawing_of(kSquare + rectangle({1, 1}, {3, 3}) + rectangle({5, 2}, {8, 9})));
+  ASSERT_EQ(cut.blocks.blocks.size(), 3U);
+  EXPECT_EQ(cut.blocks.blocks[0].holes.size(), 2U);
+  EXPECT_DOUBLE_EQ(total_area(cut.blocks), 100);
+}
+
+TEST(CutBlocks, a_loop_touching_its_surroundings_in_a_vertex_is_cut_out) {
+  for (const double e0 : {0.0, 0.001}) {
+    const std::vector<Segment> triangle = {{{0, 0}, {6, 2}}, {{6, 2}, {2, 6}}, {{2, 6}, {0, 0}}};
+    const CutResult cut = cut_blocks(drawing_of(kSquare + triangle, e0));
+    ASSERT_EQ(cut.blocks.blocks.size(), 2U);
+    EXPECT_NEAR(total_area(cut.blocks), 100, 1e-12);
+    const auto with_hole = std::count_if(cut.blocks.blocks.begin(), cut.blocks.blocks.end(),
+                                         [](const BlockPolygon& b) { return b.holes.size() == 1; });
+    EXPECT_EQ(with_hole, 1);
+  }
+}
+
+TEST(CutBlocks, loops_touching_each_other_inside_a_block_are_holes_of_it) {
+  const CutResult cut =
+      cut_blocks(drawing_of(kSquare + rectangle({2, 2}, {4, 4}) + rectangle({4, 4}, {7, 7})));
+  ASSERT_EQ(cut.blocks.blocks.size(), 3U);
+  EXPECT_EQ(cut.blocks.blocks[0].holes.size(), 2U);
+  EXPECT_NEAR(total_area(cut.blocks), 100, 1e-12);
+}
+
+TEST(CutBlocks, a_bridge_between_a_hole_and_the_outside_is_removed) {
+  const CutResult cut =
+      cut_blocks(drawing_of(kSquare + rectangle({4, 4}, {6, 6}) + std::vector<Segment>{{{0, 5}, {4, 5}}}));
+  ASSERT_EQ(cut.blocks.blocks.size(), 2U);
+  EXPECT_EQ(cut.report.bridge_edges, 1);
+  EXPECT_TRUE(has_warning(cut.warnings, "bridge_lines_removed"));
+  EXPECT_DOUBLE_EQ(total_area(cut.blocks), 100);
+}
+
+TEST(CutBlocks, dangling_pieces_are_removed_until_none_is_left) {
+  const std::vector<Segment> tree = {{{5, 0}, {5, 5}}, {{3, 3}, {7, 3}}, {{4, 2}, {4, 4}}};
+  const CutResult cut = cut_blocks(drawing_of(kSquare + tree));
+  EXPECT_EQ(cut.blocks.blocks.size(), 1U);
+  const auto warning = std::find_if(cut.warnings.begin(), cut.warnings.end(),
+                                    [](const Warning& w) { return w.name == "dangling_lines_removed"; });
+  ASSERT_NE(warning, cut.warnings.end());
+  EXPECT_EQ(warning->place.line, 5) << "the first line of the tree";
+}
+
+TEST(CutBlocks, an_open_polygon_is_refused_with_the_place_of_the_drawing) {
+  try {
+    cut_blocks(drawing_of({{{0, 0}, {1, 0}}, {{1, 0}, {1, 1}}, {{1, 1}, {0, 1}}}));
+    FAIL() << "should have been refused";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().file, "drawing");
+    EXPECT_NE(std::string(error.what()).find("at least one block"), std::string::npos);
+  }
+  EXPECT_THROW(cut_blocks(Drawing{}), InputError);
+}
+
+TEST(CutBlocks, repeated_and_overlapping_lines_are_reported_and_harmless) {
+  const std::vector<Segment> extra = {{{10, 0}, {0, 0}}, {{3, 10}, {12, 10}}};
+  for (const double e0 : {0.0, 0.01}) {
+    const CutResult cut = cut_blocks(drawing_of(kSquare + extra, e0));
+    EXPECT_EQ(cut.blocks.blocks.size(), 1U);
+    EXPECT_EQ(cut.blocks.blocks[0].outer.size(), 4U);
+    EXPECT_TRUE(has_warning(cut.warnings, "duplicate_line"));
+    EXPECT_TRUE(has_warning(cut.warnings, "overlapping_lines"));
+  }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,96 @@
+// Fixed lines become points inside blocks; points, bolts, holes and materials find their blocks.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/place_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include "cut/cut_blocks.hpp"
+#include "tests/cut/drawings.hpp"
+
+namespace keyblock {
+namespace {
+
+/// Two unit squares side by side, the right one numbered first; w0 = 1.02 / 1.3.
+Drawing two_squares() {
+  return drawing_of(rectangle({0, 0}, {2, 1}) + std::vector<Segment>{{{1, 0}, {1, 1}}});
+}
+
+constexpr double kInset = 0.005 * 1.02 / 1.3;
+
+}  // namespace
+
+TEST(PlacePoints, a_fixed_line_gives_a_point_inside_each_edge_it_crosses) {
+  Drawing drawing = two_squares();
+  drawing.fixed_lines = {{{{0.5, 0.5}, {1.5, 0.5}}, {}}};
+  const Blocks blocks = cut_blocks(drawing).blocks;
+  ASSERT_EQ(blocks.fixed_points.size(), 2U);
+  for (const BlockPoint& p : blocks.fixed_points) {
+    EXPECT_NEAR(std::fabs(p.position.x - 1), kInset, 1e-15);
+    EXPECT_TRUE(holds(blocks.blocks[p.block], p.position));
+  }
+}
+
+TEST(PlacePoints, a_fixed_line_that_crosses_nothing_is_its_first_end) {
+  Drawing drawing = two_squares();
+  drawing.fixed_lines = {{{{1.2, 0.5}, {1.5, 0.5}}, {}}, {{{0.3, 0.3}, {0.3, 0.3}}, {}}};
+  const Blocks blocks = cut_blocks(drawing).blocks;
+  ASSERT_EQ(blocks.fixed_points.size(), 2U);
+  EXPECT_EQ(blocks.fixed_points[0].position, (Point{1.2, 0.5}));
+  EXPECT_EQ(blocks.fixed_points[1].position, (Point{0.3, 0.3}));
+}
+
+TEST(PlacePoints, a_point_on_a_common_vertex_goes_to_the_first_such_block) {
+  Drawing drawing = two_squares();
+  drawing.measured_points = {{{1, 0}, {}}, {{1 + 1e-6, 1}, {}}, {{1, 0.5}, {}}};
+  const Blocks blocks = cut_blocks(drawing).blocks;
+  ASSERT_EQ(blocks.measured_points.size(), 3U);
+  for (const BlockPoint& p : blocks.measured_points) EXPECT_EQ(p.block, 0);
+}
+
+TEST(PlacePoints, a_point_outside_is_left_out_with_its_place) {
+  Drawing drawing = two_squares();
+  drawing.loading_points = {{{5, 5}, {"drawing", 42, 3}}, {{0.5, 0.5}, {}}};
+  const CutResult cut = cut_blocks(drawing);
+  EXPECT_EQ(cut.blocks.loading_points.size(), 1U);
+  ASSERT_EQ(cut.warnings.size(), 1U);
+  EXPECT_EQ(cut.warnings[0].name, "point_outside_blocks");
+  EXPECT_EQ(cut.warnings[0].place.line, 42);
+}
+
+TEST(PlacePoints, a_hole_point_removes_its_block_before_points_are_placed) {
+  Drawing drawing = two_squares();
+  drawing.hole_points = {{{0.5, 0.5}, {}}};
+  drawing.measured_points = {{{1.5, 0.5}, {}}};
+  const Blocks blocks = cut_blocks(drawing).blocks;
+  ASSERT_EQ(blocks.blocks.size(), 1U);
+  ASSERT_EQ(blocks.measured_points.size(), 1U);
+  EXPECT_EQ(blocks.measured_points[0].block, 0);
+}
+
+TEST(PlacePoints, a_point_in_a_hole_belongs_to_the_block_within) {
+  Drawing drawing = drawing_of(rectangle({0, 0}, {9, 9}) + rectangle({3, 3}, {6, 6}));
+  drawing.measured_points = {{{4, 4}, {}}, {{1, 1}, {}}};
+  const Blocks blocks = cut_blocks(drawing).blocks;
+  EXPECT_EQ(blocks.measured_points.at(0).block, 1);
+  EXPECT_EQ(blocks.measured_points.at(1).block, 0);
+}
+
+TEST(PlacePoints, the_later_material_line_wins) {
+  Drawing drawing = two_squares();
+  drawing.material_lines = {{{{0.5, 0.5}, {1.5, 0.5}}, 2, {}}, {{{1.2, 0.2}, {1.3, 0.3}}, 4, {}}};
+  const Blocks blocks = cut_blocks(drawing).blocks;
+  EXPECT_EQ(blocks.blocks[0].material, 4);
+  EXPECT_EQ(blocks.blocks[1].material, 2);
+}
+
+TEST(PlacePoints, a_bolt_joins_the_blocks_of_its_ends) {
+  Drawing drawing = two_squares();
+  drawing.bolts = {{{{0.5, 0.5}, {1.5, 0.5}}, 1e6, 2, 3, 0, {}}, {{{0.5, 0.5}, {7, 7}}, 1e6, 2, 3, 0, {}}};
+  const CutResult cut = cut_blocks(drawing);
+  ASSERT_EQ(cut.blocks.bolts.size(), 1U);
+  EXPECT_EQ(cut.blocks.bolts[0].first_block, 1);
+  EXPECT_EQ(cut.blocks.bolts[0].second_block, 0);
+  EXPECT_TRUE(has_warning(cut.warnings, "point_outside_blocks"));
+}
+
+}  // namespace keyblock

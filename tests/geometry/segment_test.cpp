@@ -1,0 +1,35 @@
+// Meetings of segments are decided exactly, distances are right beyond the ends.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/segment.hpp"
+
+#include <gtest/gtest.h>
+
+namespace keyblock {
+
+TEST(Segment, distance_counts_from_the_nearest_end_beyond_the_ends) {
+  const Segment s{{0, 0}, {4, 0}};
+  EXPECT_DOUBLE_EQ(distance(s, {2, 3}), 3);
+  EXPECT_DOUBLE_EQ(distance(s, {7, 4}), 5);
+  EXPECT_DOUBLE_EQ(distance_to_carrier(s, {7, 4}), 4);
+  EXPECT_DOUBLE_EQ(foot(s, {7, 4}), 1.75);
+}
+
+TEST(Segment, a_segment_without_length_is_a_point) {
+  const Segment s{{1, 1}, {1, 1}};
+  EXPECT_DOUBLE_EQ(distance(s, {4, 5}), 5);
+  EXPECT_DOUBLE_EQ(distance_to_carrier(s, {4, 5}), 5);
+}
+
+TEST(Segment, meetings_are_told_apart) {
+  const Segment s{{0, 0}, {4, 4}};
+  EXPECT_EQ(meeting(s, {{0, 4}, {4, 0}}), Meeting::crossing);
+  EXPECT_EQ(meeting(s, {{2, 2}, {9, 0}}), Meeting::crossing) << "an end that touches";
+  EXPECT_EQ(meeting(s, {{4, 4}, {9, 0}}), Meeting::crossing) << "end to end";
+  EXPECT_EQ(meeting(s, {{3, 3}, {9, 9}}), Meeting::overlapping);
+  EXPECT_EQ(meeting(s, {{4, 4}, {9, 9}}), Meeting::overlapping) << "in one point, along each other";
+  EXPECT_EQ(meeting(s, {{5, 5}, {9, 9}}), Meeting::none);
+  EXPECT_EQ(meeting(s, {{0, 1}, {4, 5}}), Meeting::none);
+  EXPECT_EQ(meeting(s, {{3, 0}, {3, 2}}), Meeting::none);
+}
+
+}  // namespace keyblock
