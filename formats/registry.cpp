@@ -1,6 +1,6 @@
-// The list of formats and the choice by content.
-// To add a format: 1) write its file pair beside this one, 2) add its record to the list below, 3) a row to
-// README.md. SPDX-License-Identifier: GPL-3.0-or-later
+// The list of formats and the choice by content. To add a format: 1) write its file pair beside this one, 2) add
+// its record to the list below, 3) a row to README.md.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/registry.hpp"
 
 #include <fmt/format.h>

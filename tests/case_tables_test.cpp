@@ -1,5 +1,6 @@
 // Every case has its input, its README of four headings, and a table whose values state tolerance, reason and
-// source. SPDX-License-Identifier: GPL-3.0-or-later
+// source.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <algorithm>

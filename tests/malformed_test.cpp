@@ -1,5 +1,5 @@
-// The malformed inputs that brought Berkeley's program down each get the error or the named warning of the
-// table. SPDX-License-Identifier: GPL-3.0-or-later
+// The malformed inputs that brought Berkeley's program down each get the error or the named warning of the table.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Where the samples lie that may be used locally but not shipped; tests that need them skip where they are
-// absent. SPDX-License-Identifier: GPL-3.0-or-later
+// Where the samples lie that may be used locally but not shipped; tests that need them skip where they are absent.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdlib>

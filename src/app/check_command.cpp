@@ -1,5 +1,5 @@
-// `keyblock check`: says what each file is and why we think so, what it holds, and what is odd or wrong about
-// it. SPDX-License-Identifier: GPL-3.0-or-later
+// `keyblock check`: says what each file is and why we think so, what it holds, and what is odd or wrong about it.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,5 +1,6 @@
-// Distance and sliding of a vertex against its reference line: values at the start of the step and their
-// linear change. SPDX-License-Identifier: GPL-3.0-or-later
+// Distance and sliding of a vertex against its reference line: values at the start of the step and their linear
+// change.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "contact/contact.hpp"

@@ -1,5 +1,6 @@
-// The lengths and angles by which contacts are found and judged, all derived from the scale of the scene in
-// one place. SPDX-License-Identifier: GPL-3.0-or-later
+// The lengths and angles by which contacts are found and judged, all derived from the scale of the scene in one
+// place.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Traces the faces of an arrangement: each an outer chain counter-clockwise and the chains of its holes
-// clockwise. SPDX-License-Identifier: GPL-3.0-or-later
+// Traces the faces of an arrangement: each an outer chain counter-clockwise and the chains of its holes clockwise.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>

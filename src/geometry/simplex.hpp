@@ -1,5 +1,6 @@
-// Exact integrals of 1, x, y, x², y², xy over polygons (Shi's simplex integration; Green's theorem on
-// straight edges). SPDX-License-Identifier: GPL-3.0-or-later
+// Exact integrals of 1, x, y, x², y², xy over polygons (Shi's simplex integration; Green's theorem on straight
+// edges).
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <span>

@@ -1,5 +1,6 @@
-// The scene as it is computed on: elements with their basis, their boundary, and the points they carry. It
-// does not change. SPDX-License-Identifier: GPL-3.0-or-later
+// The scene as it is computed on: elements with their basis, their boundary, and the points they carry. It does not
+// change.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What a scene takes: which unknowns, which terms, and why. Nothing absent from this list costs time in the
-// run. SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene takes: which unknowns, which terms, and why. Nothing absent from this list costs time in the run.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>

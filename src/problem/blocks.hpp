@@ -1,5 +1,6 @@
-// What a block file says, and what cutting makes of a drawing: polygons with joint edges, and points that sit
-// in blocks. SPDX-License-Identifier: GPL-3.0-or-later
+// What a block file says, and what cutting makes of a drawing: polygons with joint edges, and points that sit in
+// blocks.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Colours of materials and curves: told apart by eyes that miss red or green (after Okabe and Ito), pale for
-// areas. SPDX-License-Identifier: GPL-3.0-or-later
+// Colours of materials and curves: told apart by eyes that miss red or green (after Okabe and Ito), pale for areas.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>

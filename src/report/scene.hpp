@@ -1,5 +1,5 @@
-// What the pictures of blocks have in common: marks of points, the width of block edges, legend and scale
-// bar. SPDX-License-Identifier: GPL-3.0-or-later
+// What the pictures of blocks have in common: marks of points, the width of block edges, legend and scale bar.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// A small SVG page: shapes and text in page coordinates, and the map from the plane of the blocks onto the
-// page. SPDX-License-Identifier: GPL-3.0-or-later
+// A small SVG page: shapes and text in page coordinates, and the map from the plane of the blocks onto the page.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <limits>

@@ -1,5 +1,5 @@
-// A problem from its first state to its last: steps made one after another, handed to an observer as they
-// come. SPDX-License-Identifier: GPL-3.0-or-later
+// A problem from its first state to its last: steps made one after another, handed to an observer as they come.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <functional>

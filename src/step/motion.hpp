@@ -1,5 +1,5 @@
-// How the points of an element move with its unknowns: to first order in the rotation, or with the rotation
-// exact. SPDX-License-Identifier: GPL-3.0-or-later
+// How the points of an element move with its unknowns: to first order in the rotation, or with the rotation exact.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "contact/judge.hpp"

@@ -1,5 +1,5 @@
-// Hands the block matrix to Eigen's sparse factorisation, refines once where needed, and measures the
-// residual. SPDX-License-Identifier: GPL-3.0-or-later
+// Hands the block matrix to Eigen's sparse factorisation, refines once where needed, and measures the residual.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/solve.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// What every physical term is given: the scene, its state and the step about to be made. A term adds to the
-// system and knows no other term. SPDX-License-Identifier: GPL-3.0-or-later
+// What every physical term is given: the scene, its state and the step about to be made. A term adds to the system
+// and knows no other term.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "model/settings.hpp"

@@ -1,5 +1,5 @@
-// `keyblock check` reports every file, goes on after a bad one, and says by its exit code whether all were
-// sound. SPDX-License-Identifier: GPL-3.0-or-later
+// `keyblock check` reports every file, goes on after a bad one, and says by its exit code whether all were sound.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 

@@ -1,5 +1,6 @@
-// Tables are written with the agreed columns and numbers that read back the same, and read with places for
-// every fault. SPDX-License-Identifier: GPL-3.0-or-later
+// Tables are written with the agreed columns and numbers that read back the same, and read with places for every
+// fault.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/csv.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Shi's step against theory: free fall, the oscillator's spectral radius, and the rebound from a contact
-// spring. SPDX-License-Identifier: GPL-3.0-or-later
+// Shi's step against theory: free fall, the oscillator's spectral radius, and the rebound from a contact spring.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <array>

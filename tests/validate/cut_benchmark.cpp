@@ -1,5 +1,5 @@
-// Prints how long cutting takes as the drawing grows, and the exponent of the growth over lines plus
-// crossings. SPDX-License-Identifier: GPL-3.0-or-later
+// Prints how long cutting takes as the drawing grows, and the exponent of the growth over lines plus crossings.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
 #include <chrono>
