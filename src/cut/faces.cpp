@@ -58,6 +58,31 @@ class ChainCutter {
   explicit ChainCutter(const Arrangement& a) : a_(a), position_(a.nodes.size(), -1) {}
 
   std::vector<Chain> cut(const Walks& walks, int walk) {
+    // Two loops through one node have three edges each at least.
+    constexpr std::size_t kShortestWithTwoVisits = 6;
+    const bool is_plain = walks.start[walk + 1] - walks.start[walk] < kShortestWithTwoVisits;
+    std::vector<Chain> chains;
+    if (is_plain) {
+      chains.push_back(whole(walks, walk));
+    } else {
+      chains = split(walks, walk);
+    }
+    for (Chain& chain : chains) start_at_lowest(chain);
+    return chains;
+  }
+
+ private:
+  Chain whole(const Walks& walks, int walk) const {
+    Chain chain;
+    chain.reserve(walks.start[walk + 1] - walks.start[walk]);
+    for (std::size_t k = walks.start[walk]; k < walks.start[walk + 1]; ++k) {
+      const int h = walks.half_edges[k];
+      chain.push_back({head(a_, h), a_.edges[h / 2].line});
+    }
+    return chain;
+  }
+
+  std::vector<Chain> split(const Walks& walks, int walk) {
     std::vector<Chain> chains;
     Chain open;
     for (std::size_t k = walks.start[walk]; k < walks.start[walk + 1]; ++k) {
@@ -73,11 +98,9 @@ class ChainCutter {
     }
     for (const ChainLink& link : open) position_[link.node] = -1;
     chains.push_back(std::move(open));
-    for (Chain& chain : chains) start_at_lowest(chain);
     return chains;
   }
 
- private:
   Chain take_loop(Chain& open, int node) {
     const auto begin = open.begin() + position_[node];
     Chain loop(begin, open.end());

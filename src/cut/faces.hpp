@@ -1,5 +1,6 @@
 // Traces the faces of an arrangement: each an outer chain counter-clockwise and the chains of its holes
-// clockwise. SPDX-License-Identifier: GPL-3.0-or-later
+// clockwise.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 // Crossings become nodes, pieces of lines between them become edges; crossings nearer than the merging
-// distance are one node. SPDX-License-Identifier: GPL-3.0-or-later
+// distance are one node.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>

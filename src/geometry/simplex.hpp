@@ -1,5 +1,6 @@
-// Exact integrals of 1, x, y, x², y² and xy over a polygon, by Shi's simplex integration: the signed sum over
-// the triangles (origin, vertex, next vertex). SPDX-License-Identifier: GPL-3.0-or-later
+// Exact integrals of 1, x, y, x², y² and xy over a polygon, by Shi's simplex integration: the signed sum
+// over the triangles (origin, vertex, next vertex).
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <span>

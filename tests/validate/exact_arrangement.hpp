@@ -1,5 +1,6 @@
 // Counts the vertices and edges of lines between lattice points in whole numbers: slow, simple and without
-// rounding. SPDX-License-Identifier: GPL-3.0-or-later
+// rounding.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <algorithm>
