@@ -187,7 +187,7 @@ std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count) {
 Analysis with_native_choices(Analysis analysis, AnalysisDialect dialect, const Source& source) {
   analysis.dialect = dialect;
   analysis.automatic_time_step = true;
-  analysis.automatic_penalty = false;
+  analysis.automatic_penalty = true;
   analysis.penalty_factor = 50;
   analysis.place = {source.name};
   return analysis;

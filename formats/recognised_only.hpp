@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // NMM cover (`cvNN`) [D]: nE nF nL nM nV nC nLoop nLV, total 8 + 3 (nF+nL+nM) + 6 nE + 2 (nV+nC+nLoop+nLV).
-// NMM analysis (`mfNN`) [D]: k01 n5 nb nj g2 g1 g0, total 11 + 2 nL + 14 nb + 3 nj; nL stands in the cover
-// file. Extended 1.5: first word begins `#!0xDDA`. Disk DDA (`.par`) [inferred]: 0, 1 or 2, then two reals
-// between 0 and 1.
+// NMM analysis (`mfNN`) [D]: k01 n5 nb nj g2 g1 g0, total 11 + 2 nL + 14 nb + 3 nj; nL stands in the cover file.
+// Extended 1.5: first word begins `#!0xDDA`.
+// Disk DDA (`.par`) [inferred]: 0, 1 or 2, then two reals between 0 and 1.
 #pragma once
 
 #include "formats/format.hpp"

@@ -147,12 +147,19 @@ class Cutting {
     }
     result_.report.merged = static_cast<int>(table.moves.size());
     if (!table.moves.empty()) {
-      warn("nodes_merged", place(table.moves.front().line),
-           fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, "
-                       "{:.9g}); {} nodes do "
-                       "not stand at the crossing found first, where the old programs put them",
-                       table.moves.size(), tolerances().merge, table.moves.front().from.x,
-                       table.moves.front().from.y, table.placed_otherwise));
+      const NodeMove& first = table.moves.front();
+      warn(
+          "nodes_merged", place(first.line),
+          fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
+                      table.moves.size(), tolerances().merge, first.from.x, first.from.y));
+    }
+    result_.report.placed_otherwise = table.placed_otherwise;
+    if (table.placed_otherwise > 0) {
+      warn("nodes_placed_otherwise", drawing_.place,
+           fmt::format(
+               "{} merged nodes stand where the drawing decides, not at the crossing that the old programs "
+               "would have found first",
+               table.placed_otherwise));
     }
     if (!table.undecided_nodes.empty()) {
       const Point at = table.arrangement.nodes[table.undecided_nodes.front()].position;

@@ -14,19 +14,20 @@ namespace keyblock {
 /// What cutting met on its way.
 struct CutReport {
   CutTolerances tolerances;
-  int lines = 0;           ///< lines with a length
-  int crossings = 0;       ///< pairs of lines that meet (ends of overlaps singly)
-  int nodes = 0;           ///< distinct points where lines meet
-  int edges = 0;           ///< pieces of lines between nodes
-  int merged = 0;          ///< crossings moved to their node by more than round-off
-  int reached = 0;         ///< lines prolonged by the reach to meet another
-  int detours = 0;         ///< pieces led through a node beside them
-  int late_crossings = 0;  ///< pieces that crossed after merging and got a node
-  int dangling_edges = 0;  ///< removed: they hang loose
-  int bridge_edges = 0;    ///< removed: the same face on both sides
-  int pruned_nodes = 0;    ///< nodes left on closed chains
-  int pruned_edges = 0;    ///< pieces left on closed chains
-  int faces = 0;           ///< bounded faces, before slivers and holes go
+  int lines = 0;             ///< lines with a length
+  int crossings = 0;         ///< pairs of lines that meet (ends of overlaps singly)
+  int nodes = 0;             ///< distinct points where lines meet
+  int edges = 0;             ///< pieces of lines between nodes
+  int merged = 0;            ///< crossings moved to their node by more than round-off
+  int placed_otherwise = 0;  ///< nodes not at the crossing that the old programs would have found first
+  int reached = 0;           ///< lines prolonged by the reach to meet another
+  int detours = 0;           ///< pieces led through a node beside them
+  int late_crossings = 0;    ///< pieces that crossed after merging and got a node
+  int dangling_edges = 0;    ///< removed: they hang loose
+  int bridge_edges = 0;      ///< removed: the same face on both sides
+  int pruned_nodes = 0;      ///< nodes left on closed chains
+  int pruned_edges = 0;      ///< pieces left on closed chains
+  int faces = 0;             ///< bounded faces, before slivers and holes go
 };
 
 struct CutResult {

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "cut/rotation.hpp"
-#include "cut/segment_grid.hpp"
 #include "cut/union_find.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/predicates.hpp"
@@ -59,6 +58,31 @@ class ChainCutter {
   explicit ChainCutter(const Arrangement& a) : a_(a), position_(a.nodes.size(), -1) {}
 
   std::vector<Chain> cut(const Walks& walks, int walk) {
+    // Two loops through one node have three edges each at least.
+    constexpr std::size_t kShortestWithTwoVisits = 6;
+    const bool is_plain = walks.start[walk + 1] - walks.start[walk] < kShortestWithTwoVisits;
+    std::vector<Chain> chains;
+    if (is_plain) {
+      chains.push_back(whole(walks, walk));
+    } else {
+      chains = split(walks, walk);
+    }
+    for (Chain& chain : chains) start_at_lowest(chain);
+    return chains;
+  }
+
+ private:
+  Chain whole(const Walks& walks, int walk) const {
+    Chain chain;
+    chain.reserve(walks.start[walk + 1] - walks.start[walk]);
+    for (std::size_t k = walks.start[walk]; k < walks.start[walk + 1]; ++k) {
+      const int h = walks.half_edges[k];
+      chain.push_back({head(a_, h), a_.edges[h / 2].line});
+    }
+    return chain;
+  }
+
+  std::vector<Chain> split(const Walks& walks, int walk) {
     std::vector<Chain> chains;
     Chain open;
     for (std::size_t k = walks.start[walk]; k < walks.start[walk + 1]; ++k) {
@@ -74,11 +98,9 @@ class ChainCutter {
     }
     for (const ChainLink& link : open) position_[link.node] = -1;
     chains.push_back(std::move(open));
-    for (Chain& chain : chains) start_at_lowest(chain);
     return chains;
   }
 
- private:
   Chain take_loop(Chain& open, int node) {
     const auto begin = open.begin() + position_[node];
     Chain loop(begin, open.end());
@@ -135,52 +157,39 @@ std::vector<Rim> find_rims(const Arrangement& a, const Rotation& rotation, const
   return rims;
 }
 
-/// Finds what lies around a part: looks straight down from its leftmost node for the nearest edge.
-class Below {
- public:
-  explicit Below(const Arrangement& a) : a_(a), pieces_(rightward_pieces(a)), grid_(pieces_, 0) {
-    bottom_ = 0;
-    for (const Segment& s : pieces_) bottom_ = std::min({bottom_, s.start.y, s.end.y});
-  }
+/// An edge from its left to its right end.
+Segment rightward(const Arrangement& a, const Edge& e) {
+  const Point p = a.nodes[e.from].position;
+  const Point q = a.nodes[e.to].position;
+  return is_left_of(p, q) ? Segment{p, q} : Segment{q, p};
+}
 
-  /// The half-edge with the node on its left and nothing in between, or -1.
-  int half_edge(int node) {
-    const Point p = a_.nodes[node].position;
-    int best = -1;
-    for (const int e : grid_.near({p, {p.x, bottom_}}, static_cast<int>(pieces_.size()))) {
-      const Segment& s = pieces_[e];
-      const bool is_in_column = s.start.x <= p.x && p.x < s.end.x;
-      if (!is_in_column || orientation(s.start, s.end, p) <= 0) continue;
-      if (best < 0 || is_above(s, pieces_[best])) best = e;
+/// For two pieces over a common x that do not cross.
+bool is_above(const Segment& a, const Segment& b) {
+  if (a.start.x < b.start.x) return !is_above(b, a);
+  const int start = orientation(b.start, b.end, a.start);
+  return start != 0 ? start > 0 : orientation(b.start, b.end, a.end) > 0;
+}
+
+/// For each rim the half-edge nearest below its leftmost node, which has that node on its left; -1 where
+/// nothing lies below. `rims` from left to right.
+std::vector<int> half_edges_below(const Arrangement& a, const std::vector<Rim>& rims) {
+  std::vector<int> nearest(rims.size(), -1);
+  const auto x_of = [&](const Rim& rim) { return a.nodes[rim.node].position.x; };
+  for (std::size_t e = 0; e < a.edges.size(); ++e) {
+    const Segment s = rightward(a, a.edges[e]);
+    auto rim = std::lower_bound(rims.begin(), rims.end(), s.start.x,
+                                [&](const Rim& r, double x) { return x_of(r) < x; });
+    for (; rim != rims.end() && x_of(*rim) < s.end.x; ++rim) {
+      if (orientation(s.start, s.end, a.nodes[rim->node].position) <= 0) continue;
+      int& best = nearest[static_cast<std::size_t>(rim - rims.begin())];
+      if (best >= 0 && !is_above(s, rightward(a, a.edges[best / 2]))) continue;
+      const bool runs_right = s.start == a.nodes[a.edges[e].from].position;
+      best = static_cast<int>(2 * e) + (runs_right ? 0 : 1);
     }
-    if (best < 0) return -1;
-    const bool runs_right = pieces_[best].start == a_.nodes[a_.edges[best].from].position;
-    return runs_right ? 2 * best : 2 * best + 1;
   }
-
- private:
-  static std::vector<Segment> rightward_pieces(const Arrangement& a) {
-    std::vector<Segment> pieces;
-    for (const Edge& e : a.edges) {
-      const Point p = a.nodes[e.from].position;
-      const Point q = a.nodes[e.to].position;
-      pieces.push_back(is_left_of(p, q) ? Segment{p, q} : Segment{q, p});
-    }
-    return pieces;
-  }
-
-  /// For two pieces over a common x that do not cross.
-  static bool is_above(const Segment& a, const Segment& b) {
-    if (a.start.x < b.start.x) return !is_above(b, a);
-    const int start = orientation(b.start, b.end, a.start);
-    return start != 0 ? start > 0 : orientation(b.start, b.end, a.end) > 0;
-  }
-
-  const Arrangement& a_;
-  std::vector<Segment> pieces_;
-  SegmentGrid grid_;
-  double bottom_ = 0;
-};
+  return nearest;
+}
 
 // What stands around a walk where no bounded walk does.
 constexpr int kOpenPlane = -1;
@@ -195,12 +204,11 @@ std::vector<int> find_surroundings(const Arrangement& a, const Walks& walks, std
   std::sort(rims.begin(), rims.end(), [&](const Rim& x, const Rim& y) {
     return is_left_of(a.nodes[x.node].position, a.nodes[y.node].position);
   });
-  Below below(a);
-  for (const Rim& rim : rims) {
-    const int h = below.half_edge(rim.node);
-    if (h < 0) continue;
-    const int walk = walks.of_half_edge[h];
-    around[rim.walk] = around[walk] == kNotARim ? walk : around[walk];
+  const std::vector<int> below = half_edges_below(a, rims);
+  for (std::size_t i = 0; i < rims.size(); ++i) {
+    if (below[i] < 0) continue;
+    const int walk = walks.of_half_edge[below[i]];
+    around[rims[i].walk] = around[walk] == kNotARim ? walk : around[walk];
   }
   return around;
 }

@@ -1,4 +1,5 @@
-// Traces the faces of an arrangement: each an outer chain counter-clockwise and the chains of its holes clockwise.
+// Traces the faces of an arrangement: each an outer chain counter-clockwise and the chains of its holes
+// clockwise.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

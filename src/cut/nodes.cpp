@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -86,10 +87,8 @@ class Merger {
   bool is_exact(int crossing) { return !is_merged_[groups_.find(crossing)]; }
   const std::vector<int>& undecided() const { return undecided_; }
 
-  /// Order of finding in the old programs.
-  std::tuple<bool, int> found_before(int crossing) const {
-    return {crossings_.found[crossing].other >= boundary_count_, crossing};
-  }
+  /// The old programs look for crossings with boundary lines first, then for all others.
+  bool is_found_early(int crossing) const { return crossings_.found[crossing].other < boundary_count_; }
 
  private:
   bool is_boundary(int crossing) const { return crossings_.found[crossing].line < boundary_count_; }
@@ -170,14 +169,14 @@ class Placing {
 
   /// Of crossings that are exactly one point: the first found, but the end of an overlap only if there is
   /// nothing else.
-  int first_found(const std::vector<int>& members) const {
+  int first_found(std::span<const int> members) const {
     const auto crossing =
         std::find_if(members.begin(), members.end(), [&](int i) { return !found_[i].is_end; });
     return crossing == members.end() ? members.front() : *crossing;
   }
 
   /// `members` in the order of finding.
-  int choose(const std::vector<int>& members) const {
+  int choose(std::span<const int> members) const {
     const int first = first_found(members);
     const auto is_at = [&](int place) {
       return [this, place](int crossing) { return gap(crossing, place) <= tolerances_.round_off; };
@@ -243,37 +242,51 @@ class Placing {
   const CutTolerances& tolerances_;
 };
 
-/// The crossings of each node, in the order of finding; nodes in the order of their first crossing.
-std::vector<std::vector<int>> members_of_nodes(Merger& merger, const Crossings& crossings) {
+/// The crossings of each node in the order of finding, nodes in the order of their first crossing.
+struct Members {
+  std::vector<std::size_t> start;  // of each node, and one past the last
+  std::vector<int> crossings;
+
+  std::size_t node_count() const { return start.size() - 1; }
+  std::span<const int> of(std::size_t node) const {
+    return std::span(crossings).subspan(start[node], start[node + 1] - start[node]);
+  }
+};
+
+Members members_of_nodes(Merger& merger, const Crossings& crossings) {
   std::vector<int> order(crossings.found.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return merger.found_before(a) < merger.found_before(b); });
-  std::vector<int> node_of_group(crossings.found.size(), -1);
-  std::vector<std::vector<int>> members;
+  std::stable_partition(order.begin(), order.end(), [&](int i) { return merger.is_found_early(i); });
+  std::vector<int> node_of_group(order.size(), -1);
+  Members members{{0}, std::vector<int>(order.size())};
   for (const int crossing : order) {
     int& node = node_of_group[merger.group(crossing)];
     if (node < 0) {
-      node = static_cast<int>(members.size());
-      members.emplace_back();
+      node = static_cast<int>(members.node_count());
+      members.start.push_back(0);
     }
-    members[node].push_back(crossing);
+    ++members.start[node + 1];
   }
+  for (std::size_t i = 1; i < members.start.size(); ++i) members.start[i] += members.start[i - 1];
+  std::vector<std::size_t> next(members.start.begin(), members.start.end() - 1);
+  for (const int crossing : order)
+    members.crossings[next[node_of_group[merger.group(crossing)]]++] = crossing;
   return members;
 }
 
 /// Makes the nodes and says which node each crossing is.
 std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const Placing& placing,
                               NodeTable& table) {
-  const std::vector<std::vector<int>> members = members_of_nodes(merger, crossings);
+  const Members members = members_of_nodes(merger, crossings);
   std::vector<int> node_of_crossing(crossings.found.size());
-  for (std::size_t node = 0; node < members.size(); ++node) {
-    const int first = members[node].front();
+  for (std::size_t node = 0; node < members.node_count(); ++node) {
+    const std::span<const int> own = members.of(node);
+    const int first = own.front();
     const bool is_exact = merger.is_exact(first);
-    const int source = is_exact ? placing.first_found(members[node]) : placing.choose(members[node]);
+    const int source = is_exact ? placing.first_found(own) : placing.choose(own);
     if (!is_exact && placing.gap(first, source) > placing.round_off()) ++table.placed_otherwise;
     table.arrangement.nodes.push_back({crossings.found[source].position, is_exact});
-    for (const int crossing : members[node]) node_of_crossing[crossing] = static_cast<int>(node);
+    for (const int crossing : own) node_of_crossing[crossing] = static_cast<int>(node);
   }
   for (const int crossing : merger.undecided()) table.undecided_nodes.push_back(node_of_crossing[crossing]);
   return node_of_crossing;
@@ -293,6 +306,11 @@ std::vector<Edge> make_edges(const Crossings& crossings, const std::vector<int>&
       last = node;
     }
   }
+  // Lines that only cross, in nodes that only they pass, share no piece.
+  const bool has_overlaps =
+      std::any_of(crossings.found.begin(), crossings.found.end(), [](const Crossing& c) { return c.is_end; });
+  const bool has_merged = std::any_of(nodes.begin(), nodes.end(), [](const Node& n) { return !n.is_exact; });
+  if (!has_overlaps && !has_merged) return edges;
   const auto ends = [](const Edge& e) { return std::pair(std::min(e.from, e.to), std::max(e.from, e.to)); };
   std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
     return std::tuple(ends(a), a.line) < std::tuple(ends(b), b.line);

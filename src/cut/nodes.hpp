@@ -1,5 +1,5 @@
-// Crossings become nodes, pieces of lines between them become edges; crossings nearer than the merging distance are
-// one node.
+// Crossings become nodes, pieces of lines between them become edges; crossings nearer than the merging
+// distance are one node.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,7 +22,7 @@ struct NodeMove {
 struct NodeTable {
   Arrangement arrangement;
   std::vector<NodeMove> moves;  ///< crossings farther than round-off from their node
-  int placed_otherwise = 0;  ///< nodes farther than round-off from the crossing found first
+  int placed_otherwise = 0;     ///< nodes farther than round-off from the crossing found first
   /// Nodes with a neighbour nearer than the merging distance that stayed apart.
   std::vector<int> undecided_nodes;
 };

@@ -1,5 +1,5 @@
-// Marks of a drawing into blocks; see place_points.hpp. Rules: the old block cutter's, legacy rules 7 to 9 of
-// cutting.
+// Marks of a drawing into blocks; see place_points.hpp. Rules: the old block cutter's, legacy rules 7 to 9
+// of cutting.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/place_points.hpp"
 

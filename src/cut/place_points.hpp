@@ -1,5 +1,5 @@
-// Puts the marks of a drawing into blocks: fixed lines and points, loading and measured points, bolts, hole points
-// and material lines.
+// Puts the marks of a drawing into blocks: fixed lines and points, loading and measured points, bolts,
+// hole points and material lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

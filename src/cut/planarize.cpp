@@ -13,8 +13,8 @@
 namespace keyblock {
 namespace {
 
-/// A node put on a crossing may lie beside a further piece, whose detour may cross another. No piece crossed another in
-/// enough in all drawings tried; the bound only makes sure of an end.
+/// A node put on a crossing may lie beside a further piece, whose detour may cross another. No piece crossed
+/// another in enough in all drawings tried; the bound only makes sure of an end.
 constexpr int kMaxRounds = 20;
 
 Segment segment_of(const Arrangement& a, const Edge& e) {

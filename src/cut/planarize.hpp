@@ -1,5 +1,5 @@
-// After merging has moved nodes: pieces that pass a foreign node too near go through it, pieces that cross get a
-// node.
+// After merging has moved nodes: pieces that pass a foreign node too near go through it, pieces that cross
+// get a node.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// The tolerances of cutting, all derived from the drawing's own ratio e0 and its scale w0; e0 = 0 means an exact
-// arrangement in which nothing is moved.
+// The tolerances of cutting, all derived from the drawing's own ratio e0 and its scale w0; e0 = 0 means an
+// exact arrangement in which nothing is moved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,6 +1,6 @@
-// Exact signs of small polynomials in the coordinates; see predicates.hpp. Error bounds after Shewchuk, "Adaptive
-// precision floating-point arithmetic and fast robust geometric predicates" (1997), bound A of orient2d, which
-// holds for every 2 × 2 determinant of coordinate differences.
+// Exact signs of small polynomials in the coordinates; see predicates.hpp. Error bounds after Shewchuk,
+// "Adaptive precision floating-point arithmetic and fast robust geometric predicates" (1997), bound A of
+// orient2d, which holds for every 2 × 2 determinant of coordinate differences.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/predicates.hpp"
 

@@ -1,5 +1,5 @@
-// Decides on which side points and directions lie, and in which order crossings stand along a line, without error:
-// a floating-point filter first, exact integers where the filter cannot tell.
+// Decides on which side points and directions lie, and in which order crossings stand along a line,
+// without error: a floating-point filter first, exact integers where the filter cannot tell.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -56,6 +56,20 @@ double scale_of(const std::vector<Point>& vertices) {
   return std::max(high.x - low.x, high.y - low.y) / 2;
 }
 
+double mean_area_of(const Blocks& blocks) {
+  double area = 0;
+  const auto add = [&area](const BlockLoop& loop) {
+    std::vector<Point> points;
+    for (const BlockVertex& corner : loop) points.push_back(corner.position);
+    area += moments(points, points.front()).area;
+  };
+  for (const BlockPolygon& block : blocks.blocks) {
+    add(block.outer);
+    for (const BlockLoop& hole : block.holes) add(hole);
+  }
+  return area / static_cast<double>(blocks.blocks.size());
+}
+
 Stress berkeley_stress_gradient(const BlockMaterial& material, AnalysisDialect dialect) {
   const Velocity slots = berkeley_start_velocity(material, dialect);
   return {slots.x, slots.y, slots.rotation};
@@ -77,6 +91,7 @@ Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {
   model.loading_points = carried(blocks.loading_points, analysis.point_loads);
   model.measured_points = carried(blocks.measured_points, {});
   model.scale = scale_of(model.start_vertices);
+  model.mean_area = mean_area_of(blocks);
   return model;
 }
 

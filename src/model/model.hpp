@@ -47,7 +47,8 @@ struct Model {
   std::vector<CarriedPoint> measured_points;
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;
-  double scale = 0;  ///< w0: half the greater of width and height of all vertices (Berkeley's rule)
+  double mean_area = 0;  ///< of the elements at the start
+  double scale = 0;      ///< w0: half the greater of width and height of all vertices (Berkeley's rule)
 
   const BlockMaterial& material_of(const Element& element) const {
     return block_materials[static_cast<std::size_t>(element.material)];

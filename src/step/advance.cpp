@@ -89,7 +89,7 @@ class Attempts {
         start_(stepping.state),
         contacts_(contacts_of_step(scene, stepping)),
         dt_(step_size(scene, stepping)),
-        penalty_(stepping.history.penalty) {}
+        penalty_(stepping.penalty) {}
 
   std::variant<StepReport, StepFailure> run() {
     for (report_.redos = 0; report_.redos <= settings_.redo_limit; ++report_.redos) {
@@ -155,7 +155,8 @@ class Attempts {
     report_.displacement_ratio = ratio_;
     report_.greatest_penetration = misfit(stepping_.contacts).penetration;
     report_.unsettled_contacts = static_cast<int>(outcome.still_changing.size());
-    stepping_.history = {dt_, ratio_, report_.greatest_penetration, penalty_};
+    stepping_.history = {dt_, ratio_, report_.greatest_penetration, used_penalty_};
+    stepping_.penalty = penalty_;
     return report_;
   }
 
@@ -195,6 +196,7 @@ Stepping start(const Scene& scene) {
   Stepping stepping;
   stepping.state = start_state(scene.model, scene.dialect, scene.settings);
   stepping.history = {scene.settings.time_step, 0, 0, scene.settings.contact_penalty};
+  stepping.penalty = scene.settings.contact_penalty;
   return stepping;
 }
 

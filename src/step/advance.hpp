@@ -34,6 +34,7 @@ struct Stepping {
   State state;
   Contacts contacts;
   StepHistory history;
+  double penalty = 0;  ///< contact stiffness to begin the next step with
   Solver solver;
   bool has_solved = false;
 };

@@ -15,12 +15,6 @@ double time_to_move(double distance, double speed, double acceleration) {
   return 2 * distance / (speed + std::sqrt(speed * speed + 2 * acceleration * distance));
 }
 
-double mean_area(const State& state) {
-  double area = 0;
-  for (const ElementState& e : state.elements) area += e.moments.area;
-  return area / static_cast<double>(state.elements.size());
-}
-
 // The largest load component of any loading point at `time`.
 double greatest_load(const Model& model, double time) {
   double load = 0;
@@ -40,7 +34,7 @@ double allowed_displacement(const Model& model, const Settings& settings) {
 double first_step_size(const Model& model, const State& state, const Settings& settings, double start_speed) {
   if (settings.step_control == StepControl::constant) return settings.time_step;
   const BlockMaterial& material = model.block_materials.front();
-  const double area = mean_area(state);
+  const double area = model.mean_area;
   double stress = 0;
   for (const BlockMaterial& m : model.block_materials)
     stress = std::max({stress, std::abs(m.initial_stress.xx), std::abs(m.initial_stress.yy),
@@ -57,7 +51,7 @@ double next_step_size(const Model& model, const State& state, const Settings& se
                       const StepHistory& last) {
   if (settings.step_control == StepControl::constant)
     return settings.quirks.cut_step_stays ? last.dt : settings.time_step;
-  const double mass = mean_area(state) * model.block_materials.front().density;
+  const double mass = model.mean_area * model.block_materials.front().density;
   const double acceleration =
       std::max(last.penetration * last.penalty / mass, greatest_load(model, state.time) / mass);
   const double distance = allowed_displacement(model, settings);

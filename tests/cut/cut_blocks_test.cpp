@@ -100,6 +100,20 @@ TEST(CutBlocks, order_of_lines_does_not_matter) {
     expect_same(blocks, cut_blocks(permuted(drawing, seed)).blocks, kRoundOff);
 }
 
+TEST(CutBlocks, merging_of_whole_clusters_does_not_depend_on_the_order_of_lines) {
+  Drawing drawing = random_lines(60, 0.6, 2);
+  const Drawing outline = drawing_of(rectangle({-0.7, -0.7}, {1.7, 1.7}));
+  drawing.joints.insert(drawing.joints.begin(), outline.joints.begin(), outline.joints.end());
+  drawing.edge_node_ratio = 0.01;
+  const CutResult cut = cut_blocks(drawing);
+  EXPECT_GT(cut.report.merged, 50);
+  EXPECT_GT(cut.report.detours, 5);
+  EXPECT_NEAR(total_area(cut.blocks), 2.4 * 2.4, 1e-12);
+  for (unsigned seed = 0; seed < 5; ++seed)
+    expect_same(cut.blocks, cut_blocks(permuted(drawing, seed)).blocks, kRoundOff);
+  expect_same(cut.blocks, cut_blocks(reversed(drawing)).blocks, kRoundOff);
+}
+
 TEST(CutBlocks, direction_of_lines_does_not_matter) {
   expect_same(cut_blocks(jointed_slope()).blocks, cut_blocks(reversed(jointed_slope())).blocks, kRoundOff);
 }

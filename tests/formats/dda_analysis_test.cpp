@@ -46,7 +46,7 @@ TEST(DdaAnalysis, berkeley_values_land_in_their_places) {
 TEST(DdaAnalysis, native_files_take_the_choices_of_berkeleys_native_reader) {
   const Analysis analysis = *read({"f", kBerkeley}).content.analysis;
   EXPECT_TRUE(analysis.automatic_time_step);
-  EXPECT_FALSE(analysis.automatic_penalty);
+  EXPECT_TRUE(analysis.automatic_penalty);
   EXPECT_FALSE(analysis.plane_strain);
   EXPECT_EQ(analysis.penalty_factor, 50);
   EXPECT_EQ(analysis.contact_penalty, std::nullopt);

@@ -1,5 +1,5 @@
-// Compares vertices, edges and faces of cutting with those of GEOS on random, two-joint-set and lattice drawings,
-// and says where the two differ.
+// Compares vertices, edges and faces of cutting with those of GEOS on random, two-joint-set and lattice
+// drawings, and says where the two differ.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <geos_c.h>

@@ -1,0 +1,77 @@
+// `keyblock cut` writes what it says, refuses to overwrite, and names what it cannot cut.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "formats/case.hpp"
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, removed at the end.
+class CutCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::temp_directory_path() / ("keyblock_" + name);
+    fs::create_directories(folder_);
+    // Two unit squares side by side, one measured point.
+    std::ofstream(folder_ / "squares.geo")
+        << "0.01 5 0 0 0 0 0 1 0\n0 0 2 0 1\n2 0 2 1 1\n2 1 0 1 1\n0 1 0 0 1\n"
+           "1 0 1 1 2\n0.5 0.5\n";
+    std::ofstream(folder_ / "open.geo") << "0.01 2 0 0 0 0 0 0 0\n0 0 2 0 1\n2 0 2 1 1\n";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  int run(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" KEYBLOCK_PROGRAM "' cut " + arguments + " > out 2> err";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+
+  std::string text(const std::string& name) const {
+    std::ifstream file(folder_ / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  fs::path folder_;
+};
+
+}  // namespace
+
+TEST_F(CutCommand, writes_a_block_file_that_reads_back) {
+  ASSERT_EQ(run("squares.geo -o squares.blk --svg squares.svg"), 0) << text("err");
+  const formats::Case cut = formats::load_case({(folder_ / "squares.blk").string()});
+  const auto& blocks = std::get<Blocks>(cut.problem.geometry);
+  EXPECT_EQ(blocks.blocks.size(), 2U);
+  EXPECT_EQ(blocks.measured_points.size(), 1U);
+  EXPECT_NE(text("squares.svg").find("<svg"), std::string::npos);
+}
+
+TEST_F(CutCommand, overwrites_only_when_told_to) {
+  std::ofstream(folder_ / "old.blk") << "precious";
+  EXPECT_NE(run("squares.geo -o old.blk"), 0);
+  EXPECT_EQ(text("old.blk"), "precious");
+  EXPECT_EQ(run("squares.geo -o old.blk --force"), 0);
+  EXPECT_NE(text("old.blk"), "precious");
+}
+
+TEST_F(CutCommand, refuses_lines_that_close_no_block) {
+  EXPECT_EQ(run("open.geo"), 3);
+  EXPECT_NE(text("err").find("open.geo"), std::string::npos);
+  EXPECT_NE(text("err").find("at least one block"), std::string::npos);
+}
+
+TEST_F(CutCommand, prints_counts_as_json) {
+  EXPECT_EQ(run("squares.geo --json"), 0);
+  EXPECT_NE(text("out").find("\"blocks\": 2"), std::string::npos);
+}
+
+}  // namespace keyblock
