@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/run_report.hpp"
 #include "formats/case.hpp"
+#include "run/prepare.hpp"
 
 namespace keyblock {
 namespace {
@@ -24,6 +26,7 @@ struct CheckOptions {
 struct CaseReport {
   Warnings warnings;
   std::vector<std::string> errors;
+  std::optional<Requirements> plan;  ///< what a run would take; only where geometry and analysis are there
 };
 
 Json counts_of(const Drawing& drawing) {
@@ -112,11 +115,17 @@ void print(const formats::FileReading& file) {
   if (file.error) fmt::print("  {}\n", file.error->what());
 }
 
+void print(const Requirements& plan) {
+  fmt::print("  {} unknowns: {}\n", plan.unknowns, plan.basis);
+  for (const RequiredTerm& term : plan.terms) fmt::print("  {:15} {}\n", name_of(term.term), term.reason);
+}
+
 void print(const CaseReport& report) {
-  if (report.warnings.empty() && report.errors.empty()) return;
+  if (report.warnings.empty() && report.errors.empty() && !report.plan) return;
   fmt::print("the files together:\n");
   print(report.warnings);
   for (const std::string& error : report.errors) fmt::print("  {}\n", error);
+  if (report.plan) print(*report.plan);
 }
 
 CaseReport report_of(const std::vector<formats::FileReading>& files) {
@@ -125,17 +134,23 @@ CaseReport report_of(const std::vector<formats::FileReading>& files) {
     if (file.reading) contents.push_back(file.reading->content);
   try {
     const Checked checked = check(formats::pair(contents));
-    CaseReport report{checked.warnings, {}};
+    CaseReport report{checked.warnings, {}, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
+    const bool is_whole = checked.problem.analysis && !std::holds_alternative<std::monostate>(checked.problem.geometry);
+    if (!is_whole || !report.errors.empty()) return report;
+    const Prepared prepared = prepare(checked.problem, "legacy", {});
+    report.warnings.insert(report.warnings.end(), prepared.warnings.begin(), prepared.warnings.end());
+    report.plan = prepared.requirements;
     return report;
   } catch (const InputError& error) {
-    return {{}, {error.what()}};
+    return {{}, {error.what()}, std::nullopt};
   }
 }
 
 void print_json(const std::vector<formats::FileReading>& files, const CaseReport& report) {
   Json json = {{"files", Json::array()},
                {"case", {{"warnings", json_of(report.warnings)}, {"errors", report.errors}}}};
+  if (report.plan) json["case"]["requires"] = requirements_json(*report.plan);
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }

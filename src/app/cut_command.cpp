@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +10,7 @@
 #include <variant>
 
 #include "app/command.hpp"
+#include "app/files.hpp"
 #include "cut/cut_blocks.hpp"
 #include "formats/case.hpp"
 #include "formats/dda_blocks.hpp"
@@ -62,18 +61,6 @@ Json json_of(const CutResult& cut) {
           {"warnings", std::move(warnings)}};
 }
 
-/// Refuses before any work is done, so that a long cut is not lost to a file that is there already.
-void ask_leave(const std::string& path, const CutOptions& options) {
-  if (path.empty() || options.may_overwrite || !std::filesystem::exists(path)) return;
-  throw InputError({path, 0, 0}, "expected a new file, found an existing one; --force overwrites it");
-}
-
-void save(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw InputError({path, 0, 0}, "expected a file that can be written");
-}
-
 /// The drawing of a case that is read and checked.
 const Drawing& drawing_of(const formats::Case& loaded, const std::string& path) {
   const Drawing* drawing = std::get_if<Drawing>(&loaded.problem.geometry);
@@ -93,17 +80,19 @@ void warn_of_holes(const Blocks& blocks) {
 }
 
 ExitCode cut_file(const CutOptions& options) {
-  ask_leave(options.output, options);
-  ask_leave(options.picture, options);
+  // Before any work is done, so that a long cut is not lost to a file that is there already.
+  const Overwrite overwrite = options.may_overwrite ? Overwrite::yes : Overwrite::no;
+  for (const std::string& file : {options.output, options.picture})
+    if (!file.empty()) require_free(file, overwrite);
   const formats::Case loaded = formats::load_case({options.drawing});
   CutResult cut = cut_blocks(drawing_of(loaded, options.drawing));
   cut.warnings.insert(cut.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
   for (const Warning& warning : cut.warnings) spdlog::warn("{}", to_string(warning));
   if (!options.output.empty()) {
     warn_of_holes(cut.blocks);
-    save(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}));
+    write_file(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}));
   }
-  if (!options.picture.empty()) save(options.picture, report::blocks_picture(cut.blocks));
+  if (!options.picture.empty()) write_file(options.picture, report::blocks_picture(cut.blocks));
   if (options.as_json) {
     fmt::print("{}\n", json_of(cut).dump(2));
   } else {

@@ -111,6 +111,15 @@ class Placer {
     blocks_.bolts.push_back({bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension});
   }
 
+  // Loads belong to loading points by their order: leaving one out would give its load to the next.
+  void add_loading(const MarkedPoint& mark) {
+    const auto block = block_at(blocks_.blocks, mark.position, tolerances_.vertex_catch);
+    if (!block)
+      throw InputError(mark.place, fmt::format("expected a loading point inside a block, found ({}, {}) outside all blocks",
+                                               mark.position.x, mark.position.y));
+    blocks_.loading_points.push_back({mark.position, *block, mark.place});
+  }
+
  private:
   void add_fixed_crossings(const FixedLine& line) {
     for (std::size_t i = 0; i < blocks_.blocks.size(); ++i) {
@@ -162,8 +171,7 @@ Warnings place_marks(const Drawing& drawing, const CutTolerances& tolerances, Bl
   placer.remove_holes(drawing.hole_points);
   for (const MaterialLine& line : drawing.material_lines) placer.set_material(line);
   for (const FixedLine& line : drawing.fixed_lines) placer.add_fixed(line);
-  for (const MarkedPoint& p : drawing.loading_points)
-    placer.add_point(blocks.loading_points, "loading point", p);
+  for (const MarkedPoint& p : drawing.loading_points) placer.add_loading(p);
   for (const MarkedPoint& p : drawing.measured_points)
     placer.add_point(blocks.measured_points, "measured point", p);
   for (const BoltLine& bolt : drawing.bolts) placer.add_bolt(bolt);

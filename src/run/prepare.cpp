@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/prepare.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "model/from_blocks.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
@@ -12,6 +16,28 @@ namespace {
 CutResult blocks_of(const Problem& problem) {
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return cut_blocks(*drawing);
   return {std::get<Blocks>(problem.geometry), {}, {}, {}};
+}
+
+// What the files ask for that this profile does not do is said, not dropped in silence.
+Warnings not_modelled(const Blocks& blocks, const Analysis& analysis) {
+  Warnings warnings;
+  const auto warn = [&](const char* name, const char* sentence) { warnings.push_back({name, analysis.place, sentence}); };
+  if (!blocks.bolts.empty()) warn("bolts_without_effect", "bolts are read and kept, but exert no force in this profile");
+  if (analysis.contact_damping != 0)
+    warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
+  const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
+  if (std::ranges::any_of(analysis.block_materials, damped))
+    warn("damping_without_effect", "the damping of block materials is read, but has no effect, as in the old program");
+  return warnings;
+}
+
+// Motions belong to points by their order: a point lost in cutting would give its motion to another.
+void require_points(const Blocks& blocks, const Analysis& analysis) {
+  if (blocks.blocks.empty()) throw InputError(blocks.place, "expected at least one block, found none");
+  const std::size_t motions = analysis.fixed_point_motions.size();
+  if (motions != 0 && motions != blocks.fixed_points.size())
+    throw InputError(analysis.place, fmt::format("expected motions of the {} fixed points of the geometry, found {}",
+                                                 blocks.fixed_points.size(), motions));
 }
 
 Place place_of(const Problem& problem) {
@@ -31,6 +57,9 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   Settings settings = profile_settings(profile, *problem.analysis);
   for (const auto& [name, value] : overrides) set(settings, name, value);
   CutResult cut = blocks_of(problem);
+  require_points(cut.blocks, *problem.analysis);
+  const Warnings more = not_modelled(cut.blocks, *problem.analysis);
+  cut.warnings.insert(cut.warnings.end(), more.begin(), more.end());
   Model model = model_from_blocks(cut.blocks, *problem.analysis);
   Requirements needs = requirements(model, settings);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);

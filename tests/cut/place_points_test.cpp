@@ -49,12 +49,19 @@ TEST(PlacePoints, a_point_on_a_common_vertex_goes_to_the_first_such_block) {
 
 TEST(PlacePoints, a_point_outside_is_left_out_with_its_place) {
   Drawing drawing = two_squares();
-  drawing.loading_points = {{{5, 5}, {"drawing", 42, 3}}, {{0.5, 0.5}, {}}};
+  drawing.measured_points = {{{5, 5}, {"drawing", 42, 3}}, {{0.5, 0.5}, {}}};
   const CutResult cut = cut_blocks(drawing);
-  EXPECT_EQ(cut.blocks.loading_points.size(), 1U);
+  EXPECT_EQ(cut.blocks.measured_points.size(), 1U);
   ASSERT_EQ(cut.warnings.size(), 1U);
   EXPECT_EQ(cut.warnings[0].name, "point_outside_blocks");
   EXPECT_EQ(cut.warnings[0].place.line, 42);
+}
+
+// Loads belong to loading points by their order.
+TEST(PlacePoints, a_loading_point_outside_is_an_error) {
+  Drawing drawing = two_squares();
+  drawing.loading_points = {{{5, 5}, {"drawing", 42, 3}}, {{0.5, 0.5}, {}}};
+  EXPECT_THROW(cut_blocks(drawing), InputError);
 }
 
 TEST(PlacePoints, a_hole_point_removes_its_block_before_points_are_placed) {

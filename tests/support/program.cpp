@@ -1,0 +1,64 @@
+// Fork, exec, wait with resource usage.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::testing {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void become(const std::vector<std::string>& words, const std::string& output, const std::string& messages) {
+  const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int err = open(messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(out, STDOUT_FILENO);
+  dup2(err, STDERR_FILENO);
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  execv(arguments.front(), arguments.data());
+  _exit(127);
+}
+
+double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+
+}  // namespace
+
+std::string fresh_folder(const std::string& name) {
+  const fs::path folder = fs::temp_directory_path() / ("keyblock_test_" + std::to_string(getpid())) / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder.string();
+}
+
+ProgramRun run_keyblock(const std::vector<std::string>& arguments, int signal_after_ms) {
+  std::vector<std::string> words{KEYBLOCK_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const fs::path folder = fs::temp_directory_path() / ("keyblock_test_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string output = (folder / "stdout").string();
+  const std::string messages = (folder / "stderr").string();
+  const pid_t child = fork();
+  if (child == 0) become(words, output, messages);
+  if (signal_after_ms > 0) {
+    usleep(static_cast<useconds_t>(signal_after_ms) * 1000);
+    kill(child, SIGINT);
+  }
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(output), read_text(messages),
+          seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+}  // namespace keyblock::testing
