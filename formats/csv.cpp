@@ -36,8 +36,7 @@ class CsvScanner {
       row.cells.push_back(next_cell());
     } while (skip(','));
     if (!text_.empty() && !skip_line_end())
-      throw InputError({source_.name, line_, 0},
-                       "expected a comma or the end of the line after a closing quote");
+      throw InputError({source_.name, line_, 0}, "expected a comma or the end of the line after a closing quote");
     return row;
   }
 
@@ -119,8 +118,8 @@ std::string blocks_csv(std::span<const Frame> frames) {
       text += fmt::format("{}", frame.step);
       append(text, {frame.time});
       text += fmt::format(",{},{}", i + 1, block.material + 1);
-      append(text, {block.centroid.x, block.centroid.y, block.rotation, block.displacement.x,
-                    block.displacement.y, block.stress.xx, block.stress.yy, block.stress.xy, block.area});
+      append(text, {block.centroid.x, block.centroid.y, block.rotation, block.displacement.x, block.displacement.y,
+                    block.stress.xx, block.stress.yy, block.stress.xy, block.area});
       text += '\n';
     }
   }
@@ -143,17 +142,16 @@ CsvTable read_csv(const Source& source) {
 std::size_t csv_column(const CsvTable& table, std::string_view heading) {
   const auto found = std::ranges::find(table.header, heading);
   if (found == table.header.end())
-    throw InputError({table.name, 1, 0}, fmt::format("expected a column \"{}\", found \"{}\"", heading,
-                                                     fmt::join(table.header, ",")));
+    throw InputError({table.name, 1, 0},
+                     fmt::format("expected a column \"{}\", found \"{}\"", heading, fmt::join(table.header, ",")));
   return static_cast<std::size_t>(found - table.header.begin());
 }
 
 double csv_real(const CsvTable& table, const CsvRow& row, std::size_t column) {
   const std::optional<double> value = parse_real(row.cells.at(column));
   if (!value)
-    throw InputError({table.name, row.line, 0},
-                     fmt::format("expected a number in column \"{}\", found \"{}\"", table.header.at(column),
-                                 row.cells[column]));
+    throw InputError({table.name, row.line, 0}, fmt::format("expected a number in column \"{}\", found \"{}\"",
+                                                            table.header.at(column), row.cells[column]));
   return *value;
 }
 

@@ -55,12 +55,10 @@ Recognition recognise_berkeley(const Source& source) {
         fmt::format("6-number head with {} block and {} joint materials gives {} numbers, the file has {}",
                     materials->blocks, materials->joints, total, have);
     if (total == have) return {Fit::exact, evidence};
-    if (total < have && block_materials_at(tokens.numbers, 6, materials->blocks))
-      return {Fit::surplus, evidence};
+    if (total < have && block_materials_at(tokens.numbers, 6, materials->blocks)) return {Fit::surplus, evidence};
   }
-  return {Fit::damaged,
-          fmt::format("its first number, {}, can be a velocity carry-over, but the counts do not fit",
-                      format_real(tokens.numbers[0]))};
+  return {Fit::damaged, fmt::format("its first number, {}, can be a velocity carry-over, but the counts do not fit",
+                                    format_real(tokens.numbers[0]))};
 }
 
 /// Whether the rows behind `points` flags, the first at `flags`, can be curves: times increase within each.
@@ -86,8 +84,7 @@ std::vector<int> possible_point_counts(std::span<const double> numbers) {
     const std::int64_t tail = have - start - materials->size();
     if (tail < 0) break;
     const bool sound_tail = tail == 0 || (tail == 1 && numbers[have - 1] >= 1 && numbers[have - 1] <= 2);
-    if (sound_tail && times_increase(numbers, 7, points) &&
-        block_materials_at(numbers, start, materials->blocks))
+    if (sound_tail && times_increase(numbers, 7, points) && block_materials_at(numbers, start, materials->blocks))
       counts.push_back(static_cast<int>(points));
     const double flag = numbers[7 + points];
     if (!kRowCount.holds(flag) || flag > static_cast<double>(have)) break;
@@ -100,9 +97,8 @@ Recognition recognise_shi(const Source& source) {
   const Tokens tokens = tokenise(source);
   const std::vector<int> counts = possible_point_counts(tokens.numbers);
   if (counts.empty()) return {};
-  return {Recognition::Fit::exact,
-          fmt::format("7-number head, {} points and the materials give the file's {} numbers",
-                      fmt::join(counts, " or "), tokens.numbers.size())};
+  return {Recognition::Fit::exact, fmt::format("7-number head, {} points and the materials give the file's {} numbers",
+                                               fmt::join(counts, " or "), tokens.numbers.size())};
 }
 
 Analysis next_head(Cursor& cursor) {
@@ -202,8 +198,7 @@ Reading read_berkeley(const Source& source, const ReadHint&) {
   analysis.time_step = cursor.next_real("the upper limit of the time step", kPositive);
   analysis.block_materials = next_block_materials(cursor, counts.blocks);
   analysis.joint_materials = next_joint_materials(cursor, counts.joints);
-  return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::berkeley, source)},
-          cursor.remainder()};
+  return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::berkeley, source)}, cursor.remainder()};
 }
 
 /// How many of the points with a flag are fixed and how many carry loads.
@@ -213,16 +208,14 @@ struct CurveCounts {
 };
 
 CurveCounts curve_counts(const Tokens& tokens, const ReadHint& hint) {
-  if (hint.fixed_points && hint.loading_points)
-    return {*hint.fixed_points + *hint.loading_points, hint.fixed_points};
+  if (hint.fixed_points && hint.loading_points) return {*hint.fixed_points + *hint.loading_points, hint.fixed_points};
   std::vector<int> counts = possible_point_counts(tokens.numbers);
   if (hint.loading_points) std::erase_if(counts, [&](int points) { return points < *hint.loading_points; });
   if (counts.size() != 1)
-    throw InputError(
-        tokens.place_of(7),
-        fmt::format("expected the block or geometry file beside this one, to know its number of fixed "
-                    "and loading points; found {} that fit",
-                    counts.empty() ? "none" : fmt::format("{}", fmt::join(counts, ", "))));
+    throw InputError(tokens.place_of(7),
+                     fmt::format("expected the block or geometry file beside this one, to know its number of fixed "
+                                 "and loading points; found {} that fit",
+                                 counts.empty() ? "none" : fmt::format("{}", fmt::join(counts, ", "))));
   if (hint.loading_points) return {counts[0], counts[0] - *hint.loading_points};
   return {counts[0], std::nullopt};
 }
@@ -244,8 +237,7 @@ TimeCurve next_curve(Cursor& cursor, int rows) {
 std::vector<TimeCurve> next_curves(Cursor& cursor, int points) {
   std::vector<int> rows;
   for (int i = 0; i < points; ++i) {
-    cursor.enter(
-        {"fixed or loading point", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(points)});
+    cursor.enter({"fixed or loading point", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(points)});
     rows.push_back(cursor.next_integer("the number of time rows", kRowCount));
   }
   cursor.leave();
@@ -263,10 +255,9 @@ Analysis with_curves(Analysis analysis, const std::vector<TimeCurve>& curves, co
   }
   for (const TimeCurve& curve : curves)
     if (!curve.times.empty())
-      throw InputError(
-          curve.place,
-          "expected the block or geometry file beside this one, to know whether these time rows move a "
-          "fixed point or load a loading point; found none");
+      throw InputError(curve.place,
+                       "expected the block or geometry file beside this one, to know whether these time rows move a "
+                       "fixed point or load a loading point; found none");
   return analysis;
 }
 
@@ -282,17 +273,15 @@ Reading read_shi(const Source& source, const ReadHint& hint) {
   const double penalty = cursor.next_real("the contact stiffness", kNotNegative);
   if (penalty > 0) analysis.contact_penalty = penalty;
   if (penalty == 0)
-    warnings.push_back(
-        {"contact_stiffness_zero", penalty_place,
-         "contact stiffness 0 taken as \"program chooses\": 50 × the largest Young's modulus"});
+    warnings.push_back({"contact_stiffness_zero", penalty_place,
+                        "contact stiffness 0 taken as \"program chooses\": 50 × the largest Young's modulus"});
   const CurveCounts counts = curve_counts(tokens, hint);
   analysis = with_curves(std::move(analysis), next_curves(cursor, counts.points), counts);
   analysis.block_materials = next_block_materials(cursor, materials.blocks);
   analysis.joint_materials = next_joint_materials(cursor, materials.joints);
   if (cursor.numbers_left() > 0) analysis.over_relaxation = cursor.next_real("the over-relaxation factor");
   warnings = joined(std::move(warnings), cursor.remainder());
-  return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::shi, source)},
-          std::move(warnings)};
+  return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::shi, source)}, std::move(warnings)};
 }
 
 std::string text_of(const Stress& stress) {
@@ -304,21 +293,19 @@ std::string text_of(const BlockMaterial& material) {
   return fmt::format("{} {} {} {}\n", format_real(material.density), format_real(material.unit_weight),
                      format_real(material.youngs_modulus), format_real(material.poissons_ratio)) +
          text_of(material.initial_stress) + text_of(material.stress_gradient) +
-         fmt::format("{} {} {}\n", format_real(velocity.x), format_real(velocity.y),
-                     format_real(velocity.rotation));
+         fmt::format("{} {} {}\n", format_real(velocity.x), format_real(velocity.y), format_real(velocity.rotation));
 }
 
 std::string write_berkeley(const Content& content) {
   if (!content.analysis) throw std::invalid_argument("an analysis file needs an analysis");
   const Analysis& analysis = *content.analysis;
-  std::string text =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", format_real(analysis.velocity_carry_over), analysis.step_count,
-                  analysis.block_materials.size(), analysis.joint_materials.size(),
-                  format_real(analysis.allowed_displacement_ratio), format_real(analysis.time_step));
+  std::string text = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", format_real(analysis.velocity_carry_over),
+                                 analysis.step_count, analysis.block_materials.size(), analysis.joint_materials.size(),
+                                 format_real(analysis.allowed_displacement_ratio), format_real(analysis.time_step));
   for (const BlockMaterial& material : analysis.block_materials) text += text_of(material);
   for (const JointMaterial& material : analysis.joint_materials)
-    text += fmt::format("{} {} {}\n", format_real(material.friction_angle_deg),
-                        format_real(material.cohesion), format_real(material.tensile_strength));
+    text += fmt::format("{} {} {}\n", format_real(material.friction_angle_deg), format_real(material.cohesion),
+                        format_real(material.tensile_strength));
   return text;
 }
 
@@ -326,7 +313,7 @@ std::string write_berkeley(const Content& content) {
 
 constinit const Format kDdaAnalysisBerkeley{"dda-analysis-berkeley", "native DDA analysis, Berkeley dialect",
                                             recognise_berkeley, read_berkeley, write_berkeley};
-constinit const Format kDdaAnalysisShi{"dda-analysis-shi", "native DDA analysis, Shi's dialect",
-                                       recognise_shi, read_shi, nullptr};
+constinit const Format kDdaAnalysisShi{"dda-analysis-shi", "native DDA analysis, Shi's dialect", recognise_shi,
+                                       read_shi, nullptr};
 
 }  // namespace keyblock::formats

@@ -63,10 +63,9 @@ Recognition recognise(const Source& source) {
   const auto size = point_size(*head, tokens.numbers.size());
   const auto have = static_cast<std::int64_t>(tokens.numbers.size());
   if (size && ranges_follow(tokens.numbers, *head))
-    return {Fit::exact,
-            fmt::format("6-number head with {} numbers a point gives {} numbers, the file has {}, and the "
-                        "vertex slots of {} blocks follow each other",
-                        *size, have, have, head->blocks)};
+    return {Fit::exact, fmt::format("6-number head with {} numbers a point gives {} numbers, the file has {}, and the "
+                                    "vertex slots of {} blocks follow each other",
+                                    *size, have, have, head->blocks)};
   const std::int64_t total = head->before_points() + 4 * head->points();
   const std::string evidence = fmt::format("6-number head gives {} numbers, the file has {}", total, have);
   if (total < have && ranges_follow(tokens.numbers, *head)) return {Fit::surplus, evidence};
@@ -90,10 +89,10 @@ std::vector<Range> next_ranges(Cursor& cursor, int blocks, int slots) {
     const int last = cursor.next_index("the last vertex slot");
     const bool sound = first == start && last >= first + 2 && last <= slots - 1 - kSpareSlots;
     if (!sound)
-      throw InputError(
-          place, fmt::format("expected vertex slots of block {} of {} (from {} on, 3 or more, at most {}), "
-                             "found \"{} {}\"",
-                             i + 1, blocks, start + 1, slots - kSpareSlots, first + 1, last + 1));
+      throw InputError(place,
+                       fmt::format("expected vertex slots of block {} of {} (from {} on, 3 or more, at most {}), "
+                                   "found \"{} {}\"",
+                                   i + 1, blocks, start + 1, slots - kSpareSlots, first + 1, last + 1));
     ranges.push_back({material, first, last - first + 1});
     start = last + 1 + static_cast<int>(kSpareSlots);
   }
@@ -146,8 +145,7 @@ struct PointLayout {
   int blocks = 0;
 };
 
-std::vector<BlockPoint> next_points(Cursor& cursor, std::string_view noun, int count,
-                                    const PointLayout& layout) {
+std::vector<BlockPoint> next_points(Cursor& cursor, std::string_view noun, int count, const PointLayout& layout) {
   std::vector<BlockPoint> points;
   for (int i = 0; i < count; ++i) {
     cursor.enter({noun, static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
@@ -165,16 +163,15 @@ Warnings outside_warnings(const std::vector<BlockPoint>& points, std::string_vie
   Warnings warnings;
   for (const BlockPoint& point : points)
     if (point.block < 0)
-      warnings.push_back({"point_outside_blocks", point.place,
-                          fmt::format("{} in block 0, that is in none, is left out", noun)});
+      warnings.push_back(
+          {"point_outside_blocks", point.place, fmt::format("{} in block 0, that is in none, is left out", noun)});
   return warnings;
 }
 
 /// A load without a block is no odd input but a lost load, and would shift the curves of those behind it.
 void refuse_outside(const std::vector<BlockPoint>& loading_points) {
   for (const BlockPoint& point : loading_points)
-    if (point.block < 0)
-      throw InputError(point.place, "expected a loading point within a block, found one in block 0");
+    if (point.block < 0) throw InputError(point.place, "expected a loading point within a block, found one in block 0");
 }
 
 std::vector<BlockPoint> inside_only(std::vector<BlockPoint> points) {
@@ -197,8 +194,7 @@ Warnings bolt_warnings(const std::vector<BlockBolt>& bolts, const Place& place) 
   Warnings warnings;
   for (const BlockBolt& bolt : bolts)
     if (bolt.first_block < 0 || bolt.second_block < 0)
-      warnings.push_back(
-          {"bolt_outside_blocks", place, "a bolt with an end in block 0, that is in none, is left out"});
+      warnings.push_back({"bolt_outside_blocks", place, "a bolt with an end in block 0, that is in none, is left out"});
   return warnings;
 }
 
@@ -234,8 +230,7 @@ Blocks next_blocks(Cursor& cursor, const Head& head, int point_numbers) {
 Blocks without_outsiders(Blocks blocks) {
   blocks.fixed_points = inside_only(std::move(blocks.fixed_points));
   blocks.measured_points = inside_only(std::move(blocks.measured_points));
-  std::erase_if(blocks.bolts,
-                [](const BlockBolt& bolt) { return bolt.first_block < 0 || bolt.second_block < 0; });
+  std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return bolt.first_block < 0 || bolt.second_block < 0; });
   return blocks;
 }
 
@@ -306,9 +301,8 @@ std::string slots_text(const BlockLoop& loop) {
 std::string bolt_text(const BlockBolt& bolt) {
   const Segment& ends = bolt.segment;
   return fmt::format("{} {} {}\n{} {} {}\n{} {} {}\n", format_real(ends.start.x), format_real(ends.start.y),
-                     format_real(ends.end.x), format_real(ends.end.y), bolt.first_block + 1,
-                     bolt.second_block + 1, format_real(bolt.stiffness), format_real(bolt.strength),
-                     format_real(bolt.pretension));
+                     format_real(ends.end.x), format_real(ends.end.y), bolt.first_block + 1, bolt.second_block + 1,
+                     format_real(bolt.stiffness), format_real(bolt.strength), format_real(bolt.pretension));
 }
 
 std::string points_text(const std::vector<BlockPoint>& points, int type) {
@@ -325,14 +319,13 @@ std::string write(const Content& content) {
   std::size_t slots = 0;
   std::string ranges;
   for (const BlockPolygon& block : blocks.blocks) {
-    if (block.outer.size() < 3)
-      throw std::invalid_argument("a block file needs blocks of 3 vertices and more");
+    if (block.outer.size() < 3) throw std::invalid_argument("a block file needs blocks of 3 vertices and more");
     ranges += fmt::format("{} {} {}\n", block.material + 1, slots + 1, slots + block.outer.size());
     slots += block.outer.size() + kSpareSlots;
   }
   std::string text =
-      fmt::format("{} {} {}\n{} {} {}\n", blocks.blocks.size(), blocks.bolts.size(), slots,
-                  blocks.fixed_points.size(), blocks.loading_points.size(), blocks.measured_points.size());
+      fmt::format("{} {} {}\n{} {} {}\n", blocks.blocks.size(), blocks.bolts.size(), slots, blocks.fixed_points.size(),
+                  blocks.loading_points.size(), blocks.measured_points.size());
   text += ranges;
   for (const BlockPolygon& block : blocks.blocks) text += slots_text(block.outer);
   for (const BlockBolt& bolt : blocks.bolts) text += bolt_text(bolt);
@@ -342,7 +335,6 @@ std::string write(const Content& content) {
 
 }  // namespace
 
-constinit const Format kDdaBlocks{"dda-blocks", "native block file (blocks after cutting)", recognise, read,
-                                  write};
+constinit const Format kDdaBlocks{"dda-blocks", "native block file (blocks after cutting)", recognise, read, write};
 
 }  // namespace keyblock::formats

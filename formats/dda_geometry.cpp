@@ -33,14 +33,11 @@ struct Head {
     return layout.head + 5 * (lines + material_lines) + layout.bolt * bolts;
   }
   std::int64_t points() const { return loading + measured + holes; }
-  std::int64_t total(const Layout& layout) const {
-    return before_fixed(layout) + layout.fixed * fixed + 2 * points();
-  }
+  std::int64_t total(const Layout& layout) const { return before_fixed(layout) + layout.fixed * fixed + 2 * points(); }
 };
 
 std::optional<Head> head_of(std::span<const double> numbers, int head_size) {
-  if (numbers.size() < static_cast<std::size_t>(head_size) || !kEdgeNodeRatio.holds(numbers[0]))
-    return std::nullopt;
+  if (numbers.size() < static_cast<std::size_t>(head_size) || !kEdgeNodeRatio.holds(numbers[0])) return std::nullopt;
   std::array<std::int64_t, 8> counts{};
   for (int i = 1; i < head_size; ++i) {
     if (!is_whole(numbers[i]) || numbers[i] < 0) return std::nullopt;
@@ -67,8 +64,7 @@ bool fits_variant(std::span<const double> numbers, const Layout& layout) {
   const auto head = head_of(numbers, layout.head);
   if (!head || head->total(layout) != static_cast<std::int64_t>(numbers.size())) return false;
   if (layout.bolt != 7 && head->bolts == 0) return false;
-  if (layout.fixed != 4 && (head->fixed == 0 || repeats_first_fixed_point(numbers, *head, layout)))
-    return false;
+  if (layout.fixed != 4 && (head->fixed == 0 || repeats_first_fixed_point(numbers, *head, layout))) return false;
   return materials_are_whole(numbers, *head, layout);
 }
 
@@ -113,11 +109,10 @@ Recognition recognise(const Source& source) {
   if (const auto variant = variant_of(tokens.numbers))
     return {Fit::variant, fmt::format("{} gives the file's {} numbers", describe(*variant), have)};
   if (const auto missing = points_missing(tokens))
-    return {Fit::variant, fmt::format("9-number head gives {} numbers, the file ends {} points early",
-                                      head->total({}), missing)};
+    return {Fit::variant,
+            fmt::format("9-number head gives {} numbers, the file ends {} points early", head->total({}), missing)};
   if (head && head->total({}) < have && materials_are_whole(tokens.numbers, *head, {}))
-    return {Fit::surplus,
-            fmt::format("9-number head gives {} numbers, the file has {}", head->total({}), have)};
+    return {Fit::surplus, fmt::format("9-number head gives {} numbers, the file has {}", head->total({}), have)};
   return recognise_damaged(tokens);
 }
 
@@ -198,8 +193,7 @@ std::vector<FixedLine> next_fixed_lines(Cursor& cursor, std::size_t count, int n
 }
 
 /// `present`: how many of the announced points the file still holds.
-std::vector<MarkedPoint> next_points(Cursor& cursor, std::string_view noun, std::size_t count,
-                                     std::size_t present) {
+std::vector<MarkedPoint> next_points(Cursor& cursor, std::string_view noun, std::size_t count, std::size_t present) {
   std::vector<MarkedPoint> points;
   for (std::size_t i = 0; i < std::min(count, present); ++i) {
     cursor.enter({noun, i + 1, count});
@@ -216,8 +210,7 @@ struct Counts {
 Counts next_counts(Cursor& cursor, const Layout& layout) {
   Counts counts{};
   counts.lines = cursor.next_count("the number of lines");
-  counts.boundaries =
-      cursor.next_count_up_to(counts.lines, "the number of lines", "the number of boundary lines");
+  counts.boundaries = cursor.next_count_up_to(counts.lines, "the number of lines", "the number of boundary lines");
   counts.material_lines = cursor.next_count("the number of block-material lines");
   counts.bolts = cursor.next_count("the number of bolts");
   counts.fixed = cursor.next_count("the number of fixed lines");
@@ -232,18 +225,15 @@ Warnings layout_warnings(const Layout& layout, const Counts& counts, const Place
   if (layout.head == 8)
     warnings.push_back({"hole_count_missing", place, "the head holds no number of hole points; taken as 0"});
   if (layout.bolt == 0)
-    warnings.push_back(
-        {"bolts_without_data", place,
-         fmt::format("{} bolts are announced but the file holds none; there are none", counts.bolts)});
+    warnings.push_back({"bolts_without_data", place,
+                        fmt::format("{} bolts are announced but the file holds none; there are none", counts.bolts)});
   if (layout.bolt == 4)
-    warnings.push_back({"bolts_without_properties", place,
-                        "bolts have 4 numbers: stiffness, strength and pre-tension taken as 0"});
+    warnings.push_back(
+        {"bolts_without_properties", place, "bolts have 4 numbers: stiffness, strength and pre-tension taken as 0"});
   if (layout.bolt == 9)
-    warnings.push_back(
-        {"bolts_with_block_numbers", place, "bolts have 9 numbers: their block numbers are ignored"});
+    warnings.push_back({"bolts_with_block_numbers", place, "bolts have 9 numbers: their block numbers are ignored"});
   if (layout.fixed == 2)
-    warnings.push_back(
-        {"fixed_points_of_two_numbers", place, "fixed records have 2 numbers: taken as points"});
+    warnings.push_back({"fixed_points_of_two_numbers", place, "fixed records have 2 numbers: taken as points"});
   return warnings;
 }
 
@@ -297,17 +287,17 @@ std::string text_of(const Segment& segment) {
 }
 
 std::string text_of(const BoltLine& bolt) {
-  return fmt::format("{} {} {} {}\n", text_of(bolt.segment), format_real(bolt.stiffness),
-                     format_real(bolt.strength), format_real(bolt.pretension));
+  return fmt::format("{} {} {} {}\n", text_of(bolt.segment), format_real(bolt.stiffness), format_real(bolt.strength),
+                     format_real(bolt.pretension));
 }
 
 std::string write(const Content& content) {
   if (!content.drawing) throw std::invalid_argument("a geometry file needs a drawing");
   const Drawing& drawing = *content.drawing;
-  std::string text = fmt::format(
-      "{}\n{} {}\n{}\n{}\n{}\n{}\n{}\n{}\n", format_real(drawing.edge_node_ratio), drawing.joints.size(),
-      drawing.boundary_count, drawing.material_lines.size(), drawing.bolts.size(), drawing.fixed_lines.size(),
-      drawing.loading_points.size(), drawing.measured_points.size(), drawing.hole_points.size());
+  std::string text = fmt::format("{}\n{} {}\n{}\n{}\n{}\n{}\n{}\n{}\n", format_real(drawing.edge_node_ratio),
+                                 drawing.joints.size(), drawing.boundary_count, drawing.material_lines.size(),
+                                 drawing.bolts.size(), drawing.fixed_lines.size(), drawing.loading_points.size(),
+                                 drawing.measured_points.size(), drawing.hole_points.size());
   for (const JointLine& line : drawing.joints)
     text += fmt::format("{} {}\n", text_of(line.segment), line.joint_material + 1);
   for (const MaterialLine& line : drawing.material_lines)
@@ -321,7 +311,7 @@ std::string write(const Content& content) {
 
 }  // namespace
 
-constinit const Format kDdaGeometry{"dda-geometry", "native DDA geometry (lines to cut blocks from)",
-                                    recognise, read, write};
+constinit const Format kDdaGeometry{"dda-geometry", "native DDA geometry (lines to cut blocks from)", recognise, read,
+                                    write};
 
 }  // namespace keyblock::formats

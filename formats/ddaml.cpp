@@ -25,8 +25,7 @@ Recognition recognise(const Source& source) {
   if (!begins_with_markup(source.text)) return {};
   try {
     const Document document(source);
-    if (is_ours(document.root()))
-      return {Fit::exact, fmt::format("XML with root element {}", document.root().name())};
+    if (is_ours(document.root())) return {Fit::exact, fmt::format("XML with root element {}", document.root().name())};
     return {Fit::damaged, fmt::format("XML, but with root element {}", document.root().name())};
   } catch (const InputError&) {
     return {Fit::damaged, "begins as XML, but is not well-formed"};
@@ -42,13 +41,11 @@ Reading read(const Source& source, const ReadHint&) {
   const Document document(source);
   const Element root = document.root();
   if (!is_ours(root))
-    throw InputError(root.place(),
-                     fmt::format("expected the root element DDA of a DDAML file, found {}", root.name()));
+    throw InputError(root.place(), fmt::format("expected the root element DDA of a DDAML file, found {}", root.name()));
   Reading reading;
   const auto once = [](bool seen, const Element& element) {
     if (seen)
-      throw InputError(element.place(),
-                       fmt::format("expected one {} in a file, found a second", element.name()));
+      throw InputError(element.place(), fmt::format("expected one {} in a file, found a second", element.name()));
   };
   for (const Element& section : sections_of(root)) {
     if (section.name() == "Geometry") {
@@ -72,7 +69,6 @@ Reading read(const Source& source, const ReadHint&) {
 
 }  // namespace
 
-constinit const Format kDdaml{"ddaml", "DDAML (XML geometry and analysis of Berkeley's DDA)", recognise, read,
-                              nullptr};
+constinit const Format kDdaml{"ddaml", "DDAML (XML geometry and analysis of Berkeley's DDA)", recognise, read, nullptr};
 
 }  // namespace keyblock::formats

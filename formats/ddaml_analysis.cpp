@@ -34,8 +34,7 @@ int attribute_integer(const Element& element, std::string_view attribute, const 
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return lower;
 }
 
@@ -95,13 +94,11 @@ class AnalysisReader {
   void require(const Element& analysis) const {
     for (const std::string_view name : kRequired)
       if (!seen_.contains(std::string(name)))
-        throw InputError(analysis.place(),
-                         fmt::format("expected the element {} in Analysis, found none", name));
+        throw InputError(analysis.place(), fmt::format("expected the element {} in Analysis, found none", name));
     if (analysis_.block_materials.empty())
       throw InputError(analysis.place(), "expected a block material (Blockmaterial) in Analysis, found none");
     if (analysis_.joint_materials.empty())
-      throw InputError(analysis.place(),
-                       "expected a joint material (Jointproperties) in Analysis, found none");
+      throw InputError(analysis.place(), "expected a joint material (Jointproperties) in Analysis, found none");
   }
 
   void warn_of_defaults(const Element& analysis) {
@@ -122,10 +119,10 @@ class AnalysisReader {
     const auto found = element.attribute(attribute);
     const auto word = std::ranges::find(words, found ? lower_case(found->value) : std::string());
     if (word != words.end()) return static_cast<std::size_t>(word - words.begin());
-    warn("unknown_choice", found ? found->place : element.place(),
-         fmt::format("{} of {}: expected {}, found {}; taken as {}", attribute, element.name(),
-                     fmt::join(words, " or "),
-                     found ? fmt::format("\"{}\"", found->value.substr(0, 40)) : "none", words.front()));
+    warn(
+        "unknown_choice", found ? found->place : element.place(),
+        fmt::format("{} of {}: expected {}, found {}; taken as {}", attribute, element.name(), fmt::join(words, " or "),
+                    found ? fmt::format("\"{}\"", found->value.substr(0, 40)) : "none", words.front()));
     return 0;
   }
 
@@ -216,8 +213,7 @@ class AnalysisReader {
   double child_real(const Element& element, std::string_view name, const Demand& demand) {
     const auto child = child_of(element, name);
     if (!child)
-      throw InputError(element.place(),
-                       fmt::format("expected the element {} in {}, found none", name, element.name()));
+      throw InputError(element.place(), fmt::format("expected the element {} in {}, found none", name, element.name()));
     const Tokens tokens = child->tokens();
     Cursor cursor(tokens, kEnd);
     cursor.enter({element.name()});
@@ -258,8 +254,8 @@ class AnalysisReader {
     material.density = child_real(element, "Unitmass", kPositive);
     material.unit_weight = child_real(element, "Unitweight");
     material.youngs_modulus = child_real(element, "Youngsmod", kPositive);
-    material.poissons_ratio = child_real(element, "Poissonratio",
-                                         analysis_.plane_strain ? kPoissonPlaneStrain : kPoissonPlaneStress);
+    material.poissons_ratio =
+        child_real(element, "Poissonratio", analysis_.plane_strain ? kPoissonPlaneStrain : kPoissonPlaneStress);
     material.damping = damping_of(element);
     const auto stress = child_triple(element, "Istress");
     material.initial_stress = {stress[0], stress[1], stress[2]};

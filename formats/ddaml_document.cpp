@@ -21,8 +21,7 @@ std::string_view local_name(std::string_view name) {
 [[noreturn]] void refuse(const DocumentText& text, const pugi::xml_parse_result& result) {
   const std::size_t size = text.buffer.size();
   const auto offset = static_cast<std::size_t>(result.offset);
-  if (offset + 1 >= size)
-    throw InputError(text.map->place(size), "expected well-formed XML, found end of file");
+  if (offset + 1 >= size) throw InputError(text.map->place(size), "expected well-formed XML, found end of file");
   throw InputError(text.map->place(offset),
                    fmt::format("expected well-formed XML, found a fault: {}", result.description()));
 }
@@ -37,10 +36,9 @@ std::optional<std::size_t> DocumentText::offset_of(const char* position) const {
 
 Document::Document(const Source& source) {
   const std::string_view text = without_bom(source.text);
-  text_ = std::make_unique<DocumentText>(
-      DocumentText{std::string(text), std::make_shared<TextMap>(source.name, text)});
-  const pugi::xml_parse_result result = document_.load_buffer_inplace(
-      text_->buffer.data(), text_->buffer.size(), kParseFlags, pugi::encoding_utf8);
+  text_ = std::make_unique<DocumentText>(DocumentText{std::string(text), std::make_shared<TextMap>(source.name, text)});
+  const pugi::xml_parse_result result =
+      document_.load_buffer_inplace(text_->buffer.data(), text_->buffer.size(), kParseFlags, pugi::encoding_utf8);
   if (!result) refuse(*text_, result);
 }
 
@@ -88,11 +86,9 @@ Tokens Element::tokens() const {
 
 Tokens Element::attribute_tokens(std::string_view name) const {
   const auto found = attribute(name);
-  if (!found)
-    throw InputError(place(), fmt::format("expected the attribute {} of {}, found none", name, this->name()));
+  if (!found) throw InputError(place(), fmt::format("expected the attribute {} of {}, found none", name, this->name()));
   const std::size_t offset = text_->offset_of(found->value.data()).value_or(0);
-  return tokenise_words(text_->map, split_words(found->value, Syntax::xml, offset),
-                        offset + found->value.size());
+  return tokenise_words(text_->map, split_words(found->value, Syntax::xml, offset), offset + found->value.size());
 }
 
 Warning ignored(const Element& element) {

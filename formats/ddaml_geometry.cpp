@@ -145,9 +145,8 @@ class GeometryReader {
     cursor.enter(record);
     const Segment segment = next_segment(cursor);
     const bool material_is_fifth_number = !item.attribute("type") && cursor.numbers_left() > 0;
-    const int material = material_is_fifth_number
-                             ? cursor.next_index("the block material")
-                             : type_of(item, "the block material (attribute type)", record);
+    const int material = material_is_fifth_number ? cursor.next_index("the block material")
+                                                  : type_of(item, "the block material (attribute type)", record);
     keep_remainder(cursor);
     result_.drawing.material_lines.push_back({segment, material, item.place()});
   }

@@ -37,8 +37,7 @@ class PointNumbers {
     for (const double dx : {-1, 0, 1})
       for (const double dy : {-1, 0, 1}) {
         const auto found = cells_.find({column + dx, row + dy});
-        if (found != cells_.end() && distance(points_[found->second], point) <= tolerance_)
-          return found->second;
+        if (found != cells_.end() && distance(points_[found->second], point) <= tolerance_) return found->second;
       }
     cells_[{column, row}] = points_.size();
     points_.push_back(point);

@@ -23,8 +23,7 @@ std::optional<double> parse_real(std::string_view text) {
       plain, [](char c) { return c == 'd' || c == 'D'; }, 'e');
   double value = 0;
   const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-  if (error != std::errc{} || end != plain.data() + plain.size() || !std::isfinite(value))
-    return std::nullopt;
+  if (error != std::errc{} || end != plain.data() + plain.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 

@@ -43,8 +43,7 @@ bool is_blank(std::string_view text) {
 std::size_t find_binary(std::string_view text) {
   const auto is_binary = [](char c) {
     const auto byte = static_cast<unsigned char>(c);
-    return byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r' && byte != '\f' && byte != '\v' &&
-           byte != 0x1a;
+    return byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r' && byte != '\f' && byte != '\v' && byte != 0x1a;
   };
   const auto found = std::ranges::find_if(text, is_binary);
   return found == text.end() ? std::string_view::npos : static_cast<std::size_t>(found - text.begin());
@@ -52,8 +51,7 @@ std::size_t find_binary(std::string_view text) {
 
 bool is_html(std::string_view text) {
   std::string head(text.substr(0, 4096));
-  std::ranges::transform(head, head.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(head, head.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return head.find("<!doctype html") != std::string::npos || head.find("<html") != std::string::npos;
 }
 
@@ -118,14 +116,11 @@ Choice recognise(const Source& source) {
   const auto fit = [](const Choice& choice) { return choice.recognition.fit; };
   const auto best = std::ranges::max_element(found, {}, fit);  // the first of equals: order of trial
   if (fit(*best) != Fit::exact) return *best;
-  const auto is_rival = [](const Choice& c) {
-    return c.format == &kNmmAnalysis && c.recognition.fit == Fit::exact;
-  };
+  const auto is_rival = [](const Choice& c) { return c.format == &kNmmAnalysis && c.recognition.fit == Fit::exact; };
   const auto rival = std::ranges::find_if(found, is_rival);
   if (best->format == &kDdaAnalysisShi && rival != found.end())
-    throw InputError({source.name},
-                     fmt::format("expected a file of one format, found one that fits two: {} and {}",
-                                 describe(*best), describe(*rival)));
+    throw InputError({source.name}, fmt::format("expected a file of one format, found one that fits two: {} and {}",
+                                                describe(*best), describe(*rival)));
   return *best;
 }
 
@@ -135,9 +130,9 @@ Reading read(const Source& source, const ReadHint& hint) {
 
 Reading read_as(const Choice& choice, const Source& source, const ReadHint& hint) {
   if (!choice.format->read)
-    throw InputError({source.name},
-                     fmt::format("expected a file this version reads, found {}: recognised, not yet read",
-                                 describe(choice)));
+    throw InputError(
+        {source.name},
+        fmt::format("expected a file this version reads, found {}: recognised, not yet read", describe(choice)));
   return choice.format->read(source, hint);
 }
 

@@ -23,8 +23,8 @@ bool is_line_end(char c) {
 }
 
 bool is_separator(char c, Syntax syntax) {
-  return c == ' ' || c == '\t' || c == ',' || c == kDosEndOfFile || c == '\v' || c == '\f' ||
-         is_line_end(c) || (syntax == Syntax::xml && c == ';');
+  return c == ' ' || c == '\t' || c == ',' || c == kDosEndOfFile || c == '\v' || c == '\f' || is_line_end(c) ||
+         (syntax == Syntax::xml && c == ';');
 }
 
 bool starts_comment(std::string_view rest, Syntax syntax) {
@@ -38,8 +38,7 @@ std::size_t skip_line(std::string_view text, std::size_t at) {
 }
 
 std::size_t word_end(std::string_view text, std::size_t at, Syntax syntax) {
-  while (at < text.size() && !is_separator(text[at], syntax) && !starts_comment(text.substr(at), syntax))
-    ++at;
+  while (at < text.size() && !is_separator(text[at], syntax) && !starts_comment(text.substr(at), syntax)) ++at;
   return at;
 }
 
@@ -58,8 +57,7 @@ std::string quoted(std::string_view word) {
 TextMap::TextMap(std::string file, std::string_view text) : file_(std::move(file)), size_(text.size()) {
   line_starts_.push_back(0);
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool ends_line =
-        text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
+    const bool ends_line = text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
     if (ends_line) line_starts_.push_back(i + 1);
   }
 }
@@ -103,8 +101,7 @@ Place Tokens::place_of(std::size_t index) const {
 
 Tokens tokenise(const Source& source) {
   const std::string_view text = without_bom(source.text);
-  return tokenise_words(std::make_shared<TextMap>(source.name, text), split_words(text, Syntax::native),
-                        text.size());
+  return tokenise_words(std::make_shared<TextMap>(source.name, text), split_words(text, Syntax::native), text.size());
 }
 
 Tokens tokenise_words(std::shared_ptr<const TextMap> map, std::vector<Word> words, std::size_t end) {
@@ -183,8 +180,8 @@ int Cursor::next_count_up_to(int limit, std::string_view whole, std::string_view
 Warnings Cursor::remainder() const {
   Warnings warnings;
   if (numbers_left() > 0)
-    warnings.push_back({"surplus_numbers", place(),
-                        fmt::format("{} numbers behind the last record are ignored", numbers_left())});
+    warnings.push_back(
+        {"surplus_numbers", place(), fmt::format("{} numbers behind the last record are ignored", numbers_left())});
   if (const auto junk = tokens_.junk())
     warnings.push_back({"trailing_text", tokens_.place_of(tokens_.numbers.size()),
                         fmt::format("text from {} on is ignored", quoted(junk->text))});

@@ -39,10 +39,10 @@ Loop one_chain(const std::vector<Loop>& loops) {
 
 /// One value a cell, or three with `width` 3.
 template <class Value>
-void append_cells(std::string& text, const Frame& frame, std::string_view type, std::string_view name,
-                  int width, Value value) {
-  text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
-                      type, name, width);
+void append_cells(std::string& text, const Frame& frame, std::string_view type, std::string_view name, int width,
+                  Value value) {
+  text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type, name,
+                      width);
   for (std::size_t i = 0; i < frame.elements.size(); ++i) text += value(i, frame.elements[i]) + "\n";
   text += "</DataArray>\n";
 }
@@ -52,8 +52,7 @@ std::string vector_text(double x, double y) {
 }
 
 void append_points(std::string& text, const std::vector<Loop>& chains) {
-  text +=
-      "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  text += "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   for (const Loop& chain : chains)
     for (Point p : chain) text += vector_text(p.x, p.y) + "\n";
   text += "</DataArray>\n</Points>\n";
@@ -83,8 +82,7 @@ void append_cell_data(std::string& text, const Frame& frame) {
   };
   text += "<CellData>\n";
   append_cells(text, frame, "Int32", "block", 1, [](std::size_t i, E) { return fmt::format("{}", i + 1); });
-  append_cells(text, frame, "Int32", "material", 1,
-               [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
+  append_cells(text, frame, "Int32", "material", 1, [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
   real("stress_xx", [](E e) { return e.stress.xx; });
   real("stress_yy", [](E e) { return e.stress.yy; });
   real("stress_xy", [](E e) { return e.stress.xy; });

@@ -77,8 +77,7 @@ TEST(CaseTables, no_tolerance_is_so_wide_that_standing_still_would_pass) {
     for (const CsvRow& row : table.rows) {
       const double value = csv_real(table, row, csv_column(table, "value"));
       if (value == 0) continue;
-      EXPECT_LT(csv_real(table, row, csv_column(table, "tolerance")), 0.1 * std::abs(value))
-          << file << ':' << row.line;
+      EXPECT_LT(csv_real(table, row, csv_column(table, "tolerance")), 0.1 * std::abs(value)) << file << ':' << row.line;
     }
   }
 }

@@ -15,9 +15,9 @@ TEST(Cases, profile_legacy_meets_every_expected_value) {
     EXPECT_EQ(compared.outcome.end, RunEnd::finished) << compared.name << ": " << compared.outcome.reason;
     for (const ComparedValue& v : compared.values) {
       ++values;
-      EXPECT_TRUE(v.holds()) << fmt::format("{}: {} of block {} at {}: {} for {} ± {}", compared.name,
-                                            v.quantity, v.block.value_or(0), v.time, v.computed.value_or(NAN),
-                                            v.expected, v.tolerance);
+      EXPECT_TRUE(v.holds()) << fmt::format("{}: {} of block {} at {}: {} for {} ± {}", compared.name, v.quantity,
+                                            v.block.value_or(0), v.time, v.computed.value_or(NAN), v.expected,
+                                            v.tolerance);
     }
   }
   EXPECT_GT(values, 100);

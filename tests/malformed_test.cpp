@@ -40,15 +40,21 @@ std::vector<Expectation> expectations() {
   const auto column = [&](const char* name) { return formats::csv_column(table, name); };
   std::vector<Expectation> rows;
   for (const formats::CsvRow& row : table.rows) {
-    Expectation e{row.cells[column("input")], row.cells[column("outcome")], row.cells[column("place")],
-                  row.cells[column("says")], 0, !row.cells[column("final_dy")].empty()};
+    Expectation e{row.cells[column("input")],
+                  row.cells[column("outcome")],
+                  row.cells[column("place")],
+                  row.cells[column("says")],
+                  0,
+                  !row.cells[column("final_dy")].empty()};
     if (e.has_result) e.final_dy = formats::csv_real(table, row, column("final_dy"));
     rows.push_back(std::move(e));
   }
   return rows;
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 void expect_error(const Expectation& row, const testing::ProgramRun& run) {
   EXPECT_EQ(run.exit_code, 3) << run.messages;

@@ -18,9 +18,9 @@ const std::string kTraces = KEYBLOCK_SOURCE_DIR "/legacy_cases/reference_traces"
 void expect_followed(const CaseFolder& folder) {
   const TraceDifference difference = follow_trace(folder);
   EXPECT_TRUE(difference.holds()) << fmt::format(
-      "{}: {} of {} steps, polygon {:.1e}, position {:.1e}, rotation {:.1e}, stress {:.1e}\n{}",
-      difference.name, difference.steps, difference.steps_in_trace, difference.polygon, difference.position,
-      difference.rotation, difference.stress, fmt::join(difference.unequal, "\n"));
+      "{}: {} of {} steps, polygon {:.1e}, position {:.1e}, rotation {:.1e}, stress {:.1e}\n{}", difference.name,
+      difference.steps, difference.steps_in_trace, difference.polygon, difference.position, difference.rotation,
+      difference.stress, fmt::join(difference.unequal, "\n"));
 }
 
 }  // namespace

@@ -148,8 +148,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files) {
 }
 
 void print_json(const std::vector<formats::FileReading>& files, const CaseReport& report) {
-  Json json = {{"files", Json::array()},
-               {"case", {{"warnings", json_of(report.warnings)}, {"errors", report.errors}}}};
+  Json json = {{"files", Json::array()}, {"case", {{"warnings", json_of(report.warnings)}, {"errors", report.errors}}}};
   if (report.plan) json["case"]["requires"] = requirements_json(*report.plan);
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));

@@ -42,16 +42,14 @@ std::string relative_error(const ComparedValue& value) {
 }
 
 void print(const ComparedCase& compared, const CompareOptions& options) {
-  fmt::print("\n{}  ({} steps to time {:.6g})\n", compared.name, compared.outcome.steps,
-             compared.outcome.time);
-  if (compared.outcome.end != RunEnd::finished)
-    fmt::print("  the run ended early: {}\n", compared.outcome.reason);
-  fmt::print("  {:26} {:>8} {:>16} {:>16} {:>11} {:>10} {:>10}\n", "quantity", "time", "expected", "computed",
-             "error", "relative", "tolerance");
+  fmt::print("\n{}  ({} steps to time {:.6g})\n", compared.name, compared.outcome.steps, compared.outcome.time);
+  if (compared.outcome.end != RunEnd::finished) fmt::print("  the run ended early: {}\n", compared.outcome.reason);
+  fmt::print("  {:26} {:>8} {:>16} {:>16} {:>11} {:>10} {:>10}\n", "quantity", "time", "expected", "computed", "error",
+             "relative", "tolerance");
   for (const ComparedValue& v : compared.values) {
     const std::string computed = v.computed ? fmt::format("{:.9g}", *v.computed) : "not reached";
-    fmt::print("  {:26} {:>8.6g} {:>16.9g} {:>16} {:>11.2e} {:>10} {:>10.1e}  {}\n", name_of(v), v.time,
-               v.expected, computed, v.error(), relative_error(v), v.tolerance, v.holds() ? "ok" : "MISSED");
+    fmt::print("  {:26} {:>8.6g} {:>16.9g} {:>16} {:>11.2e} {:>10} {:>10.1e}  {}\n", name_of(v), v.time, v.expected,
+               computed, v.error(), relative_error(v), v.tolerance, v.holds() ? "ok" : "MISSED");
   }
   std::string last;
   for (const ComparedValue& v : compared.values) {
@@ -68,12 +66,12 @@ void print(const std::vector<TraceDifference>& traces) {
       "\ntraces of the Berkeley program (dt, oci, contacts, closed, penalty equal in every step; rest within "
       "{:.0e})\n",
       study::kTraceTolerance);
-  fmt::print("  {:42} {:>11} {:>8} {:>9} {:>9} {:>9} {:>9} {:>10}\n", "trace", "steps", "equal?", "polygon",
-             "position", "rotation", "stress", "disp_ratio");
+  fmt::print("  {:42} {:>11} {:>8} {:>9} {:>9} {:>9} {:>9} {:>10}\n", "trace", "steps", "equal?", "polygon", "position",
+             "rotation", "stress", "disp_ratio");
   for (const TraceDifference& t : traces) {
     fmt::print("  {:42} {:>11} {:>8} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} {:>10.1e}  {}\n", t.name,
-               fmt::format("{}/{}", t.steps, t.steps_in_trace), t.unequal.empty() ? "yes" : "NO", t.polygon,
-               t.position, t.rotation, t.stress, t.disp_ratio, t.holds() ? "ok" : "MISSED");
+               fmt::format("{}/{}", t.steps, t.steps_in_trace), t.unequal.empty() ? "yes" : "NO", t.polygon, t.position,
+               t.rotation, t.stress, t.disp_ratio, t.holds() ? "ok" : "MISSED");
     for (const std::string& text : t.unequal) fmt::print("    {}\n", text);
   }
 }
@@ -91,10 +89,8 @@ Json json_of(const ComparedCase& compared) {
                       {"source", v.source},
                       {"holds", v.holds()}});
   }
-  return {{"case", compared.name},
-          {"holds", compared.holds()},
-          {"reason", compared.outcome.reason},
-          {"values", values}};
+  return {
+      {"case", compared.name}, {"holds", compared.holds()}, {"reason", compared.outcome.reason}, {"values", values}};
 }
 
 Json json_of(const TraceDifference& t) {
@@ -107,8 +103,8 @@ Json json_of(const TraceDifference& t) {
 
 // Start, end, and the displacement of the first block named beside its expected values.
 std::string picture_of(const ComparedCase& compared) {
-  report::Curve run{fmt::format("computed, {} steps", compared.outcome.steps), compared.times,
-                    compared.displacements, report::Curve::Style::line};
+  report::Curve run{fmt::format("computed, {} steps", compared.outcome.steps), compared.times, compared.displacements,
+                    report::Curve::Style::line};
   report::Curve theory{"expected", {}, {}, report::Curve::Style::points};
   for (const ComparedValue& v : compared.values) {
     if (v.quantity != "displacement") continue;
@@ -149,9 +145,7 @@ ExitCode compare(const CompareOptions& options) {
 Action configure_compare(CLI::App& options) {
   const auto chosen = std::make_shared<CompareOptions>();
   options.add_option("cases", chosen->cases, "case folders, or folders of cases")->capture_default_str();
-  options
-      .add_option("--profile", chosen->profile,
-                  "preset of all choices for cases; traces are of profile legacy")
+  options.add_option("--profile", chosen->profile, "preset of all choices for cases; traces are of profile legacy")
       ->check(CLI::IsMember(profile_names()))
       ->capture_default_str();
   options.add_option("--picture", chosen->picture, "write a picture of the one case given (SVG)");

@@ -32,8 +32,7 @@ struct CutOptions {
 Json json_of(const CutResult& cut) {
   Json warnings = Json::array();
   for (const Warning& w : cut.warnings) {
-    warnings.push_back(
-        {{"name", w.name}, {"file", w.place.file}, {"line", w.place.line}, {"sentence", w.sentence}});
+    warnings.push_back({{"name", w.name}, {"file", w.place.file}, {"line", w.place.line}, {"sentence", w.sentence}});
   }
   Json snaps = Json::array();
   for (const Snap& snap : cut.snaps) {
@@ -72,9 +71,8 @@ const Drawing& drawing_of(const formats::Case& loaded, const std::string& path) 
 void warn_of_holes(const Blocks& blocks) {
   for (const BlockPolygon& block : blocks.blocks) {
     if (block.holes.empty()) continue;
-    spdlog::warn("{}",
-                 to_string(Warning{"holes_not_written", blocks.place,
-                                   "a block file holds no holes: blocks inside others overlap them there"}));
+    spdlog::warn("{}", to_string(Warning{"holes_not_written", blocks.place,
+                                         "a block file holds no holes: blocks inside others overlap them there"}));
     return;
   }
 }

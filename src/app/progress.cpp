@@ -20,10 +20,7 @@ double seconds(std::chrono::steady_clock::duration time) {
 }  // namespace
 
 ProgressLine::ProgressLine(int step_count)
-    : step_count_(step_count),
-      on_terminal_(isatty(STDERR_FILENO) == 1),
-      started_(Clock::now()),
-      shown_(started_) {}
+    : step_count_(step_count), on_terminal_(isatty(STDERR_FILENO) == 1), started_(Clock::now()), shown_(started_) {}
 
 void ProgressLine::show(const StepReport& report) {
   const Clock::time_point now = Clock::now();
@@ -32,8 +29,8 @@ void ProgressLine::show(const StepReport& report) {
   shown_ = now;
   const double left = seconds(now - started_) / report.step * (step_count_ - report.step);
   fmt::print(stderr, "{}step {} of {}  time {:.6g}  dt {:.4g}  passes {}  {:.0f} s left{}",
-             on_terminal_ ? "\r\x1b[K" : "", report.step, step_count_, report.time, report.dt, report.passes,
-             left, on_terminal_ ? "" : "\n");
+             on_terminal_ ? "\r\x1b[K" : "", report.step, step_count_, report.time, report.dt, report.passes, left,
+             on_terminal_ ? "" : "\n");
   std::fflush(stderr);
   line_open_ = on_terminal_;
 }

@@ -60,8 +60,7 @@ std::vector<Override> overrides_of(const std::vector<std::string>& sets) {
   std::vector<Override> overrides;
   for (const std::string& text : sets) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos)
-      throw UsageError(fmt::format("--set: expected key=value, found \"{}\"", text));
+    if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected key=value, found \"{}\"", text));
     overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
   }
   return overrides;
@@ -79,8 +78,8 @@ Prepared prepare_as_asked(const Problem& problem, const RunOptions& options) {
 std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
   std::vector<InputRecord> records;
   for (const formats::FileReading& file : readings)
-    records.push_back({file.path, sha256(formats::load(file.path).text),
-                       std::string(file.choice->format->name), file.choice->recognition.evidence});
+    records.push_back({file.path, sha256(formats::load(file.path).text), std::string(file.choice->format->name),
+                       file.choice->recognition.evidence});
   return records;
 }
 
@@ -99,8 +98,8 @@ Warnings run_warnings(const std::vector<StepReport>& steps, const Place& place) 
   for (const StepReport& step : steps) {
     if (step.unsettled_contacts > 0)
       warnings.push_back({"unsettled_step_accepted", place,
-                          fmt::format("step {}: {} contacts still opened or closed at the pass limit",
-                                      step.step, step.unsettled_contacts)});
+                          fmt::format("step {}: {} contacts still opened or closed at the pass limit", step.step,
+                                      step.unsettled_contacts)});
   }
   return warnings;
 }
@@ -153,14 +152,13 @@ ExitCode run_files(const RunOptions& options) {
   ProgressLine progress(prepared.scene.settings.step_count);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
-  record.outcome =
-      run(prepared.scene, record.record_every,
-          {[&](const Frame& frame) { folder.add(frame); },
-           [&](const StepReport& report) {
-             record.steps.push_back(report);
-             progress.show(report);
-           },
-           [&](const HistoryRow& row) { history.rows.push_back(row); }, [] { return stop_asked.load(); }});
+  record.outcome = run(prepared.scene, record.record_every,
+                       {[&](const Frame& frame) { folder.add(frame); },
+                        [&](const StepReport& report) {
+                          record.steps.push_back(report);
+                          progress.show(report);
+                        },
+                        [&](const HistoryRow& row) { history.rows.push_back(row); }, [] { return stop_asked.load(); }});
   progress.finish();
   record.timings.run = watch.lap();
   append(record.warnings, run_warnings(record.steps, loaded.problem.analysis->place));
@@ -180,8 +178,7 @@ ExitCode run_files(const RunOptions& options) {
 
 Action configure_run(CLI::App& options) {
   const auto chosen = std::make_shared<RunOptions>();
-  options.add_option("files", chosen->files,
-                     "geometry (or blocks) and analysis file, or one DDAML file with both");
+  options.add_option("files", chosen->files, "geometry (or blocks) and analysis file, or one DDAML file with both");
   options.add_option("--profile", chosen->profile, "preset of all choices")
       ->check(CLI::IsMember(profile_names()))
       ->capture_default_str();
@@ -189,13 +186,11 @@ Action configure_run(CLI::App& options) {
   options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
       ->take_all();
   options
-      .add_option(
-          "--record-every", chosen->record_every,
-          fmt::format("a frame every so many steps (default: the file's save interval, at most {} frames)",
-                      kMostFrames))
+      .add_option("--record-every", chosen->record_every,
+                  fmt::format("a frame every so many steps (default: the file's save interval, at most {} frames)",
+                              kMostFrames))
       ->check(CLI::PositiveNumber);
-  options.add_flag("--trace", chosen->trace,
-                   "also write steps.csv (every step) and blocks.csv (every frame)");
+  options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
   options.add_flag("--json", chosen->as_json, "print run.json on standard output");
   options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");

@@ -25,8 +25,7 @@ class RunFolder {
   void add(const Frame& frame);
 
   /// history.csv, fields.pvd, picture.svg and, for a trace, steps.csv and blocks.csv.
-  void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
-              Trace trace);
+  void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps, Trace trace);
 
   /// run.json, last: where it stands, everything else does.
   void write_record(const std::string& json);

@@ -26,10 +26,8 @@ const char* word_for(RunEnd end) {
 Json inputs_json(const std::vector<InputRecord>& inputs) {
   Json all = Json::array();
   for (const InputRecord& input : inputs)
-    all.push_back({{"file", input.file},
-                   {"sha256", input.sha256},
-                   {"format", input.format},
-                   {"evidence", input.evidence}});
+    all.push_back(
+        {{"file", input.file}, {"sha256", input.sha256}, {"format", input.format}, {"evidence", input.evidence}});
   return all;
 }
 
@@ -67,8 +65,8 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
 Json steps_json(const std::vector<StepReport>& steps) {
   Json rows = Json::array();
   for (const StepReport& s : steps)
-    rows.push_back({s.step, s.time, s.dt, s.passes, s.redos, s.contacts, s.closed, s.penalty,
-                    s.greatest_penetration, s.displacement_ratio, s.residual, s.unsettled_contacts});
+    rows.push_back({s.step, s.time, s.dt, s.passes, s.redos, s.contacts, s.closed, s.penalty, s.greatest_penetration,
+                    s.displacement_ratio, s.residual, s.unsettled_contacts});
   return {{"columns",
            {"step", "time", "dt", "passes", "redos", "contacts", "closed", "penalty", "greatest_penetration",
             "displacement_ratio", "residual", "unsettled_contacts"}},
@@ -108,20 +106,20 @@ Json requirements_json(const Requirements& requirements) {
 }
 
 Json run_json(const Prepared& prepared, const RunRecord& record) {
-  return {{"program", "keyblock"},
-          {"version", KEYBLOCK_VERSION},
-          {"profile", record.profile},
-          {"outcome", outcome_json(record.outcome)},
-          {"inputs", inputs_json(record.inputs)},
-          {"settings", settings_json(prepared.scene.settings)},
-          {"requirements", requirements_json(prepared.requirements)},
-          {"counts", counts_json(prepared, record.steps)},
-          {"warnings", warnings_json(record.warnings)},
-          {"recorded_every", record.record_every},
-          {"seconds",
-           {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
-          {"outputs", record.outputs},
-          {"steps", steps_json(record.steps)}};
+  return {
+      {"program", "keyblock"},
+      {"version", KEYBLOCK_VERSION},
+      {"profile", record.profile},
+      {"outcome", outcome_json(record.outcome)},
+      {"inputs", inputs_json(record.inputs)},
+      {"settings", settings_json(prepared.scene.settings)},
+      {"requirements", requirements_json(prepared.requirements)},
+      {"counts", counts_json(prepared, record.steps)},
+      {"warnings", warnings_json(record.warnings)},
+      {"recorded_every", record.record_every},
+      {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
+      {"outputs", record.outputs},
+      {"steps", steps_json(record.steps)}};
 }
 
 }  // namespace keyblock

@@ -28,9 +28,7 @@ class Table : public std::vector<T> {
   using std::vector<T>::vector;
 
   T& operator[](I index) { return std::vector<T>::operator[](static_cast<std::size_t>(index.value)); }
-  const T& operator[](I index) const {
-    return std::vector<T>::operator[](static_cast<std::size_t>(index.value));
-  }
+  const T& operator[](I index) const { return std::vector<T>::operator[](static_cast<std::size_t>(index.value)); }
   /// One past the last index.
   I end_index() const { return {static_cast<int>(this->size())}; }
 };

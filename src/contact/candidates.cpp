@@ -93,8 +93,7 @@ std::vector<ElementPair> close_pairs(const Model& model, const State& state, dou
   std::vector<int> large;
   std::vector<int> met;
   const auto test = [&](int a, int b) {
-    if (touch(boxes[static_cast<std::size_t>(a)], boxes[static_cast<std::size_t>(b)], distance))
-      met.push_back(a);
+    if (touch(boxes[static_cast<std::size_t>(a)], boxes[static_cast<std::size_t>(b)], distance)) met.push_back(a);
   };
   // Elements enter in ascending order; each is tested against those already in, and then found by later ones.
   for (int b = 0; b < static_cast<int>(boxes.size()); ++b) {

@@ -102,15 +102,13 @@ double guarded_projection(Point p, const Line& line, const ContactRules& rules) 
 // the second triple when the one of the contact before it equals P1 (legacy-rules 5, Q).
 VertexIndex shared_edge_end(const Contact& contact, VertexIndex previous_end, const BerkeleyQuirks& quirks) {
   if (!contact.parallel_pair) return contact.neighbour;
-  const bool mistaken =
-      quirks.contact_length_last_vertex && previous_end && previous_end == contact.first.vertex;
+  const bool mistaken = quirks.contact_length_last_vertex && previous_end && previous_end == contact.first.vertex;
   return mistaken ? contact.second.end : contact.second.start;
 }
 
 // Half the length over which the edge ending in P1 and the line overlap.
 double contact_length(const Line& line, Point other_end, const ContactRules& rules) {
-  std::array<double, 4> s{guarded_projection(line.p1, line, rules), 0, 1,
-                          guarded_projection(other_end, line, rules)};
+  std::array<double, 4> s{guarded_projection(line.p1, line, rules), 0, 1, guarded_projection(other_end, line, rules)};
   std::ranges::sort(s);
   return (s[2] - s[1]) * std::sqrt(guarded_square(line, rules)) / 2;
 }
@@ -164,8 +162,7 @@ Contacts start_closed(Contacts contacts, const State& state, const ContactRules&
 }
 
 Contacts start_open(Contacts contacts) {
-  for (Contact& contact : contacts)
-    contact.bonded = contact.parallel_pair || static_cast<bool>(contact.neighbour);
+  for (Contact& contact : contacts) contact.bonded = contact.parallel_pair || static_cast<bool>(contact.neighbour);
   return contacts;
 }
 

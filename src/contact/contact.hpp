@@ -36,12 +36,12 @@ struct Contact {
 
   ContactState state = ContactState::open;
   ContactState state_before = ContactState::open;  ///< before the last judgement
-  double distance = 0;  ///< from the active line after the last solve, positive outside
-  double slip = 0;      ///< along the line since the ratio was set
-  double ratio = 0;     ///< 0 … 1: where on the line the vertex touches, from `start`
-  double length = 0;    ///< contact length that bears cohesion and tension
-  double penalty = 0;   ///< normal stiffness in use at the last judgement
-  bool bonded = false;  ///< cohesion and tension act
+  double distance = 0;                             ///< from the active line after the last solve, positive outside
+  double slip = 0;                                 ///< along the line since the ratio was set
+  double ratio = 0;                                ///< 0 … 1: where on the line the vertex touches, from `start`
+  double length = 0;                               ///< contact length that bears cohesion and tension
+  double penalty = 0;                              ///< normal stiffness in use at the last judgement
+  bool bonded = false;                             ///< cohesion and tension act
 
   bool is_open() const { return state == ContactState::open; }
   bool has_second() const { return kind == ContactKind::vertex_vertex || parallel_pair; }

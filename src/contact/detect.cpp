@@ -32,8 +32,7 @@ class Detector {
   Detector(const Model& model, const State& state, const Settings& settings, const ContactRules& rules)
       : model_(model), state_(state), rules_(rules) {
     const double offset = settings.quirks.edge_direction_offset ? kBerkeleyDirectionOffset : 0;
-    for (VertexIndex v : indices(model.vertices))
-      leaving_.push_back(edge_direction(at(next(v)) - at(v), offset));
+    for (VertexIndex v : indices(model.vertices)) leaving_.push_back(edge_direction(at(next(v)) - at(v), offset));
   }
 
   Detection run() {
@@ -102,8 +101,7 @@ class Detector {
     const auto [gap_next, gap_previous] = gaps(a, b);
     if (gap_next < rules_.angle_overlap) parallel_pair({i, j, previous(j)}, {j, next(i), i});
     if (gap_previous < rules_.angle_overlap) parallel_pair({j, i, previous(i)}, {i, next(j), j});
-    if (gap_next >= rules_.angle_overlap && gap_previous >= rules_.angle_overlap)
-      true_vertex_vertex(i, j, a, b);
+    if (gap_next >= rules_.angle_overlap && gap_previous >= rules_.angle_overlap) true_vertex_vertex(i, j, a, b);
   }
 
   // Angles left open between the two wedges on the side of i's next and of i's previous edge; negative:
@@ -140,8 +138,7 @@ class Detector {
     const bool first_on_j = between_next <= 180 - tie || (between_next <= 180 + tie && slope_b >= slope_a);
     contact.first = first_on_j ? Triple{i, next(j), j} : Triple{j, next(i), i};
     const double first_direction = first_on_j ? b.from : a.from;
-    const bool second_on_i =
-        between_previous <= 180 - tie || (between_previous <= 180 + tie && slope_a >= slope_b);
+    const bool second_on_i = between_previous <= 180 - tie || (between_previous <= 180 + tie && slope_a >= slope_b);
     contact.second = second_on_i ? Triple{j, i, previous(i)} : Triple{i, j, previous(j)};
     if (second_on_i && std::abs(sine_of(first_direction)) < std::abs(sine_of(a.to)))
       std::swap(contact.first, contact.second);
@@ -158,8 +155,7 @@ class Detector {
 
 }  // namespace
 
-Detection detect(const Model& model, const State& state, const Settings& settings,
-                 const ContactRules& rules) {
+Detection detect(const Model& model, const State& state, const Settings& settings, const ContactRules& rules) {
   return Detector(model, state, settings, rules).run();
 }
 

@@ -25,8 +25,7 @@ double sign(double x) {
 
 class Judge {
  public:
-  Judge(const Model& model, const State& state, const Increments& increments, const ContactRules& rules,
-        double penalty)
+  Judge(const Model& model, const State& state, const Increments& increments, const ContactRules& rules, double penalty)
       : model_(model), state_(state), increments_(increments), rules_(rules), penalty_(penalty) {}
 
   void operator()(Contact& contact) const {
@@ -41,8 +40,7 @@ class Judge {
  private:
   Point moved(VertexIndex v) const {
     const ElementIndex e = model_.vertices[v].element;
-    return model_.elements[e].basis->displacement(increments_[e],
-                                                  state_.vertices[v] - state_.elements[e].centroid);
+    return model_.elements[e].basis->displacement(increments_[e], state_.vertices[v] - state_.elements[e].centroid);
   }
   LineMotion motion(const Triple& t) const { return {moved(t.vertex), moved(t.start), moved(t.end)}; }
 

@@ -48,8 +48,8 @@ Spring normal_spring(const Line& l, const Ends& ends) {
   const Point e{(l.p2.y - l.p3.y) / size, (l.p3.x - l.p2.x) / size};
   const Point g2{(l.p3.y - l.p1.y) / size, (l.p1.x - l.p3.x) / size};
   const Point g3{(l.p1.y - l.p2.y) / size, (l.p2.x - l.p1.x) / size};
-  return {ends.t1.transpose() * vector(e),
-          ends.t2.transpose() * vector(g2) + ends.t3.transpose() * vector(g3), l.distance()};
+  return {ends.t1.transpose() * vector(e), ends.t2.transpose() * vector(g2) + ends.t3.transpose() * vector(g3),
+          l.distance()};
 }
 
 // es, gs, s of legacy-rules 8: change of the way of P1 along the line, from the contact point P0 at `ratio`.
@@ -91,8 +91,8 @@ void add_springs(const Contacts& contacts, const Model& model, const State& stat
   }
 }
 
-void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const Model& model,
-                  const State& state, System& system) {
+void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const Model& model, const State& state,
+                  System& system) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (!acts[c] || contact.state != ContactState::sliding) continue;

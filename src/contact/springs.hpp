@@ -17,7 +17,7 @@ void add_springs(const Contacts& contacts, const Model& model, const State& stat
 
 /// Friction and cohesion of every sliding contact for which `acts` is set, from the last judgement's pressure
 /// and sliding direction (legacy-rules 9). `acts` has one entry a contact.
-void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const Model& model,
-                  const State& state, System& system);
+void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const Model& model, const State& state,
+                  System& system);
 
 }  // namespace keyblock

@@ -26,9 +26,7 @@ class Adjacency {
   }
 
   std::span<int> of(int node) { return {edges_.data() + start_[node], edges_.data() + start_[node + 1]}; }
-  std::span<const int> of(int node) const {
-    return {edges_.data() + start_[node], edges_.data() + start_[node + 1]};
-  }
+  std::span<const int> of(int node) const { return {edges_.data() + start_[node], edges_.data() + start_[node + 1]}; }
 
  private:
   std::vector<std::size_t> start_;

@@ -28,9 +28,7 @@ class PairTest {
     }
   }
 
-  double greatest_reach() const {
-    return reach_.empty() ? 0 : *std::max_element(reach_.begin(), reach_.end());
-  }
+  double greatest_reach() const { return reach_.empty() ? 0 : *std::max_element(reach_.begin(), reach_.end()); }
 
   void test(int line, int other) {
     if (reach_.empty()) {
@@ -80,8 +78,7 @@ class PairTest {
     const bool a_is_longer = distance(a.start, a.end) > distance(b.start, b.end);
     const Segment& carrier = a_is_longer ? a : b;
     const Segment& shorter = a_is_longer ? b : a;
-    return distance_to_carrier(carrier, shorter.start) <= reach &&
-           distance_to_carrier(carrier, shorter.end) <= reach;
+    return distance_to_carrier(carrier, shorter.start) <= reach && distance_to_carrier(carrier, shorter.end) <= reach;
   }
 
   static bool is_reached(const Segment& base, const Segment& mark, double reach) {
@@ -127,8 +124,7 @@ void collect_stops(std::span<const Segment> lines, Crossings& crossings) {
     ++crossings.first_stop[c.line + 1];
     ++crossings.first_stop[c.other + 1];
   }
-  for (std::size_t i = 1; i < crossings.first_stop.size(); ++i)
-    crossings.first_stop[i] += crossings.first_stop[i - 1];
+  for (std::size_t i = 1; i < crossings.first_stop.size(); ++i) crossings.first_stop[i] += crossings.first_stop[i - 1];
   crossings.stops.resize(crossings.first_stop.back());
   std::vector<std::size_t> next(crossings.first_stop.begin(), crossings.first_stop.end() - 1);
   for (std::size_t k = 0; k < crossings.found.size(); ++k) {

@@ -28,8 +28,7 @@ struct UsedLines {
 };
 
 bool is_finite(const Segment& s) {
-  return std::isfinite(s.start.x) && std::isfinite(s.start.y) && std::isfinite(s.end.x) &&
-         std::isfinite(s.end.y);
+  return std::isfinite(s.start.x) && std::isfinite(s.start.y) && std::isfinite(s.end.x) && std::isfinite(s.end.y);
 }
 
 /// One cutting, from stage to stage.
@@ -128,9 +127,7 @@ class Cutting {
                      std::count(is_dangling_.begin(), is_dangling_.end(), 1), is_dangling_.size()));
   }
 
-  static bool has_same_ends(const Segment& a, const Segment& b) {
-    return a == b || a == Segment{b.end, b.start};
-  }
+  static bool has_same_ends(const Segment& a, const Segment& b) { return a == b || a == Segment{b.end, b.start}; }
 
   /// As the file counts lines, from 1.
   std::size_t number(int line) const {
@@ -148,18 +145,16 @@ class Cutting {
     result_.report.merged = static_cast<int>(table.moves.size());
     if (!table.moves.empty()) {
       const NodeMove& first = table.moves.front();
-      warn(
-          "nodes_merged", place(first.line),
-          fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
-                      table.moves.size(), tolerances().merge, first.from.x, first.from.y));
+      warn("nodes_merged", place(first.line),
+           fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
+                       table.moves.size(), tolerances().merge, first.from.x, first.from.y));
     }
     result_.report.placed_otherwise = table.placed_otherwise;
     if (table.placed_otherwise > 0) {
       warn("nodes_placed_otherwise", drawing_.place,
-           fmt::format(
-               "{} merged nodes stand where the drawing decides, not at the crossing that the old programs "
-               "would have found first",
-               table.placed_otherwise));
+           fmt::format("{} merged nodes stand where the drawing decides, not at the crossing that the old programs "
+                       "would have found first",
+                       table.placed_otherwise));
     }
     if (!table.undecided_nodes.empty()) {
       const Point at = table.arrangement.nodes[table.undecided_nodes.front()].position;
@@ -199,8 +194,8 @@ class Cutting {
     std::sort(lines.begin(), lines.end());
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     warn(name, place(lines.front()),
-         fmt::format("{} pieces of {} lines {} and are removed; the first is of this line", edges.size(),
-                     lines.size(), why));
+         fmt::format("{} pieces of {} lines {} and are removed; the first is of this line", edges.size(), lines.size(),
+                     why));
   }
 
   /// What merging has bent is made a plane drawing again.
@@ -214,8 +209,8 @@ class Cutting {
     result_.report.late_crossings = planar.crossings;
     if (!planar.detours.empty()) {
       warn("edges_rerouted", place(planar.detours.front().line),
-           fmt::format("{} pieces pass a node nearer than {:.6g} and are led through it",
-                       planar.detours.size(), tolerances().near_pass));
+           fmt::format("{} pieces pass a node nearer than {:.6g} and are led through it", planar.detours.size(),
+                       tolerances().near_pass));
     }
     if (planar.detours.empty() && planar.crossings == 0) {
       arrangement_ = std::move(planar.arrangement);
@@ -237,8 +232,7 @@ class Cutting {
   void add_block(const Face& face) {
     BlockPolygon block{0, make_loop(face.outer), {}};
     if (block.outer.size() < 3) {
-      warn("sliver_removed", place(face.outer.front().line),
-           "the lines close a block without an area; it is left out");
+      warn("sliver_removed", place(face.outer.front().line), "the lines close a block without an area; it is left out");
       return;
     }
     for (const Chain& hole : face.holes) {
@@ -280,10 +274,9 @@ class Cutting {
   [[noreturn]] void refuse() const {
     throw InputError(
         drawing_.place,
-        fmt::format(
-            "expected lines that close at least one block, found {} lines meeting in {} points and no "
-            "closed chain",
-            result_.report.lines, result_.report.nodes));
+        fmt::format("expected lines that close at least one block, found {} lines meeting in {} points and no "
+                    "closed chain",
+                    result_.report.lines, result_.report.nodes));
   }
 
   const Drawing& drawing_;

@@ -178,8 +178,8 @@ std::vector<int> half_edges_below(const Arrangement& a, const std::vector<Rim>& 
   const auto x_of = [&](const Rim& rim) { return a.nodes[rim.node].position.x; };
   for (std::size_t e = 0; e < a.edges.size(); ++e) {
     const Segment s = rightward(a, a.edges[e]);
-    auto rim = std::lower_bound(rims.begin(), rims.end(), s.start.x,
-                                [&](const Rim& r, double x) { return x_of(r) < x; });
+    auto rim =
+        std::lower_bound(rims.begin(), rims.end(), s.start.x, [&](const Rim& r, double x) { return x_of(r) < x; });
     for (; rim != rims.end() && x_of(*rim) < s.end.x; ++rim) {
       if (orientation(s.start, s.end, a.nodes[rim->node].position) <= 0) continue;
       int& best = nearest[static_cast<std::size_t>(rim - rims.begin())];
@@ -201,9 +201,8 @@ std::vector<int> find_surroundings(const Arrangement& a, const Walks& walks, std
   for (const Rim& rim : rims) around[rim.walk] = kOpenPlane;
   if (rims.size() < 2) return around;
   // From left to right: the rim that a look down may meet belongs to a part that begins farther left.
-  std::sort(rims.begin(), rims.end(), [&](const Rim& x, const Rim& y) {
-    return is_left_of(a.nodes[x.node].position, a.nodes[y.node].position);
-  });
+  std::sort(rims.begin(), rims.end(),
+            [&](const Rim& x, const Rim& y) { return is_left_of(a.nodes[x.node].position, a.nodes[y.node].position); });
   const std::vector<int> below = half_edges_below(a, rims);
   for (std::size_t i = 0; i < rims.size(); ++i) {
     if (below[i] < 0) continue;
@@ -216,9 +215,7 @@ std::vector<int> find_surroundings(const Arrangement& a, const Walks& walks, std
 Face bounded_face(const Arrangement& a, std::vector<Chain> chains) {
   std::size_t outer = 0;
   if (chains.size() > 1) {
-    const auto is_smaller = [&](const Chain& x, const Chain& y) {
-      return signed_area(a, x) < signed_area(a, y);
-    };
+    const auto is_smaller = [&](const Chain& x, const Chain& y) { return signed_area(a, x) < signed_area(a, y); };
     outer = std::max_element(chains.begin(), chains.end(), is_smaller) - chains.begin();
   }
   Face face{std::move(chains[outer]), {}};

@@ -73,9 +73,7 @@ class NearPairs {
 class Merger {
  public:
   Merger(const Crossings& crossings, std::size_t boundary_count, const CutTolerances& tolerances)
-      : crossings_(crossings),
-        boundary_count_(static_cast<int>(boundary_count)),
-        groups_(crossings.found.size()) {
+      : crossings_(crossings), boundary_count_(static_cast<int>(boundary_count)), groups_(crossings.found.size()) {
     for (const std::size_t k : crossings.equal_before) {
       groups_.unite(crossings.stops[k - 1].crossing, crossings.stops[k].crossing);
     }
@@ -170,8 +168,7 @@ class Placing {
   /// Of crossings that are exactly one point: the first found, but the end of an overlap only if there is
   /// nothing else.
   int first_found(std::span<const int> members) const {
-    const auto crossing =
-        std::find_if(members.begin(), members.end(), [&](int i) { return !found_[i].is_end; });
+    const auto crossing = std::find_if(members.begin(), members.end(), [&](int i) { return !found_[i].is_end; });
     return crossing == members.end() ? members.front() : *crossing;
   }
 
@@ -269,14 +266,12 @@ Members members_of_nodes(Merger& merger, const Crossings& crossings) {
   }
   for (std::size_t i = 1; i < members.start.size(); ++i) members.start[i] += members.start[i - 1];
   std::vector<std::size_t> next(members.start.begin(), members.start.end() - 1);
-  for (const int crossing : order)
-    members.crossings[next[node_of_group[merger.group(crossing)]]++] = crossing;
+  for (const int crossing : order) members.crossings[next[node_of_group[merger.group(crossing)]]++] = crossing;
   return members;
 }
 
 /// Makes the nodes and says which node each crossing is.
-std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const Placing& placing,
-                              NodeTable& table) {
+std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const Placing& placing, NodeTable& table) {
   const Members members = members_of_nodes(merger, crossings);
   std::vector<int> node_of_crossing(crossings.found.size());
   for (std::size_t node = 0; node < members.node_count(); ++node) {
@@ -312,11 +307,9 @@ std::vector<Edge> make_edges(const Crossings& crossings, const std::vector<int>&
   const bool has_merged = std::any_of(nodes.begin(), nodes.end(), [](const Node& n) { return !n.is_exact; });
   if (!has_overlaps && !has_merged) return edges;
   const auto ends = [](const Edge& e) { return std::pair(std::min(e.from, e.to), std::max(e.from, e.to)); };
-  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
-    return std::tuple(ends(a), a.line) < std::tuple(ends(b), b.line);
-  });
-  edges.erase(std::unique(edges.begin(), edges.end(),
-                          [&](const Edge& a, const Edge& b) { return ends(a) == ends(b); }),
+  std::sort(edges.begin(), edges.end(),
+            [&](const Edge& a, const Edge& b) { return std::tuple(ends(a), a.line) < std::tuple(ends(b), b.line); });
+  edges.erase(std::unique(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) { return ends(a) == ends(b); }),
               edges.end());
   return edges;
 }

@@ -25,8 +25,7 @@ std::vector<Point> points_of(const BlockLoop& loop) {
 }
 
 bool has_vertex_near(const BlockLoop& loop, Point p, double reach) {
-  return std::any_of(loop.begin(), loop.end(),
-                     [&](const BlockVertex& v) { return distance(v.position, p) <= reach; });
+  return std::any_of(loop.begin(), loop.end(), [&](const BlockVertex& v) { return distance(v.position, p) <= reach; });
 }
 
 bool has_vertex_near(const BlockPolygon& block, Point p, double reach) {
@@ -79,8 +78,7 @@ class Placer {
     if (first) blocks_.blocks[*first].material = line.block_material;
     for (BlockPolygon& block : blocks_.blocks) {
       bool is_crossed = false;
-      visit_edges(block,
-                  [&](const Segment& edge) { is_crossed |= meeting(line.segment, edge) != Meeting::none; });
+      visit_edges(block, [&](const Segment& edge) { is_crossed |= meeting(line.segment, edge) != Meeting::none; });
       if (is_crossed) block.material = line.block_material;
       has_met |= is_crossed;
     }
@@ -96,8 +94,7 @@ class Placer {
   }
 
   void add_point(std::vector<BlockPoint>& list, std::string_view kind, const MarkedPoint& mark) {
-    if (const auto block = find(kind, mark.position, mark.place))
-      list.push_back({mark.position, *block, mark.place});
+    if (const auto block = find(kind, mark.position, mark.place)) list.push_back({mark.position, *block, mark.place});
   }
 
   void add_bolt(const BoltLine& bolt) {
@@ -115,8 +112,9 @@ class Placer {
   void add_loading(const MarkedPoint& mark) {
     const auto block = block_at(blocks_.blocks, mark.position, tolerances_.vertex_catch);
     if (!block)
-      throw InputError(mark.place, fmt::format("expected a loading point inside a block, found ({}, {}) outside all blocks",
-                                               mark.position.x, mark.position.y));
+      throw InputError(mark.place,
+                       fmt::format("expected a loading point inside a block, found ({}, {}) outside all blocks",
+                                   mark.position.x, mark.position.y));
     blocks_.loading_points.push_back({mark.position, *block, mark.place});
   }
 
@@ -172,8 +170,7 @@ Warnings place_marks(const Drawing& drawing, const CutTolerances& tolerances, Bl
   for (const MaterialLine& line : drawing.material_lines) placer.set_material(line);
   for (const FixedLine& line : drawing.fixed_lines) placer.add_fixed(line);
   for (const MarkedPoint& p : drawing.loading_points) placer.add_loading(p);
-  for (const MarkedPoint& p : drawing.measured_points)
-    placer.add_point(blocks.measured_points, "measured point", p);
+  for (const MarkedPoint& p : drawing.measured_points) placer.add_point(blocks.measured_points, "measured point", p);
   for (const BoltLine& bolt : drawing.bolts) placer.add_bolt(bolt);
   return placer.take_warnings();
 }

@@ -30,11 +30,9 @@ std::vector<Segment> segments_of(const Arrangement& a) {
 /// One piece for each pair of nodes: the lowest-numbered line's.
 void drop_doubles(std::vector<Edge>& edges) {
   const auto ends = [](const Edge& e) { return std::pair(std::min(e.from, e.to), std::max(e.from, e.to)); };
-  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
-    return std::tuple(ends(a), a.line) < std::tuple(ends(b), b.line);
-  });
-  edges.erase(std::unique(edges.begin(), edges.end(),
-                          [&](const Edge& a, const Edge& b) { return ends(a) == ends(b); }),
+  std::sort(edges.begin(), edges.end(),
+            [&](const Edge& a, const Edge& b) { return std::tuple(ends(a), a.line) < std::tuple(ends(b), b.line); });
+  edges.erase(std::unique(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) { return ends(a) == ends(b); }),
               edges.end());
 }
 
@@ -111,9 +109,8 @@ class Detours {
   void settle(const Edge& edge, std::vector<int> passed) {
     const double reach = edge.line < boundary_count_ ? tolerances_.round_off : tolerances_.near_pass;
     std::vector<Via> vias = nodes_.beside(p_.arrangement, edge, reach);
-    std::erase_if(vias, [&](const Via& via) {
-      return std::find(passed.begin(), passed.end(), via.node) != passed.end();
-    });
+    std::erase_if(vias,
+                  [&](const Via& via) { return std::find(passed.begin(), passed.end(), via.node) != passed.end(); });
     if (vias.empty()) {
       edges_.push_back(edge);
       return;

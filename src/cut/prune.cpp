@@ -100,9 +100,7 @@ Pruning prune(const Arrangement& arrangement) {
   BridgeSearch(arrangement, around, fate);
   Pruning result;
   for (std::size_t e = 0; e < fate.size(); ++e) {
-    auto& list = fate[e] == Fate::kept       ? result.kept
-                 : fate[e] == Fate::dangling ? result.dangling
-                                             : result.bridges;
+    auto& list = fate[e] == Fate::kept ? result.kept : fate[e] == Fate::dangling ? result.dangling : result.bridges;
     list.push_back(arrangement.edges[e]);
   }
   return result;

@@ -43,15 +43,13 @@ Rotation::Rotation(const Arrangement& a) : start_(a.nodes.size() + 1, 0), next_(
   for (std::size_t node = 0; node < a.nodes.size(); ++node) {
     const std::span<int> around(order_.data() + start_[node], order_.data() + start_[node + 1]);
     if (around.empty()) continue;
-    std::sort(around.begin(), around.end(),
-              [&](int x, int y) { return is_before(direction(a, x), direction(a, y)); });
+    std::sort(around.begin(), around.end(), [&](int x, int y) { return is_before(direction(a, x), direction(a, y)); });
     // The old programs count angles from rounded coordinates: an edge along x may stand at 0 or just below
     // 360 degrees.
-    std::rotate(
-        around.begin(),
-        std::min_element(around.begin(), around.end(),
-                         [&](int x, int y) { return is_before(by_coordinates(a, x), by_coordinates(a, y)); }),
-        around.end());
+    std::rotate(around.begin(),
+                std::min_element(around.begin(), around.end(),
+                                 [&](int x, int y) { return is_before(by_coordinates(a, x), by_coordinates(a, y)); }),
+                around.end());
     for (std::size_t k = 0; k < around.size(); ++k) {
       next_[twin(around[k])] = around[k == 0 ? around.size() - 1 : k - 1];
     }

@@ -8,16 +8,14 @@
 namespace keyblock {
 
 struct CutTolerances {
-  double scale = 0;      ///< w0 = 1.02 max(H/2, (W/2)/1.3) over all line end points (old block cutter)
-  double merge = 0;      ///< 1.25 e0 w0: nodes nearer than this become one (old block cutter)
-  double near_pass = 0;  ///< e0 w0: a segment passing a foreign node nearer than this goes through it
-  double reach_ratio =
-      0;                 ///< 1e-7 of its length a line may miss another and still meet it (old block cutter)
-  double round_off = 0;  ///< moves below this are the rounding of the input and of the crossing, not reported
-  double collinear = 0;  ///< |cross| of neighbouring edges below which their common vertex is straight
-  double inset = 0;  ///< 0.005 w0: fixed points of fixed lines stand this far inside the edge (old cutter)
-  double vertex_catch =
-      0;  ///< 1e-5 w0: a point this near to a vertex takes the first such block (old cutter)
+  double scale = 0;         ///< w0 = 1.02 max(H/2, (W/2)/1.3) over all line end points (old block cutter)
+  double merge = 0;         ///< 1.25 e0 w0: nodes nearer than this become one (old block cutter)
+  double near_pass = 0;     ///< e0 w0: a segment passing a foreign node nearer than this goes through it
+  double reach_ratio = 0;   ///< 1e-7 of its length a line may miss another and still meet it (old block cutter)
+  double round_off = 0;     ///< moves below this are the rounding of the input and of the crossing, not reported
+  double collinear = 0;     ///< |cross| of neighbouring edges below which their common vertex is straight
+  double inset = 0;         ///< 0.005 w0: fixed points of fixed lines stand this far inside the edge (old cutter)
+  double vertex_catch = 0;  ///< 1e-5 w0: a point this near to a vertex takes the first such block (old cutter)
 
   bool is_exact() const { return merge == 0; }
 };

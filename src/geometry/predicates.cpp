@@ -55,8 +55,7 @@ std::array<ExactPoint, N> exact(const std::array<Point, N>& points) {
   int exponent = std::numeric_limits<int>::max();
   for (const Point& p : points) exponent = std::min({exponent, low_exponent(p.x), low_exponent(p.y)});
   std::array<ExactPoint, N> result;
-  for (std::size_t i = 0; i < N; ++i)
-    result[i] = {scaled(points[i].x, exponent), scaled(points[i].y, exponent)};
+  for (std::size_t i = 0; i < N; ++i) result[i] = {scaled(points[i].x, exponent), scaled(points[i].y, exponent)};
   return result;
 }
 

@@ -36,8 +36,7 @@ void add_block(Model& model, const BlockPolygon& block) {
   model.elements[index].end_vertex = model.vertices.end_index();
 }
 
-std::vector<CarriedPoint> carried(const std::vector<BlockPoint>& points,
-                                  const std::vector<TimeCurve>& curves) {
+std::vector<CarriedPoint> carried(const std::vector<BlockPoint>& points, const std::vector<TimeCurve>& curves) {
   std::vector<CarriedPoint> result;
   for (std::size_t i = 0; i < points.size(); ++i)
     result.push_back({points[i].position, {points[i].block}, i < curves.size() ? curves[i] : TimeCurve{}});

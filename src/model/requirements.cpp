@@ -11,13 +11,12 @@ namespace {
 
 bool has_weight(const Model& model, const Settings& settings) {
   if (settings.quirks.weight_of_first_material) return settings.gravity != 0;
-  return std::ranges::any_of(model.block_materials,
-                             [](const BlockMaterial& m) { return m.unit_weight != 0; });
+  return std::ranges::any_of(model.block_materials, [](const BlockMaterial& m) { return m.unit_weight != 0; });
 }
 
 std::size_t loaded_points(const Model& model) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      model.loading_points, [](const CarriedPoint& p) { return !p.curve.times.empty(); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(model.loading_points, [](const CarriedPoint& p) { return !p.curve.times.empty(); }));
 }
 
 }  // namespace
@@ -49,12 +48,10 @@ bool Requirements::has(TermKind term) const {
 Requirements requirements(const Model& model, const Settings& settings) {
   Requirements needs;
   for (const Element& element : model.elements) needs.unknowns += element.basis->unknown_count();
-  needs.basis =
-      fmt::format("affine, 6 unknowns each, for all {} blocks (Shi's block)", model.elements.size());
-  needs.terms.push_back(
-      {TermKind::inertia, settings.velocity_carry_over == 0
-                              ? "static: mass steadies the step, velocity is zeroed each step"
-                              : "dynamic: velocity is carried from step to step"});
+  needs.basis = fmt::format("affine, 6 unknowns each, for all {} blocks (Shi's block)", model.elements.size());
+  needs.terms.push_back({TermKind::inertia, settings.velocity_carry_over == 0
+                                                ? "static: mass steadies the step, velocity is zeroed each step"
+                                                : "dynamic: velocity is carried from step to step"});
   needs.terms.push_back({TermKind::elastic, "blocks deform"});
   needs.terms.push_back({TermKind::initial_stress, "blocks carry stress from step to step"});
   if (has_weight(model, settings)) needs.terms.push_back({TermKind::body_force, "blocks have weight"});

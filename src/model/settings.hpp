@@ -13,20 +13,17 @@ enum class Plane { stress, strain };
 /// Rules of the Berkeley program that look like mistakes (marked Q in the rules of one old step). Each names
 /// the paragraph. On in profile `legacy`, to give the old numbers back, but for the last; each can be left out alone.
 struct BerkeleyQuirks {
-  bool moments_about_origin =
-      true;                       ///< 7: area moments about the origin of coordinates; far scenes lose digits
-  bool search_full_depth = true;  ///< 2: penetration side searched to d0 instead of d9
+  bool moments_about_origin = true;        ///< 7: area moments about the origin of coordinates; far scenes lose digits
+  bool search_full_depth = true;           ///< 2: penetration side searched to d0 instead of d9
   bool edge_direction_offset = true;       ///< 3: 1e-7 added to |dx| before the direction of an edge is taken
   bool stale_contact_list = true;          ///< 3: a step that finds no contact keeps the last list
   bool contact_length_last_vertex = true;  ///< 5: other end of a shared edge mistaken after a repeated vertex
   bool plane_strain_factor = true;         ///< 7.2: stiffness has 1/(1-nu) for 1/(1+nu)
-  bool velocity_from_coming_step =
-      true;  ///< 7.4: velocity from the step size about to be used, again at each redo
-  bool start_velocity_slots = true;  ///< 7.5: native tokens 8-10 are stress gradient and start velocity both
-  bool weight_of_first_material = true;  ///< formats 3.2: one gravity for all, from material 1 or `Gravaccel`
-  bool cut_step_stays = true;  ///< 11.2: a step cut by the displacement ratio stays cut with constant steps
-  bool fixed_pass_bound =
-      true;  ///< 11.1: 8 passes whatever the limit; another limit accepts unfinished steps
+  bool velocity_from_coming_step = true;   ///< 7.4: velocity from the step size about to be used, again at each redo
+  bool start_velocity_slots = true;        ///< 7.5: native tokens 8-10 are stress gradient and start velocity both
+  bool weight_of_first_material = true;    ///< formats 3.2: one gravity for all, from material 1 or `Gravaccel`
+  bool cut_step_stays = true;              ///< 11.2: a step cut by the displacement ratio stays cut with constant steps
+  bool fixed_pass_bound = true;  ///< 11.1: 8 passes whatever the limit; another limit accepts unfinished steps
   /// 13: cumulative time in place of the displacement ratio. Off: it came into the Berkeley program in 2008, dynamic runs
   /// with the automatic step grind to a halt under it, and no file of Shi's own time was run so.
   bool step_rule_by_time = false;

@@ -14,8 +14,7 @@ namespace keyblock {
 struct ElementState {
   Point centroid;
   Moments moments;
-  Unknowns
-      velocity;  ///< rate of the unknowns that the next attempt starts from (see velocity_from_coming_step)
+  Unknowns velocity;   ///< rate of the unknowns that the next attempt starts from (see velocity_from_coming_step)
   Unknowns last_step;  ///< the last accepted increment of the unknowns
   Stress stress;
   double rotation = 0;  ///< sum of the step rotations, rad

@@ -31,14 +31,14 @@ struct Velocity {
 
 /// A block material, unit thickness.
 struct BlockMaterial {
-  double density = 0;         ///< mass / area, > 0
-  double unit_weight = 0;     ///< force / area, positive downward
-  double youngs_modulus = 0;  ///< stress, > 0
-  double poissons_ratio = 0;  ///< 0 … < 0.5 (0.5 allowed in plane stress)
-  double damping = 0;         ///< DDAML `Damping`
-  Stress initial_stress;      ///< at y = 0
-  Stress stress_gradient;     ///< change of the initial stress per unit of y (native tokens 8-10)
-  Velocity initial_velocity;  ///< native tokens 11-13; DDAML `Ivelocity`
+  double density = 0;                      ///< mass / area, > 0
+  double unit_weight = 0;                  ///< force / area, positive downward
+  double youngs_modulus = 0;               ///< stress, > 0
+  double poissons_ratio = 0;               ///< 0 … < 0.5 (0.5 allowed in plane stress)
+  double damping = 0;                      ///< DDAML `Damping`
+  Stress initial_stress;                   ///< at y = 0
+  Stress stress_gradient;                  ///< change of the initial stress per unit of y (native tokens 8-10)
+  Velocity initial_velocity;               ///< native tokens 11-13; DDAML `Ivelocity`
   std::array<double, 3> initial_strain{};  ///< DDAML `Istrain`
   Place place;
 };
@@ -80,9 +80,8 @@ struct Analysis {
   double time_step = 0;                   ///< g1: step, or its upper limit with the automatic step, > 0
   bool automatic_time_step = false;
   bool automatic_penalty = false;
-  std::optional<double>
-      contact_penalty;         ///< g0 of Shi's dialect, force / length; absent: penalty_factor × largest E
-  double penalty_factor = 50;  ///< pfactor
+  std::optional<double> contact_penalty;  ///< g0 of Shi's dialect, force / length; absent: penalty_factor × largest E
+  double penalty_factor = 50;             ///< pfactor
   bool plane_strain = false;
   Rotation rotation = Rotation::first_order;
   std::optional<double> gravity;  ///< DDAML `Gravaccel`, length / time²; absent: from the unit weights
@@ -95,9 +94,8 @@ struct Analysis {
   std::vector<JointMaterial> joint_materials;
   std::vector<BoltProperties> bolt_properties;
   std::vector<TimeCurve> fixed_point_motions;  ///< Shi's dialect: one a fixed point, may be empty
-  std::vector<TimeCurve>
-      point_loads;  ///< one a loading point, in order; fewer than points: the rest carry none
-  Place place;      ///< the file
+  std::vector<TimeCurve> point_loads;  ///< one a loading point, in order; fewer than points: the rest carry none
+  Place place;                         ///< the file
 };
 
 }  // namespace keyblock

@@ -12,14 +12,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double kUsualEdgeNodeRatio =
-    0.1;  // files hold 0.001 … 0.02; from here on the cutter eats whole blocks
+constexpr double kUsualEdgeNodeRatio = 0.1;  // files hold 0.001 … 0.02; from here on the cutter eats whole blocks
 
 /// Counts the material numbers that were out of range and remembers where each was met first.
 class Clamp {
  public:
-  Clamp(std::string noun, std::size_t materials)
-      : noun_(std::move(noun)), last_(static_cast<int>(materials) - 1) {}
+  Clamp(std::string noun, std::size_t materials) : noun_(std::move(noun)), last_(static_cast<int>(materials) - 1) {}
 
   int operator()(int index, const Place& place) {
     if (last_ < 0 || (index >= 0 && index <= last_)) return index;
@@ -30,10 +28,10 @@ class Clamp {
   Warnings warnings(const std::string& name, std::string_view carriers) const {
     Warnings all;
     for (const auto& [index, met] : met_)
-      all.push_back({name, met.place,
-                     fmt::format("{} {} of {} {} is outside 1 to {}; taken as {}", noun_,
-                                 static_cast<long long>(index) + 1, met.times, carriers, last_ + 1,
-                                 std::clamp(index, 0, last_) + 1)});
+      all.push_back(
+          {name, met.place,
+           fmt::format("{} {} of {} {} is outside 1 to {}; taken as {}", noun_, static_cast<long long>(index) + 1,
+                       met.times, carriers, last_ + 1, std::clamp(index, 0, last_) + 1)});
     return all;
   }
 
@@ -55,12 +53,10 @@ Warnings zero_length_lines(const Drawing& drawing) {
   Warnings warnings;
   for (const JointLine& line : drawing.joints)
     if (is_point(line.segment))
-      warnings.push_back(
-          {"zero_length_line", line.place, "a line without length cuts nothing and is left out"});
+      warnings.push_back({"zero_length_line", line.place, "a line without length cuts nothing and is left out"});
   for (const BoltLine& bolt : drawing.bolts)
     if (is_point(bolt.segment))
-      warnings.push_back(
-          {"zero_length_bolt", bolt.place, "a bolt without length has no direction and is left out"});
+      warnings.push_back({"zero_length_bolt", bolt.place, "a bolt without length has no direction and is left out"});
   return warnings;
 }
 
@@ -79,12 +75,10 @@ Warnings curves_and_points(const Analysis& analysis, std::size_t loading_points,
   const std::size_t curves = analysis.point_loads.size();
   if (curves > loading_points)
     return {{"surplus_load_curves", analysis.point_loads[loading_points].place,
-             fmt::format("{} load curves for {} loading points; the surplus is ignored", curves,
-                         loading_points)}};
+             fmt::format("{} load curves for {} loading points; the surplus is ignored", curves, loading_points)}};
   if (curves < loading_points)
     return {{"loading_points_without_load", place,
-             fmt::format("{} load curves for {} loading points; the others carry no load", curves,
-                         loading_points)}};
+             fmt::format("{} load curves for {} loading points; the others carry no load", curves, loading_points)}};
   return {};
 }
 
@@ -100,8 +94,8 @@ std::vector<InputError> impossible_blocks(const Blocks& blocks) {
   for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
     if (const double area = area_of(blocks.blocks[i].outer); !(area > 0))
       errors.emplace_back(blocks.place,
-                          fmt::format("expected block {} of {} counter-clockwise with an area, found area {}",
-                                      i + 1, blocks.blocks.size(), area));
+                          fmt::format("expected block {} of {} counter-clockwise with an area, found area {}", i + 1,
+                                      blocks.blocks.size(), area));
   return errors;
 }
 
@@ -139,15 +133,12 @@ class Checker {
     warn(curves_and_points(*checked_.problem.analysis, blocks.loading_points.size(), blocks.place));
   }
 
-  void warn(const Warnings& more) {
-    checked_.warnings.insert(checked_.warnings.end(), more.begin(), more.end());
-  }
+  void warn(const Warnings& more) { checked_.warnings.insert(checked_.warnings.end(), more.begin(), more.end()); }
 
   void drop_zero_length_lines(Drawing& drawing) {
     const auto boundaries = drawing.joints.begin() + static_cast<std::ptrdiff_t>(drawing.boundary_count);
     const auto is_dropped = [](const JointLine& line) { return is_point(line.segment); };
-    drawing.boundary_count -=
-        static_cast<std::size_t>(std::count_if(drawing.joints.begin(), boundaries, is_dropped));
+    drawing.boundary_count -= static_cast<std::size_t>(std::count_if(drawing.joints.begin(), boundaries, is_dropped));
     std::erase_if(drawing.joints, is_dropped);
     std::erase_if(drawing.bolts, [](const BoltLine& bolt) { return is_point(bolt.segment); });
   }
@@ -156,8 +147,7 @@ class Checker {
     Clamp joint("joint material", analysis.joint_materials.size());
     Clamp block("block material", analysis.block_materials.size());
     for (JointLine& line : drawing.joints) line.joint_material = joint(line.joint_material, line.place);
-    for (MaterialLine& line : drawing.material_lines)
-      line.block_material = block(line.block_material, line.place);
+    for (MaterialLine& line : drawing.material_lines) line.block_material = block(line.block_material, line.place);
     warn(joint.warnings("joint_material_clamped", "lines"));
     warn(block.warnings("block_material_clamped", "material lines"));
   }
@@ -167,8 +157,7 @@ class Checker {
     Clamp material("block material", analysis.block_materials.size());
     for (BlockPolygon& block : blocks.blocks) {
       block.material = material(block.material, blocks.place);
-      for (BlockVertex& vertex : block.outer)
-        vertex.joint_material = joint(vertex.joint_material, blocks.place);
+      for (BlockVertex& vertex : block.outer) vertex.joint_material = joint(vertex.joint_material, blocks.place);
       for (BlockLoop& hole : block.holes)
         for (BlockVertex& vertex : hole) vertex.joint_material = joint(vertex.joint_material, blocks.place);
     }

@@ -68,8 +68,7 @@ void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers
                         .words = fmt::format("and {} more", numbers.size() - kLegendLimit)});
       return;
     }
-    const std::string_view colour =
-        sign == LegendEntry::Sign::area ? area_colour(number) : line_colour(number);
+    const std::string_view colour = sign == LegendEntry::Sign::area ? area_colour(number) : line_colour(number);
     legend.push_back({.sign = sign, .colour = colour, .words = fmt::format("{} {}", word, number + 1)});
   }
 }
@@ -130,8 +129,7 @@ std::string blocks_picture(const Blocks& blocks) {
   const std::vector<LegendEntry> legend = make_legend(blocks);
   const double foot = kTitleHeight + size.y + 30;  // room for marks at the lower edge
   SvgPage page(kPageWidth, foot + kFootHeight + legend_height(legend, room));
-  page.text({kMargin, 26},
-            fmt::format("{} block{}", blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s"),
+  page.text({kMargin, 26}, fmt::format("{} block{}", blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s"),
             {.size = 16, .bold = true});
   if (box.empty()) return page.str();
   draw_scene(page, map, blocks);

@@ -59,8 +59,7 @@ void draw_axes(SvgPage& page, const Plot& plot, const AxisLabels& labels) {
   page.rectangle(plot.corner, plot.size.x, plot.size.y, {.stroke = "#222222", .stroke_width = 1});
   page.text({plot.corner.x + plot.size.x / 2, bottom + 36}, with_exponent(labels.x, plot.x.exponent),
             {.size = 13, .anchor = Anchor::middle});
-  page.text({plot.corner.x - kLeft + 16, plot.corner.y + plot.size.y / 2},
-            with_exponent(labels.y, plot.y.exponent),
+  page.text({plot.corner.x - kLeft + 16, plot.corner.y + plot.size.y / 2}, with_exponent(labels.y, plot.y.exponent),
             {.size = 13, .anchor = Anchor::middle, .turn_deg = -90});
 }
 
@@ -68,8 +67,7 @@ void draw_axes(SvgPage& page, const Plot& plot, const AxisLabels& labels) {
 std::vector<Point> thinned(const std::vector<Point>& points) {
   if (points.size() <= kMostMarkers) return points;
   std::vector<Point> some;
-  for (std::size_t i = 0; i < kMostMarkers; ++i)
-    some.push_back(points[i * (points.size() - 1) / (kMostMarkers - 1)]);
+  for (std::size_t i = 0; i < kMostMarkers; ++i) some.push_back(points[i * (points.size() - 1) / (kMostMarkers - 1)]);
   return some;
 }
 
@@ -90,10 +88,9 @@ int curve_colour(std::size_t index) {
 std::vector<LegendEntry> make_legend(const std::vector<Curve>& curves) {
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < curves.size(); ++i)
-    legend.push_back(
-        {.sign = curves[i].style == Curve::Style::line ? LegendEntry::Sign::line : LegendEntry::Sign::dots,
-         .colour = line_colour(curve_colour(i)),
-         .words = curves[i].label});
+    legend.push_back({.sign = curves[i].style == Curve::Style::line ? LegendEntry::Sign::line : LegendEntry::Sign::dots,
+                      .colour = line_colour(curve_colour(i)),
+                      .words = curves[i].label});
   return legend;
 }
 
@@ -108,8 +105,7 @@ bool has_points(const std::vector<Curve>& curves) {
   return std::ranges::any_of(curves, [](const Curve& curve) { return !finite_points(curve).empty(); });
 }
 
-void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& curves,
-                const AxisLabels& labels) {
+void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& curves, const AxisLabels& labels) {
   Box box;
   for (const Curve& curve : curves)
     for (Point p : finite_points(curve)) box.include(p);

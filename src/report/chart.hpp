@@ -28,7 +28,6 @@ struct AxisLabels {
 bool has_points(const std::vector<Curve>& curves);
 
 /// Draws axes, grid, curves and, above them, their labels into the rectangle of the page.
-void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& curves,
-                const AxisLabels& labels);
+void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& curves, const AxisLabels& labels);
 
 }  // namespace keyblock::report

@@ -60,9 +60,8 @@ void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, do
   const std::vector<ElementFrame>& end = picture.end.elements;
   for (std::size_t i = 0; i < start.size(); ++i) {
     if (i < end.size() && !moved_visibly(map, start[i], end[i])) continue;
-    page.polygon(
-        map(start[i].loops),
-        {.stroke = kStartColour, .stroke_width = std::min(width, 1.0), .dash = width > 0.5 ? "4 3" : "2 1"});
+    page.polygon(map(start[i].loops),
+                 {.stroke = kStartColour, .stroke_width = std::min(width, 1.0), .dash = width > 0.5 ? "4 3" : "2 1"});
   }
 }
 
@@ -74,10 +73,8 @@ void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture)
 
 void draw_marks(SvgPage& page, const PageMap& map, const Frame& frame) {
   for (const PointFrame& point : frame.fixed_points) draw_mark(page, map(point.position), Mark::fixed_point);
-  for (const PointFrame& point : frame.loading_points)
-    draw_mark(page, map(point.position), Mark::loading_point);
-  for (const PointFrame& point : frame.measured_points)
-    draw_mark(page, map(point.position), Mark::measured_point);
+  for (const PointFrame& point : frame.loading_points) draw_mark(page, map(point.position), Mark::loading_point);
+  for (const PointFrame& point : frame.measured_points) draw_mark(page, map(point.position), Mark::measured_point);
 }
 
 std::string time_words(std::string_view word, double time, const std::string& unit) {
@@ -86,12 +83,11 @@ std::string time_words(std::string_view word, double time, const std::string& un
 
 std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   using Sign = LegendEntry::Sign;
-  std::vector<LegendEntry> legend{{.sign = Sign::dashed_line,
-                                   .colour = kStartColour,
-                                   .words = time_words("start", picture.start.time, picture.time_unit)},
-                                  {.sign = Sign::area,
-                                   .colour = area_colour(0),
-                                   .words = time_words("end", picture.end.time, picture.time_unit)}};
+  std::vector<LegendEntry> legend{
+      {.sign = Sign::dashed_line,
+       .colour = kStartColour,
+       .words = time_words("start", picture.start.time, picture.time_unit)},
+      {.sign = Sign::area, .colour = area_colour(0), .words = time_words("end", picture.end.time, picture.time_unit)}};
   const auto add = [&legend](const std::vector<PointFrame>& points, Mark mark, std::string_view words) {
     if (!points.empty())
       legend.push_back({.sign = Sign::mark, .colour = {}, .mark = mark, .words = std::string(words)});

@@ -51,8 +51,7 @@ void draw_sign(SvgPage& page, Point left, const LegendEntry& entry) {
   const Point middle = left + Point{9, 0};
   switch (entry.sign) {
     case LegendEntry::Sign::area:
-      page.rectangle(left + Point{2, -6}, 14, 12,
-                     {.fill = entry.colour, .stroke = "#555555", .stroke_width = 0.8});
+      page.rectangle(left + Point{2, -6}, 14, 12, {.fill = entry.colour, .stroke = "#555555", .stroke_width = 0.8});
       break;
     case LegendEntry::Sign::line:
       page.line(left, left + Point{18, 0}, {.stroke = entry.colour, .stroke_width = 2});
@@ -106,8 +105,7 @@ void draw_scale_bar(SvgPage& page, Point left, double width, const PageMap& map)
   const Style bar{.stroke = "#222222", .stroke_width = 1.6};
   page.line(left, right, bar);
   for (Point end : {left, right}) page.line(end - Point{0, 4}, end + Point{0, 4}, bar);
-  page.text(right + Point{8, 4}, fmt::format("{:g} (unit of length of the input)", length),
-            {.size = kTextSize});
+  page.text(right + Point{8, 4}, fmt::format("{:g} (unit of length of the input)", length), {.size = kTextSize});
 }
 
 }  // namespace keyblock::report

@@ -66,14 +66,13 @@ void SvgPage::polygon(const std::vector<std::vector<Point>>& loops, const Style&
     path += fmt::format("M{}Z", coordinates(loop));
   }
   if (path.empty()) return;
-  body_ += fmt::format("<path fill-rule=\"evenodd\" stroke-linejoin=\"round\" d=\"{}\"{}/>\n", path,
-                       attributes(style));
+  body_ += fmt::format("<path fill-rule=\"evenodd\" stroke-linejoin=\"round\" d=\"{}\"{}/>\n", path, attributes(style));
 }
 
 void SvgPage::polyline(const std::vector<Point>& points, const Style& style) {
   if (points.size() < 2 || !are_finite(points)) return;
-  body_ += fmt::format("<polyline stroke-linejoin=\"round\" points=\"{}\"{}/>\n", coordinates(points),
-                       attributes(style));
+  body_ +=
+      fmt::format("<polyline stroke-linejoin=\"round\" points=\"{}\"{}/>\n", coordinates(points), attributes(style));
 }
 
 void SvgPage::line(Point from, Point to, const Style& style) {
@@ -82,16 +81,14 @@ void SvgPage::line(Point from, Point to, const Style& style) {
 
 void SvgPage::circle(Point center, double radius, const Style& style) {
   if (!is_finite(center)) return;
-  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", page_number(center.x),
-                       page_number(center.y), page_number(radius), attributes(style));
+  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", page_number(center.x), page_number(center.y),
+                       page_number(radius), attributes(style));
 }
 
 void SvgPage::rectangle(Point corner, double width, double height, const Style& style) {
-  polygon({{corner,
-            {corner.x + width, corner.y},
-            {corner.x + width, corner.y + height},
-            {corner.x, corner.y + height}}},
-          style);
+  polygon(
+      {{corner, {corner.x + width, corner.y}, {corner.x + width, corner.y + height}, {corner.x, corner.y + height}}},
+      style);
 }
 
 void SvgPage::text(Point anchor, std::string_view words, const TextStyle& style) {
@@ -100,11 +97,9 @@ void SvgPage::text(Point anchor, std::string_view words, const TextStyle& style)
   const std::string y = page_number(anchor.y);
   std::string extra;
   if (style.bold) extra += " font-weight=\"bold\"";
-  if (style.turn_deg != 0)
-    extra += fmt::format(" transform=\"rotate({} {} {})\"", page_number(style.turn_deg), x, y);
-  body_ +=
-      fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n", x,
-                  y, page_number(style.size), name_of(style.anchor), style.fill, extra, escape_xml(words));
+  if (style.turn_deg != 0) extra += fmt::format(" transform=\"rotate({} {} {})\"", page_number(style.turn_deg), x, y);
+  body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n", x, y,
+                       page_number(style.size), name_of(style.anchor), style.fill, extra, escape_xml(words));
 }
 
 std::string SvgPage::str() const {

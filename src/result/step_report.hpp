@@ -17,7 +17,7 @@ struct StepReport {
   double displacement_ratio = 0;    ///< greatest vertex displacement over the allowed one
   double greatest_penetration = 0;  ///< of the closed contacts, length, ≥ 0
   double residual = 0;              ///< largest relative residual of the step's linear solves
-  int unsettled_contacts = 0;  ///< contacts that still opened or closed in the last pass (accepted by choice)
+  int unsettled_contacts = 0;       ///< contacts that still opened or closed in the last pass (accepted by choice)
 };
 
 }  // namespace keyblock

@@ -21,8 +21,11 @@ CutResult blocks_of(const Problem& problem) {
 // What the files ask for that this profile does not do is said, not dropped in silence.
 Warnings not_modelled(const Blocks& blocks, const Analysis& analysis) {
   Warnings warnings;
-  const auto warn = [&](const char* name, const char* sentence) { warnings.push_back({name, analysis.place, sentence}); };
-  if (!blocks.bolts.empty()) warn("bolts_without_effect", "bolts are read and kept, but exert no force in this profile");
+  const auto warn = [&](const char* name, const char* sentence) {
+    warnings.push_back({name, analysis.place, sentence});
+  };
+  if (!blocks.bolts.empty())
+    warn("bolts_without_effect", "bolts are read and kept, but exert no force in this profile");
   if (analysis.contact_damping != 0)
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
@@ -52,8 +55,7 @@ Place place_of(const Problem& problem) {
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
-  if (!problem.analysis)
-    throw InputError(place_of(problem), "expected an analysis file beside it, found none");
+  if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
   Settings settings = profile_settings(profile, *problem.analysis);
   for (const auto& [name, value] : overrides) set(settings, name, value);
   CutResult cut = blocks_of(problem);

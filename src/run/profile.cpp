@@ -21,8 +21,7 @@ double berkeley_gravity(const Analysis& analysis) {
 // "program chooses".
 double start_penalty(const Analysis& analysis) {
   if (analysis.contact_penalty.value_or(0) > 0) return *analysis.contact_penalty;
-  const auto stiffest =
-      std::ranges::max_element(analysis.block_materials, {}, &BlockMaterial::youngs_modulus);
+  const auto stiffest = std::ranges::max_element(analysis.block_materials, {}, &BlockMaterial::youngs_modulus);
   return analysis.penalty_factor * stiffest->youngs_modulus;
 }
 
@@ -63,10 +62,8 @@ std::vector<std::string> profile_names() {
 }
 
 Settings profile_settings(const std::string& name, const Analysis& analysis) {
-  const auto profile =
-      std::ranges::find(kProfiles, name, [](const Profile& p) { return std::string(p.name); });
-  if (profile == kProfiles.end())
-    throw std::invalid_argument(fmt::format("there is no profile \"{}\"", name));
+  const auto profile = std::ranges::find(kProfiles, name, [](const Profile& p) { return std::string(p.name); });
+  if (profile == kProfiles.end()) throw std::invalid_argument(fmt::format("there is no profile \"{}\"", name));
   return profile->settings(analysis);
 }
 

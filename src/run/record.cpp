@@ -15,8 +15,7 @@ std::vector<std::vector<Point>> loops_of(const Element& element, const State& st
   return loops;
 }
 
-std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points,
-                                  const std::vector<PointState>& states) {
+std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const std::vector<PointState>& states) {
   std::vector<PointFrame> frames;
   for (std::size_t i = 0; i < points.size(); ++i)
     frames.push_back({states[i].position, states[i].displacement, points[i].element.value});

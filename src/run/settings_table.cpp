@@ -71,8 +71,7 @@ const std::vector<Row>& table() {
        Real{[](Settings& s) -> double& { return s.fixed_point_factor; }, 0, true}},
       {"allowed_displacement_ratio", "allowed displacement of a step over half the size of the scene",
        Real{[](Settings& s) -> double& { return s.allowed_displacement_ratio; }, 0, true}},
-      {"pass_limit", "open-close passes of one attempt",
-       Whole{[](Settings& s) -> int& { return s.pass_limit; }, 1}},
+      {"pass_limit", "open-close passes of one attempt", Whole{[](Settings& s) -> int& { return s.pass_limit; }, 1}},
       {"redo_limit", "attempts at one step before the run stops",
        Whole{[](Settings& s) -> int& { return s.redo_limit; }, 0}},
       {"closing_ratio", "penetration at which a contact closes, over half the size of the scene",
@@ -104,8 +103,7 @@ const std::vector<Row>& table() {
       {"quirk.weight_of_first_material", "one gravity for all materials",
        quirk(&BerkeleyQuirks::weight_of_first_material)},
       {"quirk.cut_step_stays", "rules 11.2: a cut step stays cut", quirk(&BerkeleyQuirks::cut_step_stays)},
-      {"quirk.fixed_pass_bound", "rules 11.1: 8 passes whatever the limit",
-       quirk(&BerkeleyQuirks::fixed_pass_bound)},
+      {"quirk.fixed_pass_bound", "rules 11.1: 8 passes whatever the limit", quirk(&BerkeleyQuirks::fixed_pass_bound)},
       {"quirk.step_rule_by_time", "rules 13: time in place of the displacement ratio",
        quirk(&BerkeleyQuirks::step_rule_by_time)},
   };
@@ -121,18 +119,13 @@ std::optional<T> parse(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const Row& row, const std::string& expected, const std::string& found) {
-  throw std::invalid_argument(
-      fmt::format("setting {}: expected {}, found \"{}\"", row.name, expected, found));
+  throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}\"", row.name, expected, found));
 }
 
 struct Write {
   const Settings& settings;
-  std::string operator()(const Real& r) const {
-    return fmt::format("{}", r.of(const_cast<Settings&>(settings)));
-  }
-  std::string operator()(const Whole& w) const {
-    return fmt::format("{}", w.of(const_cast<Settings&>(settings)));
-  }
+  std::string operator()(const Real& r) const { return fmt::format("{}", r.of(const_cast<Settings&>(settings))); }
+  std::string operator()(const Whole& w) const { return fmt::format("{}", w.of(const_cast<Settings&>(settings))); }
   std::string operator()(const Choice& c) const { return c.names[static_cast<std::size_t>(c.get(settings))]; }
 };
 
@@ -143,8 +136,8 @@ struct Read {
 
   void operator()(const Real& r) const {
     const std::optional<double> value = parse<double>(text);
-    const bool in_range = value && std::isfinite(*value) && *value <= r.greatest &&
-                          (r.open ? *value > r.least : *value >= r.least);
+    const bool in_range =
+        value && std::isfinite(*value) && *value <= r.greatest && (r.open ? *value > r.least : *value >= r.least);
     if (!in_range) refuse(row, range_of(r), text);
     r.of(settings) = *value;
   }
@@ -171,8 +164,8 @@ struct Read {
 std::vector<SettingText> list(const Settings& settings) {
   std::vector<SettingText> texts;
   for (const Row& row : table())
-    texts.push_back({row.name, std::visit(Write{settings}, row.kind), row.meaning,
-                     !std::holds_alternative<Choice>(row.kind)});
+    texts.push_back(
+        {row.name, std::visit(Write{settings}, row.kind), row.meaning, !std::holds_alternative<Choice>(row.kind)});
   return texts;
 }
 
@@ -180,8 +173,7 @@ void set(Settings& settings, const std::string& name, const std::string& value) 
   for (const Row& row : table()) {
     if (name == row.name) return std::visit(Read{settings, row, value}, row.kind);
   }
-  throw std::invalid_argument(
-      fmt::format("there is no setting \"{}\"; `keyblock run --settings` lists them", name));
+  throw std::invalid_argument(fmt::format("there is no setting \"{}\"; `keyblock run --settings` lists them", name));
 }
 
 }  // namespace keyblock

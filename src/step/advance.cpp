@@ -45,8 +45,8 @@ Contacts contacts_of_step(const Scene& scene, const Stepping& stepping) {
   const State& state = stepping.state;
   const BerkeleyQuirks& quirks = scene.settings.quirks;
   Detection found = detect(scene.model, state, scene.settings, scene.rules);
-  Contacts contacts = quirks.stale_contact_list ? with_stale_contacts(std::move(found), stepping.contacts)
-                                                : std::move(found.contacts);
+  Contacts contacts =
+      quirks.stale_contact_list ? with_stale_contacts(std::move(found), stepping.contacts) : std::move(found.contacts);
   contacts = carry(std::move(contacts), stepping.contacts, state, scene.rules, quirks);
   if (state.step > 0) return contacts;
   return scene.settings.velocity_carry_over == 0 ? start_open(std::move(contacts))
@@ -54,8 +54,7 @@ Contacts contacts_of_step(const Scene& scene, const Stepping& stepping) {
 }
 
 double step_size(const Scene& scene, const Stepping& stepping) {
-  if (stepping.state.step > 0)
-    return next_step_size(scene.model, stepping.state, scene.settings, stepping.history);
+  if (stepping.state.step > 0) return next_step_size(scene.model, stepping.state, scene.settings, stepping.history);
   double speed = 0;
   for (const BlockMaterial& m : scene.model.block_materials) {
     const Velocity& v = m.initial_velocity;
@@ -68,8 +67,8 @@ double step_size(const Scene& scene, const Stepping& stepping) {
 int matrix_blocks(const Model& model, const Contacts& contacts) {
   std::vector<std::pair<ElementIndex, ElementIndex>> pairs;
   for (const Contact& contact : contacts) {
-    const auto [a, b] = std::minmax(model.vertices[contact.first.vertex].element,
-                                    model.vertices[contact.first.start].element);
+    const auto [a, b] =
+        std::minmax(model.vertices[contact.first.vertex].element, model.vertices[contact.first.start].element);
     pairs.push_back({a, b});
   }
   std::ranges::sort(pairs);
@@ -112,8 +111,8 @@ class Attempts {
     const Attempt kind = !stepping_.has_solved ? Attempt::first_of_run
                          : report_.redos == 0  ? Attempt::first_of_step
                                                : Attempt::redone;
-    OpenCloseOutcome outcome = open_close(system, contacts_, scene_.model, start_, settings_, scene_.rules,
-                                          penalty_, kind, stepping_.solver);
+    OpenCloseOutcome outcome =
+        open_close(system, contacts_, scene_.model, start_, settings_, scene_.rules, penalty_, kind, stepping_.solver);
     stepping_.has_solved = true;
     report_.passes += outcome.passes;
     report_.residual = std::max(report_.residual, outcome.residual);
@@ -148,8 +147,8 @@ class Attempts {
     report_.time = stepping_.state.time;
     report_.dt = dt_;
     report_.contacts = static_cast<int>(stepping_.contacts.size());
-    report_.closed = static_cast<int>(
-        std::ranges::count_if(stepping_.contacts, [](const Contact& c) { return !c.is_open(); }));
+    report_.closed =
+        static_cast<int>(std::ranges::count_if(stepping_.contacts, [](const Contact& c) { return !c.is_open(); }));
     report_.matrix_blocks = matrix_blocks(scene_.model, stepping_.contacts);
     report_.penalty = used_penalty_;
     report_.displacement_ratio = ratio_;
@@ -161,8 +160,7 @@ class Attempts {
   }
 
   std::string failure(const std::string& what) const {
-    return fmt::format("step {} (time {}, dt {}): {}", stepping_.state.step + 1, stepping_.state.time, dt_,
-                       what);
+    return fmt::format("step {} (time {}, dt {}): {}", stepping_.state.step + 1, stepping_.state.time, dt_, what);
   }
   static std::string one_based(std::vector<std::size_t> numbers) {
     for (std::size_t& n : numbers) ++n;
@@ -188,8 +186,7 @@ class Attempts {
 Scene scene_of(Model model, Settings settings, AnalysisDialect dialect) {
   const Requirements needs = requirements(model, settings);
   const ContactRules rules = contact_rules(model, settings);
-  return {std::move(model), std::move(settings),         dialect, rules,
-          terms_for(needs), needs.has(TermKind::contact)};
+  return {std::move(model), std::move(settings), dialect, rules, terms_for(needs), needs.has(TermKind::contact)};
 }
 
 Stepping start(const Scene& scene) {

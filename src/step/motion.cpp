@@ -15,8 +15,7 @@ Point exact_displacement(const Basis& basis, const Unknowns& increment, Point of
   const double r = increment[basis.rotation_unknown];
   const double c = std::cos(r) - 1;
   const double s = std::sin(r);
-  return basis.displacement(without_rotation, offset) +
-         Point{offset.x * c - offset.y * s, offset.x * s + offset.y * c};
+  return basis.displacement(without_rotation, offset) + Point{offset.x * c - offset.y * s, offset.x * s + offset.y * c};
 }
 
 }  // namespace
@@ -26,8 +25,7 @@ Point displacement(const Basis& basis, const Unknowns& increment, Point offset, 
                                      : basis.displacement(increment, offset);
 }
 
-double greatest_displacement(const Model& model, const State& state, const Increments& increments,
-                             Rotation rotation) {
+double greatest_displacement(const Model& model, const State& state, const Increments& increments, Rotation rotation) {
   double greatest = 0;
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];

@@ -14,7 +14,6 @@ namespace keyblock {
 Point displacement(const Basis& basis, const Unknowns& increment, Point offset, Rotation rotation);
 
 /// Greatest displacement of any vertex in the step.
-double greatest_displacement(const Model& model, const State& state, const Increments& increments,
-                             Rotation rotation);
+double greatest_displacement(const Model& model, const State& state, const Increments& increments, Rotation rotation);
 
 }  // namespace keyblock

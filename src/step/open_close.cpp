@@ -32,9 +32,9 @@ std::vector<bool> friction_acts(const Contacts& contacts, Attempt attempt, int p
 
 }  // namespace
 
-OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model,
-                            const State& state, const Settings& settings, const ContactRules& rules,
-                            double penalty, Attempt attempt, Solver& solver) {
+OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model, const State& state,
+                            const Settings& settings, const ContactRules& rules, double penalty, Attempt attempt,
+                            Solver& solver) {
   OpenCloseOutcome outcome;
   outcome.contacts = std::move(contacts);
   const int bound = settings.quirks.fixed_pass_bound ? kBerkeleyPassBound : settings.pass_limit;
@@ -42,8 +42,7 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
     ++outcome.passes;
     System system = without_contact;
     add_springs(outcome.contacts, model, state, rules, penalty, system);
-    add_friction(outcome.contacts, friction_acts(outcome.contacts, attempt, outcome.passes), model, state,
-                 system);
+    add_friction(outcome.contacts, friction_acts(outcome.contacts, attempt, outcome.passes), model, state, system);
     const std::optional<Solution> solution = solver.solve(system);
     if (!solution) {
       outcome.solved = false;

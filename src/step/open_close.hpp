@@ -23,14 +23,13 @@ struct OpenCloseOutcome {
   Contacts contacts;
   Increments increments;
   int passes = 0;
-  double residual = 0;  ///< largest relative residual of its solves
-  std::vector<std::size_t>
-      still_changing;  ///< contacts that changed in the last pass: empty if the iteration ended
-  bool solved = true;  ///< false: a solve broke down
+  double residual = 0;                      ///< largest relative residual of its solves
+  std::vector<std::size_t> still_changing;  ///< contacts that changed in the last pass: empty if the iteration ended
+  bool solved = true;                       ///< false: a solve broke down
 };
 
-OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model,
-                            const State& state, const Settings& settings, const ContactRules& rules,
-                            double penalty, Attempt attempt, Solver& solver);
+OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model, const State& state,
+                            const Settings& settings, const ContactRules& rules, double penalty, Attempt attempt,
+                            Solver& solver);
 
 }  // namespace keyblock

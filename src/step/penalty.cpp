@@ -28,8 +28,7 @@ AdaptedPenalty adapt(double penalty, const Misfit& misfit, double scale, const S
   if (settings.penalty_control == PenaltyControl::constant) return {penalty, false};
   const double opening = misfit.opening / scale / (2 * settings.allowed_displacement_ratio);
   const double penetration = misfit.penetration / scale / settings.open_close.allowed_penetration;
-  const double adapted =
-      std::max({penalty * opening + kFloor, penalty * penetration + kFloor, penalty / kFastestFall});
+  const double adapted = std::max({penalty * opening + kFloor, penalty * penetration + kFloor, penalty / kFastestFall});
   const bool redo = penetration > kTooDeep;
   return {redo ? kRedoIncrease * adapted : adapted, redo};
 }

@@ -37,23 +37,20 @@ double first_step_size(const Model& model, const State& state, const Settings& s
   const double area = model.mean_area;
   double stress = 0;
   for (const BlockMaterial& m : model.block_materials)
-    stress = std::max({stress, std::abs(m.initial_stress.xx), std::abs(m.initial_stress.yy),
-                       std::abs(m.initial_stress.xy)});
+    stress =
+        std::max({stress, std::abs(m.initial_stress.xx), std::abs(m.initial_stress.yy), std::abs(m.initial_stress.xy)});
   const double mass = area * material.density;
-  const double acceleration =
-      std::max({material.unit_weight / material.density, 4 * stress * std::sqrt(area) / mass,
-                greatest_load(model, state.time) / mass});
+  const double acceleration = std::max({material.unit_weight / material.density, 4 * stress * std::sqrt(area) / mass,
+                                        greatest_load(model, state.time) / mass});
   if (acceleration <= 0 && start_speed <= 0) return settings.time_step;
   return time_to_move(allowed_displacement(model, settings), start_speed, std::max(acceleration, 0.0));
 }
 
-double next_step_size(const Model& model, const State& state, const Settings& settings,
-                      const StepHistory& last) {
+double next_step_size(const Model& model, const State& state, const Settings& settings, const StepHistory& last) {
   if (settings.step_control == StepControl::constant)
     return settings.quirks.cut_step_stays ? last.dt : settings.time_step;
   const double mass = model.mean_area * model.block_materials.front().density;
-  const double acceleration =
-      std::max(last.penetration * last.penalty / mass, greatest_load(model, state.time) / mass);
+  const double acceleration = std::max(last.penetration * last.penalty / mass, greatest_load(model, state.time) / mass);
   const double distance = allowed_displacement(model, settings);
   const double ratio = settings.quirks.step_rule_by_time ? state.time : last.displacement_ratio;
   const double speed = settings.velocity_carry_over == 0 ? 0 : ratio * distance / last.dt;

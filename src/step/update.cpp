@@ -39,8 +39,7 @@ Stress stress_after(const Stress& stress, const Eigen::Vector3d& change) {
 
 }  // namespace
 
-State update(const Model& model, State state, const Settings& settings, const Increments& increments,
-             double dt) {
+State update(const Model& model, State state, const Settings& settings, const Increments& increments, double dt) {
   const State before = state;
   const Mover mover(model, before, increments, settings.rotation);
   for (VertexIndex v : indices(model.vertices))

@@ -62,8 +62,8 @@ std::vector<ComparedValue> read_expected(const std::filesystem::path& file) {
   const formats::CsvTable table = formats::read_csv(formats::load(file.string()));
   const auto column = [&](const char* name) { return formats::csv_column(table, name); };
   const std::size_t quantity = column("quantity"), block = column("block"), time = column("time"),
-                    value = column("value"), tolerance = column("tolerance"),
-                    reason = column("tolerance_reason"), source = column("source");
+                    value = column("value"), tolerance = column("tolerance"), reason = column("tolerance_reason"),
+                    source = column("source");
   std::vector<ComparedValue> values;
   for (const formats::CsvRow& row : table.rows) {
     ComparedValue v;
@@ -121,8 +121,7 @@ ComparedCase compare_case(const CaseFolder& folder, const std::string& profile) 
   require_blocks(compared.values, prepared.scene.model.elements.size(), table);
   const auto followed =
       std::ranges::find_if(compared.values, [](const ComparedValue& v) { return v.block.has_value(); });
-  const std::size_t block =
-      followed == compared.values.end() ? 0 : static_cast<std::size_t>(*followed->block - 1);
+  const std::size_t block = followed == compared.values.end() ? 0 : static_cast<std::size_t>(*followed->block - 1);
   Observer observer;
   observer.on_frame = [&](const Frame& frame) {
     if (frame.step == 0) compared.start = frame;

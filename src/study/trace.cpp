@@ -68,10 +68,8 @@ class Follower {
     for (std::size_t row = 0; row < blocks_.size(); ++row) {
       if (blocks_(row, "step") > last_) continue;
       rows_[static_cast<int>(blocks_(row, "step"))].push_back(row);
-      for (const char* c : {"cx", "cy"})
-        position_scale_ = std::max(position_scale_, std::abs(blocks_(row, c)));
-      for (const char* c : {"sxx", "syy", "sxy"})
-        stress_scale_ = std::max(stress_scale_, std::abs(blocks_(row, c)));
+      for (const char* c : {"cx", "cy"}) position_scale_ = std::max(position_scale_, std::abs(blocks_(row, c)));
+      for (const char* c : {"sxx", "syy", "sxy"}) stress_scale_ = std::max(stress_scale_, std::abs(blocks_(row, c)));
     }
   }
 
@@ -120,14 +118,12 @@ class Follower {
 
   void compare(std::size_t row, const ElementFrame& e) {
     const auto off = [&](const char* column, double found) { return std::abs(blocks_(row, column) - found); };
-    difference_.position =
-        std::max({difference_.position, off("cx", e.centroid.x) / position_scale_,
-                  off("cy", e.centroid.y) / position_scale_, off("dx", e.displacement.x) / position_scale_,
-                  off("dy", e.displacement.y) / position_scale_});
+    difference_.position = std::max(
+        {difference_.position, off("cx", e.centroid.x) / position_scale_, off("cy", e.centroid.y) / position_scale_,
+         off("dx", e.displacement.x) / position_scale_, off("dy", e.displacement.y) / position_scale_});
     difference_.rotation = std::max(difference_.rotation, off("rot", e.rotation));
-    difference_.stress =
-        std::max({difference_.stress, off("sxx", e.stress.xx) / stress_scale_,
-                  off("syy", e.stress.yy) / stress_scale_, off("sxy", e.stress.xy) / stress_scale_});
+    difference_.stress = std::max({difference_.stress, off("sxx", e.stress.xx) / stress_scale_,
+                                   off("syy", e.stress.yy) / stress_scale_, off("sxy", e.stress.xy) / stress_scale_});
   }
 
   void polygon(const std::string& text, const ElementFrame& element, std::size_t number) {
@@ -137,8 +133,8 @@ class Follower {
     equal(fmt::format("vertices of block {}", number), 0, static_cast<double>(numbers.size()) / 2,
           static_cast<double>(loop.size()), 0);
     for (std::size_t i = 0; i < std::min(loop.size(), numbers.size() / 2); ++i)
-      difference_.polygon = std::max(
-          difference_.polygon, distance(loop[i], {numbers[2 * i], numbers[2 * i + 1]}) / position_scale_);
+      difference_.polygon =
+          std::max(difference_.polygon, distance(loop[i], {numbers[2 * i], numbers[2 * i + 1]}) / position_scale_);
   }
 
   Numbers steps_;
@@ -165,8 +161,7 @@ bool TraceDifference::holds() const {
 TraceDifference follow_trace(const CaseFolder& folder) {
   const formats::Case loaded = formats::load_case(folder.inputs());
   Follower follower(folder, greatest_modulus(*loaded.problem.analysis));
-  const Prepared prepared =
-      prepare(loaded.problem, "legacy", {{"steps", fmt::format("{}", follower.last())}});
+  const Prepared prepared = prepare(loaded.problem, "legacy", {{"steps", fmt::format("{}", follower.last())}});
   Observer observer;
   observer.on_step = [&](const StepReport& report) { follower.step(report); };
   observer.on_frame = [&](const Frame& frame) {

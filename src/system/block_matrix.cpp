@@ -8,8 +8,7 @@
 
 namespace keyblock {
 
-BlockMatrix::BlockMatrix(std::vector<int> sizes)
-    : sizes_(std::move(sizes)), first_rows_(sizes_.size() + 1, 0) {
+BlockMatrix::BlockMatrix(std::vector<int> sizes) : sizes_(std::move(sizes)), first_rows_(sizes_.size() + 1, 0) {
   std::partial_sum(sizes_.begin(), sizes_.end(), first_rows_.begin() + 1);
   rows_.resize(sizes_.size());
   for (int i = 0; i < block_count(); ++i) block(i, i);
@@ -40,7 +39,6 @@ Eigen::VectorXd BlockMatrix::operator*(const Eigen::VectorXd& x) const {
   return y;
 }
 
-System::System(std::vector<int> sizes)
-    : matrix(std::move(sizes)), load(Eigen::VectorXd::Zero(matrix.row_count())) {}
+System::System(std::vector<int> sizes) : matrix(std::move(sizes)), load(Eigen::VectorXd::Zero(matrix.row_count())) {}
 
 }  // namespace keyblock

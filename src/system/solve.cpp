@@ -43,10 +43,8 @@ double relative_residual(const System& system, const Eigen::VectorXd& residual) 
 
 bool Solver::same_pattern(const Sparse& matrix) const {
   return matrix.rows() == matrix_.rows() && matrix.nonZeros() == matrix_.nonZeros() &&
-         std::equal(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1,
-                    matrix_.outerIndexPtr()) &&
-         std::equal(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros(),
-                    matrix_.innerIndexPtr());
+         std::equal(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1, matrix_.outerIndexPtr()) &&
+         std::equal(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros(), matrix_.innerIndexPtr());
 }
 
 std::optional<Solution> Solver::solve(const System& system) {

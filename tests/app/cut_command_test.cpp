@@ -23,9 +23,8 @@ class CutCommand : public testing::Test {
     folder_ = fs::temp_directory_path() / ("keyblock_" + name);
     fs::create_directories(folder_);
     // Two unit squares side by side, one measured point.
-    std::ofstream(folder_ / "squares.geo")
-        << "0.01 5 0 0 0 0 0 1 0\n0 0 2 0 1\n2 0 2 1 1\n2 1 0 1 1\n0 1 0 0 1\n"
-           "1 0 1 1 2\n0.5 0.5\n";
+    std::ofstream(folder_ / "squares.geo") << "0.01 5 0 0 0 0 0 1 0\n0 0 2 0 1\n2 0 2 1 1\n2 1 0 1 1\n0 1 0 0 1\n"
+                                              "1 0 1 1 2\n0.5 0.5\n";
     std::ofstream(folder_ / "open.geo") << "0.01 2 0 0 0 0 0 0 0\n0 0 2 0 1\n2 0 2 1 1\n";
   }
   void TearDown() override { fs::remove_all(folder_); }

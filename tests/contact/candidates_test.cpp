@@ -41,8 +41,8 @@ std::vector<ElementPair> all_against_all(const Scattered& scene, double distance
     for (int b = a + 1; b < count; ++b) {
       const auto& [low_a, high_a] = scene.boxes[static_cast<std::size_t>(a)];
       const auto& [low_b, high_b] = scene.boxes[static_cast<std::size_t>(b)];
-      if (low_a.x - distance <= high_b.x && low_b.x <= high_a.x + distance &&
-          low_a.y - distance <= high_b.y && low_b.y <= high_a.y + distance)
+      if (low_a.x - distance <= high_b.x && low_b.x <= high_a.x + distance && low_a.y - distance <= high_b.y &&
+          low_b.y <= high_a.y + distance)
         pairs.push_back({{a}, {b}});
     }
   }
@@ -62,8 +62,7 @@ TEST(Candidates, grid_and_all_against_all_find_the_same_pairs) {
 }
 
 TEST(Candidates, one_element_has_no_pair) {
-  const Scene scene =
-      legacy_scene({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
+  const Scene scene = legacy_scene({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
   EXPECT_TRUE(close_pairs(scene.model, start(scene).state, 1).empty());
 }
 

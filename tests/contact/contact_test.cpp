@@ -30,8 +30,8 @@ struct SquareOnBase {
     Analysis analysis = plain_analysis(1e-3, 1);
     analysis.allowed_displacement_ratio = 0.01;
     analysis.joint_materials[0] = {friction_deg, 1000, 500, {}};
-    return legacy_scene(
-        {{rectangle({-2, -1}, {3, 0}), rectangle({0, gap}, {1, 1 + gap})}, {}, {}, {}, {}, {}}, analysis);
+    return legacy_scene({{rectangle({-2, -1}, {3, 0}), rectangle({0, gap}, {1, 1 + gap})}, {}, {}, {}, {}, {}},
+                        analysis);
   }
 
   /// Judges after the square has moved rigidly by (dx, dy).
@@ -40,8 +40,7 @@ struct SquareOnBase {
     increments[ElementIndex{0}] = Unknowns::Zero(6);
     increments[ElementIndex{1}] = Unknowns::Zero(6);
     increments[ElementIndex{1}].head<2>() << dx, dy;
-    contacts = judge(std::move(contacts), scene.model, state, increments, scene.rules,
-                     scene.settings.contact_penalty);
+    contacts = judge(std::move(contacts), scene.model, state, increments, scene.rules, scene.settings.contact_penalty);
   }
 };
 
@@ -92,13 +91,11 @@ TEST(Contact, a_bonded_contact_opens_only_beyond_its_tensile_stretch) {
 
 // Legacy-rules 10.3: locked while |penetration| tan(phi) + c length / kn > |slip| / 2.5.
 TEST(Contact, a_locked_contact_slides_beyond_coulomb_and_cohesion) {
-  for (const auto& [share, state] :
-       {std::pair{0.99, ContactState::locked}, std::pair{1.01, ContactState::sliding}}) {
+  for (const auto& [share, state] : {std::pair{0.99, ContactState::locked}, std::pair{1.01, ContactState::sliding}}) {
     SquareOnBase pair(0, 30);
     pair.contacts = start_closed(pair.contacts, pair.state, pair.scene.rules);
     const double depth = 1e-5;
-    const double limit =
-        2.5 * (depth * std::tan(30 * M_PI / 180) + 1000 * 0.5 / pair.scene.settings.contact_penalty);
+    const double limit = 2.5 * (depth * std::tan(30 * M_PI / 180) + 1000 * 0.5 / pair.scene.settings.contact_penalty);
     pair.move(share * limit, -depth);
     EXPECT_EQ(pair.contacts[0].state, state) << share;
   }
@@ -122,9 +119,8 @@ TEST(Contact, only_a_locked_contact_hands_on_bond_and_contact_point) {
   old[0].ratio = 0.123;
   old[1].ratio = 0.123;
   old[1].state = ContactState::sliding;
-  const Contacts next =
-      carry(detect(pair.scene.model, pair.state, pair.scene.settings, pair.scene.rules).contacts, old,
-            pair.state, pair.scene.rules, pair.scene.settings.quirks);
+  const Contacts next = carry(detect(pair.scene.model, pair.state, pair.scene.settings, pair.scene.rules).contacts, old,
+                              pair.state, pair.scene.rules, pair.scene.settings.quirks);
   EXPECT_EQ(next[0].state, ContactState::locked);
   EXPECT_TRUE(next[0].bonded);
   EXPECT_EQ(next[0].ratio, 0.123);
@@ -149,8 +145,7 @@ TEST(Contact, equal_squares_edge_to_edge_touch_by_parallel_pairs) {
 TEST(Contact, two_corners_that_meet_have_two_reference_lines) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.allowed_displacement_ratio = 0.01;
-  const BlockPolygon tilted{
-      0, {{{0, 1}, 0}, {{0.5, 2}, 0}, {{-0.5, 2}, 0}}, {}};  // a wedge on the tip of another
+  const BlockPolygon tilted{0, {{{0, 1}, 0}, {{0.5, 2}, 0}, {{-0.5, 2}, 0}}, {}};  // a wedge on the tip of another
   const BlockPolygon tip{0, {{{-0.5, 0}, 0}, {{0.5, 0}, 0}, {{0, 1}, 0}}, {}};
   const Scene scene = legacy_scene({{tip, tilted}, {}, {}, {}, {}, {}}, analysis);
   const Detection found = detect(scene.model, start(scene).state, scene.settings, scene.rules);

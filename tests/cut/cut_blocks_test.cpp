@@ -96,8 +96,7 @@ TEST(CutBlocks, order_of_lines_does_not_matter) {
   const Drawing drawing = jointed_slope();
   const Blocks blocks = cut_blocks(drawing).blocks;
   EXPECT_GT(blocks.blocks.size(), 20U);
-  for (unsigned seed = 0; seed < 5; ++seed)
-    expect_same(blocks, cut_blocks(permuted(drawing, seed)).blocks, kRoundOff);
+  for (unsigned seed = 0; seed < 5; ++seed) expect_same(blocks, cut_blocks(permuted(drawing, seed)).blocks, kRoundOff);
 }
 
 TEST(CutBlocks, merging_of_whole_clusters_does_not_depend_on_the_order_of_lines) {
@@ -153,16 +152,14 @@ TEST(CutBlocks, a_lattice_with_overlaps_has_the_vertices_and_edges_of_the_exact_
 TEST(CutBlocks, lines_through_a_corner_that_miss_it_by_rounding_meet_in_one_node) {
   const double off = 3e-10;
   const CutResult cut = cut_blocks(drawing_of(
-      kSquare + std::vector<Segment>{{{-1, -1 + off}, {11, 11 + off}}, {{-1, 11 - off}, {11, -1 - off}}},
-      0.01));
+      kSquare + std::vector<Segment>{{{-1, -1 + off}, {11, 11 + off}}, {{-1, 11 - off}, {11, -1 - off}}}, 0.01));
   EXPECT_EQ(cut.blocks.blocks.size(), 4U);
   EXPECT_TRUE(cut.snaps.empty()) << "moves within round-off are no snaps";
 }
 
 TEST(CutBlocks, nodes_nearer_than_the_merging_distance_become_one_and_are_reported) {
   // w0 = 1.02 * 5.05; merging below 0.064.
-  const CutResult cut =
-      cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{0.05, -0.05}, {10.05, 10.05}}}, 0.01));
+  const CutResult cut = cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{0.05, -0.05}, {10.05, 10.05}}}, 0.01));
   EXPECT_EQ(cut.blocks.blocks.size(), 2U);
   EXPECT_TRUE(has_warning(cut.warnings, "nodes_merged"));
   EXPECT_FALSE(cut.snaps.empty());
@@ -183,9 +180,8 @@ TEST(CutBlocks, a_line_beside_another_nearer_than_the_tolerance_is_led_through_i
 TEST(CutBlocks, an_end_that_falls_short_by_less_than_the_reach_meets_the_line) {
   const CutResult cut = cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{5, 5e-7}, {5, 10}}}, 0.01));
   EXPECT_EQ(cut.blocks.blocks.size(), 2U);
-  EXPECT_EQ(
-      cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{5, 1e-4}, {5, 10}}}, 0.01)).blocks.blocks.size(),
-      1U);
+  EXPECT_EQ(cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{5, 1e-4}, {5, 10}}}, 0.01)).blocks.blocks.size(),
+            1U);
 }
 
 TEST(CutBlocks, shared_edges_take_the_material_of_the_lower_numbered_line) {
@@ -215,8 +211,7 @@ TEST(CutBlocks, a_joined_straight_edge_keeps_the_material_of_its_last_part) {
 }
 
 TEST(CutBlocks, a_loop_inside_a_block_is_cut_out_of_it) {
-  const CutResult cut =
-      cut_blocks(drawing_of(kSquare + rectangle({2, 2}, {8, 8}) + rectangle({4, 4}, {6, 6})));
+  const CutResult cut = cut_blocks(drawing_of(kSquare + rectangle({2, 2}, {8, 8}) + rectangle({4, 4}, {6, 6})));
   ASSERT_EQ(cut.blocks.blocks.size(), 3U);
   EXPECT_DOUBLE_EQ(total_area(cut.blocks), 100);
   EXPECT_DOUBLE_EQ(area(cut.blocks.blocks[0]), 64);
@@ -227,8 +222,7 @@ TEST(CutBlocks, a_loop_inside_a_block_is_cut_out_of_it) {
 }
 
 TEST(CutBlocks, two_loops_side_by_side_inside_a_block_are_two_holes) {
-  const CutResult cut =
-      cut_blocks(drawing_of(kSquare + rectangle({1, 1}, {3, 3}) + rectangle({5, 2}, {8, 9})));
+  const CutResult cut = cut_blocks(drawing_of(kSquare + rectangle({1, 1}, {3, 3}) + rectangle({5, 2}, {8, 9})));
   ASSERT_EQ(cut.blocks.blocks.size(), 3U);
   EXPECT_EQ(cut.blocks.blocks[0].holes.size(), 2U);
   EXPECT_DOUBLE_EQ(total_area(cut.blocks), 100);
@@ -247,8 +241,7 @@ TEST(CutBlocks, a_loop_touching_its_surroundings_in_a_vertex_is_cut_out) {
 }
 
 TEST(CutBlocks, loops_touching_each_other_inside_a_block_are_holes_of_it) {
-  const CutResult cut =
-      cut_blocks(drawing_of(kSquare + rectangle({2, 2}, {4, 4}) + rectangle({4, 4}, {7, 7})));
+  const CutResult cut = cut_blocks(drawing_of(kSquare + rectangle({2, 2}, {4, 4}) + rectangle({4, 4}, {7, 7})));
   ASSERT_EQ(cut.blocks.blocks.size(), 3U);
   EXPECT_EQ(cut.blocks.blocks[0].holes.size(), 2U);
   EXPECT_NEAR(total_area(cut.blocks), 100, 1e-12);

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cut/cut_blocks.hpp"
-#include "tests/cut/drawings.hpp"
 #include "formats/case.hpp"
+#include "tests/cut/drawings.hpp"
 
 namespace keyblock {
 namespace {
@@ -96,8 +96,7 @@ TEST(LegacyTraces, circle_slope_is_cut_into_seven_blocks_of_area_2_2) {
 TEST(LegacyTraces, fixed_lines_give_as_many_points_as_in_the_old_program) {
   const fs::path shared = shared_folder();
   if (shared.empty()) GTEST_SKIP() << "no shared folder with legacy samples";
-  const std::vector<std::size_t> counts = {2, 1, 1, 1,
-                                           2, 4, 2, 1};  // reference_runs/README.md, fixedlines 1..8
+  const std::vector<std::size_t> counts = {2, 1, 1, 1, 2, 4, 2, 1};  // reference_runs/README.md, fixedlines 1..8
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const fs::path path = shared / fmt::format("legacy_samples/ntdda/fixedlines/case{}.geo", i + 1);
     EXPECT_EQ(cut_blocks(read_drawing(path)).blocks.fixed_points.size(), counts[i]) << path;

@@ -16,8 +16,7 @@ namespace {
 /// A folder of its own for each test, gone with it.
 class CaseFiles : public testing::Test {
  protected:
-  CaseFiles()
-      : folder_(std::filesystem::temp_directory_path() / ("keyblock_case_" + std::to_string(getpid()))) {
+  CaseFiles() : folder_(std::filesystem::temp_directory_path() / ("keyblock_case_" + std::to_string(getpid()))) {
     std::filesystem::create_directories(folder_);
   }
   ~CaseFiles() override { std::filesystem::remove_all(folder_); }

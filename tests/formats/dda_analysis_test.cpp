@@ -92,10 +92,9 @@ TEST(DdaAnalysis, flag_of_one_row_is_an_error) {
     kDdaAnalysisShi.read(source, {1, 1});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "f:2:3: error: expected the number of time rows of fixed or loading point 2 of 2 (0, or 2 and "
-        "more), found \"1\"");
+    EXPECT_STREQ(error.what(),
+                 "f:2:3: error: expected the number of time rows of fixed or loading point 2 of 2 (0, or 2 and "
+                 "more), found \"1\"");
   }
 }
 
@@ -120,9 +119,8 @@ TEST(DdaAnalysis, impossible_values_are_errors_at_their_token) {
     std::string text = kBerkeley;
     return error_of(text.replace(text.find(from), from.size(), to));
   };
-  EXPECT_EQ(
-      replaced("5 161", "0 161"),
-      "f:7:1: error: expected the mass per unit area of block material 1 of 1 (greater than 0), found \"0\"");
+  EXPECT_EQ(replaced("5 161", "0 161"),
+            "f:7:1: error: expected the mass per unit area of block material 1 of 1 (greater than 0), found \"0\"");
   EXPECT_NE(replaced("1e6", "-1e6"), "");
   EXPECT_NE(replaced(".25", ".51"), "");
   EXPECT_NE(replaced("10 11", "90 11"), "");

@@ -65,8 +65,7 @@ TEST(DdaBlocks, materials_of_leaving_edges_are_found_out_and_moved) {
 
 TEST(DdaBlocks, fixed_point_in_block_0_is_left_out_and_loading_point_refused) {
   const Reading reading = read({"f", kRanges + kLeavingSlots + ".5 .1 0\n1.5 .9 2\n1.5 .5 2\n"});
-  EXPECT_EQ(names(reading.warnings),
-            (std::vector<std::string>{"point_outside_blocks", "leaving_edge_materials"}));
+  EXPECT_EQ(names(reading.warnings), (std::vector<std::string>{"point_outside_blocks", "leaving_edge_materials"}));
   EXPECT_TRUE(reading.content.blocks->fixed_points.empty());
   EXPECT_NE(error_of(kRanges + kLeavingSlots + ".5 .1 1\n1.5 .9 0\n1.5 .5 2\n"), "");
 }

@@ -13,8 +13,8 @@ namespace keyblock::formats {
 namespace {
 
 const std::string kLines = "0 0 1 0 1\n1 0 1 1 2\n1 1 0 0 3\n";
-const std::string kFull = "0.01\n3 2\n1\n1\n1\n1\n1\n1\n" + kLines +
-                          "0 .5 1 .5 2\n.1 .1 .9 .1 1e6 2e3 50\n.5 -1 .5 2\n.6 .2\n.7 .2\n.8 .2\n";
+const std::string kFull =
+    "0.01\n3 2\n1\n1\n1\n1\n1\n1\n" + kLines + "0 .5 1 .5 2\n.1 .1 .9 .1 1e6 2e3 50\n.5 -1 .5 2\n.6 .2\n.7 .2\n.8 .2\n";
 
 Drawing drawing_of(const std::string& text) {
   return *read({"f", text}).content.drawing;
@@ -53,8 +53,7 @@ TEST(DdaGeometry, line_ends_tabs_and_missing_final_newline_change_nothing) {
   for (const char c : kFull) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
   std::ranges::replace(one_line, '\n', ' ');
   std::ranges::replace(tabs, ' ', '\t');
-  for (const std::string& text :
-       {crlf, one_line, tabs, kFull.substr(0, kFull.size() - 1), "\xEF\xBB\xBF" + kFull}) {
+  for (const std::string& text : {crlf, one_line, tabs, kFull.substr(0, kFull.size() - 1), "\xEF\xBB\xBF" + kFull}) {
     const Reading reading = read({"f", text});
     EXPECT_EQ(kDdaGeometry.write(reading.content), expected);
     EXPECT_EQ(reading.warnings, Warnings{});
@@ -107,9 +106,8 @@ TEST(DdaGeometry, file_that_breaks_off_is_an_error_where_it_ends) {
 }
 
 TEST(DdaGeometry, more_boundary_lines_than_lines_are_an_error) {
-  EXPECT_EQ(
-      error_of("0.01 3 4 0 0 0 0 0 0\n" + kLines + "1"),
-      "f:1:8: error: expected the number of boundary lines (at most 3, the number of lines), found \"4\"");
+  EXPECT_EQ(error_of("0.01 3 4 0 0 0 0 0 0\n" + kLines + "1"),
+            "f:1:8: error: expected the number of boundary lines (at most 3, the number of lines), found \"4\"");
 }
 
 TEST(DdaGeometry, counts_of_a_thousand_million_are_refused_at_the_count) {

@@ -47,8 +47,8 @@ std::string with(std::string text, const std::string& from, const std::string& t
 }  // namespace
 
 TEST(Ddaml, geometry_and_analysis_are_read_from_one_file) {
-  const Reading reading = read({"f", document(kGeometry + "<Analysis>" + kControls + kBlockMaterial +
-                                              kJointMaterial + "</Analysis>")});
+  const Reading reading =
+      read({"f", document(kGeometry + "<Analysis>" + kControls + kBlockMaterial + kJointMaterial + "</Analysis>")});
   EXPECT_EQ(reading.warnings, Warnings{});
   ASSERT_TRUE(reading.content.drawing);
   ASSERT_TRUE(reading.content.analysis);
@@ -66,10 +66,10 @@ TEST(Ddaml, geometry_lands_in_its_places) {
 }
 
 TEST(Ddaml, analysis_lands_in_its_places) {
-  const Reading reading = read(
-      {"f", analysis("<Opencloselimit maxopenclose='7'/><Saveinterval step=''/><ContactDamping value='.2'/>"
-                     "<Boltproperties>1e6 2e3 50</Boltproperties><AConstants><AngleOverlap value='4'/>"
-                     "<MinReflineFactor value='1'/></AConstants>")});
+  const Reading reading =
+      read({"f", analysis("<Opencloselimit maxopenclose='7'/><Saveinterval step=''/><ContactDamping value='.2'/>"
+                          "<Boltproperties>1e6 2e3 50</Boltproperties><AConstants><AngleOverlap value='4'/>"
+                          "<MinReflineFactor value='1'/></AConstants>")});
   EXPECT_EQ(reading.warnings, Warnings{});
   const Analysis& a = *reading.content.analysis;
   EXPECT_EQ(a.dialect, AnalysisDialect::ddaml);
@@ -133,8 +133,7 @@ TEST(Ddaml, material_line_takes_its_material_from_type_or_fifth_number) {
 }
 
 TEST(Ddaml, load_records_are_separated_by_semicolons) {
-  const std::string loads =
-      "<Loadpointlist><Loadpoint numpoints='2'>\n0 1 2;\n5 3 4; \n</Loadpoint></Loadpointlist>";
+  const std::string loads = "<Loadpointlist><Loadpoint numpoints='2'>\n0 1 2;\n5 3 4; \n</Loadpoint></Loadpointlist>";
   const Reading reading = read({"f", analysis(loads)});
   ASSERT_EQ(reading.content.analysis->point_loads.size(), 1u);
   EXPECT_EQ(reading.content.analysis->point_loads[0].times, (std::vector<double>{0, 5}));
@@ -146,14 +145,14 @@ TEST(Ddaml, load_records_are_separated_by_semicolons) {
 }
 
 TEST(Ddaml, each_default_taken_is_a_warning_of_its_own_name) {
-  const Reading reading = read(
-      {"f", document("<Analysis><Numtimesteps timesteps='10'/><Maxtimestep maxtimestep='.001'/>"
-                     "<Maxdisplacement maxdisplacement='.01'/>" +
-                     with(kBlockMaterial, "<Damping>.1</Damping>", "") + kJointMaterial + "</Analysis>")});
+  const Reading reading =
+      read({"f", document("<Analysis><Numtimesteps timesteps='10'/><Maxtimestep maxtimestep='.001'/>"
+                          "<Maxdisplacement maxdisplacement='.01'/>" +
+                          with(kBlockMaterial, "<Damping>.1</Damping>", "") + kJointMaterial + "</Analysis>")});
   EXPECT_EQ(names(reading.warnings),
-            (std::vector<std::string>{"default_damping", "default_analysistype", "default_rotation",
-                                      "default_gravity", "default_gravaccel", "default_autotimestep",
-                                      "default_autopenalty", "default_planestrain"}));
+            (std::vector<std::string>{"default_damping", "default_analysistype", "default_rotation", "default_gravity",
+                                      "default_gravaccel", "default_autotimestep", "default_autopenalty",
+                                      "default_planestrain"}));
   EXPECT_EQ(reading.content.analysis->gravity, 9.81);
   EXPECT_EQ(reading.content.analysis->penalty_factor, 50);
 }
@@ -164,21 +163,17 @@ TEST(Ddaml, poissons_ratio_of_one_half_is_an_error_in_plane_strain_wherever_that
 }
 
 TEST(Ddaml, pipe_flow_and_unknown_elements_are_skipped_with_a_warning) {
-  const Reading reading =
-      read({"f", document(kGeometry + "<Fluids><FluidDensity density='1'/></Fluids><Other/>")});
+  const Reading reading = read({"f", document(kGeometry + "<Fluids><FluidDensity density='1'/></Fluids><Other/>")});
   EXPECT_EQ(names(reading.warnings), (std::vector<std::string>{"pipe_flow_ignored", "unknown_element"}));
 }
 
 TEST(Ddaml, faults_are_found_at_their_line_and_column) {
-  EXPECT_EQ(
-      error_of(
-          "<DDA>\n<Geometry><Edgenodedist distance='.01'/>\n<Jointlist>\r\n<Joint type='x'>0 0 1 1</Joint>"
-          "</Jointlist></Geometry></DDA>"),
-      "f:4:14: error: expected the joint material (attribute type) of Joint 1 of 1, found \"x\"");
-  EXPECT_EQ(
-      error_of("<DDA><Geometry><Edgenodedist distance='.01'/>\n<Jointlist><Joint type='1'>0 0\n1 oops</Joint>"
-               "</Jointlist></Geometry></DDA>"),
-      "f:3:3: error: expected y of the end of Joint 1 of 1, found \"oops\"");
+  EXPECT_EQ(error_of("<DDA>\n<Geometry><Edgenodedist distance='.01'/>\n<Jointlist>\r\n<Joint type='x'>0 0 1 1</Joint>"
+                     "</Jointlist></Geometry></DDA>"),
+            "f:4:14: error: expected the joint material (attribute type) of Joint 1 of 1, found \"x\"");
+  EXPECT_EQ(error_of("<DDA><Geometry><Edgenodedist distance='.01'/>\n<Jointlist><Joint type='1'>0 0\n1 oops</Joint>"
+                     "</Jointlist></Geometry></DDA>"),
+            "f:3:3: error: expected y of the end of Joint 1 of 1, found \"oops\"");
   EXPECT_EQ(error_of("<DDA>\n<Geometry>\n</Geometri></DDA>").substr(0, 46),
             "f:3:3: error: expected well-formed XML, found ");
   EXPECT_EQ(error_of("<DDA>\n<Geometry>\n"), "f:3:1: error: expected well-formed XML, found end of file");
@@ -188,11 +183,10 @@ TEST(Ddaml, missing_parts_are_errors_that_name_the_element) {
   EXPECT_EQ(error_of("<DDA/>"), "f:1:2: error: expected a Geometry or an Analysis element, found neither");
   EXPECT_EQ(error_of("<DDA><Geometry/></DDA>"),
             "f:1:7: error: expected an Edgenodedist element in Geometry, found none");
-  EXPECT_NE(error_of(with(analysis(""), "<Unitmass>2</Unitmass>", ""))
-                .find("expected the element Unitmass in Blockmaterial"),
-            std::string::npos);
-  EXPECT_NE(error_of(with(analysis(""), kJointMaterial, "")).find("expected a joint material"),
-            std::string::npos);
+  EXPECT_NE(
+      error_of(with(analysis(""), "<Unitmass>2</Unitmass>", "")).find("expected the element Unitmass in Blockmaterial"),
+      std::string::npos);
+  EXPECT_NE(error_of(with(analysis(""), kJointMaterial, "")).find("expected a joint material"), std::string::npos);
   EXPECT_NE(error_of(document(kGeometry + kGeometry)).find("found a second"), std::string::npos);
 }
 

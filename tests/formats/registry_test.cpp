@@ -44,16 +44,14 @@ TEST(Registry, other_files_are_refused_by_name) {
   EXPECT_EQ(error_of(""), "f: error: expected a DDA geometry, block or analysis file, found an empty file");
   EXPECT_EQ(error_of(" \r\n\t"),
             "f: error: expected a DDA geometry, block or analysis file, found nothing but white space");
-  EXPECT_EQ(error_of("\xEF\xBB\xBF"),
-            "f: error: expected a DDA geometry, block or analysis file, found an empty file");
+  EXPECT_EQ(error_of("\xEF\xBB\xBF"), "f: error: expected a DDA geometry, block or analysis file, found an empty file");
   EXPECT_EQ(error_of("# only this"),
             "f: error: expected a DDA geometry, block or analysis file, found nothing but comments");
   EXPECT_EQ(error_of(std::string("0.01\n\0", 6)),
             "f:2:1: error: expected a DDA geometry, block or analysis file, found a binary file");
   EXPECT_EQ(error_of("\n<!DOCTYPE html><p>"),
             "f:2:1: error: expected a DDA geometry, block or analysis file, found an HTML page");
-  EXPECT_EQ(error_of("hello"),
-            "f:1:1: error: expected a DDA geometry, block or analysis file, found \"hello\"");
+  EXPECT_EQ(error_of("hello"), "f:1:1: error: expected a DDA geometry, block or analysis file, found \"hello\"");
   EXPECT_EQ(error_of("<other/>"), "f:1:2: error: expected the root element DDA of a DDAML file, found other");
 }
 

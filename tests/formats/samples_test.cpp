@@ -50,8 +50,7 @@ TEST_F(Samples, pushblock_pairs_and_warns_of_its_missing_gravity_only) {
   const std::string folder = (folder_ / "ntdda/loadpoint/pushblock").string();
   const Case loaded = load_case({folder + ".geo", folder + ".ana"});
   EXPECT_EQ(names(loaded.warnings), std::vector<std::string>{"default_gravaccel"});
-  EXPECT_EQ(loaded.problem.analysis->point_loads.at(0).values,
-            (std::vector<Point>{{5000, 500}, {5000, 500}}));
+  EXPECT_EQ(loaded.problem.analysis->point_loads.at(0).values, (std::vector<Point>{{5000, 500}, {5000, 500}}));
 }
 
 TEST_F(Samples, fixed_line_cases_hold_one_line_each) {
@@ -71,8 +70,7 @@ TEST_F(Samples, every_nmm_file_is_recognised_for_what_it_is) {
 }
 
 TEST_F(Samples, every_reference_run_is_read_without_error) {
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(shared_folder() / "reference_runs")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_folder() / "reference_runs")) {
     const std::string extension = entry.path().extension();
     const bool is_input = extension == ".geo" || extension == ".ana";
     if (!is_input || entry.path().parent_path().filename() == "malformed") continue;

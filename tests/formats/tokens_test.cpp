@@ -77,9 +77,8 @@ TEST(Cursor, end_of_the_file_is_found_where_the_text_ends) {
 
 TEST(Cursor, count_greater_than_what_follows_is_refused_before_anything_is_made) {
   const Tokens tokens = tokens_of("1000000000 1 2");
-  EXPECT_EQ(
-      message([&] { Cursor(tokens).next_count("the number of lines"); }),
-      "f:1:1: error: expected the number of lines (at most 2: so many values follow), found \"1000000000\"");
+  EXPECT_EQ(message([&] { Cursor(tokens).next_count("the number of lines"); }),
+            "f:1:1: error: expected the number of lines (at most 2: so many values follow), found \"1000000000\"");
 }
 
 TEST(Cursor, counts_are_whole_and_not_negative) {

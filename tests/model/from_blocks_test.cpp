@@ -38,8 +38,7 @@ TEST(FromBlocks, area_and_centroid_leave_out_the_hole) {
 }
 
 TEST(FromBlocks, scale_is_half_the_greater_side_of_the_scene) {
-  const Model model =
-      model_from_blocks({{rectangle({0, 0}, {10, 4})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
+  const Model model = model_from_blocks({{rectangle({0, 0}, {10, 4})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
   EXPECT_DOUBLE_EQ(model.scale, 5);
 }
 

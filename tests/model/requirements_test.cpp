@@ -19,8 +19,7 @@ Requirements needs_of(const Blocks& blocks, const Analysis& analysis) {
 }  // namespace
 
 TEST(Requirements, a_free_block_needs_no_contact_no_fixed_point_no_load) {
-  const Requirements needs =
-      needs_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
+  const Requirements needs = needs_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
   EXPECT_EQ(needs.unknowns, 6);
   EXPECT_TRUE(needs.has(TermKind::body_force));
   EXPECT_FALSE(needs.has(TermKind::contact));
@@ -39,8 +38,7 @@ TEST(Requirements, a_loading_point_without_a_curve_is_no_load) {
 TEST(Requirements, without_gravity_there_is_no_body_force) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.gravity = 0;
-  EXPECT_FALSE(
-      needs_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis).has(TermKind::body_force));
+  EXPECT_FALSE(needs_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis).has(TermKind::body_force));
 }
 
 }  // namespace keyblock

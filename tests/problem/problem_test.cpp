@@ -45,11 +45,10 @@ TEST(Problem, materials_out_of_range_are_clamped_with_one_warning_a_number_at_it
   drawing.joints.push_back({{{0, 0}, {1, 3}}, -1, {"g", 5, 1}});
   drawing.material_lines.push_back({{{0, 0}, {1, 1}}, 2, {"g", 6, 1}});
   const Checked checked = check({drawing, sound_analysis()});
-  ASSERT_EQ(names(checked), (std::vector<std::string>{"joint_material_clamped", "joint_material_clamped",
-                                                      "block_material_clamped"}));
-  EXPECT_EQ(
-      to_string(checked.warnings[1]),
-      "g:3:1: warning: joint material 9 of 2 lines is outside 1 to 2; taken as 2 [joint_material_clamped]");
+  ASSERT_EQ(names(checked),
+            (std::vector<std::string>{"joint_material_clamped", "joint_material_clamped", "block_material_clamped"}));
+  EXPECT_EQ(to_string(checked.warnings[1]),
+            "g:3:1: warning: joint material 9 of 2 lines is outside 1 to 2; taken as 2 [joint_material_clamped]");
   const Drawing& mended = std::get<Drawing>(checked.problem.geometry);
   EXPECT_EQ(mended.joints[1].joint_material, 1);
   EXPECT_EQ(mended.joints[3].joint_material, 0);
@@ -70,8 +69,7 @@ TEST(Problem, missing_fixed_points_and_unusual_edge_node_ratio_are_warnings) {
   Drawing drawing = sound_drawing();
   drawing.fixed_lines.clear();
   drawing.edge_node_ratio = 0.5;
-  EXPECT_EQ(names(check({drawing, {}})),
-            (std::vector<std::string>{"edge_node_ratio_unusual", "no_fixed_points"}));
+  EXPECT_EQ(names(check({drawing, {}})), (std::vector<std::string>{"edge_node_ratio_unusual", "no_fixed_points"}));
 }
 
 TEST(Problem, drawing_without_lines_is_an_error) {

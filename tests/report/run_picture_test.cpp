@@ -41,8 +41,8 @@ bool is_well_formed(const std::string& picture) {
 TEST(RunPicture, start_end_and_curves_are_named) {
   const std::string picture = run_picture(slide());
   EXPECT_TRUE(is_well_formed(picture));
-  for (const char* words : {"slide &amp; stop", ">start, t = 0 s<", ">end, t = 1 s<", ">theory<", ">run<",
-                            ">time [s]<", ">displacement [m]<"})
+  for (const char* words : {"slide &amp; stop", ">start, t = 0 s<", ">end, t = 1 s<", ">theory<", ">run<", ">time [s]<",
+                            ">displacement [m]<"})
     EXPECT_TRUE(has(picture, words)) << words;
 }
 

@@ -17,8 +17,8 @@ TEST(Ticks, round_down_gives_one_two_or_five_times_a_power_of_ten) {
 
 TEST(Ticks, a_second_is_divided_into_tenths) {
   const Axis axis = make_axis(0, 1, 10);
-  EXPECT_EQ(axis.labels, (std::vector<std::string>{"0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7",
-                                                   "0.8", "0.9", "1.0"}));
+  EXPECT_EQ(axis.labels,
+            (std::vector<std::string>{"0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1.0"}));
 }
 
 TEST(Ticks, long_numbers_get_a_power_of_ten) {
@@ -35,8 +35,7 @@ TEST(Ticks, any_data_is_covered_by_few_ticks_with_different_labels) {
     EXPECT_GE(axis.high(), high - 1e-9 * (axis.high() - axis.low()));
     EXPECT_LE(axis.ticks.size(), 12U) << low << ' ' << high;
     EXPECT_GE(axis.ticks.size(), 2U);
-    EXPECT_EQ(std::set(axis.labels.begin(), axis.labels.end()).size(), axis.labels.size())
-        << low << ' ' << high;
+    EXPECT_EQ(std::set(axis.labels.begin(), axis.labels.end()).size(), axis.labels.size()) << low << ' ' << high;
   }
 }
 

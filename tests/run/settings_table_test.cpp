@@ -17,8 +17,7 @@ TEST(SettingsTable, every_setting_reads_back_what_it_shows) {
   for (const SettingText& s : list(given)) set(copy, s.name, s.value);
   const std::vector<SettingText> expected = list(given);
   const std::vector<SettingText> found = list(copy);
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    EXPECT_EQ(found[i].value, expected[i].value) << expected[i].name;
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(found[i].value, expected[i].value) << expected[i].name;
 }
 
 TEST(SettingsTable, wrong_names_and_values_are_refused) {

@@ -29,8 +29,7 @@ TEST(StepSize, first_automatic_step_reaches_the_allowed_displacement) {
   analysis.automatic_time_step = true;
   analysis.allowed_displacement_ratio = 0.01;
   const Scene scene = legacy_scene(one_block(), analysis);
-  EXPECT_NEAR(first_step_size(scene.model, start(scene).state, scene.settings, 0), std::sqrt(2 * 0.01 / 9.81),
-              1e-15);
+  EXPECT_NEAR(first_step_size(scene.model, start(scene).state, scene.settings, 0), std::sqrt(2 * 0.01 / 9.81), 1e-15);
 }
 
 TEST(StepSize, without_anything_to_move_the_given_step_is_used) {
@@ -85,8 +84,7 @@ TEST(Motion, first_order_rotation_expands_and_exact_rotation_does_not) {
   Unknowns turn = Unknowns::Zero(6);
   turn[2] = 0.1;
   const Point arm{3, 4};
-  EXPECT_NEAR(length(arm + displacement(affine_basis(), turn, arm, Rotation::first_order)),
-              5 * std::sqrt(1.01), 1e-14);
+  EXPECT_NEAR(length(arm + displacement(affine_basis(), turn, arm, Rotation::first_order)), 5 * std::sqrt(1.01), 1e-14);
   EXPECT_NEAR(length(arm + displacement(affine_basis(), turn, arm, Rotation::exact)), 5, 1e-14);
 }
 

@@ -22,8 +22,7 @@ struct Oscillator {
   Scene scene;
   Stepping stepping;
 
-  Oscillator(double omega_dt, double carry_over)
-      : scene(make(omega_dt, carry_over)), stepping(start(scene)) {}
+  Oscillator(double omega_dt, double carry_over) : scene(make(omega_dt, carry_over)), stepping(start(scene)) {}
 
   double next_x() {
     step_once(scene, stepping);
@@ -66,8 +65,7 @@ TEST(ShiStep, oscillator_decays_with_the_spectral_radius_of_theory) {
 TEST(ShiStep, static_mode_decays_by_one_over_one_plus_half_omega_squared) {
   for (double omega : {0.1, 0.3, 1.0, 2.0}) {
     Oscillator oscillator(omega, 0);
-    oscillator.scene.model.fixed_points[0].curve = {
-        {0, 1}, {{1e-3, 0}, {1e-3, 0}}, {}};  // towards a displaced rest
+    oscillator.scene.model.fixed_points[0].curve = {{0, 1}, {{1e-3, 0}, {1e-3, 0}}, {}};  // towards a displaced rest
     const double first = 1e-3 - oscillator.next_x();
     const double second = 1e-3 - oscillator.next_x();
     EXPECT_NEAR(second / first, 1 / (1 + omega * omega / 2), 1e-6) << "Omega " << omega;
@@ -104,15 +102,13 @@ double rebound(double dt_over_contact_time, double gap_in_steps) {
   const double gap = gap_in_steps * kSpeed * dt;
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, gap}, {1, 1 + gap})};
-  blocks.fixed_points = {
-      {{-1.9, -0.9}, 0, {}}, {{2.9, -0.9}, 0, {}}, {{2.9, -0.1}, 0, {}}, {{-1.9, -0.1}, 0, {}}};
+  blocks.fixed_points = {{{-1.9, -0.9}, 0, {}}, {{2.9, -0.9}, 0, {}}, {{2.9, -0.1}, 0, {}}, {{-1.9, -0.1}, 0, {}}};
   Analysis analysis = plain_analysis(dt, 100000);
   analysis.gravity = 0;
   analysis.contact_penalty = kPenalty;
   analysis.block_materials[0].youngs_modulus = 1e10;
   analysis.open_close.closing_ratio = 0;
-  analysis.allowed_displacement_ratio =
-      0.01;  // contacts are searched within 2.5 times this: less than the block
+  analysis.allowed_displacement_ratio = 0.01;  // contacts are searched within 2.5 times this: less than the block
   Scene scene = legacy_scene(blocks, analysis);
   scene.settings.fixed_point_factor = 1e5;
   Stepping stepping = start(scene);
@@ -126,12 +122,8 @@ double rebound(double dt_over_contact_time, double gap_in_steps) {
 // dda-11: restitution of Shi's step over dt/Tc, by direct stepping of the scalar recurrence (benchmark
 // table), within 0.02.
 TEST(ShiStep, rebound_from_a_contact_spring_loses_what_the_scalar_recurrence_loses) {
-  constexpr std::array<std::pair<double, double>, 6> kTable{{{0.001, 0.997536},
-                                                             {0.002, 0.995077},
-                                                             {0.005, 0.98774},
-                                                             {0.01, 0.975637},
-                                                             {0.02, 0.951916},
-                                                             {0.05, 0.884876}}};
+  constexpr std::array<std::pair<double, double>, 6> kTable{
+      {{0.001, 0.997536}, {0.002, 0.995077}, {0.005, 0.98774}, {0.01, 0.975637}, {0.02, 0.951916}, {0.05, 0.884876}}};
   std::mt19937 random(1);
   std::uniform_real_distribution<double> gap(1, 2);  // random place of the impact within a step
   for (const auto& [ratio, expected] : kTable) {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void become(const std::vector<std::string>& words, const std::string& output, const std::string& messages) {
+[[noreturn]] void become(const std::vector<std::string>& words, const std::string& output,
+                         const std::string& messages) {
   const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int err = open(messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   dup2(out, STDOUT_FILENO);
@@ -30,7 +31,9 @@ namespace {
   _exit(127);
 }
 
-double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
 
 }  // namespace
 

@@ -8,8 +8,8 @@
 namespace keyblock::testing {
 
 struct ProgramRun {
-  int exit_code = -1;  ///< 128 + signal if it was killed
-  std::string output;  ///< standard output
+  int exit_code = -1;    ///< 128 + signal if it was killed
+  std::string output;    ///< standard output
   std::string messages;  ///< standard error
   double cpu_seconds = 0;
   double peak_megabytes = 0;

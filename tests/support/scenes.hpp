@@ -33,8 +33,7 @@ inline Analysis plain_analysis(double dt, int steps) {
 }
 
 inline Scene legacy_scene(const Blocks& blocks, const Analysis& analysis) {
-  return scene_of(model_from_blocks(blocks, analysis), profile_settings("legacy", analysis),
-                  analysis.dialect);
+  return scene_of(model_from_blocks(blocks, analysis), profile_settings("legacy", analysis), analysis.dialect);
 }
 
 /// Advances once; a step that fails throws.

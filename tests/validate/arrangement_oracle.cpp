@@ -96,8 +96,8 @@ struct Comparison {
 };
 
 bool print_row(const std::string& name, const Counts& ours, const Counts& theirs) {
-  fmt::print("{:<28} {:>8} {:>8} {:>8}   {:>8} {:>8} {:>8}   {}\n", name, ours.vertices, ours.edges,
-             ours.faces, theirs.vertices, theirs.edges, theirs.faces, ours == theirs ? "equal" : "different");
+  fmt::print("{:<28} {:>8} {:>8} {:>8}   {:>8} {:>8} {:>8}   {}\n", name, ours.vertices, ours.edges, ours.faces,
+             theirs.vertices, theirs.edges, theirs.faces, ours == theirs ? "equal" : "different");
   return ours == theirs;
 }
 
@@ -114,8 +114,7 @@ std::vector<Comparison> comparisons() {
   std::vector<Comparison> all;
   for (const int n : {100, 1000, 10000}) {
     all.push_back({fmt::format("random {}", n), random_lines(n, 4 / std::sqrt(n), 1), false});
-    all.push_back(
-        {fmt::format("lattice {}", n), lattice_lines(n, static_cast<int>(std::sqrt(n)), 4, 3), true});
+    all.push_back({fmt::format("lattice {}", n), lattice_lines(n, static_cast<int>(std::sqrt(n)), 4, 3), true});
   }
   all.push_back({"lattice, dense 2000", lattice_lines(2000, 16, 6, 5), true});
   all.push_back({"two joint sets 1000", two_joint_sets(1000, 0.2, 2), false});

@@ -22,8 +22,8 @@ struct Series {
 };
 
 void measure(const Series& series) {
-  fmt::print("{}\n{:>10} {:>12} {:>10} {:>10} {:>9} {:>9}\n", series.name, "lines", "crossings", "nodes",
-             "blocks", "seconds", "exponent");
+  fmt::print("{}\n{:>10} {:>12} {:>10} {:>10} {:>9} {:>9}\n", series.name, "lines", "crossings", "nodes", "blocks",
+             "seconds", "exponent");
   double last_work = 0;
   double last_seconds = 0;
   for (const int size : series.sizes) {
@@ -33,8 +33,7 @@ void measure(const Series& series) {
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     const double work = static_cast<double>(size) + cut.report.crossings;
     const std::string exponent =
-        last_work > 0 ? fmt::format("{:.2f}", std::log(seconds / last_seconds) / std::log(work / last_work))
-                      : "";
+        last_work > 0 ? fmt::format("{:.2f}", std::log(seconds / last_seconds) / std::log(work / last_work)) : "";
     fmt::print("{:>10} {:>12} {:>10} {:>10} {:>9.3f} {:>9}\n", size, cut.report.crossings, cut.report.nodes,
                cut.blocks.blocks.size(), seconds, exponent);
     last_work = work;
@@ -52,9 +51,7 @@ int main() {
       {"random directions, length 4 / sqrt(count)",
        {1000, 10000, 100000},
        [](int n) { return random_lines(n, 4 / std::sqrt(n), 1); }},
-      {"two dense joint sets, length 0.2",
-       {1000, 3000, 10000},
-       [](int n) { return two_joint_sets(n, 0.2, 2); }},
+      {"two dense joint sets, length 0.2", {1000, 3000, 10000}, [](int n) { return two_joint_sets(n, 0.2, 2); }},
       {"lattice, overlaps and many lines through one point",
        {1000, 10000, 100000},
        [](int n) { return lattice_lines(n, static_cast<int>(std::sqrt(n)), 4, 3); }},

@@ -15,9 +15,7 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : bits_(seed) {}
 
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(bits_() >> 11U) * 0x1p-53;
-  }
+  double between(double low, double high) { return low + (high - low) * static_cast<double>(bits_() >> 11U) * 0x1p-53; }
   int below(int count) { return static_cast<int>(between(0, count)); }
 
  private:
