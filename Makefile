@@ -7,7 +7,7 @@ SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 PACKAGES = g++ cmake ninja-build libboost-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
            libssl-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev
 
-.PHONY: help build debug run test cases sanitize format tidy clean packages
+.PHONY: help build debug run test cases validate sanitize format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -23,6 +23,12 @@ test: build ## build and pass every test
 
 cases: build ## rerun every legacy case against its expected values
 	build/keyblock compare legacy_cases
+
+validate: build ## longer checks: every case and trace, cutting against GEOS, time curves of cutting
+	@$(call install_missing,libgeos-dev)
+	build/keyblock compare legacy_cases
+	cmake -S . -B build -G Ninja
+	cmake --build build --target keyblock_validate
 
 build: packages ## the program build/keyblock and its tests
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release

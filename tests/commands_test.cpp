@@ -1,0 +1,170 @@
+// The program as a user meets it: help texts, exit codes, what is written where, and never over another's file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "formats/csv.hpp"
+#include "formats/registry.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::fresh_folder;
+using testing::ProgramRun;
+using testing::read_text;
+using testing::run_keyblock;
+
+const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
+const std::string kSlide = kCases + "sliding_block/a30_p20/a30_p20";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST(Commands, every_command_explains_itself) {
+  const ProgramRun help = run_keyblock({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* command : {"check", "cut", "run", "compare"}) {
+    EXPECT_TRUE(contains(help.output, command)) << command;
+    const ProgramRun own = run_keyblock({command, "--help"});
+    EXPECT_EQ(own.exit_code, 0) << command;
+    EXPECT_TRUE(contains(own.output, "Usage: keyblock " + std::string(command))) << own.output;
+  }
+}
+
+TEST(Commands, wrong_usage_is_exit_2) {
+  EXPECT_EQ(run_keyblock({}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"fly"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"run"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"run", kSlide + ".geo", kSlide + ".ana"}).exit_code, 2);
+  const std::string out = fresh_folder("usage") + "/out";
+  for (const char* set : {"no_such=1", "steps=0", "steps", "time_step=nan"}) {
+    const ProgramRun run = run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--set", set});
+    EXPECT_EQ(run.exit_code, 2) << set;
+    EXPECT_FALSE(std::filesystem::exists(out)) << set;
+  }
+}
+
+TEST(Commands, run_writes_record_history_fields_and_picture) {
+  const std::string out = fresh_folder("run") + "/out";
+  const ProgramRun run = run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--trace", "--json", "--set",
+                                       "steps=40", "--record-every", "20"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
+  EXPECT_EQ(record, nlohmann::json::parse(run.output));
+  EXPECT_EQ(record["outcome"]["end"], "finished");
+  EXPECT_EQ(record["settings"]["steps"], 40);
+  EXPECT_EQ(record["inputs"].size(), 2U);
+  EXPECT_EQ(record["inputs"][0]["sha256"].get<std::string>().size(), 64U);
+  EXPECT_EQ(record["counts"]["blocks"], 2);
+  EXPECT_EQ(record["steps"]["rows"].size(), 40U);
+  EXPECT_EQ(record["steps"]["rows"][0].size(), record["steps"]["columns"].size());
+  const auto history = formats::read_csv(formats::load(out + "/history.csv"));
+  EXPECT_EQ(history.rows.size(), 41U);
+  EXPECT_EQ(history.header[1], "time [T]");
+  EXPECT_EQ(formats::read_csv(formats::load(out + "/steps.csv")).rows.size(), 40U);
+  EXPECT_EQ(formats::read_csv(formats::load(out + "/blocks.csv")).rows.size(), 3 * 2U);
+  const std::string fields = read_text(out + "/fields.pvd");
+  for (const char* frame : {"frames/00000000.vtu", "frames/00000020.vtu", "frames/00000040.vtu"}) {
+    EXPECT_TRUE(contains(fields, frame));
+    EXPECT_TRUE(std::filesystem::exists(out + "/" + frame)) << frame;
+  }
+  EXPECT_TRUE(contains(read_text(out + "/picture.svg"), "</svg>"));
+  EXPECT_TRUE(contains(run.messages, "step 40 of 40"));
+}
+
+TEST(Commands, the_same_input_gives_the_same_bytes) {
+  const std::string folder = fresh_folder("bytes");
+  for (const char* name : {"/a", "/b"})
+    ASSERT_EQ(run_keyblock({"run", kCases + "reference_traces/grid5/grid5.geo",
+                            kCases + "reference_traces/grid5/grid5.ana", "-o", folder + name, "--trace"})
+                  .exit_code,
+              0);
+  for (const char* file : {"/history.csv", "/steps.csv", "/blocks.csv", "/frames/00000030.vtu", "/picture.svg"})
+    EXPECT_EQ(read_text(folder + "/a" + file), read_text(folder + "/b" + file)) << file;
+}
+
+TEST(Commands, results_of_an_earlier_run_are_not_overwritten_unless_told_to) {
+  const std::string out = fresh_folder("again") + "/out";
+  const std::vector<std::string> run{"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--set", "steps=2"};
+  ASSERT_EQ(run_keyblock(run).exit_code, 0);
+  const std::string record = read_text(out + "/run.json");
+  const ProgramRun again = run_keyblock(run);
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_TRUE(contains(again.messages, "--force"));
+  EXPECT_EQ(read_text(out + "/run.json"), record);
+  std::vector<std::string> forced = run;
+  forced.push_back("--force");
+  EXPECT_EQ(run_keyblock(forced).exit_code, 0);
+}
+
+TEST(Commands, a_run_that_cannot_go_on_says_why_saves_its_state_and_exits_4) {
+  const std::string out = fresh_folder("failure") + "/out";
+  const ProgramRun run =
+      run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--set", "allowed_displacement_ratio=1e-9"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_TRUE(contains(run.messages, "move too far")) << run.messages;
+  const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
+  EXPECT_EQ(record["outcome"]["end"], "failed");
+  EXPECT_FALSE(record["outcome"]["reason"].get<std::string>().empty());
+  EXPECT_TRUE(contains(read_text(out + "/fields.pvd"), ".vtu"));
+}
+
+TEST(Commands, an_interrupted_run_saves_its_state_and_exits_130) {
+  const std::string out = fresh_folder("stopped") + "/out";
+  const std::string rest = kCases + "block_at_rest/dynamic/dynamic";
+  const ProgramRun run = run_keyblock({"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"}, 300);
+  EXPECT_EQ(run.exit_code, 130) << run.messages;
+  EXPECT_EQ(nlohmann::json::parse(read_text(out + "/run.json"))["outcome"]["end"], "stopped");
+}
+
+TEST(Commands, a_cut_block_file_runs_like_its_drawing) {
+  const std::string folder = fresh_folder("cut");
+  const std::string blocks = folder + "/slide.blk";
+  const ProgramRun cut = run_keyblock({"cut", kSlide + ".geo", "-o", blocks, "--svg", folder + "/slide.svg"});
+  ASSERT_EQ(cut.exit_code, 0) << cut.messages;
+  EXPECT_TRUE(contains(read_text(folder + "/slide.svg"), "</svg>"));
+  EXPECT_EQ(run_keyblock({"cut", kSlide + ".geo", "-o", blocks}).exit_code, 2) << "it exists";
+  ASSERT_EQ(run_keyblock({"run", blocks, kSlide + ".ana", "-o", folder + "/a"}).exit_code, 0);
+  ASSERT_EQ(run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", folder + "/b"}).exit_code, 0);
+  EXPECT_EQ(read_text(folder + "/a/history.csv"), read_text(folder + "/b/history.csv"));
+}
+
+TEST(Commands, check_names_dialect_evidence_counts_and_plan) {
+  const ProgramRun check = run_keyblock({"check", kSlide + ".geo", kSlide + ".ana"});
+  EXPECT_EQ(check.exit_code, 0);
+  for (const char* part : {"[ddaml]", "7 lines", "1000 steps", "12 unknowns", "inertia", "contact"})
+    EXPECT_TRUE(contains(check.output, part)) << part;
+}
+
+TEST(Commands, check_goes_on_after_a_bad_file_and_exits_3) {
+  const std::string bad = KEYBLOCK_SOURCE_DIR "/tests/malformed/04_text_in_number_orig.geo";
+  const ProgramRun check = run_keyblock({"check", bad, kSlide + ".ana"});
+  EXPECT_EQ(check.exit_code, 3);
+  EXPECT_TRUE(contains(check.output, bad + ":15:1: error: expected")) << check.output;
+  EXPECT_TRUE(contains(check.output, "1000 steps"));
+}
+
+TEST(Commands, compare_exits_1_when_a_value_is_missed) {
+  const std::string folder = fresh_folder("missed") + "/a30_p20";
+  std::filesystem::copy(kCases + "sliding_block/a30_p20", folder);
+  EXPECT_EQ(run_keyblock({"compare", folder}).exit_code, 0);
+  const std::string table = read_text(folder + "/expected.csv");
+  testing::write_text(folder + "/expected.csv", table + "area,2,1,1.5,0.1,a wrong value,this test\n");
+  const ProgramRun missed = run_keyblock({"compare", folder});
+  EXPECT_EQ(missed.exit_code, 1);
+  EXPECT_TRUE(contains(missed.output, "MISSED"));
+}
+
+TEST(Commands, a_missing_file_is_exit_3) {
+  const ProgramRun run = run_keyblock({"run", "no_such.geo", kSlide + ".ana", "-o", fresh_folder("none") + "/out"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_TRUE(contains(run.messages, "no_such.geo: error: expected")) << run.messages;
+}
+
+}  // namespace keyblock
