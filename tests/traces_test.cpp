@@ -6,8 +6,11 @@
 
 #include <filesystem>
 
+#include "formats/case.hpp"
+#include "run/prepare.hpp"
+#include "run/run.hpp"
 #include "study/trace.hpp"
-#include "tests/shared_folder.hpp"
+#include "tests/support/shared_folder.hpp"
 #include "tests/support/text_files.hpp"
 
 namespace keyblock::study {
@@ -36,6 +39,34 @@ TEST(Traces, legacy_profile_follows_the_push_block_trace) {
   if (!std::filesystem::exists(folder))
     GTEST_SKIP() << "the push-block trace has no licence and lies only in ../shared";
   for (const CaseFolder& found : find_cases({folder.string()})) expect_followed(found);
+}
+
+// The Berkeley program's own example, native files with automatic step and penalty: what reference_runs/examples.csv
+// prints of it (passes in all, most contacts, greatest penetration, longest step; six digits) and the end time, which
+// round-off of its step formula keeps to six digits.
+TEST(Traces, the_circle_slope_example_comes_back_with_automatic_step_and_penalty) {
+  const std::filesystem::path sample = shared_folder() / "legacy_samples" / "ntdda" / "circleslope";
+  if (!std::filesystem::exists(sample.string() + ".geo"))
+    GTEST_SKIP() << "the sample has no licence and lies only in ../shared";
+  const formats::Case loaded = formats::load_case({sample.string() + ".geo", sample.string() + ".ana"});
+  int passes = 0;
+  int contacts = 0;
+  double penetration = 0;
+  double longest = 0;
+  Observer observer;
+  observer.on_step = [&](const StepReport& step) {
+    passes += step.passes;
+    contacts = std::max(contacts, step.contacts);
+    penetration = std::max(penetration, step.greatest_penetration);
+    longest = std::max(longest, step.dt);
+  };
+  const RunOutcome outcome = run(prepare(loaded.problem, "legacy", {}).scene, 1, observer);
+  EXPECT_EQ(outcome.steps, 20);
+  EXPECT_EQ(passes, 69);
+  EXPECT_EQ(contacts, 59);
+  EXPECT_NEAR(penetration, 0.000584652, 5e-10);
+  EXPECT_NEAR(longest, 0.0449237, 5e-8);
+  EXPECT_NEAR(outcome.time, 0.393914414, 1e-6);
 }
 
 // The measure itself: a run with another penalty does not follow, and is said to.

@@ -136,6 +136,7 @@ ExitCode compare(const CompareOptions& options) {
     print(traces);
   const auto missed = std::ranges::count_if(compared, [](const ComparedCase& c) { return !c.holds(); }) +
                       std::ranges::count_if(traces, [](const TraceDifference& t) { return !t.holds(); });
+  std::fflush(stdout);  // the table before the verdict, wherever both go
   spdlog::info("{} cases, {} traces, {} missed", compared.size(), traces.size(), missed);
   return missed == 0 ? ExitCode::ok : ExitCode::check_failed;
 }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -86,13 +84,6 @@ inline int count_missing(const Blocks& a, const Blocks& b, double tolerance) {
 
 inline bool has_warning(const Warnings& warnings, const std::string& name) {
   return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) { return w.name == name; });
-}
-
-/// The folder of reference data beside the project, or an empty path; KEYBLOCK_SHARED overrules.
-inline std::filesystem::path shared_folder() {
-  const char* named = std::getenv("KEYBLOCK_SHARED");
-  const std::filesystem::path path = named != nullptr ? named : KEYBLOCK_SOURCE_DIR "/../shared";
-  return std::filesystem::is_directory(path / "reference_runs") ? path : std::filesystem::path{};
 }
 
 }  // namespace keyblock

@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <filesystem>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cut/cut_blocks.hpp"
 #include "formats/case.hpp"
+#include "formats/csv.hpp"
 #include "tests/cut/drawings.hpp"
+#include "tests/support/shared_folder.hpp"
 
 namespace keyblock {
 namespace {
@@ -22,32 +23,6 @@ Drawing read_drawing(const fs::path& path) {
   return std::get<Drawing>(formats::load_case({path.string()}).problem.geometry);
 }
 
-/// A row of cut_blocks.csv: block, material, area, vertices, polygon in nine digits.
-struct TraceRow {
-  int material;
-  double area;
-  std::size_t vertices;
-  std::string polygon;
-};
-
-std::vector<TraceRow> read_trace(const fs::path& path) {
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  std::vector<TraceRow> rows;
-  while (std::getline(file, line)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream words(line);
-    int block = 0;
-    TraceRow row{};
-    words >> block >> row.material >> row.area >> row.vertices;
-    const std::size_t quote = line.find('"');
-    row.polygon = line.substr(quote + 1, line.rfind('"') - quote - 1);
-    rows.push_back(row);
-  }
-  return rows;
-}
-
 std::string print(const BlockLoop& loop) {
   std::string text;
   for (const BlockVertex& v : loop)
@@ -55,39 +30,41 @@ std::string print(const BlockLoop& loop) {
   return text;
 }
 
+// cut_blocks.csv: block, material, area (12 digits), vertices, polygon (nine digits).
 void expect_trace(const fs::path& drawing, const fs::path& trace) {
   SCOPED_TRACE(trace.string());
   const Blocks blocks = cut_blocks(read_drawing(drawing)).blocks;
-  const std::vector<TraceRow> rows = read_trace(trace);
-  ASSERT_EQ(blocks.blocks.size(), rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_EQ(blocks.blocks[i].material + 1, rows[i].material);
-    EXPECT_EQ(blocks.blocks[i].outer.size(), rows[i].vertices);
-    EXPECT_EQ(print(blocks.blocks[i].outer), rows[i].polygon);
-    // Printed in 12 digits.
-    EXPECT_NEAR(area(blocks.blocks[i]), rows[i].area, 1e-11 * rows[i].area);
+  const formats::CsvTable table = formats::read_csv(formats::load(trace.string()));
+  const auto cell = [&](std::size_t row, const char* name) {
+    return table.rows[row].cells[formats::csv_column(table, name)];
+  };
+  ASSERT_EQ(blocks.blocks.size(), table.rows.size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const BlockPolygon& block = blocks.blocks[i];
+    EXPECT_EQ(std::to_string(block.material + 1), cell(i, "material"));
+    EXPECT_EQ(std::to_string(block.outer.size()), cell(i, "vertices"));
+    EXPECT_EQ(print(block.outer), cell(i, "polygon"));
+    const double printed = formats::csv_real(table, table.rows[i], formats::csv_column(table, "area"));
+    EXPECT_NEAR(area(block), printed, 1e-11 * printed);
   }
 }
 
 }  // namespace
 
 TEST(LegacyTraces, every_reference_run_is_cut_as_the_old_program_cut_it) {
-  const fs::path shared = shared_folder();
-  if (shared.empty()) GTEST_SKIP() << "no shared folder with reference runs";
   int count = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(shared / "reference_runs")) {
-    const fs::path trace = entry.path() / "cut_blocks.csv";
-    if (!fs::exists(trace)) continue;
-    for (const fs::directory_entry& file : fs::directory_iterator(entry.path())) {
-      if (file.path().extension() == ".geo") expect_trace(file.path(), trace), ++count;
-    }
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(fs::path(KEYBLOCK_SOURCE_DIR) / "legacy_cases" / "reference_traces")) {
+    if (!entry.is_directory()) continue;
+    expect_trace(entry.path() / (entry.path().filename().string() + ".geo"), entry.path() / "cut_blocks.csv");
+    ++count;
   }
-  EXPECT_EQ(count, 17);
+  EXPECT_EQ(count, 16);
 }
 
 TEST(LegacyTraces, circle_slope_is_cut_into_seven_blocks_of_area_2_2) {
   const fs::path shared = shared_folder();
-  if (shared.empty()) GTEST_SKIP() << "no shared folder with reference runs";
+  if (!fs::exists(shared / "legacy_samples")) GTEST_SKIP() << "the sample has no licence and lies only in ../shared";
   const fs::path drawing = shared / "legacy_samples/ntdda/circleslope.geo";
   expect_trace(drawing, shared / "reference_runs/example_circleslope_cut_blocks.csv");
   EXPECT_NEAR(total_area(cut_blocks(read_drawing(drawing)).blocks), 2.2, 1e-14);
@@ -95,7 +72,7 @@ TEST(LegacyTraces, circle_slope_is_cut_into_seven_blocks_of_area_2_2) {
 
 TEST(LegacyTraces, fixed_lines_give_as_many_points_as_in_the_old_program) {
   const fs::path shared = shared_folder();
-  if (shared.empty()) GTEST_SKIP() << "no shared folder with legacy samples";
+  if (!fs::exists(shared / "legacy_samples")) GTEST_SKIP() << "the samples have no licence and lie only in ../shared";
   const std::vector<std::size_t> counts = {2, 1, 1, 1, 2, 4, 2, 1};  // reference_runs/README.md, fixedlines 1..8
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const fs::path path = shared / fmt::format("legacy_samples/ntdda/fixedlines/case{}.geo", i + 1);
@@ -104,9 +81,7 @@ TEST(LegacyTraces, fixed_lines_give_as_many_points_as_in_the_old_program) {
 }
 
 TEST(LegacyTraces, malformed_drawings_are_refused_or_warned_of_by_name) {
-  const fs::path shared = shared_folder();
-  if (shared.empty()) GTEST_SKIP() << "no shared folder with reference runs";
-  const fs::path folder = shared / "reference_runs/malformed";
+  const fs::path folder = fs::path(KEYBLOCK_SOURCE_DIR) / "tests" / "malformed";
   const std::map<std::string, std::string> expected = {
       {"07_zero_length_joint_xml", "zero_length_line"},  {"07_zero_area_sliver_xml", "overlapping_lines"},
       {"08_open_polygon_xml", "dangling_lines_removed"}, {"09_duplicate_lines_xml", "duplicate_line"},

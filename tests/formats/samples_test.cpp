@@ -10,7 +10,7 @@
 #include "formats/dda_geometry.hpp"
 #include "formats/tokens.hpp"
 #include "tests/formats/reading.hpp"
-#include "tests/shared_folder.hpp"
+#include "tests/support/shared_folder.hpp"
 
 namespace keyblock::formats {
 namespace {
