@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -25,6 +26,7 @@ struct CutOptions {
   std::string drawing;
   std::string output;
   std::string picture;
+  NodeMerging merging = NodeMerging::nearest_first;
   bool may_overwrite = false;
   bool as_json = false;
 };
@@ -83,7 +85,7 @@ ExitCode cut_file(const CutOptions& options) {
   for (const std::string& file : {options.output, options.picture})
     if (!file.empty()) require_free(file, overwrite);
   const formats::Case loaded = formats::load_case({options.drawing});
-  CutResult cut = cut_blocks(drawing_of(loaded, options.drawing));
+  CutResult cut = cut_blocks(drawing_of(loaded, options.drawing), options.merging);
   cut.warnings.insert(cut.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
   for (const Warning& warning : cut.warnings) spdlog::warn("{}", to_string(warning));
   if (!options.output.empty()) {
@@ -108,6 +110,12 @@ Action configure_cut(CLI::App& app) {
   app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs")->required();
   app.add_option("-o,--output", options->output, "the block file to write");
   app.add_option("--svg", options->picture, "a picture of the blocks to write");
+  app.add_option(
+         "--merging", options->merging,
+         "how near crossings become one node: nearest_first, independent of the order of lines, or in_order_found, "
+         "as the old programs and profile legacy do")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, NodeMerging>{
+          {"nearest_first", NodeMerging::nearest_first}, {"in_order_found", NodeMerging::in_order_found}}));
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
   app.add_flag("--json", options->as_json, "print counts, warnings and snaps as JSON");
   return [options] { return cut_file(*options); };

@@ -34,7 +34,7 @@ bool is_finite(const Segment& s) {
 /// One cutting, from stage to stage.
 class Cutting {
  public:
-  explicit Cutting(const Drawing& drawing) : drawing_(drawing) {
+  Cutting(const Drawing& drawing, NodeMerging merging) : drawing_(drawing), merging_(merging) {
     lines_ = used_lines();
     result_.report.tolerances = cut_tolerances(drawing);
     result_.report.lines = static_cast<int>(lines_.segments.size());
@@ -83,7 +83,7 @@ class Cutting {
     const Crossings crossings = find_crossings(lines_.segments, tolerances());
     report_overlaps(crossings.found);
     mark_free_ends(crossings);
-    NodeTable table = make_nodes(lines_.segments, lines_.boundary_count, crossings, tolerances());
+    NodeTable table = make_nodes(lines_.segments, lines_.boundary_count, crossings, tolerances(), merging_);
     report_merging(crossings.found, table);
     result_.report.crossings = static_cast<int>(crossings.found.size());
     result_.report.nodes = static_cast<int>(table.arrangement.nodes.size());
@@ -280,6 +280,7 @@ class Cutting {
   }
 
   const Drawing& drawing_;
+  NodeMerging merging_;
   UsedLines lines_;
   Arrangement arrangement_;
   std::vector<char> is_dangling_;  // of each line: a part of it hangs loose
@@ -288,8 +289,8 @@ class Cutting {
 
 }  // namespace
 
-CutResult cut_blocks(const Drawing& drawing) {
-  return Cutting(drawing).run();
+CutResult cut_blocks(const Drawing& drawing, NodeMerging merging) {
+  return Cutting(drawing, merging).run();
 }
 
 }  // namespace keyblock

@@ -39,6 +39,6 @@ struct CutResult {
 
 /// The blocks of a drawing in the order and with the starting vertices of the old programs. Throws InputError
 /// where the lines close no block.
-CutResult cut_blocks(const Drawing& drawing);
+CutResult cut_blocks(const Drawing& drawing, NodeMerging merging = NodeMerging::nearest_first);
 
 }  // namespace keyblock

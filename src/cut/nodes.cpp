@@ -72,13 +72,17 @@ class NearPairs {
 /// Groups crossings into nodes.
 class Merger {
  public:
-  Merger(const Crossings& crossings, std::size_t boundary_count, const CutTolerances& tolerances)
+  Merger(const Crossings& crossings, std::size_t boundary_count, const CutTolerances& tolerances, NodeMerging merging)
       : crossings_(crossings), boundary_count_(static_cast<int>(boundary_count)), groups_(crossings.found.size()) {
     for (const std::size_t k : crossings.equal_before) {
       groups_.unite(crossings.stops[k - 1].crossing, crossings.stops[k].crossing);
     }
     is_merged_.assign(crossings.found.size(), 0);
-    if (!tolerances.is_exact()) merge_near(tolerances);
+    if (tolerances.is_exact()) return;
+    if (merging == NodeMerging::nearest_first)
+      merge_near(tolerances);
+    else
+      merge_with_earlier(tolerances);
   }
 
   int group(int crossing) { return groups_.find(crossing); }
@@ -91,15 +95,47 @@ class Merger {
  private:
   bool is_boundary(int crossing) const { return crossings_.found[crossing].line < boundary_count_; }
 
-  void merge_near(const CutTolerances& tolerances) {
-    std::vector<int> leaders;
+  struct Leaders {
+    std::vector<int> crossings;
     std::vector<Point> points;
+  };
+
+  /// One crossing of every group of exactly coinciding ones.
+  Leaders leaders_of_groups() {
+    Leaders leaders;
     for (std::size_t i = 0; i < crossings_.found.size(); ++i) {
       const int crossing = static_cast<int>(i);
       if (groups_.find(crossing) != crossing) continue;
-      leaders.push_back(crossing);
-      points.push_back(crossings_.found[i].position);
+      leaders.crossings.push_back(crossing);
+      leaders.points.push_back(crossings_.found[i].position);
     }
+    return leaders;
+  }
+
+  /// Earlier nodes win, no averaging, boundary lines' crossings with one another never merge (legacy-formats 3.6, rule 1).
+  void merge_with_earlier(const CutTolerances& tolerances) {
+    const auto [leaders, points] = leaders_of_groups();
+    const auto rank = [this](int crossing) { return std::pair(!is_found_early(crossing), crossing); };
+    std::vector<std::pair<int, int>> later_and_earlier;
+    for (const NearPair& pair : NearPairs(points, tolerances.merge).sorted()) {
+      const int a = leaders[pair.first];
+      const int b = leaders[pair.second];
+      later_and_earlier.push_back(rank(a) < rank(b) ? std::pair(b, a) : std::pair(a, b));
+    }
+    std::sort(later_and_earlier.begin(), later_and_earlier.end(), [&](const auto& p, const auto& q) {
+      return std::pair(rank(p.first), rank(p.second)) < std::pair(rank(q.first), rank(q.second));
+    });
+    std::vector<char> has_joined(crossings_.found.size(), 0);
+    for (const auto& [later, earlier] : later_and_earlier) {
+      if (is_boundary(later) || has_joined[later] || has_joined[earlier]) continue;
+      has_joined[later] = 1;
+      groups_.unite(later, earlier);
+      is_merged_[groups_.find(earlier)] = 1;
+    }
+  }
+
+  void merge_near(const CutTolerances& tolerances) {
+    const auto [leaders, points] = leaders_of_groups();
     members_.resize(crossings_.found.size());
     for (const int leader : leaders) members_[leader] = {leader};
     // Exactly coinciding crossings of inner lines hide a boundary crossing; the group then counts as
@@ -271,14 +307,16 @@ Members members_of_nodes(Merger& merger, const Crossings& crossings) {
 }
 
 /// Makes the nodes and says which node each crossing is.
-std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const Placing& placing, NodeTable& table) {
+std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const Placing& placing, NodeMerging merging,
+                              NodeTable& table) {
   const Members members = members_of_nodes(merger, crossings);
   std::vector<int> node_of_crossing(crossings.found.size());
+  const bool in_order = merging == NodeMerging::in_order_found;
   for (std::size_t node = 0; node < members.node_count(); ++node) {
     const std::span<const int> own = members.of(node);
     const int first = own.front();
     const bool is_exact = merger.is_exact(first);
-    const int source = is_exact ? placing.first_found(own) : placing.choose(own);
+    const int source = is_exact ? placing.first_found(own) : in_order ? first : placing.choose(own);
     if (!is_exact && placing.gap(first, source) > placing.round_off()) ++table.placed_otherwise;
     table.arrangement.nodes.push_back({crossings.found[source].position, is_exact});
     for (const int crossing : own) node_of_crossing[crossing] = static_cast<int>(node);
@@ -317,11 +355,11 @@ std::vector<Edge> make_edges(const Crossings& crossings, const std::vector<int>&
 }  // namespace
 
 NodeTable make_nodes(std::vector<Segment> lines, std::size_t boundary_count, const Crossings& crossings,
-                     const CutTolerances& tolerances) {
+                     const CutTolerances& tolerances, NodeMerging merging) {
   NodeTable table;
-  Merger merger(crossings, boundary_count, tolerances);
+  Merger merger(crossings, boundary_count, tolerances, merging);
   const std::vector<int> node_of_crossing =
-      number_nodes(merger, crossings, Placing(lines, boundary_count, crossings, tolerances), table);
+      number_nodes(merger, crossings, Placing(lines, boundary_count, crossings, tolerances), merging, table);
   for (std::size_t i = 0; i < crossings.found.size(); ++i) {
     const Crossing& c = crossings.found[i];
     const int node = node_of_crossing[i];

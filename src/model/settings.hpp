@@ -3,6 +3,7 @@
 #pragma once
 
 #include "problem/analysis.hpp"
+#include "problem/drawing.hpp"
 
 namespace keyblock {
 
@@ -31,6 +32,7 @@ struct BerkeleyQuirks {
 
 /// Everything a run decides besides the scene itself. Units are those of the input.
 struct Settings {
+  NodeMerging node_merging = NodeMerging::in_order_found;
   int step_count = 0;
   double time_step = 0;  ///< g1
   StepControl step_control = StepControl::constant;

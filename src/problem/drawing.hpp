@@ -46,6 +46,12 @@ struct MarkedPoint {
   Place place;
 };
 
+/// How crossings nearer than the merging distance become one node.
+enum class NodeMerging {
+  nearest_first,  ///< nearest pairs first; the drawing, not the order of its lines, decides where the node stands
+  in_order_found,  ///< as the old programs: a crossing joins the first node found before it that is near, and that one stays
+};
+
 /// The drawing of a geometry file. Lengths in the file's unit, indices from 0.
 struct Drawing {
   double edge_node_ratio = 0;      ///< e0: snapping distance over the domain scale (Shi, line file token 1)

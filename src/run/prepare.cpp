@@ -13,8 +13,8 @@
 namespace keyblock {
 namespace {
 
-CutResult blocks_of(const Problem& problem) {
-  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return cut_blocks(*drawing);
+CutResult blocks_of(const Problem& problem, NodeMerging merging) {
+  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return cut_blocks(*drawing, merging);
   return {std::get<Blocks>(problem.geometry), {}, {}, {}};
 }
 
@@ -58,7 +58,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
   Settings settings = profile_settings(profile, *problem.analysis);
   for (const auto& [name, value] : overrides) set(settings, name, value);
-  CutResult cut = blocks_of(problem);
+  CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   const Warnings more = not_modelled(cut.blocks, *problem.analysis);
   cut.warnings.insert(cut.warnings.end(), more.begin(), more.end());

@@ -53,6 +53,8 @@ Choice quirk(bool BerkeleyQuirks::*member) {
 
 const std::vector<Row>& table() {
   static const std::vector<Row> rows{
+      {"node_merging", "how near crossings become one node when a drawing is cut",
+       choice(&Settings::node_merging, {"nearest_first", "in_order_found"})},
       {"steps", "number of time steps", Whole{[](Settings& s) -> int& { return s.step_count; }, 1}},
       {"time_step", "step size, or its starting value under rule shi [time]",
        Real{[](Settings& s) -> double& { return s.time_step; }, 0, true}},
