@@ -81,6 +81,11 @@ Velocity berkeley_start_velocity(const BlockMaterial& material, AnalysisDialect 
   return {material.stress_gradient.xx, material.stress_gradient.yy, material.stress_gradient.xy};
 }
 
+Velocity berkeley_step_velocity(const BlockMaterial& material, AnalysisDialect dialect) {
+  if (dialect != AnalysisDialect::ddaml) return material.initial_velocity;
+  return {material.initial_strain[0], material.initial_strain[1], material.initial_strain[2]};
+}
+
 Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {
   Model model;
   model.block_materials = analysis.block_materials;
