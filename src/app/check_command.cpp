@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -119,10 +120,18 @@ void print(const CaseReport& report) {
   if (report.plan) print(*report.plan);
 }
 
+/// Several geometries or analyses are no one case: each file is looked at alone.
+bool holds_several_cases(const std::vector<formats::Content>& contents) {
+  const auto geometries = std::ranges::count_if(contents, [](const auto& c) { return c.drawing || c.blocks; });
+  const auto analyses = std::ranges::count_if(contents, [](const auto& c) { return c.analysis.has_value(); });
+  return geometries > 1 || analyses > 1;
+}
+
 CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
+  if (holds_several_cases(contents)) return {};
   try {
     const Checked checked = check(formats::pair(contents));
     CaseReport report{checked.warnings, {}, std::nullopt};

@@ -10,6 +10,7 @@
 
 #include "app/command.hpp"
 #include "app/files.hpp"
+#include "app/run_report.hpp"
 #include "app/usage_error.hpp"
 #include "report/run_picture.hpp"
 #include "run/profile.hpp"
@@ -111,8 +112,12 @@ std::string picture_of(const ComparedCase& compared) {
     theory.x.push_back(v.time);
     theory.y.push_back(v.expected);
   }
-  return report::run_picture(
-      {compared.name, compared.start, compared.end, {run, theory}, {"time [s]", "displacement [m]"}, "s"});
+  return report::run_picture({compared.name,
+                              compared.start,
+                              compared.end,
+                              {run, theory},
+                              {"time [s]", fmt::format("displacement of block {} [m]", compared.followed_block)},
+                              "s"});
 }
 
 ExitCode compare(const CompareOptions& options) {
@@ -137,7 +142,7 @@ ExitCode compare(const CompareOptions& options) {
   const auto missed = std::ranges::count_if(compared, [](const ComparedCase& c) { return !c.holds(); }) +
                       std::ranges::count_if(traces, [](const TraceDifference& t) { return !t.holds(); });
   std::fflush(stdout);  // the table before the verdict, wherever both go
-  spdlog::info("{} cases, {} traces, {} missed", compared.size(), traces.size(), missed);
+  spdlog::info("{}, {}, {} missed", counted(compared.size(), "case"), counted(traces.size(), "trace"), missed);
   return missed == 0 ? ExitCode::ok : ExitCode::check_failed;
 }
 

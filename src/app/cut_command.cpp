@@ -80,11 +80,14 @@ ExitCode cut_file(const CutOptions& options) {
   // Before any work is done, so that a long cut is not lost to a file that is there already.
   const Overwrite overwrite = options.may_overwrite ? Overwrite::yes : Overwrite::no;
   for (const std::string& file : {options.output, options.picture})
-    if (!file.empty()) require_free(file, overwrite);
+    if (!file.empty()) {
+      require_not_input(file, options.drawing);
+      require_free(file, overwrite);
+    }
   const formats::Case loaded = formats::load_case({options.drawing});
   CutResult cut = cut_blocks(drawing_of(loaded, options.drawing), options.merging);
   cut.warnings = joined(loaded.warnings, cut.warnings);
-  for (const Warning& warning : cut.warnings) spdlog::warn("{}", to_string(warning));
+  log_warnings(cut.warnings);
   if (!options.output.empty()) {
     warn_of_holes(cut.blocks);
     write_file(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}));

@@ -19,6 +19,21 @@ void require_free(const fs::path& file, Overwrite overwrite) {
     throw UsageError(fmt::format("{} exists; give another name, or --force to overwrite it", file.string()));
 }
 
+void require_not_input(const fs::path& output, const fs::path& input) {
+  std::error_code error;
+  if (!fs::exists(output, error)) return;
+  if (!fs::is_regular_file(output, error)) throw UsageError(fmt::format("{} is no regular file", output.string()));
+  if (fs::equivalent(output, input, error))
+    throw UsageError(fmt::format("{} is an input; give another name", output.string()));
+}
+
+void require_not_below(const fs::path& input, const fs::path& folder) {
+  std::error_code error;
+  const fs::path parent = input.has_parent_path() ? input.parent_path() : fs::path(".");
+  if (fs::equivalent(parent, folder, error))
+    throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", input.string()));
+}
+
 void write_file(const fs::path& file, const std::string& text) {
   std::error_code ignored;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);

@@ -12,6 +12,12 @@ enum class Overwrite { no, yes };
 /// Throws UsageError if `file` exists and may not be overwritten.
 void require_free(const std::filesystem::path& file, Overwrite overwrite);
 
+/// Throws UsageError if `output` is `input`, or is no regular file (a device must not be replaced), whatever --force says.
+void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
+
+/// Throws UsageError if `input` lies directly in `folder`, where results will be written.
+void require_not_below(const std::filesystem::path& input, const std::filesystem::path& folder);
+
 /// Writes beside the file and renames, so that a reader never meets half a file. Throws OutputError if it cannot.
 void write_file(const std::filesystem::path& file, const std::string& text);
 

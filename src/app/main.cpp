@@ -6,8 +6,10 @@
 #include <spdlog/spdlog.h>
 
 #include <array>
+#include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "app/command.hpp"
@@ -41,7 +43,9 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return static_cast<int>(program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage);
   }
-  return static_cast<int>(chosen());
+  const ExitCode code = chosen();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw OutputError("cannot write to standard output");
+  return static_cast<int>(code);
 }
 
 }  // namespace
@@ -58,6 +62,9 @@ int main(int argc, char** argv) {
   } catch (const keyblock::UsageError& error) {
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::usage);
+  } catch (const std::bad_alloc&) {
+    spdlog::error("keyblock: error: there is not enough memory for this");
+    return static_cast<int>(keyblock::ExitCode::numerical_failure);
   } catch (const std::exception& error) {
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::numerical_failure);

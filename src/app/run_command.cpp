@@ -25,6 +25,11 @@ namespace {
 // Unless asked otherwise, a run leaves at most this many frames: more are seldom looked at and fill the disk.
 constexpr int kMostFrames = 100;
 
+// Penetrations beyond this many times the allowed one no longer look like contact.
+constexpr double kDeepPenetrations = 10;
+// A sound system is solved to 1e-12 or better; beyond this a penalty is too great for double precision.
+constexpr double kLargeResidual = 1e-9;
+
 std::atomic<bool> stop_asked = false;
 
 extern "C" void ask_to_stop(int) {
@@ -89,25 +94,74 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
   return std::max(problem.analysis->save_interval.value_or(1), thinned);
 }
 
-Warnings run_warnings(const std::vector<StepReport>& steps, const Place& place) {
+// What a reader of the results must know and would not see: said once, with the first step concerned.
+Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const Analysis& analysis) {
   Warnings warnings;
-  for (const StepReport& step : steps) {
-    if (step.unsettled_contacts > 0)
-      warnings.push_back({"unsettled_step_accepted", place,
-                          fmt::format("step {}: {} contacts still opened or closed at the pass limit", step.step,
-                                      step.unsettled_contacts)});
+  const Settings& settings = prepared.scene.settings;
+  const auto warn_first = [&](const char* name, const auto& concerns, const auto& sentence) {
+    const auto step = std::ranges::find_if(record.steps, concerns);
+    if (step != record.steps.end()) warnings.push_back({name, analysis.place, sentence(*step)});
+  };
+  warn_first(
+      "unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
+      [](const StepReport& s) {
+        return fmt::format("step {}: {} contacts still opened or closed at the pass limit", s.step,
+                           s.unsettled_contacts);
+      });
+  const bool constant = settings.step_control == StepControl::constant;
+  warn_first(
+      "step_cut", [&](const StepReport& s) { return constant && s.dt < settings.time_step; },
+      [&](const StepReport& s) {
+        return fmt::format(
+            "step {}: cut from {:.6g} to {:.6g}, because blocks moved too far or contacts did not settle{}", s.step,
+            settings.time_step, s.dt, settings.quirks.cut_step_stays ? "; the cut stays" : "");
+      });
+  warn_first(
+      "step_above_limit", [&](const StepReport& s) { return !constant && s.dt > settings.time_step; },
+      [&](const StepReport& s) {
+        return fmt::format(
+            "step {}: the automatic step, {:.6g}, passes the file's limit, {:.6g}, as in the Berkeley program", s.step,
+            s.dt, settings.time_step);
+      });
+  const double deep = kDeepPenetrations * settings.open_close.allowed_penetration * prepared.scene.model.scale;
+  warn_first(
+      "deep_penetration", [&](const StepReport& s) { return s.greatest_penetration > deep; },
+      [&](const StepReport& s) {
+        return fmt::format(
+            "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: do not trust "
+            "what follows",
+            s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / deep);
+      });
+  warn_first(
+      "large_residual", [](const StepReport& s) { return s.residual > kLargeResidual; },
+      [](const StepReport& s) {
+        return fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual);
+      });
+  for (const CarriedPoint& point : prepared.scene.model.loading_points) {
+    if (point.curve.times.empty() || point.curve.times.back() >= record.outcome.time) continue;
+    warnings.push_back({"load_held_after_table", point.curve.place,
+                        fmt::format("the table of loads ends at time {:.6g}, the run at {:.6g}; the last load is held",
+                                    point.curve.times.back(), record.outcome.time)});
   }
   return warnings;
 }
 
-void print_summary(const RunRecord& record, const std::string& folder) {
-  for (const auto& w : warnings_json(record.warnings)) {
-    const int count = w["count"];
-    spdlog::warn("{}{}", w["first"].get<std::string>(), count > 1 ? fmt::format(" ({} times)", count) : "");
+// What to try, where the old program's own rules end a run.
+void print_hint(const Settings& settings) {
+  if (settings.quirks.velocity_from_coming_step)
+    spdlog::info(
+        "the rules of the old program are followed; where its step size changes, "
+        "--set quirk.velocity_from_coming_step=off often lets a run go on");
+}
+
+void print_summary(const Prepared& prepared, const RunRecord& record, const std::string& folder) {
+  log_warnings(record.warnings);
+  if (record.outcome.end == RunEnd::failed) {
+    spdlog::error("keyblock: error: {}", record.outcome.reason);
+    print_hint(prepared.scene.settings);
   }
-  if (record.outcome.end == RunEnd::failed) spdlog::error("keyblock: error: {}", record.outcome.reason);
   if (record.outcome.end == RunEnd::stopped) spdlog::warn("stopped by request");
-  spdlog::info("{} steps, time {:.6g}; results in {}", record.outcome.steps, record.outcome.time, folder);
+  spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
 }
 
 ExitCode exit_code(RunEnd end) {
@@ -142,10 +196,13 @@ ExitCode run_files(const RunOptions& options) {
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
   record.warnings = joined(loaded.warnings, prepared.warnings);
 
+  for (const std::string& file : options.files) require_not_below(file, options.folder);
   RunFolder folder(options.folder, options.force ? Overwrite::yes : Overwrite::no,
                    options.trace ? Trace::yes : Trace::no);
   History history{!prepared.scene.model.measured_points.empty(), {}};
   ProgressLine progress(prepared.scene.settings.step_count);
+  spdlog::info("{}, {} unknowns, {} steps", counted(prepared.blocks.blocks.size(), "block"),
+               prepared.requirements.unknowns, prepared.scene.settings.step_count);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   record.outcome = run(prepared.scene, record.record_every,
@@ -157,16 +214,17 @@ ExitCode run_files(const RunOptions& options) {
                         [&](const HistoryRow& row) { history.rows.push_back(row); }, [] { return stop_asked.load(); }});
   progress.finish();
   record.timings.run = watch.lap();
-  record.warnings = joined(record.warnings, run_warnings(record.steps, loaded.problem.analysis->place));
+  record.warnings = joined(record.warnings, run_warnings(prepared, record, *loaded.problem.analysis));
 
-  const std::string title = std::filesystem::path(options.files.front()).stem().string();
+  const std::string title =
+      fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), options.profile);
   folder.finish(title, history, record.steps);
   record.outputs = folder.outputs();
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   folder.write_record(json + "\n");
   if (options.as_json) fmt::print("{}\n", json);
-  print_summary(record, options.folder);
+  print_summary(prepared, record, options.folder);
   return exit_code(record.outcome.end);
 }
 

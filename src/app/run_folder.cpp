@@ -32,7 +32,9 @@ std::vector<report::Curve> displacement_curves(const History& history) {
   const std::size_t count = std::min(history.rows.front().points.size(), kMostCurves);
   for (std::size_t i = 0; i < count; ++i) {
     report::Curve curve;
-    curve.label = fmt::format("{} {}", history.of_measured_points ? "measured point" : "block", i + 1);
+    const bool is_last_of_more = i + 1 == count && history.rows.front().points.size() > count;
+    curve.label = fmt::format("{} {}{}", history.of_measured_points ? "measured point" : "block", i + 1,
+                              is_last_of_more ? fmt::format(" (of {})", history.rows.front().points.size()) : "");
     for (const HistoryRow& row : history.rows) {
       curve.x.push_back(row.time);
       curve.y.push_back(length(row.points[i].displacement));

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_report.hpp"
 
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
+#include <limits>
 
 #include "run/settings_table.hpp"
 
@@ -43,10 +47,20 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
   int contacts = 0;
   int redos = 0;
   long passes = 0;
+  double penetration = 0;
+  double ratio = 0;
+  double residual = 0;
+  double least_dt = std::numeric_limits<double>::max();
+  double greatest_dt = 0;
   for (const StepReport& step : steps) {
     contacts = std::max(contacts, step.contacts);
     redos += step.redos;
     passes += step.passes;
+    penetration = std::max(penetration, step.greatest_penetration);
+    ratio = std::max(ratio, step.displacement_ratio);
+    residual = std::max(residual, step.residual);
+    least_dt = std::min(least_dt, step.dt);
+    greatest_dt = std::max(greatest_dt, step.dt);
   }
   Json counts = {{"blocks", model.elements.size()},
                  {"vertices", model.vertices.size()},
@@ -57,6 +71,13 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
                  {"most_contacts", contacts},
                  {"passes", passes},
                  {"redone_attempts", redos}};
+  if (!steps.empty()) {
+    counts["least_dt"] = least_dt;
+    counts["greatest_dt"] = greatest_dt;
+    counts["greatest_penetration"] = penetration;
+    counts["greatest_displacement_ratio"] = ratio;
+    counts["greatest_residual"] = residual;
+  }
   if (prepared.cut) counts["snaps"] = prepared.snaps.size();
   return counts;
 }
@@ -108,6 +129,17 @@ Json warnings_json(const Warnings& warnings) {
       (*known)["count"] = (*known)["count"].get<int>() + 1;
   }
   return all;
+}
+
+void log_warnings(const Warnings& warnings) {
+  for (const Json& w : warnings_json(warnings)) {
+    const int count = w["count"];
+    spdlog::warn("{}{}", w["first"].get<std::string>(), count > 1 ? fmt::format(" ({} times)", count) : "");
+  }
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 Json requirements_json(const Requirements& requirements) {

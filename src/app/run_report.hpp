@@ -41,6 +41,12 @@ struct RunRecord {
 /// Every warning with its place.
 nlohmann::ordered_json warning_list_json(const Warnings& warnings);
 
+/// To standard error, each kind once with how often it was met.
+void log_warnings(const Warnings& warnings);
+
+/// "1 block", "3 blocks".
+std::string counted(std::size_t count, const std::string& noun);
+
 /// Warnings as name, count and the first of each.
 nlohmann::ordered_json warnings_json(const Warnings& warnings);
 

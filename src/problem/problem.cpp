@@ -80,7 +80,8 @@ Warnings curves_and_points(const Analysis& analysis, std::size_t loading_points,
              fmt::format("{} load curves for {} loading points; the surplus is ignored", curves, loading_points)}};
   if (curves < loading_points)
     return {{"loading_points_without_load", place,
-             fmt::format("{} load curves for {} loading points; the others carry no load", curves, loading_points)}};
+             fmt::format("{} load curves for {} loading points; points without one carry no load", curves,
+                         loading_points)}};
   return {};
 }
 

@@ -121,6 +121,7 @@ ComparedCase compare_case(const CaseFolder& folder, const std::string& profile) 
   const auto followed =
       std::ranges::find_if(compared.values, [](const ComparedValue& v) { return v.block.has_value(); });
   const std::size_t block = followed == compared.values.end() ? 0 : static_cast<std::size_t>(*followed->block - 1);
+  compared.followed_block = static_cast<int>(block) + 1;
   Observer observer;
   observer.on_frame = [&](const Frame& frame) {
     if (frame.step == 0) compared.start = frame;

@@ -39,6 +39,7 @@ struct ComparedCase {
   Frame end;
   std::vector<double> times;          ///< of every step, from 0
   std::vector<double> displacements;  ///< of the block of the first row, at those times
+  int followed_block = 1;             ///< whose they are, from 1
 
   bool holds() const;
 };
