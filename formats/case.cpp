@@ -12,32 +12,27 @@
 namespace keyblock::formats {
 namespace {
 
-struct OpenFile {
-  FileReading result;
-  Source source;
-};
-
-OpenFile open(const std::string& path) {
-  OpenFile file{{path, {}, {}, {}}, {}};
+FileReading open(const std::string& path) {
+  FileReading file{path, {}, {}, {}, {}};
   try {
     file.source = load(path);
-    file.result.choice = recognise(file.source);
+    file.choice = recognise(file.source);
   } catch (const InputError& error) {
-    file.result.error = error;
+    file.error = error;
   }
   return file;
 }
 
-void read_into(OpenFile& file, const ReadHint& hint) {
+void read_into(FileReading& file, const ReadHint& hint) {
   try {
-    file.result.reading = read_as(*file.result.choice, file.source, hint);
+    file.reading = read_as(*file.choice, file.source, hint);
   } catch (const InputError& error) {
-    file.result.error = error;
+    file.error = error;
   }
 }
 
-bool needs_geometry(const OpenFile& file) {
-  return file.result.choice && file.result.choice->format == &kDdaAnalysisShi;
+bool needs_geometry(const FileReading& file) {
+  return file.choice && file.choice->format == &kDdaAnalysisShi;
 }
 
 bool is_one_point(const FixedLine& line) {
@@ -94,19 +89,17 @@ Problem with_content(Problem problem, const Content& content) {
 }  // namespace
 
 std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
-  std::vector<OpenFile> files;
+  std::vector<FileReading> files;
   for (const std::string& path : paths) files.push_back(open(path));
   ReadHint hint;
-  for (OpenFile& file : files) {
-    if (!file.result.choice || needs_geometry(file)) continue;
+  for (FileReading& file : files) {
+    if (!file.choice || needs_geometry(file)) continue;
     read_into(file, {});
-    if (file.result.reading && !hint.loading_points) hint = hint_of(*file.result.reading);
+    if (file.reading && !hint.loading_points) hint = hint_of(*file.reading);
   }
-  for (OpenFile& file : files)
+  for (FileReading& file : files)
     if (needs_geometry(file)) read_into(file, hint);
-  std::vector<FileReading> results;
-  for (OpenFile& file : files) results.push_back(std::move(file.result));
-  return results;
+  return files;
 }
 
 Problem pair(const std::vector<Content>& contents) {
@@ -118,9 +111,10 @@ Problem pair(const std::vector<Content>& contents) {
 Case load_case(const std::vector<std::string>& paths) {
   std::vector<Content> contents;
   Case result;
-  for (FileReading& file : read_files(paths)) {
+  result.files = read_files(paths);
+  for (const FileReading& file : result.files) {
     if (file.error) throw *file.error;
-    contents.push_back(std::move(file.reading->content));
+    contents.push_back(file.reading->content);
     result.warnings = joined(std::move(result.warnings), file.reading->warnings);
   }
   Checked checked = check(pair(contents));

@@ -17,6 +17,7 @@ struct FileReading {
   std::optional<Choice> choice;
   std::optional<Reading> reading;
   std::optional<InputError> error;
+  Source source;  ///< its bytes
 };
 
 /// Reads every file whatever befalls the others; geometry first, because Shi's analysis file needs its
@@ -28,6 +29,7 @@ Problem pair(const std::vector<Content>& contents);
 
 /// A case ready to use and everything odd about it, from the readers and from `check`.
 struct Case {
+  std::vector<FileReading> files;
   Problem problem;
   Warnings warnings;
 };

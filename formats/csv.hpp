@@ -7,8 +7,8 @@
 // the units of the input. Headers name the dimension where it helps: [T] time, [L] length.
 //   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start
 //   steps    step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration: one line an accepted step; oci
-//            counts the open-close passes, k_blocks the stored blocks of the matrix without fill-in (the Berkeley program
-//            counts fill-in too), disp_ratio is the greatest displacement over the allowed
+//            counts the open-close passes, k_blocks the elements and the pairs of elements with a contact (the
+//            Berkeley program counts fill-in of its factor too), disp_ratio is the greatest displacement over the allowed
 //   blocks   step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area: one line a block and frame; block and material
 //            from 1, rot in radians, stress tension positive
 // The last two are the columns of legacy_cases/reference_traces.

@@ -13,6 +13,7 @@
 #include "formats/edge_convention.hpp"
 #include "formats/numbers.hpp"
 #include "formats/tokens.hpp"
+#include "geometry/polygon.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -256,33 +257,6 @@ Reading read(const Source& source, const ReadHint&) {
   return {{{}, std::move(blocks), {}}, joined(std::move(warnings), cursor.remainder())};
 }
 
-/// What fills the scratch slots: area, first moments, and the greatest distance of a vertex from the
-/// centroid.
-struct Moments {
-  double area = 0;
-  Point first;
-  Point centroid;
-  double radius = 0;
-};
-
-/// Taken about the first vertex, so that nothing cancels far from the origin.
-Moments moments_of(const BlockLoop& loop) {
-  Moments moments;
-  Point about_origin;
-  const Point origin = loop.front().position;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point a = loop[i].position - origin;
-    const Point b = loop[(i + 1) % loop.size()].position - origin;
-    moments.area += cross(a, b) / 2;
-    about_origin = about_origin + cross(a, b) / 6 * (a + b);
-  }
-  moments.first = about_origin + moments.area * origin;
-  moments.centroid = moments.area != 0 ? origin + 1 / moments.area * about_origin : origin;
-  for (const BlockVertex& vertex : loop)
-    moments.radius = std::max(moments.radius, distance(vertex.position, moments.centroid));
-  return moments;
-}
-
 std::string slot_text(int material, double x, double y) {
   return fmt::format("{} {} {}\n", material, format_real(x), format_real(y));
 }
@@ -291,11 +265,15 @@ std::string slots_text(const BlockLoop& loop) {
   std::string text;
   for (const BlockVertex& vertex : loop)
     text += slot_text(vertex.joint_material + 1, vertex.position.x, vertex.position.y);
-  const Moments moments = moments_of(loop);
+  const std::vector<Point> points = points_of(loop);
+  const double size = area(points);
+  const Point centre = centroid(points);
+  double radius = 0;
+  for (Point p : points) radius = std::max(radius, distance(p, centre));
   text += slot_text(loop.front().joint_material + 1, loop.front().position.x, loop.front().position.y);
-  text += slot_text(0, moments.radius, moments.area);
-  text += slot_text(0, moments.first.x, moments.first.y);
-  return text + slot_text(0, moments.centroid.x, moments.centroid.y);
+  text += slot_text(0, radius, size);
+  text += slot_text(0, size * centre.x, size * centre.y);
+  return text + slot_text(0, centre.x, centre.y);
 }
 
 std::string bolt_text(const BlockBolt& bolt) {

@@ -28,12 +28,6 @@ struct Content {
   std::optional<Analysis> analysis;
 };
 
-/// Both lists, in that order.
-inline Warnings joined(Warnings first, const Warnings& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 /// What reading gives: the content and everything odd that was met on the way.
 struct Reading {
   Content content;

@@ -118,8 +118,8 @@ TEST(Commands, a_run_that_cannot_go_on_says_why_saves_its_state_and_exits_4) {
 TEST(Commands, an_interrupted_run_saves_its_state_and_exits_130) {
   const std::string out = fresh_folder("stopped") + "/out";
   const std::string rest = kCases + "block_at_rest/dynamic/dynamic";
-  const ProgramRun run =
-      run_keyblock({"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"}, 300);
+  const ProgramRun run = testing::interrupt_keyblock(
+      {"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"}, out + "/frames/00000000.vtu");
   EXPECT_EQ(run.exit_code, 130) << run.messages;
   EXPECT_EQ(nlohmann::json::parse(read_text(out + "/run.json"))["outcome"]["end"], "stopped");
 }

@@ -10,6 +10,7 @@
 #include "run/prepare.hpp"
 #include "run/run.hpp"
 #include "study/trace.hpp"
+#include "tests/support/program.hpp"
 #include "tests/support/shared_folder.hpp"
 #include "tests/support/text_files.hpp"
 
@@ -71,10 +72,7 @@ TEST(Traces, the_circle_slope_example_comes_back_with_automatic_step_and_penalty
 
 // The measure itself: a run with another penalty does not follow, and is said to.
 TEST(Traces, a_run_that_differs_is_found_to_differ) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / "keyblock_trace_test" / "incline_a30_p20_dt1ms";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder.parent_path());
+  const std::filesystem::path folder = testing::fresh_folder("trace") + "/incline_a30_p20_dt1ms";
   std::filesystem::copy(kTraces + "/incline_a30_p20_dt1ms", folder);
   std::string analysis = testing::read_text(folder / "incline_a30_p20_dt1ms.ana");
   const std::string given = "<Friction> 20 </Friction>";
@@ -83,7 +81,6 @@ TEST(Traces, a_run_that_differs_is_found_to_differ) {
   const TraceDifference difference = follow_trace(find_cases({folder.string()}).front());
   EXPECT_FALSE(difference.holds());
   EXPECT_GT(difference.position, kTraceTolerance);
-  std::filesystem::remove_all(folder.parent_path());
 }
 
 }  // namespace keyblock::study

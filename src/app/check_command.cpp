@@ -11,6 +11,7 @@
 #include "app/run_report.hpp"
 #include "formats/case.hpp"
 #include "run/prepare.hpp"
+#include "run/profile.hpp"
 
 namespace keyblock {
 namespace {
@@ -19,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 struct CheckOptions {
   std::vector<std::string> files;
+  std::string profile = "legacy";
   bool as_json = false;
 };
 
@@ -64,17 +66,6 @@ Json counts_of(const formats::Content& content) {
   return counts;
 }
 
-Json json_of(const Warnings& warnings) {
-  Json all = Json::array();
-  for (const Warning& warning : warnings)
-    all.push_back({{"name", warning.name},
-                   {"file", warning.place.file},
-                   {"line", warning.place.line},
-                   {"column", warning.place.column},
-                   {"sentence", warning.sentence}});
-  return all;
-}
-
 Json json_of(const formats::FileReading& file) {
   Json json = {{"file", file.path}};
   if (file.choice) {
@@ -83,7 +74,7 @@ Json json_of(const formats::FileReading& file) {
   }
   if (file.reading) {
     json["counts"] = counts_of(file.reading->content);
-    json["warnings"] = json_of(file.reading->warnings);
+    json["warnings"] = warning_list_json(file.reading->warnings);
   }
   if (file.error) json["error"] = file.error->what();
   return json;
@@ -128,7 +119,7 @@ void print(const CaseReport& report) {
   if (report.plan) print(*report.plan);
 }
 
-CaseReport report_of(const std::vector<formats::FileReading>& files) {
+CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
@@ -138,8 +129,8 @@ CaseReport report_of(const std::vector<formats::FileReading>& files) {
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
     const bool is_whole = checked.problem.analysis && !std::holds_alternative<std::monostate>(checked.problem.geometry);
     if (!is_whole || !report.errors.empty()) return report;
-    const Prepared prepared = prepare(checked.problem, "legacy", {});
-    report.warnings.insert(report.warnings.end(), prepared.warnings.begin(), prepared.warnings.end());
+    const Prepared prepared = prepare(checked.problem, profile, {});
+    report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
     return report;
   } catch (const InputError& error) {
@@ -148,7 +139,8 @@ CaseReport report_of(const std::vector<formats::FileReading>& files) {
 }
 
 void print_json(const std::vector<formats::FileReading>& files, const CaseReport& report) {
-  Json json = {{"files", Json::array()}, {"case", {{"warnings", json_of(report.warnings)}, {"errors", report.errors}}}};
+  Json json = {{"files", Json::array()},
+               {"case", {{"warnings", warning_list_json(report.warnings)}, {"errors", report.errors}}}};
   if (report.plan) json["case"]["requires"] = requirements_json(*report.plan);
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
@@ -156,7 +148,7 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
 
 ExitCode check_files(const CheckOptions& options) {
   const std::vector<formats::FileReading> files = formats::read_files(options.files);
-  const CaseReport report = report_of(files);
+  const CaseReport report = report_of(files, options.profile);
   bool failed = !report.errors.empty();
   for (const formats::FileReading& file : files) failed = failed || file.error.has_value();
   if (options.as_json) {
@@ -173,6 +165,9 @@ ExitCode check_files(const CheckOptions& options) {
 Action configure_check(CLI::App& options) {
   const auto chosen = std::make_shared<CheckOptions>();
   options.add_option("files", chosen->files, "geometry and analysis files, in any order")->required();
+  options.add_option("--profile", chosen->profile, "preset of all choices that a run would take")
+      ->check(CLI::IsMember(profile_names()))
+      ->capture_default_str();
   options.add_flag("--json", chosen->as_json, "print the report as JSON");
   return [chosen] { return check_files(*chosen); };
 }

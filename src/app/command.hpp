@@ -24,6 +24,5 @@ Action configure_check(CLI::App& options);    ///< check_command.cpp
 Action configure_cut(CLI::App& options);      ///< cut_command.cpp
 Action configure_run(CLI::App& options);      ///< run_command.cpp
 Action configure_compare(CLI::App& options);  ///< compare_command.cpp
-Action configure_slide(CLI::App& options);    ///< slide_command.cpp
 
 }  // namespace keyblock

@@ -12,6 +12,7 @@
 
 #include "app/command.hpp"
 #include "app/files.hpp"
+#include "app/run_report.hpp"
 #include "cut/cut_blocks.hpp"
 #include "formats/case.hpp"
 #include "formats/dda_blocks.hpp"
@@ -32,10 +33,6 @@ struct CutOptions {
 };
 
 Json json_of(const CutResult& cut) {
-  Json warnings = Json::array();
-  for (const Warning& w : cut.warnings) {
-    warnings.push_back({{"name", w.name}, {"file", w.place.file}, {"line", w.place.line}, {"sentence", w.sentence}});
-  }
   Json snaps = Json::array();
   for (const Snap& snap : cut.snaps) {
     snaps.push_back({{"kind", to_string(snap.kind)},
@@ -59,7 +56,7 @@ Json json_of(const CutResult& cut) {
           {"scale", r.tolerances.scale},
           {"merging_distance", r.tolerances.merge},
           {"snaps", std::move(snaps)},
-          {"warnings", std::move(warnings)}};
+          {"warnings", warning_list_json(cut.warnings)}};
 }
 
 /// The drawing of a case that is read and checked.
@@ -86,7 +83,7 @@ ExitCode cut_file(const CutOptions& options) {
     if (!file.empty()) require_free(file, overwrite);
   const formats::Case loaded = formats::load_case({options.drawing});
   CutResult cut = cut_blocks(drawing_of(loaded, options.drawing), options.merging);
-  cut.warnings.insert(cut.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
+  cut.warnings = joined(loaded.warnings, cut.warnings);
   for (const Warning& warning : cut.warnings) spdlog::warn("{}", to_string(warning));
   if (!options.output.empty()) {
     warn_of_holes(cut.blocks);

@@ -10,8 +10,7 @@ enum class ExitCode {
   usage = 2,              ///< the command line
   unreadable = 3,         ///< input that cannot be read or used
   numerical_failure = 4,  ///< the computation could not go on; the state is saved
-  limit_reached = 5,
-  stopped = 130,  ///< by the user
+  stopped = 130,          ///< by the user
 };
 
 }  // namespace keyblock

@@ -30,7 +30,7 @@ void write_file(const fs::path& file, const std::string& text) {
   if (stream) fs::rename(draft, file, error);
   if (!stream || error) {
     fs::remove(draft, ignored);
-    throw UsageError(fmt::format("cannot write {}", file.string()));
+    throw OutputError(fmt::format("cannot write {}", file.string()));
   }
 }
 

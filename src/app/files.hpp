@@ -12,7 +12,7 @@ enum class Overwrite { no, yes };
 /// Throws UsageError if `file` exists and may not be overwritten.
 void require_free(const std::filesystem::path& file, Overwrite overwrite);
 
-/// Writes beside the file and renames, so that a reader never meets half a file. Throws UsageError if it cannot.
+/// Writes beside the file and renames, so that a reader never meets half a file. Throws OutputError if it cannot.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
 /// SHA-256 of the bytes, lower-case hexadecimal.

@@ -78,7 +78,7 @@ Prepared prepare_as_asked(const Problem& problem, const RunOptions& options) {
 std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
   std::vector<InputRecord> records;
   for (const formats::FileReading& file : readings)
-    records.push_back({file.path, sha256(formats::load(file.path).text), std::string(file.choice->format->name),
+    records.push_back({file.path, sha256(file.source.text), std::string(file.choice->format->name),
                        file.choice->recognition.evidence});
   return records;
 }
@@ -87,10 +87,6 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
   if (options.record_every > 0) return options.record_every;
   const int thinned = (settings.step_count + kMostFrames - 1) / kMostFrames;
   return std::max(problem.analysis->save_interval.value_or(1), thinned);
-}
-
-void append(Warnings& warnings, const Warnings& more) {
-  warnings.insert(warnings.end(), more.begin(), more.end());
 }
 
 Warnings run_warnings(const std::vector<StepReport>& steps, const Place& place) {
@@ -139,15 +135,15 @@ ExitCode run_files(const RunOptions& options) {
   RunRecord record;
   record.profile = options.profile;
   const formats::Case loaded = formats::load_case(options.files);
-  record.inputs = input_records(formats::read_files(options.files));
+  record.inputs = input_records(loaded.files);
   record.timings.read = watch.lap();
   const Prepared prepared = prepare_as_asked(loaded.problem, options);
   record.timings.prepare = watch.lap();
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
-  append(record.warnings, loaded.warnings);
-  append(record.warnings, prepared.warnings);
+  record.warnings = joined(loaded.warnings, prepared.warnings);
 
-  RunFolder folder(options.folder, options.force ? Overwrite::yes : Overwrite::no);
+  RunFolder folder(options.folder, options.force ? Overwrite::yes : Overwrite::no,
+                   options.trace ? Trace::yes : Trace::no);
   History history{!prepared.scene.model.measured_points.empty(), {}};
   ProgressLine progress(prepared.scene.settings.step_count);
   std::signal(SIGINT, ask_to_stop);
@@ -161,10 +157,10 @@ ExitCode run_files(const RunOptions& options) {
                         [&](const HistoryRow& row) { history.rows.push_back(row); }, [] { return stop_asked.load(); }});
   progress.finish();
   record.timings.run = watch.lap();
-  append(record.warnings, run_warnings(record.steps, loaded.problem.analysis->place));
+  record.warnings = joined(record.warnings, run_warnings(record.steps, loaded.problem.analysis->place));
 
   const std::string title = std::filesystem::path(options.files.front()).stem().string();
-  folder.finish(title, history, record.steps, options.trace ? Trace::yes : Trace::no);
+  folder.finish(title, history, record.steps);
   record.outputs = folder.outputs();
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "app/usage_error.hpp"
 #include "formats/csv.hpp"
 #include "formats/vtk.hpp"
@@ -17,6 +19,10 @@ namespace {
 
 constexpr const char* kRecord = "run.json";
 constexpr const char* kFrameFolder = "frames";
+
+// Everything a run may leave in its folder.
+constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg",
+                            "steps.csv", "blocks.csv",  kFrameFolder};
 
 // How far each followed point has come, over time.
 std::vector<report::Curve> displacement_curves(const History& history) {
@@ -38,16 +44,16 @@ std::vector<report::Curve> displacement_curves(const History& history) {
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder, Overwrite overwrite) : folder_(std::move(folder)) {
+RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace) : folder_(std::move(folder)), trace_(trace) {
   if (fs::exists(folder_) && !fs::is_directory(folder_))
     throw UsageError(fmt::format("{} is a file, not a folder", folder_.string()));
-  for (const char* name :
-       {kRecord, "history.csv", "fields.pvd", "picture.svg", "steps.csv", "blocks.csv", kFrameFolder})
-    require_free(folder_ / name, overwrite);
+  for (const char* name : kNames) require_free(folder_ / name, overwrite);
+  // What an earlier run left is no part of this one.
   std::error_code error;
-  // Frames and the record of an earlier run are no part of this one.
-  fs::remove_all(folder_ / kFrameFolder, error);
-  fs::remove(folder_ / kRecord, error);
+  for (const char* name : kNames) {
+    fs::remove_all(folder_ / name, error);
+    if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
+  }
   fs::create_directories(folder_ / kFrameFolder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
 }
@@ -61,11 +67,11 @@ void RunFolder::add(const Frame& frame) {
   const std::string name = fmt::format("{}/{:08}.vtu", kFrameFolder, frame.step);
   write_file(folder_ / name, formats::vtu(frame));
   frame_files_.emplace_back(frame.time, name);
+  if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
   frames_.push_back(frame);
 }
 
-void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
-                       Trace trace) {
+void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps) {
   write("fields.pvd", formats::pvd(frame_files_));
   write("history.csv", formats::history_csv(history));
   write("picture.svg", report::run_picture({title,
@@ -74,7 +80,7 @@ void RunFolder::finish(const std::string& title, const History& history, const s
                                             displacement_curves(history),
                                             {"time [T]", "displacement [L]"},
                                             ""}));
-  if (trace == Trace::no) return;
+  if (trace_ == Trace::no) return;
   write("steps.csv", formats::steps_csv(steps));
   write("blocks.csv", formats::blocks_csv(frames_));
 }

@@ -19,13 +19,13 @@ enum class Trace { no, yes };
 class RunFolder {
  public:
   /// Makes the folder. Throws UsageError if it holds a run already and may not be overwritten.
-  RunFolder(std::filesystem::path folder, Overwrite overwrite);
+  RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace);
 
   /// Writes the frame's .vtu at once.
   void add(const Frame& frame);
 
   /// history.csv, fields.pvd, picture.svg and, for a trace, steps.csv and blocks.csv.
-  void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps, Trace trace);
+  void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps);
 
   /// run.json, last: where it stands, everything else does.
   void write_record(const std::string& json);
@@ -38,7 +38,8 @@ class RunFolder {
 
   std::filesystem::path folder_;
   std::vector<std::pair<double, std::string>> frame_files_;
-  std::vector<Frame> frames_;
+  Trace trace_;
+  std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   std::vector<std::string> outputs_;
 };
 

@@ -86,6 +86,18 @@ Json outcome_json(const RunOutcome& outcome) {
 
 }  // namespace
 
+Json warning_list_json(const Warnings& warnings) {
+  Json all = Json::array();
+  for (const Warning& w : warnings) {
+    all.push_back({{"name", w.name},
+                   {"file", w.place.file},
+                   {"line", w.place.line},
+                   {"column", w.place.column},
+                   {"sentence", w.sentence}});
+  }
+  return all;
+}
+
 Json warnings_json(const Warnings& warnings) {
   Json all = Json::array();
   for (const Warning& warning : warnings) {

@@ -38,6 +38,9 @@ struct RunRecord {
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 
+/// Every warning with its place.
+nlohmann::ordered_json warning_list_json(const Warnings& warnings);
+
 /// Warnings as name, count and the first of each.
 nlohmann::ordered_json warnings_json(const Warnings& warnings);
 

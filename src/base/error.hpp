@@ -45,6 +45,12 @@ struct Warning {
 
 using Warnings = std::vector<Warning>;
 
+/// Both lists, in that order.
+inline Warnings joined(Warnings first, const Warnings& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
 /// `file:line:column: warning: sentence [name]`.
 std::string to_string(const Warning& warning);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "contact/line.hpp"
 
@@ -18,10 +17,6 @@ constexpr double kReversalShare = 1e-7;
 // Change of (twice the area over w0²) below which the instant of touching is taken as the start
 // (legacy-rules 10.3).
 constexpr double kStillShare = 1e-9;
-
-double sign(double x) {
-  return x > 0 ? 1 : x < 0 ? -1 : 0;
-}
 
 class Judge {
  public:
@@ -64,8 +59,7 @@ class Judge {
   void vertex_edge(Contact& contact) const {
     const Line line = line_of(state_, contact.first);
     const LineMotion u = motion(contact.first);
-    const JointMaterial& joint =
-        model_.joint_materials[static_cast<std::size_t>(model_.vertices[contact.first.start].joint_material)];
+    const JointMaterial& joint = model_.joint_at(contact.first.start);
     const double change = twice_area_change(line, u);
     contact.distance = (line.twice_area() + change) / line.size();
     if (stays_open(contact, joint)) {
@@ -99,7 +93,7 @@ class Judge {
   }
 
   bool sticks(const Contact& contact, const JointMaterial& joint, double old_slip) const {
-    const double tangent = std::tan(joint.friction_angle_deg * std::numbers::pi / 180);
+    const double tangent = joint.friction_tangent();
     const double slip = std::abs(contact.slip);
     switch (contact.state_before) {
       case ContactState::open:

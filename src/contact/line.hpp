@@ -8,6 +8,10 @@
 
 namespace keyblock {
 
+inline double sign(double x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
 /// A triple at its three points. Lengths; positive distance is outside.
 struct Line {
   Point p1, p2, p3;

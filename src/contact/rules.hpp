@@ -22,10 +22,17 @@ struct ContactRules {
   double start_distance = 0;    ///< in step 1 of a dynamic run, nearer contacts start closed
 };
 
+// Shi's choices (legacy-formats 3.4): contacts are searched within this many allowed displacements, to a depth of at least
+// this share of that, and of at least this many allowed penetrations.
+inline constexpr double kSearchedDisplacements = 2.5;
+inline constexpr double kSearchedDepthShare = 0.3;
+inline constexpr double kSearchedPenetrations = 3;
+
 inline ContactRules contact_rules(const Model& model, const Settings& settings) {
   const OpenCloseConstants& c = settings.open_close;
-  const double move = 2.5 * model.scale * settings.allowed_displacement_ratio;
-  const double depth = std::max(0.3 * move, 3 * c.allowed_penetration * model.scale);
+  const double move = kSearchedDisplacements * model.scale * settings.allowed_displacement_ratio;
+  const double depth =
+      std::max(kSearchedDepthShare * move, kSearchedPenetrations * c.allowed_penetration * model.scale);
   const double distance = std::max(move, depth);
   return {model.scale,
           distance,

@@ -4,16 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "contact/line.hpp"
 
 namespace keyblock {
 namespace {
-
-double sign(double x) {
-  return x > 0 ? 1 : x < 0 ? -1 : 0;
-}
 
 // The elements of a contact and the operators of its three points: i carries P1, j carries the line.
 struct Ends {
@@ -72,7 +67,7 @@ void add_spring(const Spring& spring, double stiffness, const Ends& ends, System
 }
 
 double friction_force(const Contact& contact, const JointMaterial& joint) {
-  const double tangent = std::tan(joint.friction_angle_deg * std::numbers::pi / 180);
+  const double tangent = joint.friction_tangent();
   const double cohesion = contact.bonded ? joint.cohesion * contact.length : 0;
   return std::abs(std::min(contact.distance, 0.0)) * contact.penalty * tangent + cohesion;
 }
@@ -98,8 +93,7 @@ void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const
     if (!acts[c] || contact.state != ContactState::sliding) continue;
     const Line line = line_of(state, contact.first);
     const Ends ends = ends_of(contact.first, line, model, state);
-    const JointMaterial& joint =
-        model.joint_materials[static_cast<std::size_t>(model.vertices[contact.first.start].joint_material)];
+    const JointMaterial& joint = model.joint_at(contact.first.start);
     const double force = friction_force(contact, joint) * sign(contact.slip);
     const Eigen::Vector2d along = force / line.size() * vector(line.along());
     system.load_of(ends.i) -= ends.t1.transpose() * along;

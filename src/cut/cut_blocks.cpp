@@ -48,8 +48,7 @@ class Cutting {
     report_dangling();
     make_blocks();
     if (result_.blocks.blocks.empty()) refuse();
-    Warnings more = place_marks(drawing_, tolerances(), result_.blocks);
-    result_.warnings.insert(result_.warnings.end(), more.begin(), more.end());
+    result_.warnings = joined(std::move(result_.warnings), place_marks(drawing_, tolerances(), result_.blocks));
     return std::move(result_);
   }
 

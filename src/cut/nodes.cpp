@@ -316,8 +316,8 @@ std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const 
     const std::span<const int> own = members.of(node);
     const int first = own.front();
     const bool is_exact = merger.is_exact(first);
-    const int source = is_exact ? placing.first_found(own) : in_order ? first : placing.choose(own);
-    if (!is_exact && placing.gap(first, source) > placing.round_off()) ++table.placed_otherwise;
+    const int source = is_exact || in_order ? placing.first_found(own) : placing.choose(own);
+    if (!is_exact && !in_order && placing.gap(first, source) > placing.round_off()) ++table.placed_otherwise;
     table.arrangement.nodes.push_back({crossings.found[source].position, is_exact});
     for (const int crossing : own) node_of_crossing[crossing] = static_cast<int>(node);
   }

@@ -17,13 +17,6 @@
 namespace keyblock {
 namespace {
 
-std::vector<Point> points_of(const BlockLoop& loop) {
-  std::vector<Point> points;
-  points.reserve(loop.size());
-  for (const BlockVertex& v : loop) points.push_back(v.position);
-  return points;
-}
-
 bool has_vertex_near(const BlockLoop& loop, Point p, double reach) {
   return std::any_of(loop.begin(), loop.end(), [&](const BlockVertex& v) { return distance(v.position, p) <= reach; });
 }

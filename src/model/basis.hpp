@@ -5,11 +5,12 @@
 #include <Eigen/Core>
 
 #include "geometry/point.hpp"
+#include "system/block_matrix.hpp"
 
 namespace keyblock {
 
-/// The most unknowns an element may have; raise it when a richer basis comes in.
-inline constexpr int kMostUnknowns = 6;
+/// The most unknowns an element may have: they are one block of the system.
+inline constexpr int kMostUnknowns = kMostBlockRows;
 
 /// n unknowns, n × n coupling of two elements, 2 × n and 3 × n operators; n ≤ kMostUnknowns, never on the
 /// heap.

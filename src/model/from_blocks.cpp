@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/polygon.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -56,17 +58,12 @@ double scale_of(const std::vector<Point>& vertices) {
 }
 
 double mean_area_of(const Blocks& blocks) {
-  double area = 0;
-  const auto add = [&area](const BlockLoop& loop) {
-    std::vector<Point> points;
-    for (const BlockVertex& corner : loop) points.push_back(corner.position);
-    area += moments(points, points.front()).area;
-  };
+  double sum = 0;
   for (const BlockPolygon& block : blocks.blocks) {
-    add(block.outer);
-    for (const BlockLoop& hole : block.holes) add(hole);
+    sum += area(points_of(block.outer));
+    for (const BlockLoop& hole : block.holes) sum += area(points_of(hole));
   }
-  return area / static_cast<double>(blocks.blocks.size());
+  return sum / static_cast<double>(blocks.blocks.size());
 }
 
 Stress berkeley_stress_gradient(const BlockMaterial& material, AnalysisDialect dialect) {
@@ -79,6 +76,11 @@ Stress berkeley_stress_gradient(const BlockMaterial& material, AnalysisDialect d
 Velocity berkeley_start_velocity(const BlockMaterial& material, AnalysisDialect dialect) {
   if (dialect == AnalysisDialect::ddaml) return material.initial_velocity;
   return {material.stress_gradient.xx, material.stress_gradient.yy, material.stress_gradient.xy};
+}
+
+Velocity berkeley_step_velocity(const BlockMaterial& material, AnalysisDialect dialect) {
+  if (dialect != AnalysisDialect::ddaml) return material.initial_velocity;
+  return {material.initial_strain[0], material.initial_strain[1], material.initial_strain[2]};
 }
 
 Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {

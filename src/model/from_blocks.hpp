@@ -16,7 +16,10 @@ Model model_from_blocks(const Blocks& blocks, const Analysis& analysis);
 /// The state before the first step: start velocities and initial stress (stress = s + y_centroid × gradient).
 State start_state(const Model& model, AnalysisDialect dialect, const Settings& settings);
 
-/// What the Berkeley engine has in its material slots 8-10 (legacy-rules 7.5, 16.1).
+/// What the Berkeley engine has in its material slots 8-10: stress gradient and start velocity (legacy-rules 7.5, 16.1).
 Velocity berkeley_start_velocity(const BlockMaterial& material, AnalysisDialect dialect);
+
+/// What it has in slots 11-13: read by the first automatic step alone (legacy-rules 13).
+Velocity berkeley_step_velocity(const BlockMaterial& material, AnalysisDialect dialect);
 
 }  // namespace keyblock

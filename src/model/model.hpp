@@ -50,6 +50,10 @@ struct Model {
   double mean_area = 0;  ///< of the elements at the start
   double scale = 0;      ///< w0: half the greater of width and height of all vertices (Berkeley's rule)
 
+  /// The joint material of the edge that arrives at `vertex`.
+  const JointMaterial& joint_at(VertexIndex vertex) const {
+    return joint_materials[static_cast<std::size_t>(vertices[vertex].joint_material)];
+  }
   const BlockMaterial& material_of(const Element& element) const {
     return block_materials[static_cast<std::size_t>(element.material)];
   }

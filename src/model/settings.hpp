@@ -45,7 +45,7 @@ struct Settings {
   double fixed_point_factor = 100;        ///< stiffness of fixed points over the starting contact penalty
   double allowed_displacement_ratio = 0;  ///< g2
   int pass_limit = 8;
-  int redo_limit = 200;  ///< attempts at one step before the run is given up
+  int redo_limit = 200;  ///< redone attempts at one step before the run is given up
   OpenCloseConstants open_close;
   BerkeleyQuirks quirks;
 };

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -49,6 +51,8 @@ struct JointMaterial {
   double cohesion = 0;          ///< stress
   double tensile_strength = 0;  ///< stress
   Place place;
+
+  double friction_tangent() const { return std::tan(friction_angle_deg * std::numbers::pi / 180); }
 };
 
 /// DDAML `Boltproperties`.

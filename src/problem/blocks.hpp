@@ -22,6 +22,14 @@ struct BlockVertex {
 /// A closed chain of vertices, the first not repeated; the block lies to the left of every edge.
 using BlockLoop = std::vector<BlockVertex>;
 
+/// Where the vertices of a loop lie.
+inline std::vector<Point> points_of(const BlockLoop& loop) {
+  std::vector<Point> points;
+  points.reserve(loop.size());
+  for (const BlockVertex& vertex : loop) points.push_back(vertex.position);
+  return points;
+}
+
 /// One block: an outer loop (counter-clockwise) and any holes in it (clockwise).
 struct BlockPolygon {
   int material = 0;  ///< block material, index from 0

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "geometry/polygon.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -82,20 +84,13 @@ Warnings curves_and_points(const Analysis& analysis, std::size_t loading_points,
   return {};
 }
 
-double area_of(const BlockLoop& loop) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    twice += cross(loop[i].position - loop[0].position, loop[i + 1].position - loop[0].position);
-  return twice / 2;
-}
-
 std::vector<InputError> impossible_blocks(const Blocks& blocks) {
   std::vector<InputError> errors;
   for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
-    if (const double area = area_of(blocks.blocks[i].outer); !(area > 0))
+    if (const double size = area(points_of(blocks.blocks[i].outer)); !(size > 0))
       errors.emplace_back(blocks.place,
                           fmt::format("expected block {} of {} counter-clockwise with an area, found area {}", i + 1,
-                                      blocks.blocks.size(), area));
+                                      blocks.blocks.size(), size));
   return errors;
 }
 

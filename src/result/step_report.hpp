@@ -12,7 +12,7 @@ struct StepReport {
   int redos = 0;                    ///< attempts thrown away before this one was accepted
   int contacts = 0;                 ///< length of the contact list
   int closed = 0;                   ///< contacts not open after the last judgement
-  int matrix_blocks = 0;            ///< diagonal blocks of the system and coupled pairs of elements
+  int matrix_blocks = 0;            ///< elements, and pairs of elements with a contact, open ones included
   double penalty = 0;               ///< contact stiffness, force / length
   double displacement_ratio = 0;    ///< greatest vertex displacement over the allowed one
   double greatest_penetration = 0;  ///< of the closed contacts, length, ≥ 0

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "model/from_blocks.hpp"
 #include "run/profile.hpp"
@@ -18,8 +20,11 @@ CutResult blocks_of(const Problem& problem, NodeMerging merging) {
   return {std::get<Blocks>(problem.geometry), {}, {}, {}};
 }
 
+// Unit weights are written by hand from a density and a rounded gravity: within a thousandth they are the same.
+constexpr double kSameWeight = 1e-3;
+
 // What the files ask for that this profile does not do is said, not dropped in silence.
-Warnings not_modelled(const Blocks& blocks, const Analysis& analysis) {
+Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
   Warnings warnings;
   const auto warn = [&](const char* name, const char* sentence) {
     warnings.push_back({name, analysis.place, sentence});
@@ -31,6 +36,18 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis) {
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
   if (std::ranges::any_of(analysis.block_materials, damped))
     warn("damping_without_effect", "the damping of block materials is read, but has no effect, as in the old program");
+  const auto has_own_weight = [&](const BlockMaterial& m) {
+    return std::abs(m.unit_weight - m.density * settings.gravity) > kSameWeight * std::abs(m.unit_weight);
+  };
+  if (settings.quirks.weight_of_first_material && std::ranges::any_of(analysis.block_materials, has_own_weight))
+    warn("unit_weight_without_effect",
+         "some unit weight is not density times gravity; as in the Berkeley program, density times gravity is used "
+         "(quirk.weight_of_first_material=off takes the unit weights)");
+  const auto is_strained = [](const BlockMaterial& m) { return m.initial_strain != std::array<double, 3>{}; };
+  if (std::ranges::any_of(analysis.block_materials, is_strained))
+    warn("initial_strain_without_effect", "initial strains are read, but move nothing, as in the old program");
+  if (analysis.over_relaxation)
+    warn("over_relaxation_without_effect", "the over-relaxation factor is read; the equations are solved directly");
   return warnings;
 }
 
@@ -60,8 +77,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   for (const auto& [name, value] : overrides) set(settings, name, value);
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
-  const Warnings more = not_modelled(cut.blocks, *problem.analysis);
-  cut.warnings.insert(cut.warnings.end(), more.begin(), more.end());
+  cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   Model model = model_from_blocks(cut.blocks, *problem.analysis);
   Requirements needs = requirements(model, settings);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);

@@ -27,7 +27,8 @@ struct Prepared {
   Scene scene;
 };
 
-/// The blocks of a problem's geometry. Throws InputError where there is none, or lines close no block.
+/// The scene of a problem with geometry and analysis. Throws InputError where one is missing, lines close no block, or
+/// motions do not fit the points; std::invalid_argument for a profile, setting or value that is none.
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 }  // namespace keyblock

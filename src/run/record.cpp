@@ -29,14 +29,16 @@ Frame frame_of(const Model& model, const State& state, const State& start, const
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];
-    const Unknowns velocity = end_velocity(now, state, settings);
+    const Unknowns rates = end_velocity(now, state, settings);
+    const Eigen::Vector2d velocity = element.basis->constant * rates;  // of the centroid
+    const int spin = element.basis->rotation_unknown;
     const Point moved = now.centroid - start.elements[e].centroid;
     frame.elements.push_back({loops_of(element, state),
                               element.material,
                               now.centroid,
                               moved,
                               now.rotation,
-                              {velocity[0], velocity[1], velocity[2]},
+                              {velocity.x(), velocity.y(), spin < 0 ? 0 : rates[spin]},
                               now.stress,
                               now.moments.area});
   }

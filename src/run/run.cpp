@@ -16,8 +16,14 @@ RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
     last_framed = stepping.state.step;
   };
   RunOutcome outcome;
+  const bool measures = !scene.model.measured_points.empty();
+  const auto keep_row = [&] {
+    const bool is_due =
+        measures || stepping.state.step % record_every == 0 || stepping.state.step == scene.settings.step_count;
+    if (observer.on_row && is_due) observer.on_row(history_row(scene.model, stepping.state, first));
+  };
   show();
-  if (observer.on_row) observer.on_row(history_row(scene.model, stepping.state, first));
+  keep_row();
   while (stepping.state.step < scene.settings.step_count) {
     if (observer.wants_stop && observer.wants_stop()) {
       outcome.end = RunEnd::stopped;
@@ -31,7 +37,7 @@ RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
       break;
     }
     if (observer.on_step) observer.on_step(std::get<StepReport>(made));
-    if (observer.on_row) observer.on_row(history_row(scene.model, stepping.state, first));
+    keep_row();
     if (stepping.state.step % record_every == 0) show();
   }
   show();

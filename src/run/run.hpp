@@ -18,7 +18,8 @@ namespace keyblock {
 struct Observer {
   std::function<void(const Frame&)> on_frame;
   std::function<void(const StepReport&)> on_step;
-  std::function<void(const HistoryRow&)> on_row;  ///< at the start and after every step
+  /// At the start and after every step; where nothing is measured the rows hold all centroids, and come with the frames.
+  std::function<void(const HistoryRow&)> on_row;
   std::function<bool()> wants_stop;
 };
 

@@ -74,7 +74,7 @@ const std::vector<Row>& table() {
       {"allowed_displacement_ratio", "allowed displacement of a step over half the size of the scene",
        Real{[](Settings& s) -> double& { return s.allowed_displacement_ratio; }, 0, true}},
       {"pass_limit", "open-close passes of one attempt", Whole{[](Settings& s) -> int& { return s.pass_limit; }, 1}},
-      {"redo_limit", "attempts at one step before the run stops",
+      {"redo_limit", "redone attempts at one step before the run stops",
        Whole{[](Settings& s) -> int& { return s.redo_limit; }, 0}},
       {"closing_ratio", "penetration at which a contact closes, over half the size of the scene",
        Real{[](Settings& s) -> double& { return s.open_close.closing_ratio; }, 0}},

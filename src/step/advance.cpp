@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "contact/carry.hpp"
 #include "contact/detect.hpp"
@@ -57,13 +58,14 @@ double step_size(const Scene& scene, const Stepping& stepping) {
   if (stepping.state.step > 0) return next_step_size(scene.model, stepping.state, scene.settings, stepping.history);
   double speed = 0;
   for (const BlockMaterial& m : scene.model.block_materials) {
-    const Velocity& v = m.initial_velocity;
+    const bool slots = scene.settings.quirks.start_velocity_slots;
+    const Velocity v = slots ? berkeley_step_velocity(m, scene.dialect) : m.initial_velocity;
     speed = std::max({speed, std::abs(v.x), std::abs(v.y), std::abs(v.rotation)});
   }
   return first_step_size(scene.model, stepping.state, scene.settings, speed);
 }
 
-// Coupled pairs of elements and the diagonal: what the matrix of the step holds.
+// Elements, and pairs of elements with a contact, open ones included: what the matrix of a step may hold.
 int matrix_blocks(const Model& model, const Contacts& contacts) {
   std::vector<std::pair<ElementIndex, ElementIndex>> pairs;
   for (const Contact& contact : contacts) {
@@ -76,7 +78,18 @@ int matrix_blocks(const Model& model, const Contacts& contacts) {
   return static_cast<int>(model.elements.size() + pairs.size() - repeated.size());
 }
 
-enum class Verdict { accepted, redo };
+enum class Verdict { accepted, contacts_unsettled, moved_too_far, too_deep };
+
+// An element that no step may end with: not finite, or without area.
+std::optional<ElementIndex> impossible_element(const State& state) {
+  for (ElementIndex e : indices(state.elements)) {
+    const ElementState& now = state.elements[e];
+    const double sum = now.centroid.x + now.centroid.y + now.stress.xx + now.stress.yy + now.stress.xy + now.rotation +
+                       now.last_step.sum();
+    if (!std::isfinite(sum) || !(now.moments.area > 0)) return e;
+  }
+  return std::nullopt;
+}
 
 // One attempt after another at the same step, each with its own step size and stiffness.
 class Attempts {
@@ -93,14 +106,14 @@ class Attempts {
   std::variant<StepReport, StepFailure> run() {
     for (report_.redos = 0; report_.redos <= settings_.redo_limit; ++report_.redos) {
       const OpenCloseOutcome outcome = attempt();
-      if (!outcome.solved) return StepFailure{failure("the system of equations could not be solved"), {}};
+      if (!outcome.failure.empty()) return StepFailure{failure(outcome.failure), {}};
       contacts_ = outcome.contacts;
-      if (judge_step(outcome) == Verdict::accepted) return accept(outcome);
-      if (at_floor_again_) return StepFailure{failure("blocks move too far even at the smallest step"), {}};
       unsettled_ = outcome.still_changing;
+      verdict_ = judge_step(outcome);
+      if (verdict_ == Verdict::accepted) return accept(outcome);
+      if (at_floor_again_) return StepFailure{failure("blocks move too far even at the smallest step"), {}};
     }
-    return StepFailure{failure(fmt::format("contacts {} open and close without end", one_based(unsettled_))),
-                       unsettled_};
+    return StepFailure{failure(why_no_end()), unsettled_};
   }
 
  private:
@@ -124,24 +137,27 @@ class Attempts {
     const double allowed = settings_.allowed_displacement_ratio * scene_.model.scale;
     ratio_ = greatest_displacement(scene_.model, start_, outcome.increments, settings_.rotation) / allowed;
     const double floor = kSmallestShare * settings_.time_step;
-    const bool accepts_unfinished = settings_.quirks.fixed_pass_bound && settings_.pass_limit != 8;
+    const bool accepts_unfinished = settings_.quirks.fixed_pass_bound && settings_.pass_limit != kBerkeleyPassBound;
     if (!outcome.still_changing.empty() && !accepts_unfinished) {
       if (settings_.step_control == StepControl::shi) dt_ = std::max(kUnsettledCut * dt_, floor);
-      return Verdict::redo;
+      return Verdict::contacts_unsettled;
     }
-    if (ratio_ > kGreatestRatio) {
+    if (!(ratio_ <= kGreatestRatio)) {  // also where it is no number
       at_floor_again_ = dt_ <= floor;
       dt_ = std::max(dt_ / std::sqrt(ratio_), floor);
-      return Verdict::redo;
+      return Verdict::moved_too_far;
     }
     const AdaptedPenalty adapted = adapt(penalty_, misfit(contacts_), scene_.model.scale, settings_);
     used_penalty_ = penalty_;
     penalty_ = adapted.penalty;
-    return adapted.redo ? Verdict::redo : Verdict::accepted;
+    return adapted.redo ? Verdict::too_deep : Verdict::accepted;
   }
 
-  StepReport accept(const OpenCloseOutcome& outcome) {
-    stepping_.state = update(scene_.model, std::move(start_), settings_, outcome.increments, dt_);
+  std::variant<StepReport, StepFailure> accept(const OpenCloseOutcome& outcome) {
+    State end = update(scene_.model, std::move(start_), settings_, outcome.increments, dt_);
+    if (const std::optional<ElementIndex> bad = impossible_element(end))
+      return StepFailure{failure(fmt::format("block {} is turned inside out or no longer finite", bad->value + 1)), {}};
+    stepping_.state = std::move(end);
     stepping_.contacts = std::move(contacts_);
     report_.step = stepping_.state.step;
     report_.time = stepping_.state.time;
@@ -159,6 +175,16 @@ class Attempts {
     return report_;
   }
 
+  std::string why_no_end() const {
+    switch (verdict_) {
+      case Verdict::contacts_unsettled:
+        return fmt::format("contacts {} open and close without end", one_based(unsettled_));
+      case Verdict::moved_too_far:
+        return fmt::format("blocks move too far in {} redone attempts", report_.redos);
+      default:
+        return fmt::format("contacts stay too deep in {} redone attempts", report_.redos);
+    }
+  }
   std::string failure(const std::string& what) const {
     return fmt::format("step {} (time {}, dt {}): {}", stepping_.state.step + 1, stepping_.state.time, dt_, what);
   }
@@ -176,6 +202,7 @@ class Attempts {
   double penalty_;
   double used_penalty_ = 0;
   double ratio_ = 0;
+  Verdict verdict_ = Verdict::accepted;
   bool at_floor_again_ = false;
   std::vector<std::size_t> unsettled_;
   StepReport report_;

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/open_close.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "contact/springs.hpp"
 
 namespace keyblock {
 namespace {
-
-// The Berkeley loop ends here whatever the limit in the file says (legacy-rules 11.1).
-constexpr int kBerkeleyPassBound = 8;
 
 Increments split(const Eigen::VectorXd& x, const Model& model, const BlockMatrix& matrix) {
   Increments increments(model.elements.size());
@@ -45,10 +44,15 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
     add_friction(outcome.contacts, friction_acts(outcome.contacts, attempt, outcome.passes), model, state, system);
     const std::optional<Solution> solution = solver.solve(system);
     if (!solution) {
-      outcome.solved = false;
+      outcome.failure = "the system of equations could not be solved";
       return outcome;
     }
     outcome.residual = std::max(outcome.residual, solution->residual);
+    if (outcome.residual > kUselessResidual) {
+      outcome.failure =
+          fmt::format("the solution leaves forces out of balance by {:.1e} of the load", outcome.residual);
+      return outcome;
+    }
     outcome.increments = split(solution->x, model, system.matrix);
     outcome.contacts = judge(std::move(outcome.contacts), model, state, outcome.increments, rules, penalty);
     outcome.still_changing = changed(outcome.contacts);

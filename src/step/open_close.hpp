@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "contact/judge.hpp"
@@ -10,6 +11,13 @@
 #include "system/solve.hpp"
 
 namespace keyblock {
+
+/// The Berkeley loop ends here whatever the limit in the file says (legacy-rules 11.1).
+inline constexpr int kBerkeleyPassBound = 8;
+
+/// Forces out of balance by more than this share of the load make a solve useless: the next step could not tell the error
+/// from a load. Well above round-off of a sound system (1e-12 … 1e-9), well below what engineering asks.
+inline constexpr double kUselessResidual = 1e-6;
 
 /// Where the iteration stands within its step and its run.
 enum class Attempt {
@@ -25,7 +33,7 @@ struct OpenCloseOutcome {
   int passes = 0;
   double residual = 0;                      ///< largest relative residual of its solves
   std::vector<std::size_t> still_changing;  ///< contacts that changed in the last pass: empty if the iteration ended
-  bool solved = true;                       ///< false: a solve broke down
+  std::string failure;                      ///< why a solve could not be used; empty if all could
 };
 
 OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model, const State& state,

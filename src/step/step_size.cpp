@@ -8,7 +8,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double kGrowth = 1.3;
+constexpr double kGrowth = 1.3;      // a step is at most this times the last (legacy-formats 3.4)
+constexpr double kStressFactor = 4;  // force of an initial stress on a block: this times stress times side (ibid.)
 
 // dt = (sqrt(v² + 2 a s) - v) / a, written so that no digits are lost for a small acceleration.
 double time_to_move(double distance, double speed, double acceleration) {
@@ -40,8 +41,9 @@ double first_step_size(const Model& model, const State& state, const Settings& s
     stress =
         std::max({stress, std::abs(m.initial_stress.xx), std::abs(m.initial_stress.yy), std::abs(m.initial_stress.xy)});
   const double mass = area * material.density;
-  const double acceleration = std::max({material.unit_weight / material.density, 4 * stress * std::sqrt(area) / mass,
-                                        greatest_load(model, state.time) / mass});
+  const double acceleration =
+      std::max({material.unit_weight / material.density, kStressFactor * stress * std::sqrt(area) / mass,
+                greatest_load(model, state.time) / mass});
   if (acceleration <= 0 && start_speed <= 0) return settings.time_step;
   return time_to_move(allowed_displacement(model, settings), start_speed, std::max(acceleration, 0.0));
 }

@@ -116,8 +116,7 @@ ComparedCase compare_case(const CaseFolder& folder, const std::string& profile) 
   compared.values = read_expected(table);
   const formats::Case loaded = formats::load_case(folder.inputs());
   const Prepared prepared = prepare(loaded.problem, profile, {});
-  compared.warnings = loaded.warnings;
-  compared.warnings.insert(compared.warnings.end(), prepared.warnings.begin(), prepared.warnings.end());
+  compared.warnings = joined(loaded.warnings, prepared.warnings);
   require_blocks(compared.values, prepared.scene.model.elements.size(), table);
   const auto followed =
       std::ranges::find_if(compared.values, [](const ComparedValue& v) { return v.block.has_value(); });

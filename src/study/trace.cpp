@@ -26,6 +26,11 @@ constexpr double kPrinted = 1e-8;
 // A stress below this share of the largest modulus is round-off of zero.
 constexpr double kStressNoise = 1e-15;
 
+// The greater of two differences; one that is no number is the worst of all and stays.
+double worse(double a, double b) {
+  return b <= a ? a : std::isnan(a) ? a : b;
+}
+
 // A table with named numeric cells.
 class Numbers {
  public:
@@ -85,7 +90,7 @@ class Follower {
     equal("closed", report.step, steps_(row, "closed"), report.closed, 0);
     equal("penalty", report.step, steps_(row, "penalty"), report.penalty, kPrinted);
     const double off = std::abs(steps_(row, "disp_ratio") - report.displacement_ratio);
-    difference_.disp_ratio = std::max(difference_.disp_ratio, off / ratio_scale_);
+    difference_.disp_ratio = worse(difference_.disp_ratio, off / ratio_scale_);
   }
 
   void frame(const Frame& frame) {
@@ -117,13 +122,14 @@ class Follower {
   }
 
   void compare(std::size_t row, const ElementFrame& e) {
+    ++difference_.rows;
     const auto off = [&](const char* column, double found) { return std::abs(blocks_(row, column) - found); };
-    difference_.position = std::max(
-        {difference_.position, off("cx", e.centroid.x) / position_scale_, off("cy", e.centroid.y) / position_scale_,
-         off("dx", e.displacement.x) / position_scale_, off("dy", e.displacement.y) / position_scale_});
-    difference_.rotation = std::max(difference_.rotation, off("rot", e.rotation));
-    difference_.stress = std::max({difference_.stress, off("sxx", e.stress.xx) / stress_scale_,
-                                   off("syy", e.stress.yy) / stress_scale_, off("sxy", e.stress.xy) / stress_scale_});
+    for (double d :
+         {off("cx", e.centroid.x), off("cy", e.centroid.y), off("dx", e.displacement.x), off("dy", e.displacement.y)})
+      difference_.position = worse(difference_.position, d / position_scale_);
+    difference_.rotation = worse(difference_.rotation, off("rot", e.rotation));
+    for (double d : {off("sxx", e.stress.xx), off("syy", e.stress.yy), off("sxy", e.stress.xy)})
+      difference_.stress = worse(difference_.stress, d / stress_scale_);
   }
 
   void polygon(const std::string& text, const ElementFrame& element, std::size_t number) {
@@ -155,7 +161,9 @@ double greatest_modulus(const Analysis& analysis) {
 }  // namespace
 
 bool TraceDifference::holds() const {
-  return unequal.empty() && steps > 0 && std::max({polygon, position, rotation, stress}) <= kTraceTolerance;
+  const auto is_small = [](double d) { return d <= kTraceTolerance; };
+  return unequal.empty() && steps > 0 && rows > 0 && is_small(polygon) && is_small(position) && is_small(rotation) &&
+         is_small(stress);
 }
 
 TraceDifference follow_trace(const CaseFolder& folder) {

@@ -15,6 +15,7 @@ struct TraceDifference {
   std::string name;
   int steps = 0;  ///< compared
   int steps_in_trace = 0;
+  int rows = 0;                      ///< of blocks, compared
   std::vector<std::string> unequal;  ///< first place of each thing that must be equal and is not
   double polygon = 0;                ///< vertices after cutting
   double position = 0;               ///< centroids and displacements

@@ -7,10 +7,13 @@
 
 namespace keyblock {
 
+/// The most rows a block may have; raise it when a richer basis comes in.
+inline constexpr int kMostBlockRows = 6;
+
 /// Symmetric; only blocks (i, j) with i ≤ j are stored. Block i has `size(i)` rows.
 class BlockMatrix {
  public:
-  using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostBlockRows, kMostBlockRows>;
   struct Entry {
     int column;
     Block block;

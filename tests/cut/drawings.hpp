@@ -37,12 +37,6 @@ inline std::vector<Segment> operator+(std::vector<Segment> a, const std::vector<
   return a;
 }
 
-inline std::vector<Point> points_of(const BlockLoop& loop) {
-  std::vector<Point> points;
-  for (const BlockVertex& v : loop) points.push_back(v.position);
-  return points;
-}
-
 inline double area(const BlockPolygon& block) {
   double sum = area(points_of(block.outer));
   for (const BlockLoop& hole : block.holes) sum += area(points_of(hole));

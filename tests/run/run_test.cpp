@@ -15,8 +15,9 @@ using testing::legacy_scene;
 using testing::plain_analysis;
 using testing::rectangle;
 
+/// One measured point, so that there is a row a step.
 Scene falling_block(int steps) {
-  return legacy_scene({{rectangle({0, 10}, {1, 11})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, steps));
+  return legacy_scene({{rectangle({0, 10}, {1, 11})}, {}, {}, {}, {{{0, 10}, 0, {}}}, {}}, plain_analysis(1e-3, steps));
 }
 
 /// The calls an observer gets, as "frame 0 row 0 step 1 …".
@@ -50,6 +51,16 @@ TEST(Run, tells_the_start_then_every_step_and_row_and_the_last_frame_once) {
   Listener even;
   even.run(falling_block(2), 2);
   EXPECT_EQ(even.heard, "frame 0 row 0 step 1 row 1 step 2 row 2 frame 2 ") << "the last frame is not shown twice";
+}
+
+TEST(Run, rows_come_with_the_frames_where_nothing_is_measured) {
+  Scene scene = falling_block(3);
+  scene.model.measured_points.clear();
+  Listener listener;
+  listener.run(scene, 2);
+  EXPECT_EQ(listener.heard.find("row 1"), std::string::npos) << listener.heard;
+  for (const char* row : {"row 0", "row 2", "row 3"})
+    EXPECT_NE(listener.heard.find(row), std::string::npos) << listener.heard;
 }
 
 TEST(Run, stops_between_steps_when_asked_and_shows_where_it_stands) {

@@ -64,4 +64,30 @@ TEST(StepSize, a_run_that_cannot_move_within_the_allowance_fails_and_says_so) {
   EXPECT_EQ(stepping.state.step, 0);
 }
 
+TEST(StepSize, a_state_that_is_not_finite_is_a_failure) {
+  Analysis analysis = plain_analysis(1e100, 1);
+  analysis.allowed_displacement_ratio = 1e300;
+  const Scene scene = legacy_scene(one_block(), analysis);
+  Stepping stepping = start(scene);
+  EXPECT_TRUE(std::holds_alternative<StepFailure>(advance(scene, stepping)));
+  EXPECT_EQ(stepping.state.step, 0);
+}
+
+// A stiffness so great that the solution cannot balance the weight any more.
+TEST(StepSize, a_solution_out_of_balance_is_a_failure) {
+  Analysis analysis = plain_analysis(1e-3, 5);
+  analysis.contact_penalty = 1e24;
+  Blocks blocks{{rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}};
+  blocks.fixed_points = {{{-1.9, -0.9}, 0, {}}, {{2.9, -0.1}, 0, {}}};
+  analysis.allowed_displacement_ratio = 0.01;
+  const Scene scene = legacy_scene(blocks, analysis);
+  Stepping stepping = start(scene);
+  std::string reason;
+  for (int i = 0; i < 5 && reason.empty(); ++i) {
+    const auto made = advance(scene, stepping);
+    if (const auto* failure = std::get_if<StepFailure>(&made)) reason = failure->reason;
+  }
+  EXPECT_NE(reason.find("out of balance"), std::string::npos) << reason;
+}
+
 }  // namespace keyblock

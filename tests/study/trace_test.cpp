@@ -35,6 +35,7 @@ TraceDifference follow_with(const std::string& table, const std::function<bool(c
 TraceDifference sound() {
   TraceDifference difference;
   difference.steps = difference.steps_in_trace = 10;
+  difference.rows = 10;
   return difference;
 }
 

@@ -44,7 +44,9 @@ std::string fresh_folder(const std::string& name) {
   return folder.string();
 }
 
-ProgramRun run_keyblock(const std::vector<std::string>& arguments, int signal_after_ms) {
+namespace {
+
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::string& interrupt_at) {
   std::vector<std::string> words{KEYBLOCK_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const fs::path folder = fs::temp_directory_path() / ("keyblock_test_" + std::to_string(getpid()));
@@ -53,8 +55,9 @@ ProgramRun run_keyblock(const std::vector<std::string>& arguments, int signal_af
   const std::string messages = (folder / "stderr").string();
   const pid_t child = fork();
   if (child == 0) become(words, output, messages);
-  if (signal_after_ms > 0) {
-    usleep(static_cast<useconds_t>(signal_after_ms) * 1000);
+  if (!interrupt_at.empty()) {
+    constexpr useconds_t kMicrosecondsBetweenLooks = 10000;
+    while (!fs::exists(interrupt_at) && waitpid(child, nullptr, WNOHANG) == 0) usleep(kMicrosecondsBetweenLooks);
     kill(child, SIGINT);
   }
   int status = 0;
@@ -62,6 +65,16 @@ ProgramRun run_keyblock(const std::vector<std::string>& arguments, int signal_af
   wait4(child, &status, 0, &usage);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(output), read_text(messages),
           seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+}  // namespace
+
+ProgramRun run_keyblock(const std::vector<std::string>& arguments) {
+  return run_program(arguments, "");
+}
+
+ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file) {
+  return run_program(arguments, file);
 }
 
 }  // namespace keyblock::testing

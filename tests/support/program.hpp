@@ -15,8 +15,11 @@ struct ProgramRun {
   double peak_megabytes = 0;
 };
 
-/// `keyblock ARGUMENTS…`, in the current folder. `signal_after_ms` sends SIGINT after that time, 0 never.
-ProgramRun run_keyblock(const std::vector<std::string>& arguments, int signal_after_ms = 0);
+/// `keyblock ARGUMENTS…`, in the current folder.
+ProgramRun run_keyblock(const std::vector<std::string>& arguments);
+
+/// The same, interrupted (SIGINT) as soon as `file` exists.
+ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file);
 
 /// A fresh empty folder below the system's temporary one.
 std::string fresh_folder(const std::string& name);
