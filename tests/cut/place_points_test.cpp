@@ -90,6 +90,15 @@ TEST(PlacePoints, the_later_material_line_wins) {
   EXPECT_EQ(blocks.blocks[1].material, 2);
 }
 
+// The box of the diagonal holds the point, the diagonal does not.
+TEST(PlacePoints, a_material_line_that_is_a_point_gives_its_material_to_the_one_block_that_holds_it) {
+  Drawing drawing = drawing_of(rectangle({0, 0}, {10, 10}) + std::vector<Segment>{{{0, 0}, {10, 10}}});
+  drawing.material_lines = {{{{8, 3}, {8, 3}}, 2, {}}};
+  int taken = 0;
+  for (const BlockPolygon& block : cut_blocks(drawing).blocks.blocks) taken += block.material == 2 ? 1 : 0;
+  EXPECT_EQ(taken, 1);
+}
+
 TEST(PlacePoints, a_bolt_joins_the_blocks_of_its_ends) {
   Drawing drawing = two_squares();
   drawing.bolts = {{{{0.5, 0.5}, {1.5, 0.5}}, 1e6, 2, 3, 0, {}}, {{{0.5, 0.5}, {7, 7}}, 1e6, 2, 3, 0, {}}};

@@ -36,24 +36,4 @@ TEST(SettingsTable, wrong_names_and_values_are_refused) {
     EXPECT_THROW(set(settings, name, value), std::invalid_argument) << name << "=" << value;
 }
 
-TEST(Profile, penalty_is_the_factor_times_the_greatest_modulus_unless_the_file_gives_one) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1);
-  analysis.penalty_factor = 40;
-  EXPECT_EQ(profile_settings("legacy", analysis).contact_penalty, 40 * 5e9);
-  analysis.contact_penalty = 7e8;
-  EXPECT_EQ(profile_settings("legacy", analysis).contact_penalty, 7e8);
-  analysis.contact_penalty = 0;  // "program chooses" in Shi's dialect
-  EXPECT_EQ(profile_settings("legacy", analysis).contact_penalty, 40 * 5e9);
-}
-
-TEST(Profile, gravity_of_native_files_is_that_of_the_first_material) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1);
-  analysis.gravity.reset();
-  EXPECT_DOUBLE_EQ(profile_settings("legacy", analysis).gravity, 9.81);
-}
-
-TEST(Profile, a_name_that_is_none_is_refused) {
-  EXPECT_THROW(profile_settings("modern", testing::plain_analysis(1e-3, 1)), std::invalid_argument);
-}
-
 }  // namespace keyblock

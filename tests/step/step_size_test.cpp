@@ -1,12 +1,11 @@
-// Step size, penalty and redo rules, and what happens when a step cannot be made.
+// Step size rules, and what happens when a step cannot be made.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/step_size.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "step/motion.hpp"
-#include "step/penalty.hpp"
-#include "step/step_size.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock {
@@ -89,29 +88,6 @@ TEST(StepSize, a_solution_out_of_balance_is_a_failure) {
     if (const auto* failure = std::get_if<StepFailure>(&made)) reason = failure->reason;
   }
   EXPECT_NE(reason.find("out of balance"), std::string::npos) << reason;
-}
-
-// Legacy-rules 11.3: kn := max(kn w6/g3, kn/3), ten times that and a redo beyond 2.5 g3.
-TEST(Penalty, grows_with_penetration_and_falls_slowly) {
-  Settings settings;
-  settings.penalty_control = PenaltyControl::adaptive;
-  settings.allowed_displacement_ratio = 0.01;
-  EXPECT_NEAR(adapt(100, {0, 2 * 4e-4}, 1, settings).penalty, 200, 1e-6);
-  EXPECT_FALSE(adapt(100, {0, 2 * 4e-4}, 1, settings).redo);
-  EXPECT_TRUE(adapt(100, {0, 3 * 4e-4}, 1, settings).redo);
-  EXPECT_NEAR(adapt(100, {0, 3 * 4e-4}, 1, settings).penalty, 3000, 1e-5);
-  EXPECT_NEAR(adapt(100, {0, 0}, 1, settings).penalty, 100.0 / 3, 1e-12);
-  settings.penalty_control = PenaltyControl::constant;
-  EXPECT_EQ(adapt(100, {0, 1}, 1, settings).penalty, 100);
-}
-
-// dda-14: uncorrected rotation scales every length by sqrt(1 + r²) a step; the exact rotation keeps it.
-TEST(Motion, first_order_rotation_expands_and_exact_rotation_does_not) {
-  Unknowns turn = Unknowns::Zero(6);
-  turn[2] = 0.1;
-  const Point arm{3, 4};
-  EXPECT_NEAR(length(arm + displacement(affine_basis(), turn, arm, Rotation::first_order)), 5 * std::sqrt(1.01), 1e-14);
-  EXPECT_NEAR(length(arm + displacement(affine_basis(), turn, arm, Rotation::exact)), 5, 1e-14);
 }
 
 }  // namespace keyblock

@@ -1,0 +1,115 @@
+// A problem becomes a scene, or says what is missing; what has no effect is warned of.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/prepare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "tests/support/scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::plain_analysis;
+using testing::rectangle;
+
+Blocks one_block() {
+  Blocks blocks;
+  blocks.blocks = {rectangle({0, 0}, {2, 1})};
+  blocks.place = {"scene.blk", 0, 0};
+  return blocks;
+}
+
+/// A square of four lines, cut in two.
+Drawing two_halves() {
+  Drawing drawing;
+  drawing.edge_node_ratio = 0.01;
+  for (const Segment& line : {Segment{{0, 0}, {2, 0}}, Segment{{2, 0}, {2, 2}}, Segment{{2, 2}, {0, 2}},
+                              Segment{{0, 2}, {0, 0}}, Segment{{1, 0}, {1, 2}}})
+    drawing.joints.push_back({line, 0, {}});
+  return drawing;
+}
+
+Analysis analysis_of_file() {
+  Analysis analysis = plain_analysis(1e-3, 10);
+  analysis.place = {"scene.ana", 0, 0};
+  return analysis;
+}
+
+std::string complaint(const Problem& problem) {
+  try {
+    prepare(problem, "legacy", {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+std::vector<std::string> names(const Warnings& warnings) {
+  std::vector<std::string> result;
+  for (const Warning& w : warnings) result.push_back(w.name);
+  std::ranges::sort(result);
+  return result;
+}
+
+}  // namespace
+
+TEST(Prepare, a_drawing_is_cut_and_blocks_are_taken_as_they_are) {
+  const Prepared cut = prepare({two_halves(), analysis_of_file()}, "legacy", {});
+  EXPECT_EQ(cut.blocks.blocks.size(), 2U);
+  EXPECT_EQ(cut.scene.model.elements.size(), 2U);
+  ASSERT_TRUE(cut.cut.has_value());
+  EXPECT_EQ(cut.cut->lines, 5);
+  const Prepared taken = prepare({one_block(), analysis_of_file()}, "legacy", {});
+  EXPECT_EQ(taken.scene.model.elements.size(), 1U);
+  EXPECT_FALSE(taken.cut.has_value());
+}
+
+TEST(Prepare, a_problem_without_geometry_or_analysis_names_the_file_that_stands_alone) {
+  const std::string no_geometry = complaint({{}, analysis_of_file()});
+  expect_contains(no_geometry, "scene.ana");
+  expect_contains(no_geometry, "geometry");
+  const std::string no_analysis = complaint({one_block(), {}});
+  expect_contains(no_analysis, "scene.blk");
+  expect_contains(no_analysis, "analysis");
+  expect_contains(complaint({Blocks{}, analysis_of_file()}), "at least one block");
+}
+
+TEST(Prepare, motions_must_be_as_many_as_fixed_points) {
+  Blocks blocks = one_block();
+  blocks.fixed_points = {{{0, 0}, 0, {}}, {{2, 0}, 0, {}}};
+  Analysis analysis = analysis_of_file();
+  analysis.fixed_point_motions.resize(1);
+  expect_contains(complaint({blocks, analysis}), "motions of the 2 fixed points of the geometry, found 1");
+  analysis.fixed_point_motions.resize(2);
+  EXPECT_EQ(complaint({blocks, analysis}), "");
+}
+
+TEST(Prepare, overrides_come_after_the_profile) {
+  const Scene scene = prepare({one_block(), analysis_of_file()}, "legacy", {{"steps", "3"}, {"gravity", "0"}}).scene;
+  EXPECT_EQ(scene.settings.step_count, 3);
+  EXPECT_EQ(scene.settings.gravity, 0);
+  EXPECT_EQ(scene.settings.time_step, 1e-3);
+  EXPECT_THROW(prepare({one_block(), analysis_of_file()}, "legacy", {{"no_such", "1"}}), std::invalid_argument);
+}
+
+TEST(Prepare, what_is_read_but_has_no_effect_is_warned_of) {
+  EXPECT_TRUE(prepare({one_block(), analysis_of_file()}, "legacy", {}).warnings.empty());
+  Blocks blocks = one_block();
+  blocks.bolts.resize(1);
+  Analysis analysis = analysis_of_file();
+  analysis.contact_damping = 0.1;
+  analysis.block_materials[0].damping = 0.1;
+  EXPECT_EQ(
+      names(prepare({blocks, analysis}, "legacy", {}).warnings),
+      (std::vector<std::string>{"bolts_without_effect", "contact_damping_without_effect", "damping_without_effect"}));
+}
+
+}  // namespace keyblock

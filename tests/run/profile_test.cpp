@@ -1,0 +1,43 @@
+// A profile takes its choices from the analysis file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/profile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/support/scenes.hpp"
+
+namespace keyblock {
+
+TEST(Profile, penalty_is_the_factor_times_the_greatest_modulus_unless_the_file_gives_one) {
+  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  analysis.penalty_factor = 40;
+  EXPECT_EQ(profile_settings("legacy", analysis).contact_penalty, 40 * 5e9);
+  analysis.contact_penalty = 7e8;
+  EXPECT_EQ(profile_settings("legacy", analysis).contact_penalty, 7e8);
+  analysis.contact_penalty = 0;  // "program chooses" in Shi's dialect
+  EXPECT_EQ(profile_settings("legacy", analysis).contact_penalty, 40 * 5e9);
+}
+
+TEST(Profile, gravity_of_native_files_is_that_of_the_first_material) {
+  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  analysis.gravity.reset();
+  EXPECT_DOUBLE_EQ(profile_settings("legacy", analysis).gravity, 9.81);
+}
+
+// Shi's dialect names start velocity and stress gradient apart and weighs each material by itself.
+TEST(Profile, quirks_of_berkeley_material_slots_are_off_in_shis_dialect) {
+  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  EXPECT_TRUE(profile_settings("legacy", analysis).quirks.start_velocity_slots);
+  EXPECT_TRUE(profile_settings("legacy", analysis).quirks.weight_of_first_material);
+  analysis.dialect = AnalysisDialect::shi;
+  EXPECT_FALSE(profile_settings("legacy", analysis).quirks.start_velocity_slots);
+  EXPECT_FALSE(profile_settings("legacy", analysis).quirks.weight_of_first_material);
+}
+
+TEST(Profile, a_name_that_is_none_is_refused) {
+  EXPECT_THROW(profile_settings("modern", testing::plain_analysis(1e-3, 1)), std::invalid_argument);
+}
+
+}  // namespace keyblock

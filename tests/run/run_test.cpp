@@ -1,0 +1,112 @@
+// What an observer is told of a run, in which order, and how a run ends.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::legacy_scene;
+using testing::plain_analysis;
+using testing::rectangle;
+
+/// One measured point, so that there is a row a step.
+Scene falling_block(int steps) {
+  return legacy_scene({{rectangle({0, 10}, {1, 11})}, {}, {}, {}, {{{0, 10}, 0, {}}}, {}}, plain_analysis(1e-3, steps));
+}
+
+/// The calls an observer gets, as "frame 0 row 0 step 1 …".
+struct Listener {
+  std::string heard;
+  int steps = 0;
+  int stop_after = -1;
+
+  RunOutcome run(const Scene& scene, int record_every) {
+    Observer observer;
+    observer.on_frame = [&](const Frame& f) { heard += "frame " + std::to_string(f.step) + " "; };
+    observer.on_row = [&](const HistoryRow& r) { heard += "row " + std::to_string(r.step) + " "; };
+    observer.on_step = [&](const StepReport& s) {
+      heard += "step " + std::to_string(s.step) + " ";
+      ++steps;
+    };
+    observer.wants_stop = [&] { return steps == stop_after; };
+    return keyblock::run(scene, record_every, observer);
+  }
+};
+
+}  // namespace
+
+TEST(Run, tells_the_start_then_every_step_and_row_and_the_last_frame_once) {
+  Listener listener;
+  const RunOutcome outcome = listener.run(falling_block(3), 2);
+  EXPECT_EQ(listener.heard, "frame 0 row 0 step 1 row 1 step 2 row 2 frame 2 step 3 row 3 frame 3 ");
+  EXPECT_EQ(outcome.end, RunEnd::finished);
+  EXPECT_EQ(outcome.steps, 3);
+  EXPECT_NEAR(outcome.time, 3e-3, 1e-17);
+  Listener even;
+  even.run(falling_block(2), 2);
+  EXPECT_EQ(even.heard, "frame 0 row 0 step 1 row 1 step 2 row 2 frame 2 ") << "the last frame is not shown twice";
+}
+
+TEST(Run, rows_come_with_the_frames_where_nothing_is_measured) {
+  Scene scene = falling_block(3);
+  scene.model.measured_points.clear();
+  Listener listener;
+  listener.run(scene, 2);
+  EXPECT_EQ(listener.heard.find("row 1"), std::string::npos) << listener.heard;
+  for (const char* row : {"row 0", "row 2", "row 3"})
+    EXPECT_NE(listener.heard.find(row), std::string::npos) << listener.heard;
+}
+
+TEST(Run, stops_between_steps_when_asked_and_shows_where_it_stands) {
+  Listener listener;
+  listener.stop_after = 1;
+  const RunOutcome outcome = listener.run(falling_block(5), 10);
+  EXPECT_EQ(listener.heard, "frame 0 row 0 step 1 row 1 frame 1 ");
+  EXPECT_EQ(outcome.end, RunEnd::stopped);
+  EXPECT_EQ(outcome.steps, 1);
+  EXPECT_TRUE(outcome.reason.empty());
+  Listener at_once;
+  at_once.stop_after = 0;
+  EXPECT_EQ(at_once.run(falling_block(5), 1).steps, 0);
+  EXPECT_EQ(at_once.heard, "frame 0 row 0 ");
+}
+
+TEST(Run, that_fails_says_why_and_has_shown_the_last_accepted_step) {
+  Scene scene = falling_block(5);
+  scene.settings.allowed_displacement_ratio = 1e-12;
+  Listener listener;
+  const RunOutcome outcome = listener.run(scene, 1);
+  EXPECT_EQ(outcome.end, RunEnd::failed);
+  EXPECT_NE(outcome.reason.find("smallest step"), std::string::npos) << outcome.reason;
+  EXPECT_EQ(outcome.steps, 0);
+  EXPECT_EQ(listener.heard, "frame 0 row 0 ");
+}
+
+TEST(Run, needs_no_observer) {
+  EXPECT_EQ(run(falling_block(2), 1, {}).steps, 2);
+}
+
+TEST(Run, the_same_scene_gives_the_same_bits) {
+  Analysis analysis = plain_analysis(1e-3, 20);
+  analysis.joint_materials[0].friction_angle_deg = 20;
+  const Scene scene =
+      legacy_scene({{rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis);
+  const auto places = [&] {
+    std::vector<Point> points;
+    Observer observer;
+    observer.on_frame = [&](const Frame& f) {
+      for (const ElementFrame& e : f.elements) points.insert(points.end(), e.loops[0].begin(), e.loops[0].end());
+    };
+    run(scene, 1, observer);
+    return points;
+  };
+  EXPECT_EQ(places(), places());
+}
+
+}  // namespace keyblock

@@ -1,0 +1,40 @@
+// Cases are the folders with expected values or a trace, however deep.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::study {
+
+namespace fs = std::filesystem;
+using testing::fresh_folder;
+using testing::write_text;
+
+TEST(CaseFolders, are_found_below_a_path_in_order_of_their_names) {
+  const fs::path root = fresh_folder("case_folders");
+  for (const char* name : {"b/two", "a", "b/one", "empty"}) fs::create_directories(root / name);
+  write_text(root / "a" / "expected.csv", "");
+  write_text(root / "b" / "two" / "expected.csv", "");
+  write_text(root / "b" / "one" / "steps.csv", "");
+  write_text(root / "b" / "one" / "blocks.csv", "");
+  write_text(root / "empty" / "steps.csv", "");  // a trace needs blocks.csv too
+  const std::vector<CaseFolder> cases = find_cases({root.string() + "/"});
+  ASSERT_EQ(cases.size(), 3U);
+  EXPECT_EQ(cases[0].name, "a");
+  EXPECT_EQ(cases[1].name, "b/one");
+  EXPECT_TRUE(cases[1].has_trace);
+  EXPECT_FALSE(cases[1].has_expected);
+  EXPECT_EQ(cases[2].name, "b/two");
+  EXPECT_EQ(cases[2].inputs().front(), (root / "b" / "two" / "two.geo").string());
+}
+
+TEST(CaseFolders, a_path_without_any_is_refused) {
+  EXPECT_THROW(find_cases({fresh_folder("no_cases")}), InputError);
+  EXPECT_THROW(find_cases({fresh_folder("no_cases") + "/none"}), InputError);
+}
+
+}  // namespace keyblock::study
