@@ -69,7 +69,9 @@ class Placer {
     const std::optional<int> first = block_at(blocks_.blocks, line.segment.start, tolerances_.vertex_catch);
     bool has_met = first.has_value();
     if (first) blocks_.blocks[*first].material = line.block_material;
+    const bool is_point = line.segment.start == line.segment.end;
     for (BlockPolygon& block : blocks_.blocks) {
+      if (is_point) break;
       bool is_crossed = false;
       visit_edges(block, [&](const Segment& edge) { is_crossed |= meeting(line.segment, edge) != Meeting::none; });
       if (is_crossed) block.material = line.block_material;

@@ -66,7 +66,10 @@ class Follower {
       : steps_(folder.folder / "steps.csv"), blocks_(folder.folder / "blocks.csv") {
     difference_.name = folder.name;
     difference_.steps_in_trace = static_cast<int>(steps_.size());
-    last_ = last_step(folder, difference_.steps_in_trace);
+    int steps = difference_.steps_in_trace;
+    for (std::size_t row = 0; row < blocks_.size(); ++row)
+      steps = std::max(steps, static_cast<int>(blocks_(row, "step")));
+    last_ = last_step(folder, steps);
     stress_scale_ = kStressNoise * greatest_modulus / kTraceTolerance;
     for (std::size_t row = 0; row < steps_.size(); ++row)
       ratio_scale_ = std::max(ratio_scale_, steps_(row, "disp_ratio"));
@@ -82,7 +85,8 @@ class Follower {
 
   void step(const StepReport& report) {
     const std::size_t row = static_cast<std::size_t>(report.step) - 1;
-    if (row >= steps_.size()) return;
+    if (row >= steps_.size()) return missing("steps.csv", report.step);
+    equal("step number", report.step, steps_(row, "step"), report.step, 0);
     difference_.steps = report.step;
     equal("dt", report.step, steps_(row, "dt"), report.dt, kPrinted);
     equal("oci", report.step, steps_(row, "oci"), report.passes, 0);
@@ -96,6 +100,8 @@ class Follower {
   void frame(const Frame& frame) {
     const auto rows = rows_.find(frame.step);
     if (rows == rows_.end()) return;
+    equal("rows of blocks.csv", frame.step, static_cast<double>(rows->second.size()),
+          static_cast<double>(frame.elements.size()), 0);
     for (std::size_t row : rows->second) {
       const auto block = static_cast<std::size_t>(blocks_(row, "block")) - 1;
       if (block < frame.elements.size()) compare(row, frame.elements[block]);
@@ -115,6 +121,11 @@ class Follower {
   const TraceDifference& difference() const { return difference_; }
 
  private:
+  void missing(const std::string& table, int step) {
+    if (seen_.insert({table, step}).second)
+      difference_.unequal.push_back(fmt::format("{} has no step {}", table, step));
+  }
+
   void equal(const std::string& what, int step, double expected, double found, double relative) {
     if (std::abs(found - expected) <= relative * std::abs(expected)) return;
     if (!seen_.insert({what, step}).second) return;  // only the first step of each kind
