@@ -44,6 +44,12 @@ bool block_materials_at(std::span<const double> numbers, std::int64_t at, std::i
   return true;
 }
 
+/// More numbers than Berkeley's file has, and no block material where its first would stand: Shi's file, if any.
+bool is_like_shi(std::span<const double> numbers, const Materials& materials) {
+  const auto have = static_cast<std::int64_t>(numbers.size());
+  return have > 6 + materials.size() && !block_materials_at(numbers, 6, materials.blocks);
+}
+
 Recognition recognise_berkeley(const Source& source) {
   using Fit = Recognition::Fit;
   const Tokens tokens = tokenise(source);
@@ -55,7 +61,8 @@ Recognition recognise_berkeley(const Source& source) {
         fmt::format("6-number head with {} block and {} joint materials gives {} numbers, the file has {}",
                     materials->blocks, materials->joints, total, have);
     if (total == have) return {Fit::exact, evidence};
-    if (total < have && block_materials_at(tokens.numbers, 6, materials->blocks)) return {Fit::surplus, evidence};
+    if (is_like_shi(tokens.numbers, *materials)) return {};
+    if (total < have) return {Fit::surplus, evidence};
   }
   return {Fit::damaged, fmt::format("its first number, {}, can be a velocity carry-over, but the counts do not fit",
                                     format_real(tokens.numbers[0]))};
@@ -96,6 +103,10 @@ std::vector<int> possible_point_counts(std::span<const double> numbers) {
 Recognition recognise_shi(const Source& source) {
   const Tokens tokens = tokenise(source);
   const std::vector<int> counts = possible_point_counts(tokens.numbers);
+  const auto materials = materials_of(tokens.numbers);
+  if (counts.empty() && materials && kShare.holds(tokens.numbers[0]) && is_like_shi(tokens.numbers, *materials))
+    return {Recognition::Fit::damaged,
+            "more numbers than Berkeley's dialect has, and no block material where its first would stand"};
   if (counts.empty()) return {};
   return {Recognition::Fit::exact, fmt::format("7-number head, {} points and the materials give the file's {} numbers",
                                                fmt::join(counts, " or "), tokens.numbers.size())};

@@ -130,4 +130,16 @@ TEST(DdaAnalysis, impossible_values_are_errors_at_their_token) {
   EXPECT_NE(replaced("20\n", "0\n"), "");
 }
 
+// Spec section 4, item 12: the mistake is named where it stands, not as a fault of Berkeley's dialect.
+TEST(DdaAnalysis, a_faulty_curve_of_a_shi_file_is_named_where_it_stands) {
+  const std::string head = "1 5 1 1 0.01 0.01 1e6\n";
+  const std::string tail = "2.5 24.5 1e6 0.2 0 0 0 0 0 0 0 0 0\n30 0 0\n1.4\n";
+  const ReadHint hint{1, 1};
+  EXPECT_EQ(error_of(head + "0 1\n1 1 0\n" + tail, hint),
+            "f:2:3: error: expected the number of time rows of fixed or loading point 2 of 2 (0, or 2 and more), found "
+            "\"1\"");
+  EXPECT_EQ(error_of(head + "0 2\n2 1 0 1 1 0\n" + tail, hint),
+            "f:3:7: error: expected the time of row 2 of 2 (greater than 2), found \"1\"");
+}
+
 }  // namespace keyblock::formats
