@@ -23,6 +23,7 @@ run: packages ## the sliding block: displacement beside theory, picture in out/s
 
 test: build ## build and pass every test
 	ctest --test-dir build --output-on-failure -j $(JOBS)
+	@awk '/: Skipped$$/ { getline; print "skipped: " $$0 }' build/Testing/Temporary/LastTest.log | sort | uniq -c
 
 cases: build ## rerun every legacy case against its expected values
 	build/keyblock compare legacy_cases
