@@ -6,9 +6,11 @@
 
 #include <algorithm>
 
+#include "model/choose_basis.hpp"
 #include "model/from_blocks.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
+#include "step/standard_scene.hpp"
 
 namespace keyblock {
 namespace {
@@ -43,6 +45,14 @@ void require_points(const Blocks& blocks, const Analysis& analysis) {
                                                  blocks.fixed_points.size(), motions));
 }
 
+// The model with the bases of `standard`. Throws InputError for a scene that these dynamics cannot run.
+Model standard_model(Model model, const Settings& settings, const Place& place) {
+  model = with_bases(std::move(model), settings.standard.basis);
+  const std::string why = unsupported(standard_scene(model, settings));
+  if (!why.empty()) throw InputError(place, why);
+  return model;
+}
+
 Place place_of(const Problem& problem) {
   if (problem.analysis) return problem.analysis->place;
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return drawing->place;
@@ -63,6 +73,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   const Warnings more = not_modelled(cut.blocks, *problem.analysis);
   cut.warnings.insert(cut.warnings.end(), more.begin(), more.end());
   Model model = model_from_blocks(cut.blocks, *problem.analysis);
+  if (settings.dynamics == Dynamics::standard) model = standard_model(std::move(model), settings, cut.blocks.place);
   Requirements needs = requirements(model, settings);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,

@@ -22,6 +22,11 @@ std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const
   return frames;
 }
 
+// A fixed element has no unknowns and stands still.
+Velocity rigid_velocity(const Unknowns& v) {
+  return v.size() < 3 ? Velocity{} : Velocity{v[0], v[1], v[2]};
+}
+
 }  // namespace
 
 Frame frame_of(const Model& model, const State& state, const State& start, const Settings& settings) {
@@ -29,16 +34,9 @@ Frame frame_of(const Model& model, const State& state, const State& start, const
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];
-    const Unknowns velocity = end_velocity(now, state, settings);
     const Point moved = now.centroid - start.elements[e].centroid;
-    frame.elements.push_back({loops_of(element, state),
-                              element.material,
-                              now.centroid,
-                              moved,
-                              now.rotation,
-                              {velocity[0], velocity[1], velocity[2]},
-                              now.stress,
-                              now.moments.area});
+    frame.elements.push_back({loops_of(element, state), element.material, now.centroid, moved, now.rotation,
+                              rigid_velocity(end_velocity(now, state, settings)), now.stress, now.moments.area});
   }
   frame.fixed_points = points_of(model.fixed_points, state.fixed_points);
   frame.loading_points = points_of(model.loading_points, state.loading_points);

@@ -3,27 +3,28 @@
 #include "run/run.hpp"
 
 #include "run/record.hpp"
+#include "step/stepper.hpp"
 
 namespace keyblock {
 
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
-  Stepping stepping = start(scene);
-  const State first = stepping.state;
+  const std::unique_ptr<Stepper> stepper = stepper_for(scene);
+  const State& first = stepper->unloaded();
   int last_framed = -1;
   const auto show = [&] {
-    if (observer.on_frame && stepping.state.step != last_framed)
-      observer.on_frame(frame_of(scene.model, stepping.state, first, scene.settings));
-    last_framed = stepping.state.step;
+    if (observer.on_frame && stepper->state().step != last_framed)
+      observer.on_frame(frame_of(scene.model, stepper->state(), first, scene.settings));
+    last_framed = stepper->state().step;
   };
   RunOutcome outcome;
   show();
-  if (observer.on_row) observer.on_row(history_row(scene.model, stepping.state, first));
-  while (stepping.state.step < scene.settings.step_count) {
+  if (observer.on_row) observer.on_row(history_row(scene.model, stepper->state(), first));
+  while (stepper->state().step < scene.settings.step_count) {
     if (observer.wants_stop && observer.wants_stop()) {
       outcome.end = RunEnd::stopped;
       break;
     }
-    const auto made = advance(scene, stepping);
+    const auto made = stepper->advance();
     if (const auto* failure = std::get_if<StepFailure>(&made)) {
       outcome.end = RunEnd::failed;
       outcome.reason = failure->reason;
@@ -31,12 +32,12 @@ RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
       break;
     }
     if (observer.on_step) observer.on_step(std::get<StepReport>(made));
-    if (observer.on_row) observer.on_row(history_row(scene.model, stepping.state, first));
-    if (stepping.state.step % record_every == 0) show();
+    if (observer.on_row) observer.on_row(history_row(scene.model, stepper->state(), first));
+    if (stepper->state().step % record_every == 0) show();
   }
   show();
-  outcome.steps = stepping.state.step;
-  outcome.time = stepping.state.time;
+  outcome.steps = stepper->state().step;
+  outcome.time = stepper->state().time;
   return outcome;
 }
 
