@@ -3,15 +3,18 @@
 #include "contact/friction_newton.hpp"
 
 #include <Eigen/LU>
+#include <array>
 #include <set>
 
 namespace keyblock {
 namespace {
 
-// Weight of the proximal term over W_ii: smaller ones cycled on jointed masses, larger ones need more rounds.
-constexpr double kProximal = 1e-3;
-// Each round shrinks the part of the error that W sees by about kProximal: five reach round-off, the rest is reserve.
+// Weights of the proximal term over W_ii, tried in turn: small ones need few rounds but cycle on jointed masses.
+constexpr std::array<double, 3> kProximal{1e-3, 1e-2, 1e-1};
+// Each round shrinks the part of the error that W sees by about the weight: five reach round-off at 1e-3, the rest is reserve.
 constexpr int kMostRounds = 30;
+// An acceptable residual that a round improves by less than this is left as it is.
+constexpr double kProgress = 0.5;
 // Active sets of one round; a cycle is found long before.
 constexpr int kMostSets = 60;
 
@@ -19,37 +22,42 @@ class Newton {
  public:
   Newton(const FrictionalProblem& problem, const Eigen::VectorXd& start) : problem_(problem) {
     solution_.forces = start;
-    close();
+    solution_.residual = residual(problem, start);
   }
 
   FrictionalSolution run() {
-    for (int round = 0; round < kMostRounds && !solution_.converged; ++round) {
-      const FrictionalProblem regular = regularised(solution_.forces);
-      if (!settle(regular)) break;
+    for (double weight : kProximal) {
+      if (solution_.residual <= problem_.acceptable && !is_first(weight)) break;
+      forces_ = solution_.forces;
+      for (int round = 0; round < kMostRounds && !is_solved(); ++round) {
+        const double before = solution_.residual;
+        if (!settle(regularised(weight))) break;
+        if (solution_.residual <= problem_.acceptable && solution_.residual > kProgress * before) break;
+      }
     }
     return std::move(solution_);
   }
 
  private:
-  FrictionalProblem regularised(const Eigen::VectorXd& reference) const {
+  FrictionalProblem regularised(double weight) const {
     FrictionalProblem regular = problem_;
-    const Eigen::VectorXd added = kProximal * problem_.w.diagonal();
+    const Eigen::VectorXd added = weight * problem_.w.diagonal();
     regular.w.diagonal() += added;
-    regular.b -= added.cwiseProduct(reference);
+    regular.b -= added.cwiseProduct(forces_);
     return regular;
   }
 
   // False if the active sets go round in a cycle.
   bool settle(const FrictionalProblem& regular) {
     std::set<std::vector<Grip>> visited;
-    std::vector<Grip> grips = natural_map(regular, solution_.forces).grips;
+    std::vector<Grip> grips = natural_map(regular, forces_).grips;
     for (int i = 0; i < kMostSets; ++i) {
       visited.insert(grips);
-      solution_.forces = forces_for(regular, grips);
+      forces_ = forces_for(regular, grips);
       ++solution_.solves;
-      close();
-      if (solution_.converged) return true;
-      const std::vector<Grip> next = natural_map(regular, solution_.forces).grips;
+      keep_best();
+      if (is_solved()) return true;
+      const std::vector<Grip> next = natural_map(regular, forces_).grips;
       if (next == grips) return true;
       if (visited.contains(next)) {
         name_undecided(grips, next);
@@ -79,18 +87,25 @@ class Newton {
     return a.partialPivLu().solve(right);
   }
 
-  void close() {
-    solution_.residual = residual(problem_, solution_.forces);
-    solution_.converged = solution_.residual <= problem_.tolerance;
+  static bool is_first(double weight) { return weight == kProximal.front(); }
+  bool is_solved() const { return solution_.residual <= problem_.goal; }
+
+  void keep_best() {
+    const double now = residual(problem_, forces_);
+    if (!(now < solution_.residual)) return;
+    solution_.residual = now;
+    solution_.forces = forces_;
   }
 
   void name_undecided(const std::vector<Grip>& a, const std::vector<Grip>& b) {
+    solution_.undecided.clear();
     for (std::size_t i = 0; i < a.size(); ++i)
       if (a[i] != b[i]) solution_.undecided.push_back(i);
   }
 
   const FrictionalProblem& problem_;
-  FrictionalSolution solution_;
+  Eigen::VectorXd forces_;       ///< of the last active set
+  FrictionalSolution solution_;  ///< with the best forces seen
 };
 
 }  // namespace

@@ -23,12 +23,11 @@ void sweep_once(const FrictionalProblem& p, Eigen::VectorXd& forces) {
 }  // namespace
 
 FrictionalSolution sweep(const FrictionalProblem& problem, FrictionalSolution solution) {
-  if (!solution.forces.allFinite()) solution.forces.setZero();
   while (!solution.converged && solution.sweeps < kMostSweeps) {
     sweep_once(problem, solution.forces);
     ++solution.sweeps;
     solution.residual = residual(problem, solution.forces);
-    solution.converged = solution.residual <= problem.tolerance;
+    solution.converged = solution.residual <= problem.acceptable;
   }
   return solution;
 }

@@ -34,6 +34,7 @@ double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces)
 
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
   FrictionalSolution solution = newton(problem, start);
+  solution.converged = solution.residual <= problem.acceptable;
   return solution.converged ? solution : sweep(problem, std::move(solution));
 }
 

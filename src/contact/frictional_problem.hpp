@@ -15,7 +15,8 @@ struct FrictionalProblem {
   Eigen::MatrixXd w;
   Eigen::VectorXd b;
   std::vector<double> friction;  ///< μ of each contact
-  double tolerance = 0;          ///< of the residual, in the unit of λ
+  double goal = 0;               ///< residual to aim at, in the unit of λ
+  double acceptable = 0;         ///< residual that counts as solved where the goal is out of reach; at least the goal
 
   std::size_t count() const { return friction.size(); }
 };
@@ -27,7 +28,7 @@ struct FrictionalSolution {
   double residual = 0;
   int solves = 0;                      ///< linear solves
   int sweeps = 0;                      ///< of projected Gauss-Seidel, 0 if it was not needed
-  bool converged = false;              ///< residual ≤ tolerance
+  bool converged = false;              ///< residual ≤ acceptable
   std::vector<std::size_t> undecided;  ///< contacts whose state went round in a cycle
 };
 
@@ -42,7 +43,8 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
 /// Largest change of λ by the natural map: zero at the solution and only there.
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 
-/// Newton on the natural map from `start`; where that goes round in a cycle, projected Gauss-Seidel from there.
+/// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel from
+/// the best forces it saw.
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start);
 
 }  // namespace keyblock

@@ -20,6 +20,10 @@ CutResult blocks_of(const Problem& problem) {
   return {std::get<Blocks>(problem.geometry), {}, {}, {}};
 }
 
+void append(Warnings& warnings, const Warnings& more) {
+  warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
 // What the files ask for that this profile does not do is said, not dropped in silence.
 Warnings not_modelled(const Blocks& blocks, const Analysis& analysis) {
   Warnings warnings;
@@ -34,6 +38,13 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis) {
   if (std::ranges::any_of(analysis.block_materials, damped))
     warn("damping_without_effect", "the damping of block materials is read, but has no effect, as in the old program");
   return warnings;
+}
+
+Warnings not_in_standard(const Analysis& analysis) {
+  const auto bonded = [](const JointMaterial& m) { return m.cohesion != 0 || m.tensile_strength != 0; };
+  if (std::ranges::none_of(analysis.joint_materials, bonded)) return {};
+  return {{"joint_strength_without_effect", analysis.place,
+           "cohesion and tensile strength of joints are read, but have no effect in profile standard yet"}};
 }
 
 // Motions belong to points by their order: a point lost in cutting would give its motion to another.
@@ -70,10 +81,12 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   for (const auto& [name, value] : overrides) set(settings, name, value);
   CutResult cut = blocks_of(problem);
   require_points(cut.blocks, *problem.analysis);
-  const Warnings more = not_modelled(cut.blocks, *problem.analysis);
-  cut.warnings.insert(cut.warnings.end(), more.begin(), more.end());
+  append(cut.warnings, not_modelled(cut.blocks, *problem.analysis));
   Model model = model_from_blocks(cut.blocks, *problem.analysis);
-  if (settings.dynamics == Dynamics::standard) model = standard_model(std::move(model), settings, cut.blocks.place);
+  if (settings.dynamics == Dynamics::standard) {
+    model = standard_model(std::move(model), settings, cut.blocks.place);
+    append(cut.warnings, not_in_standard(*problem.analysis));
+  }
   Requirements needs = requirements(model, settings);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,

@@ -16,6 +16,8 @@ constexpr double kNoOverlap = 1e-14;
 constexpr int kMostPasses = 10;
 // Impulses are settled at this share of the largest momentum.
 constexpr double kImpulseTolerance = 1e-13;
+// In assemblies the goal may be out of reach; a residual this much larger still counts.
+constexpr double kLooser = 1e4;
 constexpr double kSmallest = 1e-300;  // a tolerance is never zero
 
 Touches joined(const Touches& a, const Touches& b) {
@@ -58,10 +60,11 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
     for (std::size_t i = impacts.size(); i < all.size(); ++i) room[i] -= std::min(before[i], 0.0);
     if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable; })) break;
     const ContactRows rows = contact_rows(scene.model, scene.reference, q, all);
-    FrictionalProblem problem{contact_matrix(rows, blocks), {}, std::vector<double>(all.size(), 0), 0};
+    FrictionalProblem problem{contact_matrix(rows, blocks), {}, std::vector<double>(all.size(), 0)};
     problem.b = Eigen::VectorXd::Zero(problem.w.rows());
     for (std::size_t i = 0; i < all.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
-    problem.tolerance = tolerable / problem.w.diagonal().maxCoeff();
+    problem.goal = tolerable / problem.w.diagonal().maxCoeff();
+    problem.acceptable = kLooser * problem.goal;
     const Eigen::VectorXd push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
     q = plus(q, 1, answer(rows, blocks, push));
   }
@@ -74,8 +77,9 @@ UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, con
   for (const Party& party : parties) touches.push_back(party.touch);
   const ContactRows rows = contact_rows(scene.model, scene.reference, q, touches);
   const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
-  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), friction_of(scene, touches),
-                            kImpulseTolerance * momentum_of(scene, v) + kSmallest};
+  const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
+  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), friction_of(scene, touches), goal,
+                            kLooser * goal};
   for (std::size_t i = 0; i < parties.size(); ++i)
     problem.b[static_cast<Eigen::Index>(2 * i)] -= scene.settings.standard.restitution * parties[i].approach;
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;

@@ -20,7 +20,7 @@ constexpr double kTolerable = 1e-9;
 class SmoothSolve {
  public:
   SmoothSolve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const Touches& touches,
-              double tolerance, double dt)
+              const ForceTolerance& tolerance, double dt)
       : scene_(scene), start_(start), touches_(touches), tolerance_(tolerance), dt_(dt) {
     for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
   }
@@ -73,7 +73,8 @@ class SmoothSolve {
     const Eigen::VectorXd from_estimate = rates(rows, plus(free_, -1, estimate));
     // θv dt times the slip velocity at the end of the step.
     const Eigen::VectorXd slip = rates(rows, plus(free_, -(1 - theta()) * dt_, start_.v));
-    FrictionalProblem problem{contact_matrix(rows, inverse_), slip, friction_of(scene_, touches_), tolerance_};
+    FrictionalProblem problem{contact_matrix(rows, inverse_), slip, friction_of(scene_, touches_), tolerance_.goal,
+                              tolerance_.acceptable};
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       problem.b[n] = gap_of(touches_[i], end) + from_estimate[n];
@@ -117,7 +118,7 @@ class SmoothSolve {
   const StandardScene& scene_;
   const Motion& start_;
   const Touches& touches_;
-  double tolerance_;
+  ForceTolerance tolerance_;
   double dt_;
   Table<ElementIndex, UnknownBlock> inverse_;
   UnknownsTable free_;  ///< increments without contact
@@ -127,8 +128,8 @@ class SmoothSolve {
 }  // namespace
 
 SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
-                          const Touches& touches, double force_tolerance, double dt) {
-  return SmoothSolve(scene, start, loads, touches, force_tolerance, dt).run();
+                          const Touches& touches, const ForceTolerance& tolerance, double dt) {
+  return SmoothSolve(scene, start, loads, touches, tolerance, dt).run();
 }
 
 }  // namespace keyblock

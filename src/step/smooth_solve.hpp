@@ -7,6 +7,12 @@
 
 namespace keyblock {
 
+/// Residual of contact forces: the one to reach, and the one that counts as solved where it is out of reach.
+struct ForceTolerance {
+  double goal = 0;
+  double acceptable = 0;
+};
+
 struct SmoothMotion {
   UnknownsTable q;         ///< at the end of the step
   UnknownsTable v;         ///< at the end of the step
@@ -22,6 +28,6 @@ struct SmoothMotion {
 /// The normal law is in positions at the end of the step, friction in velocities, G along the mid-step normal
 /// (Moreau 1988, Jean 1999); with springs, both have the compliance of the spring.
 SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
-                          const Touches& touches, double force_tolerance, double dt);
+                          const Touches& touches, const ForceTolerance& tolerance, double dt);
 
 }  // namespace keyblock
