@@ -58,7 +58,7 @@ TEST(StandardImpact, restitution_is_the_chosen_one_at_any_step_and_place_of_impa
       }
     }
   }
-  fmt::print("restitution: worst error {:.1e}\n", worst);
+  RecordProperty("worst_error", fmt::format("{:.1e}", worst));
 }
 
 // dda-13: v1' = (P - m2 e (v1-v2))/M, v2' = (P + m1 e (v1-v2))/M; momentum to round-off.
@@ -126,7 +126,6 @@ TEST(StandardImpact, a_dropped_block_bounces_without_gaining_energy) {
         EXPECT_GE(lowest, -1e-12);
         EXPECT_LE(top, e * e * (1 + 1e-10)) << "e " << e << ", dt " << dt;
         EXPECT_GE(top, e * e * (1 - 2e-5)) << "e " << e << ", dt " << dt;
-        fmt::print("drop, e {} dt {}: effective e {:.6f}\n", e, dt, std::sqrt(top));
       }
     }
   }
