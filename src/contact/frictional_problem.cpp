@@ -35,7 +35,12 @@ double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces)
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
   FrictionalSolution solution = newton(problem, start);
   solution.converged = solution.residual <= problem.acceptable;
-  return solution.converged ? solution : sweep(problem, std::move(solution));
+  if (!solution.converged) solution = sweep(problem, std::move(solution));
+  // Round-off on an open contact would pass for a closed one.
+  const NaturalMap map = natural_map(problem, solution.forces);
+  for (std::size_t i = 0; i < problem.count(); ++i)
+    if (map.grips[i] == Grip::open) solution.forces.segment<2>(static_cast<Eigen::Index>(2 * i)).setZero();
+  return solution;
 }
 
 }  // namespace keyblock

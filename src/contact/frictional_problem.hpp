@@ -44,7 +44,7 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 
 /// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel from
-/// the best forces it saw.
+/// the best forces it saw. The forces of open contacts are exactly zero.
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start);
 
 }  // namespace keyblock

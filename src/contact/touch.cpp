@@ -15,11 +15,12 @@ constexpr double kTie = 1e-9;
 struct Edge {
   VertexIndex start;
   VertexIndex end;
+  bool is_inner = false;
 };
 
 class PairTouches {
  public:
-  PairTouches(const Outline& a, const Outline& b, const Table<VertexIndex, Point>& vertices, double reach)
+  PairTouches(const ConvexPiece& a, const ConvexPiece& b, const Table<VertexIndex, Point>& vertices, double reach)
       : vertices_(vertices), reach_(reach) {
     const Reference of_a = best_edge(a, b);
     const Reference of_b = best_edge(b, a);
@@ -29,8 +30,9 @@ class PairTouches {
   }
 
   Touches run() const {
-    if (reference_.separation > reach_) return {};
+    if (reference_.separation > reach_ || reference_.edge.is_inner) return {};
     const Edge facing = most_opposed();
+    if (facing.is_inner) return {};
     // Stretch along the line of reference: that of the line itself, and the facing edge, which runs against it.
     const double own_low = 0;
     const double own_high = length(along(reference_.edge));
@@ -51,23 +53,27 @@ class PairTouches {
 
   Point at(VertexIndex v) const { return vertices_[v]; }
   Point along(Edge e) const { return at(e.end) - at(e.start); }
-  static Edge edge_of(const Outline& outline, std::size_t i) {
-    return {outline[i], outline[i + 1 == outline.size() ? 0 : i + 1]};
+  static Edge edge_of(const ConvexPiece& piece, std::size_t i) {
+    return {piece.corners[i], piece.corners[i + 1 == piece.corners.size() ? 0 : i + 1], piece.is_inner[i]};
   }
 
-  double separation(Edge edge, const Outline& from) const {
+  double separation(Edge edge, const ConvexPiece& from) const {
     const Point direction = (1 / length(along(edge))) * along(edge);
     double least = std::numeric_limits<double>::infinity();
-    for (VertexIndex v : from) least = std::min(least, -cross(direction, at(v) - at(edge.start)));
+    for (VertexIndex v : from.corners) least = std::min(least, -cross(direction, at(v) - at(edge.start)));
     return least;
   }
 
-  Reference best_edge(const Outline& of, const Outline& from) const {
+  // An inner edge leads only if it leads clearly: it may lie on one line with an edge of the boundary.
+  Reference best_edge(const ConvexPiece& of, const ConvexPiece& from) const {
     Reference best;
-    for (std::size_t i = 0; i < of.size(); ++i) {
+    for (std::size_t i = 0; i < of.corners.size(); ++i) {
       const Edge edge = edge_of(of, i);
       const double value = separation(edge, from);
-      if (value > best.separation + kTie * length(along(edge)) || i == 0) best = {edge, value};
+      const double tie = kTie * length(along(edge));
+      const bool leads = value > best.separation + tie;
+      const bool replaces_inner = best.edge.is_inner && !edge.is_inner && value >= best.separation - tie;
+      if (i == 0 || leads || replaces_inner) best = {edge, value};
     }
     return best;
   }
@@ -76,7 +82,7 @@ class PairTouches {
     const Point direction = along(reference_.edge);
     Edge best = edge_of(*other_, 0);
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < other_->size(); ++i) {
+    for (std::size_t i = 0; i < other_->corners.size(); ++i) {
       const Edge edge = edge_of(*other_, i);
       const double cosine = dot(along(edge), direction) / length(along(edge));
       if (cosine < least - kTie * length(direction)) {
@@ -98,17 +104,26 @@ class PairTouches {
   const Table<VertexIndex, Point>& vertices_;
   double reach_;
   Reference reference_;
-  const Outline* other_ = nullptr;
+  const ConvexPiece* other_ = nullptr;
 };
 
 }  // namespace
 
-Touches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, Outline>& outlines,
+Touches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
                      const Table<VertexIndex, Point>& vertices, double reach) {
   Touches touches;
   for (const auto& [a, b] : pairs) {
-    const Touches of_pair = PairTouches(outlines[a], outlines[b], vertices, reach).run();
-    touches.insert(touches.end(), of_pair.begin(), of_pair.end());
+    Touches of_pair;
+    for (const ConvexPiece& of_a : pieces[a]) {
+      for (const ConvexPiece& of_b : pieces[b]) {
+        const Touches found = PairTouches(of_a, of_b, vertices, reach).run();
+        of_pair.insert(of_pair.end(), found.begin(), found.end());
+      }
+    }
+    // Pieces of one element share corners.
+    std::ranges::sort(of_pair);
+    const auto repeated = std::ranges::unique(of_pair);
+    touches.insert(touches.end(), of_pair.begin(), repeated.begin());
   }
   return touches;
 }

@@ -39,7 +39,7 @@ StandardScene standard_scene(Model model, Settings settings) {
   StandardScene scene{std::move(model), std::move(settings), {}, {}, {}};
   scene.reference = reference_of(scene.model, scene.settings);
   scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
-  for (ElementIndex e : indices(scene.model.elements)) scene.outlines.push_back(convex_outline(scene.model, e));
+  for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
   return scene;
 }
 
@@ -47,9 +47,9 @@ std::string unsupported(const StandardScene& scene) {
   if (has_held_moving_element(scene.model))
     return "expected every held block to have two fixed points that are not driven: one fixed point or a driven one "
            "needs profile legacy";
-  for (ElementIndex e : indices(scene.outlines))
-    if (scene.outlines[e].empty())
-      return fmt::format("expected convex blocks without holes, found block {}: it needs profile legacy", e.value + 1);
+  for (ElementIndex e : indices(scene.pieces))
+    if (scene.pieces[e].empty())
+      return fmt::format("expected blocks without holes, found one in block {}: it needs profile legacy", e.value + 1);
   return {};
 }
 
@@ -102,7 +102,7 @@ Touches touches_of(const StandardScene& scene, const Motion& motion, const Scale
   std::erase_if(pairs, [&](const ElementPair& pair) {
     return motion.q[pair.lower].size() + motion.q[pair.upper].size() == 0;  // neither can move
   });
-  return find_touches(pairs, scene.outlines, state.vertices, reach);
+  return find_touches(pairs, scene.pieces, state.vertices, reach);
 }
 
 std::vector<double> friction_of(const StandardScene& scene, const Touches& touches) {

@@ -16,7 +16,7 @@ struct StandardScene {
   Settings settings;
   Reference reference;
   Bodies bodies;
-  Table<ElementIndex, Outline> outlines;
+  Table<ElementIndex, ConvexPieces> pieces;
 
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }

@@ -54,6 +54,7 @@ class Attempt {
     parts_ = split(scene, start, touches, slow_speed(scales_, start.v, dt));
     const double goal = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
     const ForceTolerance tolerance{goal, std::max(goal, kForceAcceptable * scales_.force)};
+    least_force_ = goal;
     smooth_ = smooth_solve(scene, start, loads, parts_.smooth, tolerance, dt);
   }
 
@@ -76,10 +77,13 @@ class Attempt {
  private:
   double normal(std::size_t i) const { return smooth_.forces[static_cast<Eigen::Index>(2 * i)]; }
 
+  // A force below the residual is none.
+  bool is_closed(std::size_t i) const { return normal(i) > least_force_; }
+
   Touches closed_touches() const {
     Touches closed;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i)
-      if (normal(i) > 0) closed.push_back(parts_.smooth[i]);
+      if (is_closed(i)) closed.push_back(parts_.smooth[i]);
     return closed;
   }
 
@@ -111,7 +115,7 @@ class Attempt {
 
   void remember() {
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
-      if (normal(i) <= 0) continue;
+      if (!is_closed(i)) continue;
       const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
       step_.motion.closed[parts_.smooth[i]] = {normal(i), tangential, -tangential / scene_.tangential_stiffness()};
     }
@@ -120,6 +124,7 @@ class Attempt {
   const StandardScene& scene_;
   const Motion& start_;
   double dt_;
+  double least_force_ = 0;
   Scales scales_;
   Split parts_;
   SmoothMotion smooth_;

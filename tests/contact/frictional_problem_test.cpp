@@ -57,6 +57,15 @@ TEST(FrictionalProblem, sweeps_find_what_newton_finds) {
   EXPECT_LE((exact.forces - swept.forces).norm(), 1e-10);
 }
 
+// Two contacts on one bar: the far one opens. Its force must be zero to the bit, or it passes for closed.
+TEST(FrictionalProblem, an_open_contact_has_no_force_at_all) {
+  FrictionalProblem problem{Eigen::Matrix4d::Identity(), Eigen::Vector4d(-10, 0.1, 1e-9, 0.2), {0.5, 0.5}, 1e-9, 1e-9};
+  problem.w(0, 2) = problem.w(2, 0) = 1e-17;
+  const Eigen::VectorXd forces = solve(problem, Eigen::Vector4d(10, -0.1, 1e-11, 0)).forces;
+  EXPECT_EQ(forces[2], 0);
+  EXPECT_EQ(forces[3], 0);
+}
+
 TEST(FrictionalProblem, a_solution_at_the_start_costs_no_solve) {
   const FrictionalProblem problem = one_contact(10, 3, 0.5);
   EXPECT_EQ(solve(problem, Eigen::Vector2d(10, -3)).solves, 0);

@@ -18,10 +18,10 @@ Touches touches_between(const BlockPolygon& a, const BlockPolygon& b, double rea
   Blocks blocks;
   blocks.blocks = {a, b};
   const Model model = model_from_blocks(blocks, testing::plain_analysis(1, 1));
-  const Table<ElementIndex, Outline> outlines{convex_outline(model, {0}), convex_outline(model, {1})};
+  const Table<ElementIndex, ConvexPieces> pieces{convex_pieces(model, {0}), convex_pieces(model, {1})};
   Table<VertexIndex, Point> vertices;
   vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
-  Touches touches = find_touches({{{0}, {1}}}, outlines, vertices, reach);
+  Touches touches = find_touches({{{0}, {1}}}, pieces, vertices, reach);
   std::ranges::sort(touches);
   return touches;
 }
@@ -53,6 +53,18 @@ TEST(Touch, a_block_on_its_corner_meets_the_floor_with_that_corner) {
 TEST(Touch, blocks_out_of_reach_or_past_each_other_do_not_meet) {
   EXPECT_TRUE(touches_between(rectangle({0, -1}, {5, 0}), rectangle({1, 0.2}, {2, 1})).empty());
   EXPECT_TRUE(touches_between(rectangle({0, -1}, {5, 0}), rectangle({5.05, 0.01}, {6, 1})).empty());
+}
+
+// An L: floor and wall in one block, cut from its reflex corner (vertex 3). A block in the corner rests on both.
+TEST(Touch, a_block_in_the_corner_of_an_l_meets_its_floor_and_its_wall) {
+  const BlockPolygon l{0, {{{0, 0}, 0}, {{5, 0}, 0}, {{5, 1}, 0}, {{1, 1}, 0}, {{1, 4}, 0}, {{0, 4}, 0}}, {}};
+  const Touches found = touches_between(l, rectangle({1, 1}, {2, 2}));
+  const Touch on_floor{{7}, {2}, {3}};
+  const Touch on_wall{{9}, {3}, {4}};
+  EXPECT_TRUE(std::ranges::find(found, on_floor) != found.end());
+  EXPECT_TRUE(std::ranges::find(found, on_wall) != found.end());
+  for (const Touch& touch : found)
+    EXPECT_TRUE(touch.start == VertexIndex{2} || touch.start == VertexIndex{3} || touch.start.value > 5);
 }
 
 }  // namespace keyblock
