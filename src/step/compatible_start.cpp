@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/compatible_start.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <algorithm>
 
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
@@ -15,6 +18,9 @@ constexpr int kRounds = 3;
 constexpr int kRigidUnknowns = 3;
 // Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
 constexpr double kTouching = 1e-6;
+constexpr double kRedundant = 1e-5;  // pivots of scaled W below this share of the largest are taken as zero
+// A block that shifts by more than this times all gaps together is thrown about, not settled.
+constexpr double kLeverage = 10;
 constexpr double kForceTolerance = 1e-12;  // of the largest force on a block
 constexpr double kLooser = 1e6;            // what counts as solved where the goal is out of reach
 
@@ -30,8 +36,8 @@ class Settling {
     touches_ = resting(touches_of(scene_, motion_, scales, scene_.settings.time_step), scales);
   }
 
-  Motion run() {
-    if (tolerance_ == 0) return std::move(motion_);
+  CompatibleStart run() {
+    if (tolerance_ == 0) return {std::move(motion_), {}};
     for (int round = 0; round < kRounds; ++round) {
       rows_ = contact_rows(scene_.model, scene_.reference, motion_.q, touches_);
       find_forces();
@@ -39,7 +45,8 @@ class Settling {
       shift();
     }
     remember();
-    return std::move(motion_);
+    const std::string failure = greatest_shift_ > kLeverage * asked_ ? too_far() : std::string();
+    return {std::move(motion_), failure};
   }
 
  private:
@@ -94,8 +101,29 @@ class Settling {
     }
     if (missing.empty()) return;
     const Eigen::Map<const Eigen::VectorXd> right(missing.data(), static_cast<Eigen::Index>(missing.size()));
-    const Eigen::VectorXd push = contact_matrix(normals, rigid_).completeOrthogonalDecomposition().solve(right);
-    motion_.q = plus(motion_.q, 1, answer(normals, rigid_, push));
+    const UnknownsTable by = answer(normals, rigid_, least_push(contact_matrix(normals, rigid_), right));
+    motion_.q = plus(motion_.q, 1, by);
+    asked_ += right.cwiseAbs().sum();
+    for (ElementIndex e : indices(by))
+      if (by[e].size() > 0) greatest_shift_ = std::max(greatest_shift_, by[e].head<2>().norm());
+  }
+
+  // W is scaled to a unit diagonal, so that heavy blocks count as light ones. Blocks wedged among blocks make it all but
+  // singular: combinations of pushes that would close a gap by a large shift only are left to the elastic contact.
+  static Eigen::VectorXd least_push(const Eigen::MatrixXd& w, const Eigen::VectorXd& right) {
+    const Eigen::VectorXd scale = w.diagonal().cwiseSqrt().cwiseInverse();
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
+    inverse.setThreshold(kRedundant);
+    inverse.compute(scale.asDiagonal() * w * scale.asDiagonal());
+    return scale.asDiagonal() * inverse.solve(scale.asDiagonal() * right);
+  }
+
+  std::string too_far() const {
+    return fmt::format(
+        "no compatible start was found: blocks would have to shift by {:.3g} to close gaps of {:.3g} in all; choose "
+        "start = "
+        "sudden",
+        greatest_shift_, asked_);
   }
 
   void remember() {
@@ -128,11 +156,13 @@ class Settling {
   ContactRows rows_;
   Eigen::VectorXd forces_;
   UnknownsTable acceleration_;
+  double asked_ = 0;           ///< sum of all gaps that shifts were to close
+  double greatest_shift_ = 0;  ///< of one block in one round
 };
 
 }  // namespace
 
-Motion compatible(const StandardScene& scene, Motion motion) {
+CompatibleStart compatible(const StandardScene& scene, Motion motion) {
   return Settling(scene, std::move(motion)).run();
 }
 

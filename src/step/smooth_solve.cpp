@@ -13,9 +13,10 @@ namespace {
 
 // Increments that change by less than this share of block size are settled: a hundred times round-off of a position.
 constexpr double kSettled = 1e-12;
-// One to three rounds are usual; a gap that still moves by more than the second figure after the last one is a failure.
-constexpr int kMostRounds = 20;
-constexpr double kTolerable = 1e-9;
+// One to three rounds are usual. What still moves after the last one, by less than the second figure, is left as a gap error
+// of that size for the next step to close; more is a failure.
+constexpr int kMostRounds = 8;
+constexpr double kTolerable = 1e-6;
 
 class SmoothSolve {
  public:

@@ -18,9 +18,9 @@ bool has_initial_stress(const StandardScene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return (body.initial_stress.array() != 0).any(); });
 }
 
-Motion first_motion(const StandardScene& scene) {
+CompatibleStart first_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
-  if (scene.settings.standard.start == StartRule::sudden || has_initial_stress(scene)) return motion;
+  if (scene.settings.standard.start == StartRule::sudden || has_initial_stress(scene)) return {std::move(motion), {}};
   return compatible(scene, std::move(motion));
 }
 
@@ -68,11 +68,14 @@ StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(sce
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
   unloaded_ = state_of(scene_, start_motion(scene_));
-  motion_ = first_motion(scene_);
+  CompatibleStart first = first_motion(scene_);
+  start_failure_ = std::move(first.failure);
+  motion_ = start_failure_.empty() ? std::move(first.motion) : start_motion(scene_);
   state_ = state_of(scene_, motion_);
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance() {
+  if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   const double dt = scene_.settings.time_step;
   Motion start = motion_;
   for (Unknowns& v : start.v) v *= scene_.settings.velocity_carry_over;

@@ -25,6 +25,7 @@ class StandardStepper : public Stepper {
 
   StandardScene scene_;
   Motion motion_;
+  std::string start_failure_;  ///< said by the first step; empty for a start that was found
   State unloaded_;
   State state_;
 };
