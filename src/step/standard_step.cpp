@@ -18,7 +18,8 @@ constexpr double kForceGoal = 1e-10;
 constexpr double kForceAcceptable = 1e-6;
 // Where nothing loads the blocks, forces come from momentum alone: the same over momentum / dt.
 constexpr double kMomentumGoal = 1e-13;
-// Gap below which an impact takes part in the jump, over block size: the corners of a flat impact meet within round-off.
+// Touches that overlapped take part in the jump, and those with a gap below this share of block size: the corners of a flat
+// impact meet within round-off.
 constexpr double kMeeting = 1e-10;
 
 struct Split {
@@ -96,8 +97,8 @@ class Attempt {
     std::vector<Party> parties;
     for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
       const Touch& touch = parts_.impacts[i];
-      if (gap_of(touch, after) > kMeeting * scales_.size) continue;
       const double overshoot = std::max(0.0, -gap_of(touch, before));
+      if (overshoot == 0 && gap_of(touch, after) > kMeeting * scales_.size) continue;
       parties.push_back(
           {touch, surface_speed(parts_.impact_speeds[i], speeds[static_cast<Eigen::Index>(2 * i)], overshoot)});
     }
