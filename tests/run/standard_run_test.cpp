@@ -61,6 +61,10 @@ TEST(StandardRun, a_scene_it_cannot_run_is_refused_with_the_reason) {
   std::get<Blocks>(hanging.geometry).fixed_points.push_back({{0.5, 0.5}, 1, {}});
   EXPECT_THROW(prepare(hanging, "standard", {}), InputError);
   EXPECT_NO_THROW(prepare(hanging, "legacy", {}));
+  Problem notched = block_on_floor();
+  BlockLoop& floor = std::get<Blocks>(notched.geometry).blocks[0].outer;
+  floor.insert(floor.begin() + 1, {{0.5, -0.9}, 0});
+  EXPECT_THROW(prepare(notched, "standard", {}), InputError);
   Problem bonded = block_on_floor();
   bonded.analysis->joint_materials[0].cohesion = 1e5;
   const Prepared prepared = prepare(bonded, "standard", {});
