@@ -41,4 +41,16 @@ const Basis& affine_basis() {
   return basis;
 }
 
+const Basis& rigid_basis() {
+  static const Basis basis{affine_basis().constant.leftCols(3), affine_basis().per_x.leftCols(3),
+                           affine_basis().per_y.leftCols(3), 2};
+  return basis;
+}
+
+const Basis& fixed_basis() {
+  static const Basis basis{DisplacementOperator::Zero(2, 0), DisplacementOperator::Zero(2, 0),
+                           DisplacementOperator::Zero(2, 0), -1};
+  return basis;
+}
+
 }  // namespace keyblock

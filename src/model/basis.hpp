@@ -44,4 +44,10 @@ struct Basis {
 ///     T = [1 0 -Y X 0 Y/2; 0 1 X 0 Y X/2].
 const Basis& affine_basis();
 
+/// A body that moves without deforming: u, v, r, the first three columns of the affine basis.
+const Basis& rigid_basis();
+
+/// A body that does not move: no unknowns.
+const Basis& fixed_basis();
+
 }  // namespace keyblock

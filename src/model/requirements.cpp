@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "model/choose_basis.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -17,6 +19,24 @@ bool has_weight(const Model& model, const Settings& settings) {
 std::size_t loaded_points(const Model& model) {
   return static_cast<std::size_t>(
       std::ranges::count_if(model.loading_points, [](const CarriedPoint& p) { return !p.curve.times.empty(); }));
+}
+
+std::size_t elements_with(const Model& model, int unknowns) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      model.elements, [&](const Element& element) { return element.basis->unknown_count() == unknowns; }));
+}
+
+std::size_t deforming_elements(const Model& model) {
+  return elements_with(model, affine_basis().unknown_count());
+}
+
+std::string bases(const Model& model) {
+  const std::size_t count = model.elements.size();
+  if (deforming_elements(model) == count)
+    return fmt::format("affine, 6 unknowns each, for all {} blocks (Shi's block)", count);
+  return fmt::format("affine, 6 unknowns each, for {} blocks; rigid, 3, for {}; fixed, none, for {} held blocks",
+                     deforming_elements(model), elements_with(model, rigid_basis().unknown_count()),
+                     elements_with(model, 0));
 }
 
 }  // namespace
@@ -48,16 +68,18 @@ bool Requirements::has(TermKind term) const {
 Requirements requirements(const Model& model, const Settings& settings) {
   Requirements needs;
   for (const Element& element : model.elements) needs.unknowns += element.basis->unknown_count();
-  needs.basis = fmt::format("affine, 6 unknowns each, for all {} blocks (Shi's block)", model.elements.size());
+  needs.basis = bases(model);
   needs.terms.push_back({TermKind::inertia, settings.velocity_carry_over == 0
                                                 ? "static: mass steadies the step, velocity is zeroed each step"
                                                 : "dynamic: velocity is carried from step to step"});
-  needs.terms.push_back({TermKind::elastic, "blocks deform"});
-  needs.terms.push_back({TermKind::initial_stress, "blocks carry stress from step to step"});
+  if (deforming_elements(model) > 0) {
+    needs.terms.push_back({TermKind::elastic, "blocks deform"});
+    needs.terms.push_back({TermKind::initial_stress, "blocks carry stress from step to step"});
+  }
   if (has_weight(model, settings)) needs.terms.push_back({TermKind::body_force, "blocks have weight"});
   if (const auto count = loaded_points(model))
     needs.terms.push_back({TermKind::point_load, fmt::format("{} loading points carry a load", count)});
-  if (!model.fixed_points.empty())
+  if (has_held_moving_element(model))
     needs.terms.push_back({TermKind::fixed_point, fmt::format("{} fixed points", model.fixed_points.size())});
   if (model.elements.size() > 1)
     needs.terms.push_back({TermKind::contact, fmt::format("{} blocks may touch", model.elements.size())});

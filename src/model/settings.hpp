@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/standard_choices.hpp"
 #include "problem/analysis.hpp"
 #include "problem/drawing.hpp"
 
@@ -48,6 +49,8 @@ struct Settings {
   int redo_limit = 200;  ///< redone attempts at one step before the run is given up
   OpenCloseConstants open_close;
   BerkeleyQuirks quirks;
+  Dynamics dynamics = Dynamics::shi;
+  StandardChoices standard;  ///< read by Dynamics::standard alone
 };
 
 }  // namespace keyblock

@@ -8,9 +8,11 @@
 #include <array>
 #include <cmath>
 
+#include "model/choose_basis.hpp"
 #include "model/from_blocks.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
+#include "step/standard_scene.hpp"
 
 namespace keyblock {
 namespace {
@@ -51,6 +53,13 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   return warnings;
 }
 
+Warnings not_in_standard(const Analysis& analysis) {
+  const auto bonded = [](const JointMaterial& m) { return m.cohesion != 0 || m.tensile_strength != 0; };
+  if (std::ranges::none_of(analysis.joint_materials, bonded)) return {};
+  return {{"joint_strength_without_effect", analysis.place,
+           "cohesion and tensile strength of joints are read, but have no effect in profile standard yet"}};
+}
+
 // Motions belong to points by their order: a point lost in cutting would give its motion to another.
 void require_points(const Blocks& blocks, const Analysis& analysis) {
   if (blocks.blocks.empty()) throw InputError(blocks.place, "expected at least one block, found none");
@@ -58,6 +67,14 @@ void require_points(const Blocks& blocks, const Analysis& analysis) {
   if (motions != 0 && motions != blocks.fixed_points.size())
     throw InputError(analysis.place, fmt::format("expected motions of the {} fixed points of the geometry, found {}",
                                                  blocks.fixed_points.size(), motions));
+}
+
+// The model with the bases of `standard`. Throws InputError for a scene that these dynamics cannot run.
+Model standard_model(Model model, const Settings& settings, const Place& place) {
+  model = with_bases(std::move(model), settings.standard.basis);
+  const std::string why = unsupported(standard_scene(model, settings));
+  if (!why.empty()) throw InputError(place, why);
+  return model;
 }
 
 Place place_of(const Problem& problem) {
@@ -79,6 +96,10 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   Model model = model_from_blocks(cut.blocks, *problem.analysis);
+  if (settings.dynamics == Dynamics::standard) {
+    model = standard_model(std::move(model), settings, cut.blocks.place);
+    cut.warnings = joined(std::move(cut.warnings), not_in_standard(*problem.analysis));
+  }
   Requirements needs = requirements(model, settings);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,

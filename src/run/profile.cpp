@@ -46,12 +46,25 @@ Settings legacy(const Analysis& analysis) {
   return settings;
 }
 
+// What theory asks for: the file's scene, materials and step; none of the old programs' rules. Native files give each material
+// its own weight; `Gravaccel` of a DDAML file is one acceleration for all.
+Settings standard(const Analysis& analysis) {
+  Settings settings = legacy(analysis);
+  settings.dynamics = Dynamics::standard;
+  settings.step_control = StepControl::constant;
+  settings.penalty_control = PenaltyControl::constant;
+  settings.rotation = Rotation::exact;
+  settings.quirks = {false, false, false, false, false, false, false, false, false, false, false, false};
+  settings.quirks.weight_of_first_material = analysis.gravity.has_value();
+  return settings;
+}
+
 struct Profile {
   const char* name;
   Settings (*settings)(const Analysis&);
 };
 
-constexpr std::array<Profile, 1> kProfiles{{{"legacy", legacy}}};
+constexpr std::array<Profile, 2> kProfiles{{{"legacy", legacy}, {"standard", standard}}};
 
 }  // namespace
 

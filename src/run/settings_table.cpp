@@ -45,6 +45,12 @@ Choice choice(E Settings::*member, std::vector<std::string> names) {
           [member](Settings& s, int value) { s.*member = static_cast<E>(value); }};
 }
 
+template <class E>
+Choice choice(E StandardChoices::*member, std::vector<std::string> names) {
+  return {std::move(names), [member](const Settings& s) { return static_cast<int>(s.standard.*member); },
+          [member](Settings& s, int value) { s.standard.*member = static_cast<E>(value); }};
+}
+
 Choice quirk(bool BerkeleyQuirks::*member) {
   return {{"off", "on"},
           [member](const Settings& s) { return s.quirks.*member ? 1 : 0; },
@@ -109,6 +115,20 @@ const std::vector<Row>& table() {
       {"quirk.fixed_pass_bound", "rules 11.1: 8 passes whatever the limit", quirk(&BerkeleyQuirks::fixed_pass_bound)},
       {"quirk.step_rule_by_time", "rules 13: time in place of the displacement ratio",
        quirk(&BerkeleyQuirks::step_rule_by_time)},
+      {"dynamics", "whose step is made; the choices below belong to `standard`",
+       choice(&Settings::dynamics, {"shi", "standard"})},
+      {"basis", "unknowns of a block that may move: 3 or 6", choice(&StandardChoices::basis, {"rigid", "affine"})},
+      {"enforcement", "contact forces by multipliers or by springs of the contact stiffness",
+       choice(&StandardChoices::enforcement, {"lagrange", "penalty"})},
+      {"start", "strains and contact forces at the start", choice(&StandardChoices::start, {"compatible", "sudden"})},
+      {"strain_damping", "stiffness damping of the strain modes",
+       choice(&StandardChoices::strain_damping, {"critical", "none"})},
+      {"velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order",
+       Real{[](Settings& s) -> double& { return s.standard.velocity_weight; }, 0.5, false, 1}},
+      {"force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
+       Real{[](Settings& s) -> double& { return s.standard.force_weight; }, 0.5, false, 1}},
+      {"restitution", "rebound over approach speed of an impact",
+       Real{[](Settings& s) -> double& { return s.standard.restitution; }, 0, false, 1}},
   };
   return rows;
 }

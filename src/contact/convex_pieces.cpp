@@ -1,0 +1,119 @@
+// Cuts at one reflex corner after another, each time along the shortest diagonal that makes the corner convex.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/convex_pieces.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "geometry/polygon.hpp"
+#include "geometry/segment.hpp"
+
+namespace keyblock {
+namespace {
+
+// Sine of the turn below which a vertex lies on a straight edge. Cutting leaves vertices where joints meet an edge; drawings
+// carry ten digits, so their turn is far below this, and a corner of less than 0.006 degrees is none to the eye.
+constexpr double kStraightSine = 1e-4;
+
+double sine_of_turn(Point before, Point at, Point after) {
+  const Point arriving = at - before;
+  const Point leaving = after - at;
+  return cross(arriving, leaving) / (length(arriving) * length(leaving));
+}
+
+class Cutter {
+ public:
+  explicit Cutter(const Model& model) : model_(model) {}
+
+  ConvexPieces run(const Element& element) {
+    ConvexPiece whole;
+    for (VertexIndex v : element.vertices()) {
+      const Vertex& vertex = model_.vertices[v];
+      if (std::abs(sine_of_turn(at(vertex.previous), at(v), at(vertex.next))) > kStraightSine)
+        whole.corners.push_back(v);
+    }
+    whole.is_inner.assign(whole.corners.size(), false);
+    cut(whole);
+    return std::move(pieces_);
+  }
+
+ private:
+  Point at(VertexIndex v) const { return model_.start_vertices[static_cast<std::size_t>(v.value)]; }
+  static std::size_t wrapped(const ConvexPiece& p, std::size_t i) { return i % p.corners.size(); }
+  Point corner(const ConvexPiece& p, std::size_t i) const { return at(p.corners[wrapped(p, i)]); }
+
+  void cut(const ConvexPiece& piece) {
+    const std::size_t count = piece.corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (sine_of_turn(corner(piece, i + count - 1), corner(piece, i), corner(piece, i + 1)) > -kStraightSine) continue;
+      const std::optional<std::size_t> end = best_diagonal(piece, i);
+      if (!end) continue;
+      cut(part(piece, i, *end));
+      cut(part(piece, *end, i));
+      return;
+    }
+    pieces_.push_back(piece);
+  }
+
+  // Corners first … last and the diagonal back.
+  static ConvexPiece part(const ConvexPiece& piece, std::size_t first, std::size_t last) {
+    ConvexPiece result;
+    for (std::size_t i = first;; i = wrapped(piece, i + 1)) {
+      result.corners.push_back(piece.corners[i]);
+      result.is_inner.push_back(i == last || piece.is_inner[i]);
+      if (i == last) return result;
+    }
+  }
+
+  std::optional<std::size_t> best_diagonal(const ConvexPiece& piece, std::size_t from) const {
+    const std::size_t count = piece.corners.size();
+    std::optional<std::size_t> best;
+    double least = std::numeric_limits<double>::infinity();
+    bool best_heals = false;
+    for (std::size_t k = 2; k + 1 < count; ++k) {
+      const std::size_t to = wrapped(piece, from + k);
+      if (!is_inside(piece, from, to)) continue;
+      const bool heals = makes_convex(piece, from, to);
+      const double size = distance(corner(piece, from), corner(piece, to));
+      if ((heals && !best_heals) || (heals == best_heals && size < least)) {
+        best = to;
+        least = size;
+        best_heals = heals;
+      }
+    }
+    return best;
+  }
+
+  bool makes_convex(const ConvexPiece& piece, std::size_t from, std::size_t to) const {
+    const std::size_t count = piece.corners.size();
+    const Point here = corner(piece, from);
+    return sine_of_turn(corner(piece, from + count - 1), here, corner(piece, to)) > -kStraightSine &&
+           sine_of_turn(corner(piece, to), here, corner(piece, from + 1)) > -kStraightSine;
+  }
+
+  bool is_inside(const ConvexPiece& piece, std::size_t from, std::size_t to) const {
+    const Segment diagonal{corner(piece, from), corner(piece, to)};
+    std::vector<Point> loop;
+    for (std::size_t i = 0; i < piece.corners.size(); ++i) {
+      loop.push_back(corner(piece, i));
+      const std::size_t next = wrapped(piece, i + 1);
+      if (i == from || i == to || next == from || next == to) continue;
+      if (meeting(diagonal, {corner(piece, i), corner(piece, next)}) != Meeting::none) return false;
+    }
+    return side(loop, point_at(diagonal, 0.5)) == Side::inside;
+  }
+
+  const Model& model_;
+  ConvexPieces pieces_;
+};
+
+}  // namespace
+
+ConvexPieces convex_pieces(const Model& model, ElementIndex e) {
+  const Element& element = model.elements[e];
+  if (element.loop_sizes.size() > 1) return {};
+  return Cutter(model).run(element);
+}
+
+}  // namespace keyblock

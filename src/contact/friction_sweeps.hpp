@@ -1,0 +1,12 @@
+// Projected Gauss-Seidel on frictional contact: slow, but it does not go round in cycles of active sets.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/frictional_problem.hpp"
+
+namespace keyblock {
+
+/// Continues from the forces of `solution`, normal then tangential of each contact in turn (Jean 1999, contact by contact).
+FrictionalSolution sweep(const FrictionalProblem& problem, FrictionalSolution solution);
+
+}  // namespace keyblock

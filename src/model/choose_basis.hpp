@@ -1,0 +1,17 @@
+// Gives each block the unknowns it needs: none where it is held, three or six where it may move.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+namespace keyblock {
+
+/// A block held at two or more places by points that are not driven is `fixed`: two points of a rigid body leave it no
+/// motion, and a file that holds a block so means boundary. Every other block gets `basis`.
+Model with_bases(Model model, BlockBasis basis);
+
+/// True if a fixed point of the model sits on an element that may move.
+bool has_held_moving_element(const Model& model);
+
+}  // namespace keyblock

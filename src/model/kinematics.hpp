@@ -1,0 +1,46 @@
+// Where the points of an element are under exact rotation: x = c + R(θ) (I + ε) X, X from the centroid at the start.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/simplex.hpp"
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+namespace keyblock {
+
+/// Unknowns of all elements: displacement of the centroid, total angle, strain in the frame that turns with the block.
+using UnknownsTable = Table<ElementIndex, Unknowns>;
+
+/// The undeformed blocks, in coordinates of their own: constant during a run.
+struct Reference {
+  Table<ElementIndex, Point> centroids;
+  Table<ElementIndex, Moments> moments;  ///< about the centroid
+  Table<VertexIndex, Point> offsets;     ///< of the vertices from the centroid
+};
+
+Reference reference_of(const Model& model, const Settings& settings);
+
+/// (I + ε) X: the offset of a material point, seen in the block frame.
+Point stretched(const Basis& basis, const Unknowns& q, Point offset);
+
+Point turned(Point p, double angle);
+
+/// The angle of the block frame; 0 for a basis without rotation.
+double angle_of(const Basis& basis, const Unknowns& q);
+
+/// Displacement of the centroid.
+Point translation(const Basis& basis, const Unknowns& q);
+
+/// ∂x/∂q at the material point X, 2 × n. The velocity of the point is this times the rate of q.
+DisplacementOperator jacobian(const Basis& basis, const Unknowns& q, Point offset);
+
+/// The X of the material point that lies at `from_centroid` (in the plane, from the present centroid).
+Point material_offset(const Basis& basis, const Unknowns& q, Point from_centroid);
+
+/// All vertices in the plane.
+Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& reference, const UnknownsTable& q);
+
+/// a + s b, element by element.
+UnknownsTable plus(const UnknownsTable& a, double s, const UnknownsTable& b);
+
+}  // namespace keyblock

@@ -1,0 +1,32 @@
+// The choices of the dynamics beside Shi's: bases, weights of the step, contact law, start, damping.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace keyblock {
+
+/// Which step is made: Shi's, as the old programs do, or midpoint kinematics with contact as complementarity.
+enum class Dynamics { shi, standard };
+
+/// Unknowns of a block that may move; blocks that cannot move are fixed and have none.
+enum class BlockBasis { rigid, affine };
+
+/// How contact forces come about: as multipliers of gaps that do not close, or as springs of finite stiffness.
+enum class Enforcement { lagrange, penalty };
+
+/// compatible: contact forces and strains in equilibrium with the first accelerations; sudden: loads on unstressed blocks.
+enum class StartRule { compatible, sudden };
+
+/// critical: stiffness damping that keeps strain modes from fluttering under steady sliding; none: for wave studies.
+enum class StrainDamping { critical, none };
+
+struct StandardChoices {
+  BlockBasis basis = BlockBasis::affine;
+  Enforcement enforcement = Enforcement::lagrange;
+  StartRule start = StartRule::compatible;
+  StrainDamping strain_damping = StrainDamping::critical;
+  double velocity_weight = 0.5;  ///< of the velocity at the end of the step in its displacement; 1/2 is second order
+  double force_weight = 1;       ///< of the elastic force at the end of the step; Shi 1, average acceleration 1/2
+  double restitution = 0;        ///< rebound over approach speed of an impact
+};
+
+}  // namespace keyblock

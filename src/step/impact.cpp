@@ -1,0 +1,101 @@
+// Projection of positions, jump and clean-up of velocities: three small problems in contact space.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/impact.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+
+#include "contact/frictional_problem.hpp"
+#include "contact/gap.hpp"
+
+namespace keyblock {
+namespace {
+
+// Overlap of this share of block size is round-off of a position; linearised passes get there in two or three.
+constexpr double kNoOverlap = 1e-14;
+constexpr int kMostPasses = 10;
+// Impulses are settled at this share of the largest momentum.
+constexpr double kImpulseTolerance = 1e-13;
+// In assemblies the goal may be out of reach; a residual this much larger still counts.
+constexpr double kLooser = 1e4;
+constexpr double kSmallest = 1e-300;  // a tolerance is never zero
+
+Touches joined(const Touches& a, const Touches& b) {
+  Touches all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
+}
+
+double size_of(const StandardScene& scene) {
+  double size = 0;
+  for (const Body& body : scene.bodies)
+    if (body.mass.rows() > 0) size = std::max(size, body.size);
+  return size;
+}
+
+double momentum_of(const StandardScene& scene, const UnknownsTable& v) {
+  double greatest = 0;
+  for (ElementIndex e : indices(v))
+    if (v[e].size() > 0) greatest = std::max(greatest, (scene.bodies[e].mass * v[e]).head<2>().norm());
+  return greatest;
+}
+
+std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, const Touches& touches) {
+  const Table<VertexIndex, Point> vertices = vertices_at(scene.model, scene.reference, q);
+  std::vector<double> gaps;
+  for (const Touch& touch : touches) gaps.push_back(gap_of(touch, vertices));
+  return gaps;
+}
+
+}  // namespace
+
+UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts,
+                              const Touches& closed) {
+  const Touches all = joined(impacts, closed);
+  const std::vector<double> before = gaps_of(scene, q, all);
+  const double tolerable = kNoOverlap * size_of(scene);
+  const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    std::vector<double> room = gaps_of(scene, q, all);
+    for (std::size_t i = impacts.size(); i < all.size(); ++i) room[i] -= std::min(before[i], 0.0);
+    if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable; })) break;
+    const ContactRows rows = contact_rows(scene.model, scene.reference, q, all);
+    FrictionalProblem problem{contact_matrix(rows, blocks), {}, std::vector<double>(all.size(), 0)};
+    problem.b = Eigen::VectorXd::Zero(problem.w.rows());
+    for (std::size_t i = 0; i < all.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
+    problem.goal = tolerable / problem.w.diagonal().maxCoeff();
+    problem.acceptable = kLooser * problem.goal;
+    const Eigen::VectorXd push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
+    q = plus(q, 1, answer(rows, blocks, push));
+  }
+  return q;
+}
+
+UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
+                         const std::vector<Party>& parties) {
+  Touches touches;
+  for (const Party& party : parties) touches.push_back(party.touch);
+  const ContactRows rows = contact_rows(scene.model, scene.reference, q, touches);
+  const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
+  const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
+  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), friction_of(scene, touches), goal,
+                            kLooser * goal};
+  for (std::size_t i = 0; i < parties.size(); ++i)
+    problem.b[static_cast<Eigen::Index>(2 * i)] -= scene.settings.standard.restitution * parties[i].approach;
+  const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
+  return plus(v, 1, answer(rows, blocks, impulses));
+}
+
+UnknownsTable with_closed_at_rest(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
+                                  const Touches& closed) {
+  if (closed.empty()) return v;
+  const ContactRows both = contact_rows(scene.model, scene.reference, q, closed);
+  ContactRows rows;
+  for (std::size_t i = 0; i < closed.size(); ++i) rows.push_back(both[2 * i]);
+  const auto blocks = every(scene.bodies, &Body::mass_inverse);
+  // Redundant touches make W singular; the least impulses among equal answers are taken.
+  const Eigen::VectorXd impulses = contact_matrix(rows, blocks).completeOrthogonalDecomposition().solve(rates(rows, v));
+  return plus(v, -1, answer(rows, blocks, impulses));
+}
+
+}  // namespace keyblock

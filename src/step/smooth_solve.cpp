@@ -1,0 +1,136 @@
+// Relinearises gaps and rows about the last estimate until the estimate stays.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/smooth_solve.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "contact/gap.hpp"
+
+namespace keyblock {
+namespace {
+
+// Increments that change by less than this share of block size are settled: a hundred times round-off of a position.
+constexpr double kSettled = 1e-12;
+// One to three rounds are usual. What still moves after the last one, by less than the second figure, is left as a gap error
+// of that size for the next step to close; more is a failure.
+constexpr int kMostRounds = 8;
+constexpr double kTolerable = 1e-6;
+
+class SmoothSolve {
+ public:
+  SmoothSolve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const Touches& touches,
+              const ForceTolerance& tolerance, double dt)
+      : scene_(scene), start_(start), touches_(touches), tolerance_(tolerance), dt_(dt) {
+    for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
+  }
+
+  SmoothMotion run() {
+    UnknownsTable increments = free_;
+    result_.converged = true;
+    result_.forces = remembered_forces();
+    double change = touches_.empty() ? 0 : 1;
+    for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
+      UnknownsTable next = increments_about(increments);
+      change = greatest_change(increments, next);
+      increments = std::move(next);
+    }
+    result_.converged = result_.converged && change <= kTolerable;
+    result_.q = plus(start_.q, 1, increments);
+    for (ElementIndex e : indices(increments))
+      result_.v.push_back((increments[e] / dt_ - (1 - theta()) * start_.v[e]) / theta());
+    return std::move(result_);
+  }
+
+ private:
+  double theta() const { return scene_.settings.standard.velocity_weight; }
+
+  void prepare(ElementIndex e, const Unknowns& load) {
+    const Body& body = scene_.bodies[e];
+    const double inertia = 1 / (theta() * dt_ * dt_);
+    const UnknownBlock a =
+        inertia * body.mass + (scene_.settings.standard.force_weight + body.damping / dt_) * body.stiffness;
+    const Unknowns r =
+        load + body.initial_stress - body.stiffness * start_.q[e] + inertia * dt_ * (body.mass * start_.v[e]);
+    inverse_.push_back(a);
+    if (a.rows() > 0) inverse_[e] = a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()));
+    free_.push_back(inverse_[e] * r);
+  }
+
+  UnknownsTable increments_about(const UnknownsTable& estimate) {
+    const ContactRows rows = contact_rows(scene_.model, scene_.reference, plus(start_.q, 0.5, estimate), touches_);
+    const FrictionalSolution solution = solve(problem_about(rows, estimate), result_.forces);
+    result_.forces = solution.forces;
+    result_.solves += solution.solves + solution.sweeps;
+    result_.residual = solution.residual;
+    result_.converged = solution.converged;
+    result_.undecided = solution.undecided;
+    return plus(free_, 1, answer(rows, inverse_, solution.forces));
+  }
+
+  FrictionalProblem problem_about(const ContactRows& rows, const UnknownsTable& estimate) const {
+    const Table<VertexIndex, Point> end = vertices_at(scene_.model, scene_.reference, plus(start_.q, 1, estimate));
+    const Eigen::VectorXd from_estimate = rates(rows, plus(free_, -1, estimate));
+    // θv dt times the slip velocity at the end of the step.
+    const Eigen::VectorXd slip = rates(rows, plus(free_, -(1 - theta()) * dt_, start_.v));
+    FrictionalProblem problem{contact_matrix(rows, inverse_), slip, friction_of(scene_, touches_), tolerance_.goal,
+                              tolerance_.acceptable};
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      problem.b[n] = gap_of(touches_[i], end) + from_estimate[n];
+      if (scene_.has_springs()) add_springs(problem, n, touches_[i]);
+    }
+    return problem;
+  }
+
+  // The tangential spring is stretched by dt times the velocity at the end of the step: a spring too stiff for the step then
+  // brings its point to rest, where the displacement of the step would turn the velocity over in each step.
+  void add_springs(FrictionalProblem& problem, Eigen::Index n, const Touch& touch) const {
+    problem.w(n, n) += 1 / scene_.normal_stiffness();
+    problem.w(n + 1, n + 1) += theta() / scene_.tangential_stiffness();
+    const auto memory = start_.closed.find(touch);
+    if (memory != start_.closed.end()) problem.b[n + 1] += theta() * memory->second.stretch;
+  }
+
+  Eigen::VectorXd remembered_forces() const {
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * touches_.size()));
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const auto memory = start_.closed.find(touches_[i]);
+      if (memory == start_.closed.end()) continue;
+      forces[static_cast<Eigen::Index>(2 * i)] = memory->second.normal;
+      forces[static_cast<Eigen::Index>(2 * i + 1)] = memory->second.tangential;
+    }
+    return forces;
+  }
+
+  // Relative to block size; rotation and strain are relative as they are.
+  double greatest_change(const UnknownsTable& a, const UnknownsTable& b) const {
+    double greatest = 0;
+    for (ElementIndex e : indices(a)) {
+      if (a[e].size() == 0) continue;
+      const Unknowns change = (a[e] - b[e]).cwiseAbs();
+      greatest = std::max(
+          {greatest, change.head<2>().maxCoeff() / scene_.bodies[e].size, change.tail(change.size() - 2).maxCoeff()});
+    }
+    return greatest;
+  }
+
+  const StandardScene& scene_;
+  const Motion& start_;
+  const Touches& touches_;
+  ForceTolerance tolerance_;
+  double dt_;
+  Table<ElementIndex, UnknownBlock> inverse_;
+  UnknownsTable free_;  ///< increments without contact
+  SmoothMotion result_;
+};
+
+}  // namespace
+
+SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
+                          const Touches& touches, const ForceTolerance& tolerance, double dt) {
+  return SmoothSolve(scene, start, loads, touches, tolerance, dt).run();
+}
+
+}  // namespace keyblock

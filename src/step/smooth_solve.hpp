@@ -1,0 +1,33 @@
+// The motion of a step without impacts: elastic blocks under loads, with the contacts that close slowly or are closed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/frictional_problem.hpp"
+#include "step/standard_scene.hpp"
+
+namespace keyblock {
+
+/// Residual of contact forces: the one to reach, and the one that counts as solved where it is out of reach.
+struct ForceTolerance {
+  double goal = 0;
+  double acceptable = 0;
+};
+
+struct SmoothMotion {
+  UnknownsTable q;         ///< at the end of the step
+  UnknownsTable v;         ///< at the end of the step
+  Eigen::VectorXd forces;  ///< of the touches: 2i normal, 2i + 1 tangential
+  double residual = 0;
+  int solves = 0;
+  bool converged = false;
+  std::vector<std::size_t> undecided;  ///< touches that would not settle
+};
+
+/// With weights θv of the velocity and θf of the elastic force (contact-notes 2),
+///     A Δq = r + Gᵀ λ,  A = M/(θv dt²) + θf K + C/dt,  r = F − K q0 + M v0/(θv dt),  v1 = (Δq/dt − (1−θv) v0)/θv.
+/// The normal law is in positions at the end of the step, friction in velocities, G along the mid-step normal
+/// (Moreau 1988, Jean 1999); with springs, both have the compliance of the spring.
+SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
+                          const Touches& touches, const ForceTolerance& tolerance, double dt);
+
+}  // namespace keyblock

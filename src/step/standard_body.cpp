@@ -1,0 +1,110 @@
+// Mass, stiffness, damping and loads of a block, from its area moments at the start.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/standard_body.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "material/elastic.hpp"
+#include "terms/inertia.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr int kRigidUnknowns = 3;
+
+// An undamped block in steady sliding is unstable above φ of about 20 degrees, growth rate up to 0.13 ω₁ at 45; with
+// β + (θf − ½) dt ≥ 2/ω₁ its slowest strain mode is damped critically, twice what 45 degrees needs (contact-notes 4.3).
+constexpr double kDampingOverPeriod = 2;
+
+Eigen::Matrix3d modulus_of(const BlockMaterial& material, const Settings& settings) {
+  return settings.plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
+}
+
+UnknownBlock rigid_inverse(const UnknownBlock& mass) {
+  UnknownBlock inverse = UnknownBlock::Zero(mass.rows(), mass.cols());
+  if (mass.rows() < kRigidUnknowns) return inverse;
+  const Eigen::Matrix3d rigid = mass.topLeftCorner<kRigidUnknowns, kRigidUnknowns>();
+  inverse.topLeftCorner<kRigidUnknowns, kRigidUnknowns>() = rigid.inverse();
+  return inverse;
+}
+
+// ω₁ of the strain modes, rigid part free: K x = ω² (M_εε − M_εr M_rr⁻¹ M_rε) x.
+double slowest_frequency(const Body& body) {
+  const Eigen::Index strains = body.mass.rows() - kRigidUnknowns;
+  const Eigen::MatrixXd coupling = body.mass.bottomLeftCorner(strains, kRigidUnknowns);
+  const Eigen::MatrixXd rigid = body.rigid_mass_inverse.topLeftCorner(kRigidUnknowns, kRigidUnknowns);
+  const Eigen::MatrixXd mass = body.mass.bottomRightCorner(strains, strains) - coupling * rigid * coupling.transpose();
+  const Eigen::MatrixXd stiffness = body.stiffness.bottomRightCorner(strains, strains);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass, Eigen::EigenvaluesOnly);
+  return std::sqrt(modes.eigenvalues().minCoeff());
+}
+
+double damping_of(const Body& body, const Settings& settings) {
+  if (settings.standard.strain_damping == StrainDamping::none || body.mass.rows() <= kRigidUnknowns) return 0;
+  const double by_weight = (settings.standard.force_weight - 0.5) * settings.time_step;
+  return std::max(0.0, kDampingOverPeriod / slowest_frequency(body) - by_weight);
+}
+
+// Stress at the start, with its gradient at the height of the centroid.
+Eigen::Vector3d start_stress(const BlockMaterial& material, double y) {
+  const Stress& s = material.initial_stress;
+  const Stress& g = material.stress_gradient;
+  return {s.xx + y * g.xx, s.yy + y * g.yy, s.xy + y * g.xy};
+}
+
+Body body_of(const Model& model, const Reference& reference, const Settings& settings, ElementIndex e) {
+  const Element& element = model.elements[e];
+  const Basis& basis = *element.basis;
+  const BlockMaterial& material = model.material_of(element);
+  const Moments& moments = reference.moments[e];
+  Body body;
+  body.area = moments.area;
+  body.mass = mass_matrix(basis, moments, material.density);
+  body.mass_inverse = body.mass;
+  if (body.mass.rows() > 0) body.mass_inverse = body.mass.inverse();
+  body.rigid_mass_inverse = rigid_inverse(body.mass);
+  const StrainOperator strain = basis.strain();
+  body.stiffness = moments.area * (strain.transpose() * modulus_of(material, settings) * strain);
+  body.initial_stress = -moments.area * (strain.transpose() * start_stress(material, reference.centroids[e].y));
+  const double weight =
+      settings.quirks.weight_of_first_material ? material.density * settings.gravity : material.unit_weight;
+  body.weight = basis.constant.transpose() * Eigen::Vector2d(0, -weight * moments.area);
+  body.damping = damping_of(body, settings);
+  for (VertexIndex v : element.vertices()) body.size = std::max(body.size, length(reference.offsets[v]));
+  return body;
+}
+
+}  // namespace
+
+Bodies bodies_of(const Model& model, const Reference& reference, const Settings& settings) {
+  Bodies bodies;
+  for (ElementIndex e : indices(model.elements)) bodies.push_back(body_of(model, reference, settings, e));
+  return bodies;
+}
+
+Table<ElementIndex, UnknownBlock> every(const Bodies& bodies, UnknownBlock Body::*matrix) {
+  Table<ElementIndex, UnknownBlock> all;
+  for (const Body& body : bodies) all.push_back(body.*matrix);
+  return all;
+}
+
+Stress block_stress(const Model& model, ElementIndex e, const Reference& reference, const Settings& settings,
+                    const Unknowns& q) {
+  const Element& element = model.elements[e];
+  const BlockMaterial& material = model.material_of(element);
+  const Eigen::Vector3d stress =
+      start_stress(material, reference.centroids[e].y) + modulus_of(material, settings) * (element.basis->strain() * q);
+  return {stress[0], stress[1], stress[2]};
+}
+
+Stress turned(const Stress& s, double angle) {
+  const double c = std::cos(angle);
+  const double n = std::sin(angle);
+  return {c * c * s.xx - 2 * c * n * s.xy + n * n * s.yy, n * n * s.xx + 2 * c * n * s.xy + c * c * s.yy,
+          c * n * (s.xx - s.yy) + (c * c - n * n) * s.xy};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,38 @@
+// The constant matrices of an element in its own coordinates, and what one step makes of them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/kinematics.hpp"
+#include "model/settings.hpp"
+
+namespace keyblock {
+
+/// Mass and stiffness do not change with the motion: rotation is an unknown of its own and strain is measured in the block
+/// frame (terms of order ω² ε are left out).
+struct Body {
+  UnknownBlock mass;
+  UnknownBlock mass_inverse;
+  UnknownBlock rigid_mass_inverse;  ///< of translation and rotation alone; zero in strain rows and columns
+  UnknownBlock stiffness;
+  double damping = 0;       ///< β of the damping matrix β K, time
+  Unknowns initial_stress;  ///< force that the stress at the start exerts on the unknowns
+  Unknowns weight;
+  double size = 0;  ///< largest distance of a vertex from the centroid
+  double area = 0;
+};
+
+using Bodies = Table<ElementIndex, Body>;
+
+Bodies bodies_of(const Model& model, const Reference& reference, const Settings& settings);
+
+/// One of the matrices, for all bodies.
+Table<ElementIndex, UnknownBlock> every(const Bodies& bodies, UnknownBlock Body::*matrix);
+
+/// Stress in the block frame under the strain of q.
+Stress block_stress(const Model& model, ElementIndex element, const Reference& reference, const Settings& settings,
+                    const Unknowns& q);
+
+/// σ turned by `angle`: R σ Rᵀ.
+Stress turned(const Stress& stress, double angle);
+
+}  // namespace keyblock

@@ -1,0 +1,125 @@
+// Scene, start, loads and scales of Dynamics::standard.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/standard_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/choose_basis.hpp"
+
+namespace keyblock {
+namespace {
+
+// Blocks may move twice as far as they do at the present speed before a pair outside the list could touch.
+constexpr double kReachOverTravel = 2;
+// Touching blocks are within reach whatever the speed: round-off of file coordinates, as a share of block size.
+constexpr double kReachAtRest = 1e-6;
+constexpr double kSlowSteps = 3;
+// Speeds below this share of the fastest block are round-off of the solves before, not an approach.
+constexpr double kSpeedRoundOff = 1e-10;
+
+double top_speed(const StandardScene& scene, const UnknownsTable& v) {
+  double top = 0;
+  for (ElementIndex e : indices(v)) {
+    const Eigen::Index n = v[e].size();
+    if (n == 0) continue;
+    double speed = std::hypot(v[e][0], v[e][1]);
+    for (Eigen::Index i = 2; i < n; ++i) speed += scene.bodies[e].size * std::abs(v[e][i]);
+    top = std::max(top, speed);
+  }
+  return top;
+}
+
+}  // namespace
+
+StandardScene standard_scene(Model model, Settings settings) {
+  StandardScene scene{std::move(model), std::move(settings), {}, {}, {}};
+  scene.reference = reference_of(scene.model, scene.settings);
+  scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
+  for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
+  return scene;
+}
+
+std::string unsupported(const StandardScene& scene) {
+  if (has_held_moving_element(scene.model))
+    return "expected every held block to have two fixed points that are not driven: one fixed point or a driven one "
+           "needs profile legacy";
+  for (ElementIndex e : indices(scene.pieces))
+    if (scene.pieces[e].size() != 1)
+      return fmt::format("expected convex blocks without holes, found block {}: it needs profile legacy", e.value + 1);
+  return {};
+}
+
+Motion start_motion(const StandardScene& scene) {
+  Motion motion;
+  for (const Element& element : scene.model.elements) {
+    const int count = element.basis->unknown_count();
+    motion.q.push_back(Unknowns::Zero(count));
+    Unknowns v = Unknowns::Zero(count);
+    const Velocity& given = scene.model.material_of(element).initial_velocity;
+    if (count > 0) v.head<3>() << given.x, given.y, given.rotation;
+    motion.v.push_back(v);
+  }
+  return motion;
+}
+
+UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time) {
+  UnknownsTable loads;
+  for (const Body& body : scene.bodies) loads.push_back(body.weight);
+  for (const CarriedPoint& point : scene.model.loading_points) {
+    const Point force = point.curve.at(time);
+    const Point offset = point.start - scene.reference.centroids[point.element];
+    const DisplacementOperator j = jacobian(*scene.model.elements[point.element].basis, q[point.element], offset);
+    loads[point.element] += j.transpose() * Eigen::Vector2d(force.x, force.y);
+  }
+  return loads;
+}
+
+Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& v) {
+  Scales scales;
+  for (ElementIndex e : indices(loads)) {
+    if (loads[e].size() == 0) continue;
+    const Body& body = scene.bodies[e];
+    const double mass = body.mass(0, 0);
+    const double force = std::hypot(loads[e][0], loads[e][1]) + std::abs(loads[e][2]) / body.size;
+    scales.force = std::max(scales.force, force);
+    scales.acceleration = std::max(scales.acceleration, force / mass);
+    scales.momentum = std::max(scales.momentum, mass * (v[e].head<2>().norm() + body.size * std::abs(v[e][2])));
+    scales.size = std::max(scales.size, body.size);
+  }
+  return scales;
+}
+
+Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
+  State state;
+  state.vertices = vertices_at(scene.model, scene.reference, motion.q);
+  const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
+  const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
+  std::vector<ElementPair> pairs = close_pairs(scene.model, state, reach);
+  std::erase_if(pairs, [&](const ElementPair& pair) {
+    return motion.q[pair.lower].size() + motion.q[pair.upper].size() == 0;  // neither can move
+  });
+  return find_touches(pairs, scene.pieces, state.vertices, reach);
+}
+
+std::vector<double> friction_of(const StandardScene& scene, const Touches& touches) {
+  std::vector<double> friction;
+  for (const Touch& touch : touches) {
+    const auto material = static_cast<std::size_t>(scene.model.vertices[touch.end].joint_material);
+    const double angle = scene.model.joint_materials[material].friction_angle_deg * std::numbers::pi / 180;
+    friction.push_back(std::tan(angle));
+  }
+  return friction;
+}
+
+double slow_speed(const Scales& scales, const UnknownsTable& v, double dt) {
+  double fastest = 0;
+  for (const Unknowns& of : v)
+    if (of.size() > 0) fastest = std::max(fastest, of.head<2>().norm());
+  return std::max(kSlowSteps * scales.acceleration * dt, kSpeedRoundOff * fastest);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,69 @@
+// What the steps of Dynamics::standard compute on, and what they hand on to each other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "contact/touch.hpp"
+#include "model/state.hpp"
+#include "step/standard_body.hpp"
+
+namespace keyblock {
+
+struct StandardScene {
+  Model model;
+  Settings settings;
+  Reference reference;
+  Bodies bodies;
+  Table<ElementIndex, ConvexPieces> pieces;
+
+  double normal_stiffness() const { return settings.contact_penalty; }
+  double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
+  bool has_springs() const { return settings.standard.enforcement == Enforcement::penalty; }
+};
+
+StandardScene standard_scene(Model model, Settings settings);
+
+/// Why this scene cannot be run so, in one sentence; empty if it can. Blocks of more than one convex piece are refused: on the
+/// jointed slope of 45 blocks, whose base has a kink, some fell through it.
+std::string unsupported(const StandardScene& scene);
+
+/// What a closed contact remembers.
+struct ContactMemory {
+  double normal = 0;      ///< force of the last step, pressure positive
+  double tangential = 0;  ///< force of the last step
+  double stretch = 0;     ///< elastic slip of the tangential spring (penalty)
+};
+
+struct Motion {
+  UnknownsTable q;
+  UnknownsTable v;
+  std::map<Touch, ContactMemory> closed;
+};
+
+Motion start_motion(const StandardScene& scene);
+
+/// Weight and point loads on the unknowns, at `time` and in the configuration q.
+UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
+
+/// Largest force on a block, and largest acceleration it gives a free block.
+struct Scales {
+  double force = 0;
+  double acceleration = 0;
+  double momentum = 0;
+  double size = 0;  ///< of the largest moving block
+};
+Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& v);
+
+/// Pairs within reach of a step of `dt`, as touches.
+Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);
+
+/// μ of each touch: that of the joint material of its edge.
+std::vector<double> friction_of(const StandardScene& scene, const Touches& touches);
+
+/// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of free
+/// acceleration would give (contact-notes 3, step 2).
+double slow_speed(const Scales& scales, const UnknownsTable& v, double dt);
+
+}  // namespace keyblock

@@ -1,0 +1,24 @@
+// One step of Dynamics::standard: smooth motion, overlaps removed, impacts, clean-up.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "step/standard_scene.hpp"
+
+namespace keyblock {
+
+/// What a step did, beside the motion it led to.
+struct StandardStep {
+  Motion motion;
+  int solves = 0;
+  int touches = 0;
+  int halvings = 0;  ///< attempts thrown away
+  double residual = 0;
+  bool converged = true;
+  Touches undecided;  ///< if it did not converge
+};
+
+/// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in
+/// halves again; then it is given up (contact-notes 3).
+StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt);
+
+}  // namespace keyblock

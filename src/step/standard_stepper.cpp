@@ -1,0 +1,125 @@
+// Start by the chosen rule, then steps of the given size.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/standard_stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "contact/gap.hpp"
+#include "step/compatible_start.hpp"
+
+namespace keyblock {
+namespace {
+
+// A start with stress of its own is the file's statement of equilibrium; it is not replaced.
+bool has_initial_stress(const StandardScene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const Body& body) { return (body.initial_stress.array() != 0).any(); });
+}
+
+CompatibleStart first_motion(const StandardScene& scene) {
+  Motion motion = start_motion(scene);
+  if (scene.settings.standard.start == StartRule::sudden || has_initial_stress(scene)) return {std::move(motion), {}};
+  return compatible(scene, std::move(motion));
+}
+
+std::vector<PointState> carried(const StandardScene& scene, const Motion& motion,
+                                const std::vector<CarriedPoint>& points) {
+  std::vector<PointState> states;
+  for (const CarriedPoint& point : points) {
+    const Basis& basis = *scene.model.elements[point.element].basis;
+    const Unknowns& q = motion.q[point.element];
+    const Point centroid = scene.reference.centroids[point.element];
+    const Point arm = turned(stretched(basis, q, point.start - centroid), angle_of(basis, q));
+    const Point now = centroid + translation(basis, q) + arm;
+    states.push_back({now, now - point.start});
+  }
+  return states;
+}
+
+ElementState element_state(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
+                           ElementIndex e) {
+  const Basis& basis = *scene.model.elements[e].basis;
+  const Unknowns& q = motion.q[e];
+  const double angle = angle_of(basis, q);
+  const Stress stress = turned(block_stress(scene.model, e, scene.reference, scene.settings, q), angle);
+  // The centroid is an unknown; moments are those of the polygon as it lies.
+  const Point centroid = scene.reference.centroids[e] + translation(basis, q);
+  return {centroid,    place(scene.model, vertices, e, scene.settings).moments,
+          motion.v[e], Unknowns::Zero(q.size()),
+          stress,      angle};
+}
+
+}  // namespace
+
+State state_of(const StandardScene& scene, const Motion& motion) {
+  State state;
+  state.vertices = vertices_at(scene.model, scene.reference, motion.q);
+  for (ElementIndex e : indices(scene.model.elements))
+    state.elements.push_back(element_state(scene, motion, state.vertices, e));
+  state.fixed_points = carried(scene, motion, scene.model.fixed_points);
+  state.loading_points = carried(scene, motion, scene.model.loading_points);
+  state.measured_points = carried(scene, motion, scene.model.measured_points);
+  return state;
+}
+
+StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(scene.model, scene.settings)) {
+  const std::string why = unsupported(scene_);
+  if (!why.empty()) throw std::invalid_argument(why);
+  unloaded_ = state_of(scene_, start_motion(scene_));
+  CompatibleStart first = first_motion(scene_);
+  start_failure_ = std::move(first.failure);
+  motion_ = start_failure_.empty() ? std::move(first.motion) : start_motion(scene_);
+  state_ = state_of(scene_, motion_);
+}
+
+std::variant<StepReport, StepFailure> StandardStepper::advance() {
+  if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
+  const double dt = scene_.settings.time_step;
+  Motion start = motion_;
+  for (Unknowns& v : start.v) v *= scene_.settings.velocity_carry_over;
+  StandardStep made = standard_step(scene_, start, state_.time, dt);
+  if (!made.converged) return failure_of(made);
+  motion_ = made.motion;
+  const State before = std::move(state_);
+  state_ = state_of(scene_, motion_);
+  state_.step = before.step + 1;
+  state_.time = before.time + dt;
+  state_.dt = dt;
+  return report_of(made, before);
+}
+
+StepReport StandardStepper::report_of(const StandardStep& step, const State& before) const {
+  StepReport report;
+  report.step = state_.step;
+  report.time = state_.time;
+  report.dt = state_.dt;
+  report.passes = step.solves;
+  report.redos = step.halvings;
+  report.contacts = step.touches;
+  report.closed = static_cast<int>(motion_.closed.size());
+  report.matrix_blocks = static_cast<int>(scene_.bodies.size());
+  report.penalty = scene_.has_springs() ? scene_.normal_stiffness() : 0;
+  report.residual = step.residual;
+  double greatest = 0;
+  for (VertexIndex v : indices(state_.vertices))
+    greatest = std::max(greatest, distance(state_.vertices[v], before.vertices[v]));
+  report.displacement_ratio = greatest / (scene_.settings.allowed_displacement_ratio * scene_.model.scale);
+  for (const auto& [touch, memory] : motion_.closed)
+    report.greatest_penetration = std::max(report.greatest_penetration, -gap_of(touch, state_.vertices));
+  return report;
+}
+
+StepFailure StandardStepper::failure_of(const StandardStep& step) const {
+  std::string pairs;
+  for (const Touch& touch : step.undecided)
+    pairs += fmt::format("{}block {} on block {}", pairs.empty() ? "" : ", ",
+                         scene_.model.vertices[touch.vertex].element.value + 1,
+                         scene_.model.vertices[touch.start].element.value + 1);
+  return {fmt::format("step {} (time {}): contact forces do not settle, residual {} of the largest load{}{}",
+                      state_.step + 1, state_.time, step.residual, pairs.empty() ? "" : "; undecided: ", pairs),
+          {}};
+}
+
+}  // namespace keyblock

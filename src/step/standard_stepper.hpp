@@ -1,0 +1,36 @@
+// Dynamics::standard as a stepper: start, step after step, and the state that observers see.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "step/standard_step.hpp"
+#include "step/stepper.hpp"
+
+namespace keyblock {
+
+class StandardStepper : public Stepper {
+ public:
+  /// Throws std::invalid_argument for a scene that is `unsupported`.
+  explicit StandardStepper(const Scene& scene);
+
+  const State& state() const override { return state_; }
+  const State& unloaded() const override { return unloaded_; }
+  std::variant<StepReport, StepFailure> advance() override;
+
+  const StandardScene& scene() const { return scene_; }
+  const Motion& motion() const { return motion_; }
+
+ private:
+  StepReport report_of(const StandardStep& step, const State& before) const;
+  StepFailure failure_of(const StandardStep& step) const;
+
+  StandardScene scene_;
+  Motion motion_;
+  std::string start_failure_;  ///< said by the first step; empty for a start that was found
+  State unloaded_;
+  State state_;
+};
+
+/// The scene's state at a motion: vertices, carried points, stress turned into the plane, velocities.
+State state_of(const StandardScene& scene, const Motion& motion);
+
+}  // namespace keyblock

@@ -1,0 +1,69 @@
+// Convex pieces: corners of convex blocks, cuts of others.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/convex_pieces.hpp"
+
+#include <gtest/gtest.h>
+
+#include "geometry/polygon.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+Model model_of(const BlockLoop& loop, std::vector<BlockLoop> holes = {}) {
+  Blocks blocks;
+  blocks.blocks = {{0, loop, std::move(holes)}};
+  return model_from_blocks(blocks, testing::plain_analysis(1, 1));
+}
+
+ConvexPieces pieces_of(const BlockLoop& loop, std::vector<BlockLoop> holes = {}) {
+  return convex_pieces(model_of(loop, std::move(holes)), {0});
+}
+
+BlockLoop loop_of(const std::vector<Point>& points) {
+  BlockLoop loop;
+  for (Point p : points) loop.push_back({p, 0});
+  return loop;
+}
+
+}  // namespace
+
+TEST(ConvexPieces, a_vertex_on_a_straight_edge_is_no_corner) {
+  const ConvexPieces pieces = pieces_of(loop_of({{0, 0}, {1, 0}, {1, 0.4}, {1, 1}, {0, 1}}));
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_EQ(pieces[0].corners, (std::vector<VertexIndex>{{0}, {1}, {3}, {4}}));
+  EXPECT_EQ(pieces[0].is_inner, (std::vector<bool>{false, false, false, false}));
+}
+
+TEST(ConvexPieces, a_block_with_a_hole_has_none) {
+  const BlockLoop square = loop_of({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
+  EXPECT_TRUE(pieces_of(square, {loop_of({{1, 1}, {1, 2}, {2, 2}, {2, 1}})}).empty());
+}
+
+// An L, a wedge's notch and a comb: pieces are convex, fill the block, and every inner edge has its twin.
+TEST(ConvexPieces, pieces_are_convex_and_fill_the_block) {
+  for (const std::vector<Point>& points :
+       {std::vector<Point>{{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}},
+        std::vector<Point>{{0, 0}, {6, 0}, {6, 3}, {3, 1}, {0, 3}},
+        std::vector<Point>{
+            {0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}}) {
+    const Model model = model_of(loop_of(points));
+    double sum = 0;
+    int inner = 0;
+    const ConvexPieces pieces = convex_pieces(model, {0});
+    for (const ConvexPiece& piece : pieces) {
+      std::vector<Point> loop;
+      for (VertexIndex v : piece.corners) loop.push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
+      sum += area(loop);
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Point a = loop[i], b = loop[(i + 1) % loop.size()], c = loop[(i + 2) % loop.size()];
+        EXPECT_GE(cross(b - a, c - b), 0);
+        inner += piece.is_inner[i] ? 1 : 0;
+      }
+    }
+    EXPECT_NEAR(sum, area(points), 1e-12);
+    EXPECT_EQ(inner, 2 * (static_cast<int>(pieces.size()) - 1));
+  }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,74 @@
+// Contact with friction, small enough to solve by hand, and redundant.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/frictional_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include "contact/friction_newton.hpp"
+#include "contact/friction_sweeps.hpp"
+
+namespace keyblock {
+namespace {
+
+// A unit mass over one contact, pressed with `press` and pushed with `push`.
+FrictionalProblem one_contact(double press, double push, double friction) {
+  return {Eigen::Matrix2d::Identity(), Eigen::Vector2d(-press, push), {friction}, 1e-12, 1e-12};
+}
+
+// The same mass on two contacts at one place: W has rank two of four.
+FrictionalProblem twice(const FrictionalProblem& p) {
+  FrictionalProblem two = p;
+  two.w = p.w.replicate(2, 2);
+  two.b = p.b.replicate(2, 1);
+  two.friction.push_back(p.friction[0]);
+  return two;
+}
+
+Eigen::VectorXd zeros(const FrictionalProblem& p) {
+  return Eigen::VectorXd::Zero(p.b.size());
+}
+
+}  // namespace
+
+TEST(FrictionalProblem, a_pushed_mass_sticks_slips_or_lifts_off) {
+  const Eigen::VectorXd stuck = solve(one_contact(10, 3, 0.5), Eigen::Vector2d(0, 0)).forces;
+  EXPECT_NEAR(stuck[0], 10, 1e-12);
+  EXPECT_NEAR(stuck[1], -3, 1e-12);
+  const Eigen::VectorXd slipping = solve(one_contact(10, -8, 0.5), Eigen::Vector2d(0, 0)).forces;
+  EXPECT_NEAR(slipping[1], 5, 1e-12);
+  const Eigen::VectorXd lifted = solve(one_contact(-1, 3, 0.5), Eigen::Vector2d(7, 7)).forces;
+  EXPECT_EQ(lifted, Eigen::VectorXd(Eigen::Vector2d(0, 0)));
+}
+
+TEST(FrictionalProblem, redundant_contacts_carry_together_what_one_would) {
+  const FrictionalProblem problem = twice(one_contact(10, 3, 0.5));
+  const FrictionalSolution solution = solve(problem, zeros(problem));
+  EXPECT_TRUE(solution.converged);
+  EXPECT_NEAR(solution.forces[0] + solution.forces[2], 10, 1e-10);
+  EXPECT_NEAR(solution.forces[1] + solution.forces[3], -3, 1e-10);
+}
+
+TEST(FrictionalProblem, sweeps_find_what_newton_finds) {
+  FrictionalProblem problem = one_contact(10, -8, 0.5);
+  problem.w << 2, 0.3, 0.3, 1;
+  const FrictionalSolution exact = newton(problem, zeros(problem));
+  const FrictionalSolution swept = sweep(problem, {zeros(problem), residual(problem, zeros(problem)), 0, 0, false, {}});
+  EXPECT_TRUE(swept.converged);
+  EXPECT_LE((exact.forces - swept.forces).norm(), 1e-10);
+}
+
+// Two contacts on one bar: the far one opens. Its force must be zero to the bit, or it passes for closed.
+TEST(FrictionalProblem, an_open_contact_has_no_force_at_all) {
+  FrictionalProblem problem{Eigen::Matrix4d::Identity(), Eigen::Vector4d(-10, 0.1, 1e-9, 0.2), {0.5, 0.5}, 1e-9, 1e-9};
+  problem.w(0, 2) = problem.w(2, 0) = 1e-17;
+  const Eigen::VectorXd forces = solve(problem, Eigen::Vector4d(10, -0.1, 1e-11, 0)).forces;
+  EXPECT_EQ(forces[2], 0);
+  EXPECT_EQ(forces[3], 0);
+}
+
+TEST(FrictionalProblem, a_solution_at_the_start_costs_no_solve) {
+  const FrictionalProblem problem = one_contact(10, 3, 0.5);
+  EXPECT_EQ(solve(problem, Eigen::Vector2d(10, -3)).solves, 0);
+}
+
+}  // namespace keyblock

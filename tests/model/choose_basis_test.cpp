@@ -1,0 +1,48 @@
+// Which blocks move, and with how many unknowns.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/choose_basis.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/requirements.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::rectangle;
+
+Model four_blocks() {
+  Blocks blocks;
+  for (double x : {0.0, 2.0, 4.0, 6.0}) blocks.blocks.push_back(rectangle({x, 0}, {x + 1, 1}));
+  blocks.fixed_points = {{{0.1, 0.5}, 0, {}}, {{0.9, 0.5}, 0, {}},   // two places: held
+                         {{2.5, 0.5}, 1, {}}, {{2.5, 0.5}, 1, {}},   // one place twice: may turn
+                         {{4.1, 0.5}, 2, {}}, {{4.9, 0.5}, 2, {}}};  // driven
+  Analysis analysis = testing::plain_analysis(1, 1);
+  analysis.fixed_point_motions.resize(6);
+  analysis.fixed_point_motions[5] = {{0, 1}, {{0, 0}, {1, 0}}, {}};
+  return model_from_blocks(blocks, analysis);
+}
+
+std::vector<int> unknowns(const Model& model) {
+  std::vector<int> counts;
+  for (const Element& element : model.elements) counts.push_back(element.basis->unknown_count());
+  return counts;
+}
+
+}  // namespace
+
+TEST(ChooseBasis, blocks_held_at_two_places_are_fixed_and_the_others_are_as_asked) {
+  EXPECT_EQ(unknowns(with_bases(four_blocks(), BlockBasis::rigid)), (std::vector<int>{0, 3, 3, 3}));
+  EXPECT_EQ(unknowns(with_bases(four_blocks(), BlockBasis::affine)), (std::vector<int>{0, 6, 6, 6}));
+  EXPECT_TRUE(has_held_moving_element(with_bases(four_blocks(), BlockBasis::rigid)));
+}
+
+TEST(ChooseBasis, the_plan_counts_the_unknowns_and_names_the_bases) {
+  const Requirements needs = requirements(with_bases(four_blocks(), BlockBasis::rigid), Settings{});
+  EXPECT_EQ(needs.unknowns, 9);
+  EXPECT_FALSE(needs.has(TermKind::elastic));
+  EXPECT_NE(needs.basis.find("fixed, none, for 1"), std::string::npos);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,180 @@
+// Restitution by the impact law, and momentum of two bodies (benchmarks dda-11 and dda-13).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "tests/support/standard_scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::plain_analysis;
+using testing::rectangle;
+using testing::run_to;
+using testing::standard_scene_of;
+using testing::standard_settings;
+
+constexpr std::array<BlockBasis, 2> kBases{BlockBasis::rigid, BlockBasis::affine};
+
+// A square without weight, thrown flat at a held floor; rebound over approach speed.
+double rebound(BlockBasis basis, Enforcement enforcement, double restitution, double dt, double gap) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, gap}, {1, 1 + gap})};
+  blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
+  Analysis analysis = plain_analysis(dt, 1);
+  analysis.gravity = 0;
+  analysis.penalty_factor = 10;
+  analysis.block_materials[0].initial_velocity = {0, -1, 0};
+  Settings settings = standard_settings(analysis);
+  settings.standard.basis = basis;
+  settings.standard.enforcement = enforcement;
+  settings.standard.restitution = restitution;
+  const Scene scene = standard_scene_of(blocks, analysis, settings);
+  StandardStepper stepper(scene);
+  run_to(stepper, gap + 3 * dt);
+  return stepper.state().elements[ElementIndex{1}].velocity[1];
+}
+
+}  // namespace
+
+// dda-11 by the impact law: e is reproduced wherever in the step the floor is met. Tc is that of two springs of 10 E.
+TEST(StandardImpact, restitution_is_the_chosen_one_at_any_step_and_place_of_impact) {
+  const double contact_time = std::numbers::pi * std::sqrt(2500 / (2 * 10 * 5e9));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(1, 2);
+  double worst = 0;
+  for (BlockBasis basis : kBases) {
+    for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
+      for (double e : {0.0, 0.5, 0.8, 1.0}) {
+        for (double part : {0.005, 0.02, 0.05, 0.1, 0.2, 1.0, 10.0}) {
+          const double dt = part * contact_time;
+          const double found = rebound(basis, enforcement, e, dt, 5 * place(random) * dt);
+          EXPECT_NEAR(found, e, 1e-9) << "e " << e << ", dt/Tc " << part;
+          worst = std::max(worst, std::abs(found - e));
+        }
+      }
+    }
+  }
+  RecordProperty("worst_error", fmt::format("{:.1e}", worst));
+}
+
+// dda-13: v1' = (P - m2 e (v1-v2))/M, v2' = (P + m1 e (v1-v2))/M; momentum to round-off.
+TEST(StandardImpact, two_bodies_keep_momentum_and_take_the_speeds_of_theory) {
+  struct Case {
+    double m1, m2, v1, v2, e;
+  };
+  for (BlockBasis basis : kBases) {
+    for (const auto& [m1, m2, v1, v2, e] : {Case{2500, 2500, 1, 0, 1}, Case{2500, 5000, 2, -1, 1},
+                                            Case{2500, 2.5e9, 1, 0, 1}, Case{2500, 5000, 2, -1, 0}}) {
+      Blocks blocks;
+      blocks.blocks = {rectangle({0, 0}, {1, 1}), rectangle({1.0123, 0}, {2.0123, 1})};
+      blocks.blocks[1].material = 1;
+      Analysis analysis = plain_analysis(1e-3, 1);
+      analysis.gravity = 0;
+      analysis.joint_materials[0].friction_angle_deg = 30;
+      analysis.block_materials.push_back(analysis.block_materials[0]);
+      analysis.block_materials[0].density = m1;
+      analysis.block_materials[1].density = m2;
+      analysis.block_materials[0].initial_velocity = {v1, 0, 0};
+      analysis.block_materials[1].initial_velocity = {v2, 0, 0};
+      Settings settings = standard_settings(analysis);
+      settings.standard.basis = basis;
+      settings.standard.restitution = e;
+      const Scene scene = standard_scene_of(blocks, analysis, settings);
+      StandardStepper stepper(scene);
+      run_to(stepper, 0.1);
+      const Unknowns& a = stepper.state().elements[ElementIndex{0}].velocity;
+      const Unknowns& b = stepper.state().elements[ElementIndex{1}].velocity;
+      const double momentum = m1 * v1 + m2 * v2;
+      const double total = m1 + m2;
+      EXPECT_NEAR(m1 * a[0] + m2 * b[0], momentum, 1e-10 * (m1 * std::abs(v1) + m2 * std::abs(v2)));
+      EXPECT_NEAR(a[0], (momentum - m2 * e * (v1 - v2)) / total, 1e-9) << m2 << ' ' << e;
+      EXPECT_NEAR(b[0], (momentum + m1 * e * (v1 - v2)) / total, 1e-9) << m2 << ' ' << e;
+      EXPECT_NEAR(a[2], 0, 1e-10);
+      EXPECT_NEAR(b[2], 0, 1e-10);
+    }
+  }
+}
+
+// Oblique, with friction and spin: linear momentum to round-off, no energy made; angular momentum up to what removing the
+// overlap shifts (first order in the step).
+TEST(StandardImpact, an_oblique_impact_keeps_momentum_and_makes_no_energy) {
+  for (BlockBasis basis : kBases) {
+    for (double dt : {1e-3, 1e-4}) {
+      Blocks blocks;
+      blocks.blocks = {rectangle({0, 0}, {1, 1}), testing::turned_rectangle({1.2, -0.6}, {2.2, 0.4}, 0.3)};
+      blocks.blocks[1].material = 1;
+      Analysis analysis = plain_analysis(dt, 1);
+      analysis.gravity = 0;
+      analysis.joint_materials[0].friction_angle_deg = 30;
+      analysis.block_materials.push_back(analysis.block_materials[0]);
+      analysis.block_materials[0].initial_velocity = {1, 0.2, 0.5};
+      analysis.block_materials[1].initial_velocity = {-1, 0, 0};
+      Settings settings = standard_settings(analysis);
+      settings.standard.basis = basis;
+      settings.standard.restitution = 0.5;
+      const Scene scene = standard_scene_of(blocks, analysis, settings);
+      StandardStepper stepper(scene);
+      const double mass = 2500;
+      const double inertia = mass / 6;
+      struct Sums {
+        double px = 0, py = 0, spin = 0, energy = 0;
+      };
+      const auto sums = [&] {
+        Sums sum;
+        for (const ElementState& e : stepper.state().elements) {
+          const Unknowns& v = e.velocity;
+          sum.px += mass * v[0];
+          sum.py += mass * v[1];
+          sum.spin += mass * cross(e.centroid, {v[0], v[1]}) + inertia * v[2];
+          sum.energy += (mass * (v[0] * v[0] + v[1] * v[1]) + inertia * v[2] * v[2]) / 2;
+        }
+        return sum;
+      };
+      const Sums before = sums();
+      run_to(stepper, 0.6);
+      const Sums after = sums();
+      EXPECT_NEAR(after.px, before.px, 1e-10 * 2 * mass);
+      EXPECT_NEAR(after.py, before.py, 1e-10 * 2 * mass);
+      EXPECT_NEAR(after.spin, before.spin, mass * dt);
+      EXPECT_LT(after.energy, 0.99 * before.energy);  // they did meet
+    }
+  }
+}
+
+// A drop from 1 m bounces to e² of its height: h1/h0 = e². The floor is met inside a step; the time left in it is lost.
+TEST(StandardImpact, a_dropped_block_bounces_without_gaining_energy) {
+  for (BlockBasis basis : kBases) {
+    for (double dt : {1e-4, 1e-3, 1e-2}) {
+      for (double e : {0.6, 1.0}) {
+        Blocks blocks;
+        blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, 1}, {1, 2})};
+        blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
+        const Analysis analysis = plain_analysis(dt, 1);
+        Settings settings = standard_settings(analysis);
+        settings.standard.basis = basis;
+        settings.standard.restitution = e;
+        const Scene scene = standard_scene_of(blocks, analysis, settings);
+        StandardStepper stepper(scene);
+        double lowest = 1;
+        double top = 0;
+        while (stepper.state().time < 0.4515 + e * 0.45) {  // fall of 0.4515 s, then the rise
+          run_to(stepper, stepper.state().time + dt);
+          const double height = stepper.state().elements[ElementIndex{1}].centroid.y - 0.5;
+          lowest = std::min(lowest, height);
+          if (stepper.state().time > 0.46)
+            top =
+                std::max(top, height + std::pow(stepper.state().elements[ElementIndex{1}].velocity[1], 2) / (2 * 9.81));
+        }
+        EXPECT_GE(lowest, -1e-12);
+        EXPECT_LE(top, e * e * (1 + 1e-10)) << "e " << e << ", dt " << dt;
+        EXPECT_GE(top, e * e * (1 - 2e-5)) << "e " << e << ", dt " << dt;
+      }
+    }
+  }
+}
+
+}  // namespace keyblock

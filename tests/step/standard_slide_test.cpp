@@ -1,0 +1,200 @@
+// A block on a slope under Coulomb friction, against the closed forms of benchmarks dda-03, dda-04 and dda-05.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/support/standard_scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::block_on_slope;
+using testing::plain_analysis;
+using testing::radians;
+using testing::run_to;
+using testing::standard_scene_of;
+using testing::standard_settings;
+
+constexpr double kGravity = 9.81;
+
+// Slope and friction, degrees: the pairs of dda-03 that slide.
+constexpr std::array<std::pair<double, double>, 19> kSliding{{{15, 0},
+                                                              {15, 5},
+                                                              {15, 10},
+                                                              {30, 0},
+                                                              {30, 5},
+                                                              {30, 10},
+                                                              {30, 15},
+                                                              {30, 20},
+                                                              {30, 25},
+                                                              {30, 29.99},
+                                                              {45, 0},
+                                                              {45, 10},
+                                                              {45, 20},
+                                                              {45, 30},
+                                                              {45, 40},
+                                                              {60, 0},
+                                                              {60, 20},
+                                                              {60, 35},
+                                                              {60, 40}}};
+
+struct Choice {
+  BlockBasis basis;
+  Enforcement enforcement;
+  double penalty_over_modulus;
+};
+
+constexpr std::array<Choice, 6> kChoices{{{BlockBasis::rigid, Enforcement::lagrange, 10},
+                                          {BlockBasis::rigid, Enforcement::penalty, 10},
+                                          {BlockBasis::rigid, Enforcement::penalty, 100},
+                                          {BlockBasis::affine, Enforcement::lagrange, 10},
+                                          {BlockBasis::affine, Enforcement::penalty, 10},
+                                          {BlockBasis::affine, Enforcement::penalty, 100}}};
+
+std::string name_of(const Choice& choice) {
+  return fmt::format("{} {}", choice.basis == BlockBasis::rigid ? "rigid" : "affine",
+                     choice.enforcement == Enforcement::lagrange
+                         ? "multipliers"
+                         : fmt::format("penalty {} E", choice.penalty_over_modulus));
+}
+
+Scene slope_scene(double slope_deg, double friction_deg, double dt, const Choice& choice, double speed = 0) {
+  Analysis analysis = plain_analysis(dt, 1);
+  analysis.block_materials[0].density = 2600;
+  analysis.penalty_factor = choice.penalty_over_modulus;
+  analysis.joint_materials[0].friction_angle_deg = friction_deg;
+  const double a = radians(slope_deg);
+  analysis.block_materials[0].initial_velocity = {speed * std::cos(a), -speed * std::sin(a), 0};
+  Settings settings = standard_settings(analysis);
+  settings.standard.basis = choice.basis;
+  settings.standard.enforcement = choice.enforcement;
+  return standard_scene_of(block_on_slope(a), analysis, settings);
+}
+
+double down_slope(Point p, double slope_deg) {
+  return dot(p, {std::cos(radians(slope_deg)), -std::sin(radians(slope_deg))});
+}
+
+double slip(const StandardStepper& stepper, const State& start, double slope_deg) {
+  return down_slope(testing::travel(stepper, start, 1), slope_deg);
+}
+
+Point velocity(const StandardStepper& stepper) {
+  const Unknowns& v = stepper.state().elements[ElementIndex{1}].velocity;
+  return {v[0], v[1]};
+}
+
+}  // namespace
+
+// dda-03: s = g/2 (sin a - cos a tan phi) t².
+TEST(StandardSlide, a_sliding_block_follows_the_closed_form_for_every_choice_of_basis_and_contact) {
+  for (const Choice& choice : kChoices) {
+    for (double dt : {1e-3, 1e-2}) {
+      double worst = 0;
+      for (const auto& [slope, friction] : kSliding) {
+        const Scene scene = slope_scene(slope, friction, dt, choice);
+        StandardStepper stepper(scene);
+        const State start = stepper.state();
+        for (double t : {0.5, 1.0}) {
+          run_to(stepper, t);
+          const double a = radians(slope);
+          const double expected = kGravity / 2 * (std::sin(a) - std::cos(a) * std::tan(radians(friction))) * t * t;
+          const double error = slip(stepper, start, slope) - expected;
+          EXPECT_LE(std::abs(error), 1e-6 * expected + 1e-7)
+              << name_of(choice) << ", dt " << dt << ", slope " << slope << ", friction " << friction << ", t " << t;
+          worst = std::max(worst, std::abs(error));
+        }
+      }
+      RecordProperty(fmt::format("{}, dt {}", name_of(choice), dt), fmt::format("{:.1e} m", worst));
+    }
+  }
+}
+
+// dda-04: at the friction angle of the slope and above, the block stays.
+TEST(StandardSlide, a_block_at_its_friction_angle_and_above_does_not_creep) {
+  for (const Choice& choice : kChoices) {
+    for (double dt : {1e-3, 1e-2}) {
+      for (double friction : {30.0, 30.01, 30.1, 31.0, 35.0}) {
+        const Scene scene = slope_scene(30, friction, dt, choice);
+        StandardStepper stepper(scene);
+        const State start = stepper.state();
+        run_to(stepper, 1);
+        const double half_way = std::abs(slip(stepper, start, 30));
+        run_to(stepper, 2);
+        const double end = std::abs(slip(stepper, start, 30));
+        EXPECT_LE(end, 1e-7) << name_of(choice) << ", dt " << dt << ", friction " << friction;
+        EXPECT_LE(end - half_way, 1e-8) << name_of(choice) << ", dt " << dt << ", friction " << friction;
+      }
+    }
+  }
+}
+
+namespace {
+
+// Error at 0.5 s of a block at (45, 40), where an undamped block flutters.
+double flutter_error(double dt, StrainDamping damping) {
+  Scene scene = slope_scene(45, 40, dt, {BlockBasis::affine, Enforcement::lagrange, 10});
+  scene.settings.standard.strain_damping = damping;
+  StandardStepper stepper(scene);
+  const State start = stepper.state();
+  run_to(stepper, 0.5);
+  const double a = radians(45);
+  return slip(stepper, start, 45) - kGravity / 2 * (std::sin(a) - std::cos(a) * std::tan(radians(40))) * 0.25;
+}
+
+}  // namespace
+
+// Steady sliding of an elastic block is unstable at high friction (contact-notes 4.3); the stiffness damping of the strain
+// modes, on by default, keeps it still at steps that resolve the flutter too.
+TEST(StandardSlide, strain_damping_keeps_a_block_from_fluttering_at_small_steps) {
+  EXPECT_LE(std::abs(flutter_error(1e-4, StrainDamping::critical)), 1e-10);
+  EXPECT_GE(std::abs(flutter_error(1e-4, StrainDamping::none)), 1e-6);
+}
+
+// Sudden gravity lets the contact ring, which friction turns into slip: 2e-3 m are physics (contact-notes 4.1), not solver.
+TEST(StandardSlide, a_suddenly_loaded_block_slides_within_two_millimetres) {
+  for (const Choice& choice : kChoices) {
+    for (double dt : {1e-3, 1e-2}) {
+      for (const auto& [slope, friction] : kSliding) {
+        Scene scene = slope_scene(slope, friction, dt, choice);
+        scene.settings.standard.start = StartRule::sudden;
+        StandardStepper stepper(scene);
+        const State start = stepper.state();
+        run_to(stepper, 1);
+        const double a = radians(slope);
+        const double expected = kGravity / 2 * (std::sin(a) - std::cos(a) * std::tan(radians(friction)));
+        EXPECT_NEAR(slip(stepper, start, slope), expected, 2e-3)
+            << name_of(choice) << ", dt " << dt << ", slope " << slope << ", friction " << friction;
+      }
+    }
+  }
+}
+
+// dda-05: s = v0²/(2 a), a = g (cos a tan phi - sin a). The step in which the block stops is resolved to about a step of time:
+// the distance error is at most a (dt)²/2, and the block rests afterwards.
+TEST(StandardSlide, a_block_faster_than_friction_allows_stops_where_it_should_and_stays) {
+  struct Case {
+    double slope, friction, speed;
+  };
+  for (const Choice& choice : kChoices) {
+    for (const auto& [slope, friction, speed] : {Case{15, 30, 3}, Case{0, 16.699244233993621, 5}}) {
+      for (double dt : {1e-3, 1e-2}) {
+        const Scene scene = slope_scene(slope, friction, dt, choice, speed);
+        StandardStepper stepper(scene);
+        const State start = stepper.state();
+        const double a = radians(slope);
+        const double deceleration = kGravity * (std::cos(a) * std::tan(radians(friction)) - std::sin(a));
+        run_to(stepper, speed / deceleration + 0.1);
+        const double expected = speed * speed / (2 * deceleration);
+        const double error = slip(stepper, start, slope) - expected;
+        const double rest = length(velocity(stepper));
+        EXPECT_LE(std::abs(error), deceleration * dt * dt) << name_of(choice) << ", slope " << slope << ", dt " << dt;
+        EXPECT_LE(rest, 1e-3) << name_of(choice) << ", slope " << slope << ", dt " << dt;
+      }
+    }
+  }
+}
+
+}  // namespace keyblock

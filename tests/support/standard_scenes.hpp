@@ -1,0 +1,57 @@
+// Small scenes for Dynamics::standard: a floor held by two points, squares on it, and a run to a given time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "model/choose_basis.hpp"
+#include "model/kinematics.hpp"
+#include "step/standard_stepper.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace keyblock::testing {
+
+inline double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+/// A rectangle in axes turned by `angle`, origin fixed.
+inline BlockPolygon turned_rectangle(Point low, Point high, double angle) {
+  BlockPolygon block = rectangle(low, high);
+  for (BlockVertex& corner : block.outer) corner.position = turned(corner.position, angle);
+  return block;
+}
+
+/// Block 1, held: 20 m long, its top through the origin, falling to the right at `slope`. Block 2: a square metre on it.
+inline Blocks block_on_slope(double slope) {
+  Blocks scene;
+  scene.blocks = {turned_rectangle({0, -2}, {20, 0}, -slope), turned_rectangle({1, 0}, {2, 1}, -slope)};
+  scene.fixed_points = {{turned(Point{1, -1}, -slope), 0, {}}, {turned(Point{19, -1}, -slope), 0, {}}};
+  return scene;
+}
+
+inline Settings standard_settings(const Analysis& analysis) {
+  return profile_settings("standard", analysis);
+}
+
+inline Scene standard_scene_of(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
+  Model model = with_bases(model_from_blocks(blocks, analysis), settings.standard.basis);
+  return scene_of(std::move(model), settings, analysis.dialect);
+}
+
+/// Steps until `time`; a step that fails throws.
+inline void run_to(StandardStepper& stepper, double time) {
+  const double half = stepper.scene().settings.time_step / 2;
+  while (stepper.state().time < time - half) {
+    const auto made = stepper.advance();
+    if (const auto* failure = std::get_if<StepFailure>(&made)) throw std::runtime_error(failure->reason);
+  }
+}
+
+/// How far the centroid of element `e` has come since the first step began.
+inline Point travel(const StandardStepper& stepper, const State& start, int e) {
+  return stepper.state().elements[ElementIndex{e}].centroid - start.elements[ElementIndex{e}].centroid;
+}
+
+}  // namespace keyblock::testing
