@@ -168,4 +168,12 @@ TEST(Commands, a_missing_file_is_exit_3) {
   EXPECT_TRUE(contains(run.messages, "no_such.geo: error: expected")) << run.messages;
 }
 
+TEST(Commands, compare_goes_on_after_a_case_that_cannot_be_run) {
+  const ProgramRun both =
+      run_keyblock({"compare", "--profile", "standard", kCases + "circle_slope", kCases + "sliding_block/a30_p20"});
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_TRUE(contains(both.messages, "expected convex blocks")) << both.messages;
+  EXPECT_TRUE(contains(both.output, "displacement of block 2")) << both.output;
+}
+
 }  // namespace keyblock

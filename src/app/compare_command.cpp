@@ -120,30 +120,57 @@ std::string picture_of(const ComparedCase& compared) {
                               "s"});
 }
 
-ExitCode compare(const CompareOptions& options) {
-  std::vector<ComparedCase> compared;
+/// All cases and traces rerun, and the names of those that could not be run.
+struct Comparison {
+  std::vector<ComparedCase> cases;
   std::vector<TraceDifference> traces;
+  std::vector<std::string> refused;
+
+  /// Reruns one folder. A case that cannot be run is told and counted; the others go on.
+  void add(const study::CaseFolder& folder, const CompareOptions& options) {
+    try {
+      if (folder.has_expected) cases.push_back(study::compare_case(folder, options.profile));
+      if (folder.has_trace) traces.push_back(study::follow_trace(folder));
+    } catch (const InputError& error) {
+      spdlog::error("{}", error.what());
+      refused.push_back(folder.name);
+    }
+  }
+
+  std::size_t missed() const {
+    return refused.size() +
+           static_cast<std::size_t>(std::ranges::count_if(cases, [](const ComparedCase& c) { return !c.holds(); }) +
+                                    std::ranges::count_if(traces, [](const TraceDifference& t) { return !t.holds(); }));
+  }
+};
+
+void print_json(const Comparison& all) {
+  Json json = {{"cases", Json::array()}, {"traces", Json::array()}, {"refused", all.refused}};
+  for (const ComparedCase& c : all.cases) json["cases"].push_back(json_of(c));
+  for (const TraceDifference& t : all.traces) json["traces"].push_back(json_of(t));
+  fmt::print("{}\n", json.dump(1));
+}
+
+ExitCode compare(const CompareOptions& options) {
+  Comparison all;
   for (const study::CaseFolder& folder : study::find_cases(options.cases)) {
-    if (folder.has_expected) compared.push_back(study::compare_case(folder, options.profile));
-    if (folder.has_expected && !options.as_json) print(compared.back(), options);
-    if (folder.has_trace) traces.push_back(study::follow_trace(folder));
+    const std::size_t before = all.cases.size();
+    all.add(folder, options);
+    if (all.cases.size() > before && !options.as_json) print(all.cases.back(), options);
   }
   if (!options.picture.empty()) {
-    if (compared.size() != 1) throw UsageError("--picture: expected one case with expected values");
-    write_file(options.picture, picture_of(compared.front()));
+    if (all.cases.size() != 1) throw UsageError("--picture: expected one case with expected values");
+    write_file(options.picture, picture_of(all.cases.front()));
   }
-  Json json = {{"cases", Json::array()}, {"traces", Json::array()}};
-  for (const ComparedCase& c : compared) json["cases"].push_back(json_of(c));
-  for (const TraceDifference& t : traces) json["traces"].push_back(json_of(t));
   if (options.as_json)
-    fmt::print("{}\n", json.dump(1));
+    print_json(all);
   else
-    print(traces);
-  const auto missed = std::ranges::count_if(compared, [](const ComparedCase& c) { return !c.holds(); }) +
-                      std::ranges::count_if(traces, [](const TraceDifference& t) { return !t.holds(); });
+    print(all.traces);
   std::fflush(stdout);  // the table before the verdict, wherever both go
-  spdlog::info("{}, {}, {} missed", counted(compared.size(), "case"), counted(traces.size(), "trace"), missed);
-  return missed == 0 ? ExitCode::ok : ExitCode::check_failed;
+  spdlog::info("{}, {}, {} missed", counted(all.cases.size(), "case"), counted(all.traces.size(), "trace"),
+               all.missed());
+  if (all.cases.empty() && all.traces.empty()) return ExitCode::unreadable;
+  return all.missed() == 0 ? ExitCode::ok : ExitCode::check_failed;
 }
 
 }  // namespace
