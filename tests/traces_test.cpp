@@ -42,7 +42,8 @@ TEST(Traces, legacy_profile_follows_the_push_block_trace) {
   for (const CaseFolder& found : find_cases({folder.string()})) expect_followed(found);
 }
 
-// The Berkeley program's own example, native files with automatic step and penalty: what reference_runs/examples.csv
+// Not independent: the automatic penalty of native files, the mean area and the stiffness of the step rule were inferred from
+// these very figures. The Berkeley program's own example, native files with automatic step and penalty: what reference_runs/examples.csv
 // prints of it (passes in all, most contacts, greatest penetration, longest step; six digits) and the end time, which
 // round-off of its step formula keeps to six digits.
 TEST(Traces, the_circle_slope_example_comes_back_with_automatic_step_and_penalty) {
