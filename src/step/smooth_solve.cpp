@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/smooth_solve.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "contact/gap.hpp"
+#include "step/step_equations.hpp"
 
 namespace keyblock {
 namespace {
@@ -22,7 +22,12 @@ class SmoothSolve {
  public:
   SmoothSolve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const Touches& touches,
               const ForceTolerance& tolerance, double dt)
-      : scene_(scene), start_(start), touches_(touches), tolerance_(tolerance), dt_(dt) {
+      : scene_(scene),
+        start_(start),
+        touches_(touches),
+        tolerance_(tolerance),
+        dt_(dt),
+        rule_(step_rule(scene.settings.standard, dt)) {
     for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
   }
 
@@ -38,25 +43,20 @@ class SmoothSolve {
     }
     result_.converged = result_.converged && change <= kTolerable;
     result_.q = plus(start_.q, 1, increments);
-    for (ElementIndex e : indices(increments))
-      result_.v.push_back((increments[e] / dt_ - (1 - theta()) * start_.v[e]) / theta());
+    result_.v = plus(known_velocity_, rate(), increments);
     return std::move(result_);
   }
 
  private:
-  double theta() const { return scene_.settings.standard.velocity_weight; }
-
   void prepare(ElementIndex e, const Unknowns& load) {
-    const Body& body = scene_.bodies[e];
-    const double inertia = 1 / (theta() * dt_ * dt_);
-    const UnknownBlock a =
-        inertia * body.mass + (scene_.settings.standard.force_weight + body.damping / dt_) * body.stiffness;
-    const Unknowns r =
-        load + body.initial_stress - body.stiffness * start_.q[e] + inertia * dt_ * (body.mass * start_.v[e]);
-    inverse_.push_back(a);
-    if (a.rows() > 0) inverse_[e] = a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()));
-    free_.push_back(inverse_[e] * r);
+    StepEquations equations = step_equations(scene_.bodies[e], start_.q[e], start_.v[e], load, rule_);
+    inverse_.push_back(std::move(equations.inverse));
+    free_.push_back(std::move(equations.free));
+    known_velocity_.push_back(std::move(equations.known_velocity));
   }
+
+  // Slip velocities are counted as increments: the displacement that alone would give them.
+  double rate() const { return rule_.end_velocity.increment; }
 
   UnknownsTable increments_about(const UnknownsTable& estimate) {
     const ContactRows rows = contact_rows(scene_.model, scene_.reference, plus(start_.q, 0.5, estimate), touches_);
@@ -72,8 +72,7 @@ class SmoothSolve {
   FrictionalProblem problem_about(const ContactRows& rows, const UnknownsTable& estimate) const {
     const Table<VertexIndex, Point> end = vertices_at(scene_.model, scene_.reference, plus(start_.q, 1, estimate));
     const Eigen::VectorXd from_estimate = rates(rows, plus(free_, -1, estimate));
-    // θv dt times the slip velocity at the end of the step.
-    const Eigen::VectorXd slip = rates(rows, plus(free_, -(1 - theta()) * dt_, start_.v));
+    const Eigen::VectorXd slip = rates(rows, plus(free_, 1 / rate(), known_velocity_));
     FrictionalProblem problem{contact_matrix(rows, inverse_), slip, friction_of(scene_, touches_), tolerance_.goal,
                               tolerance_.acceptable};
     for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -88,9 +87,10 @@ class SmoothSolve {
   // brings its point to rest, where the displacement of the step would turn the velocity over in each step.
   void add_springs(FrictionalProblem& problem, Eigen::Index n, const Touch& touch) const {
     problem.w(n, n) += 1 / scene_.normal_stiffness();
-    problem.w(n + 1, n + 1) += theta() / scene_.tangential_stiffness();
+    const double of_stretch = 1 / (rate() * dt_);
+    problem.w(n + 1, n + 1) += of_stretch / scene_.tangential_stiffness();
     const auto memory = start_.closed.find(touch);
-    if (memory != start_.closed.end()) problem.b[n + 1] += theta() * memory->second.stretch;
+    if (memory != start_.closed.end()) problem.b[n + 1] += of_stretch * memory->second.stretch;
   }
 
   Eigen::VectorXd remembered_forces() const {
@@ -121,8 +121,10 @@ class SmoothSolve {
   const Touches& touches_;
   ForceTolerance tolerance_;
   double dt_;
+  StepRule rule_;
   Table<ElementIndex, UnknownBlock> inverse_;
-  UnknownsTable free_;  ///< increments without contact
+  UnknownsTable free_;            ///< increments without contact
+  UnknownsTable known_velocity_;  ///< what the increments leave of the velocities at the end
   SmoothMotion result_;
 };
 
