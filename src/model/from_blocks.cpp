@@ -45,6 +45,21 @@ std::vector<CarriedPoint> carried(const std::vector<BlockPoint>& points, const s
   return result;
 }
 
+double strength_of(const BlockBolt& bolt) {
+  return bolt.strength > 0 ? bolt.strength : std::numeric_limits<double>::infinity();
+}
+
+std::vector<Bolt> bolts_of(const Blocks& blocks) {
+  std::vector<Bolt> bolts;
+  for (const BlockBolt& bolt : blocks.bolts)
+    bolts.push_back({{bolt.segment.start, {bolt.first_block}},
+                     {bolt.segment.end, {bolt.second_block}},
+                     bolt.stiffness,
+                     strength_of(bolt),
+                     bolt.pretension});
+  return bolts;
+}
+
 // Half the greater of width and height of all block vertices at the start (legacy-rules, notation).
 double scale_of(const std::vector<Point>& vertices) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -91,6 +106,7 @@ Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {
   model.fixed_points = carried(blocks.fixed_points, analysis.fixed_point_motions);
   model.loading_points = carried(blocks.loading_points, analysis.point_loads);
   model.measured_points = carried(blocks.measured_points, {});
+  model.bolts = bolts_of(blocks);
   model.scale = scale_of(model.start_vertices);
   model.mean_area = mean_area_of(blocks);
   return model;

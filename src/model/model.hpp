@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "base/index.hpp"
@@ -38,6 +39,29 @@ struct CarriedPoint {
   TimeCurve curve;
 };
 
+/// A point of an element, by where it lies at the start.
+struct MaterialPoint {
+  Point start;
+  ElementIndex element;
+};
+
+/// An axial spring between two material points. Tension is positive:
+///     force = pretension + stiffness × elongation,  elongation = present length − length at the start,
+/// and so under compression too (the Berkeley program; legacy-formats, bolts). The stiffness belongs to the whole bolt.
+/// A bolt whose force exceeds its strength is broken and carries nothing more. A file's strength of 0 or below, infinity
+/// here, is no limit: the old program read the number and broke no bolt, and a bolt meant to break at once would hold
+/// nothing (none of the old files at hand has a bolt). Profile `legacy` breaks none.
+struct Bolt {
+  MaterialPoint first;
+  MaterialPoint second;
+  double stiffness = 0;  ///< force / length
+  double strength = std::numeric_limits<double>::infinity();
+  double pretension = 0;  ///< force at the start
+
+  double start_length() const { return distance(first.start, second.start); }
+  double force_at(double length) const { return pretension + stiffness * (length - start_length()); }
+};
+
 struct Model {
   Table<ElementIndex, Element> elements;
   Table<VertexIndex, Vertex> vertices;
@@ -45,6 +69,7 @@ struct Model {
   std::vector<CarriedPoint> fixed_points;
   std::vector<CarriedPoint> loading_points;
   std::vector<CarriedPoint> measured_points;
+  std::vector<Bolt> bolts;
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;
   double mean_area = 0;  ///< of the elements at the start

@@ -51,15 +51,22 @@ bool is_point(const Segment& segment) {
   return segment.start == segment.end;
 }
 
+constexpr const char* kZeroLengthBolt = "a bolt without length has no direction and is left out";
+
 Warnings zero_length_lines(const Drawing& drawing) {
   Warnings warnings;
   for (const JointLine& line : drawing.joints)
     if (is_point(line.segment))
       warnings.push_back({"zero_length_line", line.place, "a line without length cuts nothing and is left out"});
   for (const BoltLine& bolt : drawing.bolts)
-    if (is_point(bolt.segment))
-      warnings.push_back({"zero_length_bolt", bolt.place, "a bolt without length has no direction and is left out"});
+    if (is_point(bolt.segment)) warnings.push_back({"zero_length_bolt", bolt.place, kZeroLengthBolt});
   return warnings;
+}
+
+Warnings zero_length_bolts(const Blocks& blocks) {
+  const auto has_no_length = [](const BlockBolt& bolt) { return is_point(bolt.segment); };
+  if (std::ranges::none_of(blocks.bolts, has_no_length)) return {};
+  return {{"zero_length_bolt", blocks.place, kZeroLengthBolt}};
 }
 
 Warnings unusual_ratio(const Drawing& drawing) {
@@ -122,6 +129,8 @@ class Checker {
   }
 
   void look_at(Blocks& blocks) {
+    warn(zero_length_bolts(blocks));
+    std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return is_point(bolt.segment); });
     warn(no_fixed_points(blocks.fixed_points.size(), blocks.place));
     for (InputError& error : impossible_blocks(blocks)) checked_.errors.push_back(std::move(error));
     if (!checked_.problem.analysis) return;

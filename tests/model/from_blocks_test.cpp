@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/scenes.hpp"
 
 namespace keyblock {
@@ -68,6 +70,28 @@ TEST(FromBlocks, native_stress_gradient_and_velocity_are_apart_without_the_quirk
   const State state = start_state(model, analysis.dialect, settings);
   EXPECT_EQ(state.elements[ElementIndex{0}].stress, (Stress{13, 26, 0}));
   EXPECT_EQ(state.elements[ElementIndex{0}].velocity[1], 5);
+}
+
+TEST(FromBlocks, bolts_keep_their_ends_and_numbers) {
+  Blocks blocks{{rectangle({0, 0}, {1, 1}), rectangle({2, 0}, {3, 1})}, {}, {}, {}, {}, {}};
+  blocks.bolts = {{{{0.5, 0}, {2.5, 1.5}}, 0, 1, 1e6, 2e3, 50}};
+  const Model model = model_from_blocks(blocks, plain_analysis(1e-3, 1));
+  ASSERT_EQ(model.bolts.size(), 1U);
+  const Bolt& bolt = model.bolts[0];
+  EXPECT_EQ(bolt.first.element, ElementIndex{0});
+  EXPECT_EQ(bolt.second.element, ElementIndex{1});
+  EXPECT_EQ(bolt.second.start, (Point{2.5, 1.5}));
+  EXPECT_EQ(bolt.strength, 2e3);
+  EXPECT_DOUBLE_EQ(bolt.start_length(), 2.5);
+  EXPECT_DOUBLE_EQ(bolt.force_at(2.5), 50);
+  EXPECT_NEAR(bolt.force_at(2.501), 50 + 1e6 * 1e-3, 1e-6);  // longer: more tension
+}
+
+TEST(FromBlocks, strength_that_is_not_positive_is_no_limit) {
+  Blocks blocks{{rectangle({0, 0}, {1, 1}), rectangle({2, 0}, {3, 1})}, {}, {}, {}, {}, {}};
+  for (const double strength : {0.0, -1.0}) blocks.bolts.push_back({{{1, 0}, {2, 0}}, 0, 1, 1e6, strength, 0});
+  for (const Bolt& bolt : model_from_blocks(blocks, plain_analysis(1e-3, 1)).bolts)
+    EXPECT_TRUE(std::isinf(bolt.strength));
 }
 
 }  // namespace keyblock

@@ -118,6 +118,16 @@ TEST(Problem, bolts_without_any_properties_are_a_warning) {
   EXPECT_EQ(names(check({drawing, sound_analysis()})), std::vector<std::string>{"bolts_without_properties"});
 }
 
+TEST(Problem, bolt_of_a_block_file_without_length_is_left_out) {
+  Blocks blocks;
+  blocks.fixed_points.resize(1);
+  blocks.bolts.resize(2);
+  blocks.bolts[1].segment = {{0, 0}, {1, 0}};
+  const Checked checked = check({blocks, {}});
+  EXPECT_EQ(names(checked), std::vector<std::string>{"zero_length_bolt"});
+  EXPECT_EQ(std::get<Blocks>(checked.problem.geometry).bolts.size(), 1U);
+}
+
 TEST(Problem, block_that_turns_clockwise_is_an_error) {
   Blocks blocks;
   blocks.place = {"b"};
