@@ -25,12 +25,12 @@ test: build ## build and pass every test
 	ctest --test-dir build --output-on-failure -j $(JOBS)
 	@awk '/: Skipped$$/ { getline; print "skipped: " $$0 }' build/Testing/Temporary/LastTest.log | sort | uniq -c
 
-cases: build ## rerun every legacy case against its expected values
+cases: build ## rerun every legacy case in both profiles against its expected values
 	build/keyblock compare legacy_cases
 
-validate: build ## longer checks: every case and trace, cutting against GEOS, time curves of cutting
+validate: build ## longer checks: every case and trace, slow ones too, cutting against GEOS, time curves of cutting
 	@$(call install_missing,libgeos-dev)
-	build/keyblock compare legacy_cases
+	build/keyblock compare --all legacy_cases
 	cmake -S . -B build -G Ninja
 	cmake --build build --target keyblock_validate
 

@@ -168,12 +168,35 @@ TEST(Commands, a_missing_file_is_exit_3) {
   EXPECT_TRUE(contains(run.messages, "no_such.geo: error: expected")) << run.messages;
 }
 
-TEST(Commands, compare_goes_on_after_a_case_that_cannot_be_run) {
-  const ProgramRun both =
-      run_keyblock({"compare", "--profile", "standard", kCases + "circle_slope", kCases + "sliding_block/a30_p20"});
+TEST(Commands, compare_goes_on_after_a_case_that_cannot_be_read) {
+  const std::string folder = fresh_folder("bad_setting") + "/a30_p20";
+  std::filesystem::copy(kCases + "sliding_block/a30_p20", folder);
+  testing::write_text(folder + "/case.json", R"({"set": {"both": {"time_stop": "1"}}})");
+  const ProgramRun both = run_keyblock({"compare", folder, kCases + "sliding_block/a30_p20"});
   EXPECT_EQ(both.exit_code, 1);
-  EXPECT_TRUE(contains(both.messages, "expected convex blocks")) << both.messages;
+  EXPECT_TRUE(contains(both.messages, "case.json: error: there is no setting \"time_stop\"")) << both.messages;
   EXPECT_TRUE(contains(both.output, "displacement of block 2")) << both.output;
+}
+
+TEST(Commands, compare_leaves_slow_cases_out_unless_all_are_asked_for) {
+  const std::string folder = fresh_folder("slow") + "/a30_p20";
+  std::filesystem::copy(kCases + "sliding_block/a30_p20", folder);
+  testing::write_text(folder + "/case.json", R"({"slow": true})");
+  const ProgramRun quick = run_keyblock({"compare", folder, kCases + "sliding_block/a30_p10"});
+  EXPECT_EQ(quick.exit_code, 0);
+  EXPECT_TRUE(contains(quick.messages, "1 case, 0 traces, 0 missed; 1 slow case left out")) << quick.messages;
+  EXPECT_EQ(run_keyblock({"compare", folder}).exit_code, 2) << "nothing is left to run";
+  const ProgramRun all = run_keyblock({"compare", "--all", folder});
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_TRUE(contains(all.messages, "1 case, 0 traces, 0 missed")) << all.messages;
+}
+
+TEST(Commands, compare_shows_both_profiles_or_the_one_asked_for) {
+  const ProgramRun both = run_keyblock({"compare", kCases + "sliding_block/a30_p20"});
+  EXPECT_TRUE(contains(both.output, "error legacy") && contains(both.output, "error standard")) << both.output;
+  const ProgramRun one = run_keyblock({"compare", "--profile", "standard", kCases + "sliding_block/a30_p20"});
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_FALSE(contains(one.output, "error legacy")) << one.output;
 }
 
 }  // namespace keyblock

@@ -31,8 +31,11 @@ void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>
 }  // namespace
 
 std::vector<std::string> CaseFolder::inputs() const {
-  const fs::path base = folder / fs::absolute(folder).lexically_normal().filename();
-  return {base.string() + ".geo", base.string() + ".ana"};
+  const std::string base = (folder / fs::absolute(folder).lexically_normal().filename()).string();
+  const auto either = [&](const char* native, const char* usual) {
+    return base + (fs::exists(base + native) ? native : usual);
+  };
+  return {either(".blk", ".geo"), either(".df", ".ana")};
 }
 
 std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths) {

@@ -8,7 +8,8 @@
 
 namespace keyblock::study {
 
-/// A case folder: `NAME/NAME.geo`, `NAME/NAME.ana`, and `expected.csv` or `steps.csv` with `blocks.csv`.
+/// A case folder: `NAME/NAME.geo` or `.blk`, `NAME/NAME.ana` or `.df`, and `expected.csv` or `steps.csv` with
+/// `blocks.csv`.
 struct CaseFolder {
   std::filesystem::path folder;
   std::string name;  ///< the folder as it was asked for, for tables

@@ -1,4 +1,4 @@
-// Reads expected.csv, runs the case, and picks the values.
+// Runs a case as its folder says, and picks the values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/compare.hpp"
 
@@ -6,83 +6,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <stdexcept>
+#include <variant>
 
 #include "formats/case.hpp"
-#include "formats/csv.hpp"
 #include "run/prepare.hpp"
+#include "study/quantities.hpp"
 
 namespace keyblock::study {
 namespace {
 
-using OfBlock = double (*)(const ElementFrame&);
-using OfScene = double (*)(const Frame&);
+/// All that the folder holds, read once for all its runs.
+struct Loaded {
+  std::string name;
+  std::string table;  ///< path of expected.csv
+  CaseFile file;
+  std::vector<ExpectedValue> expected;
+  formats::Case input;
+};
 
-const std::map<std::string, OfBlock>& block_quantities() {
-  static const std::map<std::string, OfBlock> table{
-      {"displacement", [](const ElementFrame& e) { return length(e.displacement); }},
-      {"dx", [](const ElementFrame& e) { return e.displacement.x; }},
-      {"dy", [](const ElementFrame& e) { return e.displacement.y; }},
-      {"cx", [](const ElementFrame& e) { return e.centroid.x; }},
-      {"cy", [](const ElementFrame& e) { return e.centroid.y; }},
-      {"rotation", [](const ElementFrame& e) { return e.rotation; }},
-      {"sxx", [](const ElementFrame& e) { return e.stress.xx; }},
-      {"syy", [](const ElementFrame& e) { return e.stress.yy; }},
-      {"sxy", [](const ElementFrame& e) { return e.stress.xy; }},
-      {"area", [](const ElementFrame& e) { return e.area; }},
-      {"speed", [](const ElementFrame& e) { return std::hypot(e.velocity.x, e.velocity.y); }},
-  };
-  return table;
+Loaded load(const CaseFolder& folder) {
+  const std::string table = (folder.folder / "expected.csv").string();
+  return {folder.name, table, read_case_file(folder), read_expected(table), formats::load_case(folder.inputs())};
 }
 
-double total_area(const Frame& frame) {
-  double area = 0;
-  for (const ElementFrame& e : frame.elements) area += e.area;
-  return area;
-}
-
-const std::map<std::string, OfScene>& scene_quantities() {
-  static const std::map<std::string, OfScene> table{
-      {"total_area", total_area},
-      {"block_count", [](const Frame& f) { return static_cast<double>(f.elements.size()); }},
-      {"fixed_point_count", [](const Frame& f) { return static_cast<double>(f.fixed_points.size()); }},
-  };
-  return table;
-}
-
-void require_quantity(const ComparedValue& value, const Place& place) {
-  const bool known =
-      value.block ? block_quantities().contains(value.quantity) : scene_quantities().contains(value.quantity);
-  if (!known)
-    throw InputError(place, fmt::format("expected a quantity of {}, found \"{}\"",
-                                        value.block ? "a block" : "the scene", value.quantity));
-}
-
-std::vector<ComparedValue> read_expected(const std::filesystem::path& file) {
-  const formats::CsvTable table = formats::read_csv(formats::load(file.string()));
-  const auto column = [&](const char* name) { return formats::csv_column(table, name); };
-  const std::size_t quantity = column("quantity"), block = column("block"), time = column("time"),
-                    value = column("value"), tolerance = column("tolerance"), reason = column("tolerance_reason"),
-                    source = column("source");
+std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expected, const std::string& profile) {
   std::vector<ComparedValue> values;
-  for (const formats::CsvRow& row : table.rows) {
-    ComparedValue v;
-    v.quantity = row.cells[quantity];
-    if (!row.cells[block].empty()) v.block = static_cast<int>(formats::csv_real(table, row, block));
-    v.time = formats::csv_real(table, row, time);
-    v.expected = formats::csv_real(table, row, value);
-    v.tolerance = formats::csv_real(table, row, tolerance);
-    v.tolerance_reason = row.cells[reason];
-    v.source = row.cells[source];
-    require_quantity(v, {file.string(), row.line, 1});
-    values.push_back(std::move(v));
-  }
+  for (const ExpectedValue& e : expected)
+    values.push_back(
+        {e.quantity, e.block, e.time, e.value, {}, e.tolerance, e.tolerance_reason, e.source, e.is_judged_in(profile)});
   return values;
-}
-
-double value_of(const ComparedValue& wanted, const Frame& frame) {
-  if (!wanted.block) return scene_quantities().at(wanted.quantity)(frame);
-  return block_quantities().at(wanted.quantity)(frame.elements[static_cast<std::size_t>(*wanted.block - 1)]);
 }
 
 void require_blocks(const std::vector<ComparedValue>& values, std::size_t count, const std::string& file) {
@@ -95,8 +48,79 @@ void require_blocks(const std::vector<ComparedValue>& values, std::size_t count,
 // Times of the table are steps of the run up to the round-off of their sum: half a step tells neighbours apart.
 void pick(std::vector<ComparedValue>& values, const Frame& frame, double half_step) {
   for (ComparedValue& v : values) {
-    if (std::abs(frame.time - v.time) < half_step) v.computed = value_of(v, frame);
+    if (std::abs(frame.time - v.time) < half_step) v.computed = quantity_of(frame, v.quantity, v.block);
   }
+}
+
+int first_block(const std::vector<ComparedValue>& values) {
+  const auto followed = std::ranges::find_if(values, [](const ComparedValue& v) { return v.block.has_value(); });
+  return followed == values.end() ? 1 : *followed->block;
+}
+
+// A setting that is none is the case file's fault; a scene that the profile refuses is a result: the sentence why.
+std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, const std::string& profile,
+                                                        const std::vector<Override>& overrides) {
+  try {
+    return prepare(loaded.input.problem, profile, overrides);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({loaded.file.path, 0, 0}, error.what());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
+  compared.followed_block = first_block(compared.values);
+  const auto block = static_cast<std::size_t>(compared.followed_block - 1);
+  Observer observer;
+  observer.on_frame = [&](const Frame& frame) {
+    if (frame.step == 0) compared.start = frame;
+    compared.end = frame;
+    compared.times.push_back(frame.time);
+    compared.displacements.push_back(length(frame.elements[block].displacement));
+    pick(compared.values, frame, scene.settings.time_step / 2);
+  };
+  compared.outcome = run(scene, 1, observer);
+  return compared;
+}
+
+ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
+  compared.name = loaded.name;
+  const auto made = prepared_or_refused(loaded, compared.profile, overrides);
+  if (const auto* why = std::get_if<std::string>(&made)) {
+    compared.not_run = *why;
+    return compared;
+  }
+  const Prepared& prepared = std::get<Prepared>(made);
+  compared.warnings = joined(loaded.input.warnings, prepared.warnings);
+  require_blocks(compared.values, prepared.scene.model.elements.size(), loaded.table);
+  return run_and_pick(prepared.scene, std::move(compared));
+}
+
+ComparedCase plain_run(const Loaded& loaded, const std::string& profile) {
+  ComparedCase compared;
+  compared.name = loaded.name;
+  compared.profile = profile;
+  compared.values = values_to_find(loaded.expected, profile);
+  const auto not_run = loaded.file.not_run.find(profile);
+  if (not_run == loaded.file.not_run.end())
+    return compared_with(loaded, std::move(compared), loaded.file.overrides(profile));
+  compared.not_run = not_run->second;
+  for (ComparedValue& v : compared.values) v.is_judged = false;
+  return compared;
+}
+
+ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
+  ComparedCase compared;
+  compared.profile = variant.profile;
+  compared.variant = variant.name;
+  compared.values = values_to_find(loaded.expected, variant.profile);
+  for (ComparedValue& v : compared.values) {
+    if (!variant.tolerance) continue;
+    v.tolerance = *variant.tolerance;
+    v.tolerance_reason = variant.reason;
+  }
+  return compared_with(loaded, std::move(compared), loaded.file.overrides(variant));
 }
 
 }  // namespace
@@ -106,32 +130,26 @@ bool ComparedValue::holds() const {
 }
 
 bool ComparedCase::holds() const {
-  return outcome.end == RunEnd::finished && std::ranges::all_of(values, &ComparedValue::holds);
+  if (std::ranges::none_of(values, &ComparedValue::is_judged)) return true;
+  return not_run.empty() && outcome.end == RunEnd::finished && std::ranges::none_of(values, &ComparedValue::is_missed);
+}
+
+bool CaseComparison::holds() const {
+  return std::ranges::all_of(plain, &ComparedCase::holds) && std::ranges::all_of(variants, &ComparedCase::holds);
 }
 
 ComparedCase compare_case(const CaseFolder& folder, const std::string& profile) {
-  ComparedCase compared;
-  compared.name = folder.name;
-  const std::string table = (folder.folder / "expected.csv").string();
-  compared.values = read_expected(table);
-  const formats::Case loaded = formats::load_case(folder.inputs());
-  const Prepared prepared = prepare(loaded.problem, profile, {});
-  compared.warnings = joined(loaded.warnings, prepared.warnings);
-  require_blocks(compared.values, prepared.scene.model.elements.size(), table);
-  const auto followed =
-      std::ranges::find_if(compared.values, [](const ComparedValue& v) { return v.block.has_value(); });
-  const std::size_t block = followed == compared.values.end() ? 0 : static_cast<std::size_t>(*followed->block - 1);
-  compared.followed_block = static_cast<int>(block) + 1;
-  Observer observer;
-  observer.on_frame = [&](const Frame& frame) {
-    if (frame.step == 0) compared.start = frame;
-    compared.end = frame;
-    compared.times.push_back(frame.time);
-    compared.displacements.push_back(length(frame.elements[block].displacement));
-    pick(compared.values, frame, prepared.scene.settings.time_step / 2);
-  };
-  compared.outcome = run(prepared.scene, 1, observer);
-  return compared;
+  return plain_run(load(folder), profile);
+}
+
+CaseComparison compare_in(const CaseFolder& folder, const std::vector<std::string>& profiles) {
+  const Loaded loaded = load(folder);
+  CaseComparison comparison{loaded.name, loaded.file.about, {}, {}};
+  for (const std::string& profile : profiles) comparison.plain.push_back(plain_run(loaded, profile));
+  for (const Variant& variant : loaded.file.variants)
+    if (std::ranges::find(profiles, variant.profile) != profiles.end())
+      comparison.variants.push_back(variant_run(loaded, variant));
+  return comparison;
 }
 
 }  // namespace keyblock::study

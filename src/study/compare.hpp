@@ -1,4 +1,4 @@
-// Reruns a case and holds the results against its expected values.
+// Reruns a case in one or both profiles and holds the results against its expected values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,9 +8,10 @@
 
 #include "base/error.hpp"
 #include "result/frame.hpp"
-#include "result/history.hpp"
 #include "run/run.hpp"
+#include "study/case_file.hpp"
 #include "study/cases.hpp"
+#include "study/expected.hpp"
 
 namespace keyblock::study {
 
@@ -24,14 +25,20 @@ struct ComparedValue {
   double tolerance = 0;            ///< absolute
   std::string tolerance_reason;
   std::string source;
+  bool is_judged = true;  ///< in this run; otherwise only shown
 
   double error() const { return computed.value_or(0) - expected; }
   bool holds() const;
+  /// Judged and outside its tolerance.
+  bool is_missed() const { return is_judged && !holds(); }
 };
 
-/// A case rerun.
+/// A case rerun once.
 struct ComparedCase {
   std::string name;
+  std::string profile;
+  std::string variant;  ///< empty for the plain run
+  std::string not_run;  ///< why there was no run: the profile refused the scene, or the case file says so
   std::vector<ComparedValue> values;
   RunOutcome outcome;
   Warnings warnings;
@@ -41,10 +48,25 @@ struct ComparedCase {
   std::vector<double> displacements;  ///< of the block of the first row, at those times
   int followed_block = 1;             ///< whose they are, from 1
 
+  /// Nothing is judged, or the run finished and every judged value holds.
   bool holds() const;
 };
 
-/// Throws InputError for unreadable files, a quantity that is none, or a block that is not there.
+/// A case rerun in every way asked for.
+struct CaseComparison {
+  std::string name;
+  std::string about;
+  std::vector<ComparedCase> plain;  ///< one a profile
+  std::vector<ComparedCase> variants;
+
+  bool holds() const;
+};
+
+/// The plain run under `profile`. A scene that the profile refuses is told in `not_run`. Throws InputError for unreadable
+/// files, a quantity that is none, a block that is not there, or a setting of the case file that is none.
 ComparedCase compare_case(const CaseFolder& folder, const std::string& profile);
+
+/// The plain run under each profile, then the variants of these profiles. Throws as `compare_case`.
+CaseComparison compare_in(const CaseFolder& folder, const std::vector<std::string>& profiles);
 
 }  // namespace keyblock::study

@@ -17,12 +17,26 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Free fall (400 steps of 5 ms) with the given rows for expected values.
-ComparedCase compared(const std::string& rows) {
+CaseFolder free_fall(const std::string& rows) {
   const fs::path folder = fs::path(testing::fresh_folder("compare")) / "released";
   fs::copy(KEYBLOCK_SOURCE_DIR "/legacy_cases/free_fall/released", folder);
-  testing::write_text(folder / "expected.csv", "quantity,block,time,value,tolerance,tolerance_reason,source\n" + rows);
-  return compare_case(find_cases({folder.string()}).front(), "legacy");
+  testing::write_text(folder / "expected.csv", rows);
+  return find_cases({folder.string()}).front();
 }
+
+ComparedCase compared(const std::string& rows) {
+  return compare_case(free_fall("quantity,block,time,value,tolerance,tolerance_reason,source\n" + rows), "legacy");
+}
+
+/// Both profiles and all variants; `rows` end with whose value is judged.
+CaseComparison judged(const std::string& rows, const std::string& case_file) {
+  const CaseFolder folder = free_fall("quantity,block,time,value,tolerance,tolerance_reason,source,judged\n" + rows);
+  testing::write_text(folder.folder / "case.json", case_file);
+  return compare_in(folder, {"legacy", "standard"});
+}
+
+const std::string kRight = "dy,2,1,-4.905,1e-9,r,s,";
+const std::string kWrong = "dy,2,1,-5,1e-9,r,s,";
 
 ComparedValue value(std::optional<double> computed, double tolerance) {
   ComparedValue v;
@@ -79,6 +93,69 @@ TEST(Compare, an_unknown_quantity_or_block_is_refused) {
   EXPECT_THROW(compared("dy,3,1,0,1,r,s\n"), InputError);
   EXPECT_THROW(compared("dy,0,1,0,1,r,s\n"), InputError);
   EXPECT_THROW(compared("dy,2,1,nan,1,r,s\n"), InputError);
+}
+
+TEST(Compare, a_wrong_value_is_missed_only_in_the_profile_that_is_judged) {
+  const CaseComparison of_legacy = judged(kRight + "both\n" + kWrong + "legacy\n", "{}");
+  EXPECT_FALSE(of_legacy.plain[0].holds());
+  EXPECT_TRUE(of_legacy.plain[1].holds());
+  EXPECT_FALSE(of_legacy.holds());
+  EXPECT_NEAR(of_legacy.plain[1].values[1].error(), 0.095, 1e-9) << "shown all the same";
+  const CaseComparison of_standard = judged(kRight + "both\n" + kWrong + "standard\n", "{}");
+  EXPECT_TRUE(of_standard.plain[0].holds());
+  EXPECT_FALSE(of_standard.plain[1].holds());
+}
+
+TEST(Compare, only_known_profiles_can_be_judged) {
+  EXPECT_THROW(judged(kRight + "neither\n", "{}"), InputError);
+}
+
+TEST(Compare, settings_of_the_case_file_are_those_of_the_run) {
+  const CaseComparison moon = judged("dy,2,1,-0.8,1e-9,r,s,both\n", R"({"set": {"both": {"gravity": "1.6"}}})");
+  EXPECT_TRUE(moon.holds());
+}
+
+TEST(Compare, a_variant_is_held_against_the_same_values_with_its_own_settings) {
+  const CaseComparison fall = judged(kRight + "both\n", R"({"variants": [
+      {"name": "10 ms", "profile": "standard", "set": {"time_step": "0.01", "steps": "200"}},
+      {"name": "moon", "profile": "standard", "set": {"gravity": "1.6"}},
+      {"name": "far off", "profile": "legacy", "set": {"gravity": "9.8"}, "tolerance": 0.01, "reason": "9.8 for 9.81"}
+      ]})");
+  ASSERT_EQ(fall.variants.size(), 3U);
+  EXPECT_EQ(fall.variants[0].outcome.steps, 200);
+  EXPECT_TRUE(fall.variants[0].holds());
+  EXPECT_NEAR(*fall.variants[1].values[0].computed, -0.8, 1e-9);
+  EXPECT_FALSE(fall.variants[1].holds());
+  EXPECT_TRUE(fall.variants[2].holds());
+  EXPECT_FALSE(fall.holds());
+}
+
+TEST(Compare, variants_of_a_profile_that_is_not_asked_for_are_not_run) {
+  const CaseFolder folder =
+      free_fall("quantity,block,time,value,tolerance,tolerance_reason,source\ndy,2,1,-4.905,1e-9,r,s\n");
+  testing::write_text(folder.folder / "case.json",
+                      R"({"variants": [{"name": "n", "profile": "standard", "set": {}}]})");
+  EXPECT_TRUE(compare_in(folder, {"legacy"}).variants.empty());
+  EXPECT_EQ(compare_in(folder, {"standard"}).variants.size(), 1U);
+}
+
+TEST(Compare, a_profile_that_is_not_run_is_not_judged_and_says_why) {
+  const CaseComparison fall =
+      judged(kWrong + "legacy\n" + kRight + "both\n", R"({"legacy": "not run: it has no bolts"})");
+  EXPECT_TRUE(fall.holds());
+  EXPECT_EQ(fall.plain[0].not_run, "it has no bolts");
+  EXPECT_FALSE(fall.plain[0].values[1].computed);
+}
+
+TEST(Compare, a_scene_that_cannot_be_run_misses_only_where_it_is_judged) {
+  const CaseFolder folder =
+      free_fall("quantity,block,time,value,tolerance,tolerance_reason,source,judged\n" + kRight + "standard\n");
+  fs::copy_file(KEYBLOCK_SOURCE_DIR "/tests/malformed/08_no_closed_block_xml.geo", folder.inputs().front(),
+                fs::copy_options::overwrite_existing);
+  const CaseComparison none = compare_in(folder, {"legacy", "standard"});
+  EXPECT_FALSE(none.plain[0].not_run.empty());
+  EXPECT_TRUE(none.plain[0].holds());
+  EXPECT_FALSE(none.plain[1].holds());
 }
 
 }  // namespace keyblock::study

@@ -1,0 +1,137 @@
+// Lays out the tables of `keyblock compare`, at most 160 characters wide but for the sources.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/compare_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+using study::CaseComparison;
+using study::ComparedCase;
+using study::ComparedValue;
+using study::TraceDifference;
+
+std::string name_of(const ComparedValue& value) {
+  return value.block ? fmt::format("{} of block {}", value.quantity, *value.block) : value.quantity;
+}
+
+std::string computed_of(const ComparedCase& run, const ComparedValue& value) {
+  if (value.computed) return fmt::format("{:.9g}", *value.computed);
+  return run.not_run.empty() ? "not reached" : "not run";
+}
+
+std::string error_of(const ComparedValue& value) {
+  return value.computed ? fmt::format("{:.2e}", value.error()) : "-";
+}
+
+// One word if both profiles are judged and hold; else who is judged, or who misses.
+std::string verdict_of(const std::vector<ComparedCase>& runs, std::size_t row) {
+  std::vector<std::string> judged;
+  std::vector<std::string> missed;
+  for (const ComparedCase& run : runs) {
+    if (run.values[row].is_judged) judged.push_back(run.profile);
+    if (run.values[row].is_missed()) missed.push_back(run.profile);
+  }
+  if (judged.empty()) return "not judged";
+  if (!missed.empty()) return fmt::format("MISSED: {}", fmt::join(missed, ", "));
+  return judged.size() == runs.size() ? "ok" : fmt::format("ok: {} only", fmt::join(judged, ", "));
+}
+
+std::string heading(const CaseComparison& comparison) {
+  std::string text = fmt::format("\n{}\n", comparison.name);
+  if (!comparison.about.empty()) text += fmt::format("  {}\n", comparison.about);
+  for (const ComparedCase& run : comparison.plain) {
+    if (!run.not_run.empty()) text += fmt::format("  {}: not run: {}\n", run.profile, run.not_run);
+    if (run.outcome.end != RunEnd::finished)
+      text += fmt::format("  {}: the run ended early, after {} steps at time {:.6g}: {}\n", run.profile,
+                          run.outcome.steps, run.outcome.time, run.outcome.reason);
+  }
+  return text;
+}
+
+std::string column_heads(const CaseComparison& comparison) {
+  std::string text = fmt::format("  {:28} {:>8} {:>16}", "quantity", "time", "expected");
+  for (const ComparedCase& run : comparison.plain) text += fmt::format(" {:>16}", run.profile);
+  for (const ComparedCase& run : comparison.plain) text += fmt::format(" {:>14}", "error " + run.profile);
+  return text + fmt::format(" {:>9}  {:6} {}\n", "tolerance", "source", "verdict");
+}
+
+std::string value_line(const CaseComparison& comparison, std::size_t row, std::size_t source) {
+  const ComparedValue& v = comparison.plain.front().values[row];
+  std::string text = fmt::format("  {:28} {:>8.6g} {:>16.9g}", name_of(v), v.time, v.expected);
+  for (const ComparedCase& run : comparison.plain) text += fmt::format(" {:>16}", computed_of(run, run.values[row]));
+  for (const ComparedCase& run : comparison.plain) text += fmt::format(" {:>14}", error_of(run.values[row]));
+  return text + fmt::format(" {:>9.1e}  {:6} {}\n", v.tolerance, fmt::format("[{}]", source),
+                            verdict_of(comparison.plain, row));
+}
+
+// How many tolerances a value is off; a value that is missing or no number is the worst of all.
+double strain_on(const ComparedValue& value) {
+  if (!value.computed || std::isnan(value.error())) return std::numeric_limits<double>::infinity();
+  return value.error() == 0 ? 0 : std::abs(value.error()) / value.tolerance;
+}
+
+std::string variant_line(const ComparedCase& run) {
+  const std::string name = fmt::format("variant {} ({})", run.variant, run.profile);
+  const std::string verdict = run.holds() ? "ok" : "MISSED";
+  if (!run.not_run.empty()) return fmt::format("  {:44} not run: {}  {}\n", name, run.not_run, verdict);
+  const ComparedValue* worst = nullptr;
+  for (const ComparedValue& v : run.values)
+    if (v.is_judged && (worst == nullptr || strain_on(v) > strain_on(*worst))) worst = &v;
+  if (worst == nullptr) return fmt::format("  {:44} nothing judged\n", name);
+  std::string text = fmt::format("  {:44} worst error {:>9} of {:.1e} ({} at {:.6g})  {}\n", name, error_of(*worst),
+                                 worst->tolerance, name_of(*worst), worst->time, verdict);
+  if (run.outcome.end != RunEnd::finished) text += fmt::format("    ended early: {}\n", run.outcome.reason);
+  return text;
+}
+
+/// The texts there are, each once, in the order of the values.
+std::vector<std::string> texts_of(const std::vector<ComparedValue>& values, std::string ComparedValue::*text) {
+  std::vector<std::string> texts;
+  for (const ComparedValue& v : values)
+    if (std::ranges::find(texts, v.*text) == texts.end()) texts.push_back(v.*text);
+  return texts;
+}
+
+}  // namespace
+
+std::string table_of(const CaseComparison& comparison, Detail detail) {
+  const std::vector<ComparedValue>& values = comparison.plain.front().values;
+  const std::vector<std::string> sources = texts_of(values, &ComparedValue::source);
+  std::string text = heading(comparison) + column_heads(comparison);
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const auto source = std::ranges::find(sources, values[row].source) - sources.begin();
+    text += value_line(comparison, row, static_cast<std::size_t>(source) + 1);
+  }
+  for (const ComparedCase& run : comparison.variants) text += variant_line(run);
+  for (std::size_t i = 0; i < sources.size(); ++i) text += fmt::format("  [{}] {}\n", i + 1, sources[i]);
+  if (detail == Detail::brief) return text;
+  for (const std::string& reason : texts_of(values, &ComparedValue::tolerance_reason))
+    text += fmt::format("  tolerance: {}\n", reason);
+  return text;
+}
+
+std::string table_of(const std::vector<TraceDifference>& traces) {
+  if (traces.empty()) return {};
+  std::string text = fmt::format(
+      "\ntraces of the Berkeley program (dt, oci, contacts, closed, penalty equal in every step; rest within "
+      "{:.0e})\n",
+      study::kTraceTolerance);
+  text += fmt::format("  {:42} {:>11} {:>8} {:>9} {:>9} {:>9} {:>9} {:>10}\n", "trace", "steps", "equal?", "polygon",
+                      "position", "rotation", "stress", "disp_ratio");
+  for (const TraceDifference& t : traces) {
+    text += fmt::format("  {:42} {:>11} {:>8} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} {:>10.1e}  {}\n", t.name,
+                        fmt::format("{}/{}", t.steps, t.steps_in_trace), t.unequal.empty() ? "yes" : "NO", t.polygon,
+                        t.position, t.rotation, t.stress, t.disp_ratio, t.holds() ? "ok" : "MISSED");
+    for (const std::string& unequal : t.unequal) text += fmt::format("    {}\n", unequal);
+  }
+  return text;
+}
+
+}  // namespace keyblock

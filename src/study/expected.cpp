@@ -1,0 +1,61 @@
+// Reads expected.csv.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/expected.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "formats/csv.hpp"
+#include "formats/registry.hpp"
+#include "run/profile.hpp"
+#include "study/quantities.hpp"
+
+namespace keyblock::study {
+namespace {
+
+void require_quantity(const ExpectedValue& value, const Place& place) {
+  const Owner owner = value.block ? Owner::block : Owner::scene;
+  if (!is_quantity(value.quantity, owner))
+    throw InputError(place, fmt::format("expected a quantity of {}, found \"{}\"",
+                                        value.block ? "a block" : "the scene", value.quantity));
+}
+
+void require_judged(const ExpectedValue& value, const Place& place) {
+  std::vector<std::string> known = profile_names();
+  known.insert(known.begin(), "both");
+  if (std::ranges::find(known, value.judged) == known.end())
+    throw InputError(
+        place, fmt::format("expected judged to be one of {}, found \"{}\"", fmt::join(known, ", "), value.judged));
+}
+
+}  // namespace
+
+std::vector<ExpectedValue> read_expected(const std::filesystem::path& file) {
+  const formats::CsvTable table = formats::read_csv(formats::load(file.string()));
+  const auto column = [&](const char* name) { return formats::csv_column(table, name); };
+  const std::size_t quantity = column("quantity"), block = column("block"), time = column("time"),
+                    value = column("value"), tolerance = column("tolerance"), reason = column("tolerance_reason"),
+                    source = column("source");
+  const auto judged = std::ranges::find(table.header, "judged") - table.header.begin();
+  std::vector<ExpectedValue> values;
+  for (const formats::CsvRow& row : table.rows) {
+    ExpectedValue v;
+    v.quantity = row.cells[quantity];
+    if (!row.cells[block].empty()) v.block = static_cast<int>(formats::csv_real(table, row, block));
+    v.time = formats::csv_real(table, row, time);
+    v.value = formats::csv_real(table, row, value);
+    v.tolerance = formats::csv_real(table, row, tolerance);
+    v.tolerance_reason = row.cells[reason];
+    v.source = row.cells[source];
+    if (judged < std::ssize(row.cells)) v.judged = row.cells[static_cast<std::size_t>(judged)];
+    const Place place{file.string(), row.line, 1};
+    require_quantity(v, place);
+    require_judged(v, place);
+    values.push_back(std::move(v));
+  }
+  return values;
+}
+
+}  // namespace keyblock::study

@@ -1,0 +1,31 @@
+// The expected values of a case: the rows of expected.csv.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Columns: quantity,block,time,value,tolerance,tolerance_reason,source and, where wanted, judged: `both` (as without the
+// column), `legacy` or `standard`, the profile whose value is held against the tolerance.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keyblock::study {
+
+struct ExpectedValue {
+  std::string quantity;
+  std::optional<int> block;  ///< from 1, as in the file; none for the whole scene
+  double time = 0;
+  double value = 0;
+  double tolerance = 0;  ///< absolute
+  std::string tolerance_reason;
+  std::string source;
+  std::string judged = "both";
+
+  bool is_judged_in(const std::string& profile) const { return judged == "both" || judged == profile; }
+};
+
+/// Throws InputError for a table that cannot be read, a quantity that is none, or a profile that is none.
+std::vector<ExpectedValue> read_expected(const std::filesystem::path& file);
+
+}  // namespace keyblock::study

@@ -1,0 +1,91 @@
+// case.json: what it may say, and that whatever else it says is refused with file and key.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/case_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+CaseFolder folder_with(const std::string& json) {
+  const fs::path folder = testing::fresh_folder("case_file");
+  testing::write_text(folder / "case.json", json);
+  return {folder, "case_file", true, false};
+}
+
+/// What is said of a file that is refused; empty if it is not.
+std::string complaint(const std::string& json) {
+  try {
+    read_case_file(folder_with(json));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST(CaseFile, without_one_nothing_is_set) {
+  const CaseFile file = read_case_file({testing::fresh_folder("no_case_file"), "none", true, false});
+  EXPECT_FALSE(file.is_slow);
+  EXPECT_TRUE(file.variants.empty());
+  EXPECT_TRUE(file.overrides("legacy").empty());
+}
+
+TEST(CaseFile, settings_of_both_profiles_come_before_those_of_one_and_these_before_those_of_a_variant) {
+  const CaseFile file = read_case_file(folder_with(R"({
+      "set": {"standard": {"steps": "20"}, "both": {"steps": "10", "time_step": 0.001}},
+      "variants": [{"name": "v", "profile": "standard", "set": {"steps": "30"}}]})"));
+  const std::vector<Override> legacy{{"steps", "10"}, {"time_step", "0.001"}};
+  const std::vector<Override> standard{{"steps", "10"}, {"time_step", "0.001"}, {"steps", "20"}};
+  std::vector<Override> variant = standard;
+  variant.emplace_back("steps", "30");
+  EXPECT_EQ(file.overrides("legacy"), legacy);
+  EXPECT_EQ(file.overrides("standard"), standard);
+  EXPECT_EQ(file.overrides(file.variants.front()), variant);
+}
+
+TEST(CaseFile, a_file_named_by_a_setting_lies_in_the_case_folder) {
+  const CaseFolder folder = folder_with(R"({"set": {"both": {"body_acceleration_file": "quake.csv"}}})");
+  EXPECT_EQ(read_case_file(folder).overrides("legacy").front().second, (folder.folder / "quake.csv").string());
+}
+
+TEST(CaseFile, says_which_profile_is_not_run_and_why) {
+  const CaseFile file = read_case_file(folder_with(R"({"slow": true, "legacy": "not run: it has no bolts"})"));
+  EXPECT_TRUE(file.is_slow);
+  EXPECT_EQ(file.not_run.at("legacy"), "it has no bolts");
+  EXPECT_FALSE(file.not_run.contains("standard"));
+}
+
+TEST(CaseFile, keys_and_values_that_are_none_are_refused_by_name) {
+  for (const auto& [json, part] :
+       {std::pair{R"({"sett": {}})", "\"sett\""},
+        {R"({"set": {"modern": {}}})", "\"set.modern\""},
+        {R"({"variants": [{"name": "a", "profile": "legacy", "set": {}, "dt": 1}]})", "\"variants[0].dt\""},
+        {R"({"variants": [{"name": "a", "set": {}}]})", "variants[0]: expected the key"},
+        {R"({"variants": [{"name": "a", "profile": "new", "set": {}}]})", "variants[0].profile"},
+        {R"({"variants": [{"name": "a", "profile": "legacy", "set": {}, "tolerance": 1}]})", "\"reason\""},
+        {R"({"variants": {}})", "variants: expected a list"},
+        {R"({"slow": "yes"})", "slow: expected true or false"},
+        {R"({"set": {"both": {"steps": true}}})", "set.both.steps: expected text"},
+        {R"({"legacy": "skipped"})", "legacy: expected \"not run: REASON\""},
+        {R"([])", "(top): expected an object"},
+        {R"({"slow": true)", "expected JSON"}}) {
+    EXPECT_TRUE(contains(complaint(json), part)) << json << '\n' << complaint(json);
+    EXPECT_TRUE(contains(complaint(json), "case.json: error: ")) << complaint(json);
+  }
+}
+
+}  // namespace keyblock::study
