@@ -46,6 +46,7 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
   const Model& model = prepared.scene.model;
   int contacts = 0;
   int redos = 0;
+  int fallbacks = 0;
   long passes = 0;
   double penetration = 0;
   double ratio = 0;
@@ -55,6 +56,7 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
   for (const StepReport& step : steps) {
     contacts = std::max(contacts, step.contacts);
     redos += step.redos;
+    fallbacks += step.fallbacks;
     passes += step.passes;
     penetration = std::max(penetration, step.greatest_penetration);
     ratio = std::max(ratio, step.displacement_ratio);
@@ -70,7 +72,8 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
                  {"measured_points", model.measured_points.size()},
                  {"most_contacts", contacts},
                  {"passes", passes},
-                 {"redone_attempts", redos}};
+                 {"redone_attempts", redos},
+                 {"fallback_solves", fallbacks}};
   if (!steps.empty()) {
     counts["least_dt"] = least_dt;
     counts["greatest_dt"] = greatest_dt;
@@ -86,11 +89,11 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
 Json steps_json(const std::vector<StepReport>& steps) {
   Json rows = Json::array();
   for (const StepReport& s : steps)
-    rows.push_back({s.step, s.time, s.dt, s.passes, s.redos, s.contacts, s.closed, s.penalty, s.greatest_penetration,
-                    s.displacement_ratio, s.residual, s.unsettled_contacts});
+    rows.push_back({s.step, s.time, s.dt, s.passes, s.redos, s.fallbacks, s.contacts, s.closed, s.penalty,
+                    s.greatest_penetration, s.displacement_ratio, s.residual, s.unsettled_contacts});
   return {{"columns",
-           {"step", "time", "dt", "passes", "redos", "contacts", "closed", "penalty", "greatest_penetration",
-            "displacement_ratio", "residual", "unsettled_contacts"}},
+           {"step", "time", "dt", "passes", "redos", "fallbacks", "contacts", "closed", "penalty",
+            "greatest_penetration", "displacement_ratio", "residual", "unsettled_contacts"}},
           {"rows", rows}};
 }
 

@@ -10,6 +10,7 @@ struct StepReport {
   double dt = 0;
   int passes = 0;                   ///< open-close passes (solves), redone attempts included
   int redos = 0;                    ///< attempts thrown away before this one was accepted
+  int fallbacks = 0;                ///< contact solves that Newton did not finish and projected Gauss-Seidel did
   int contacts = 0;                 ///< length of the contact list
   int closed = 0;                   ///< contacts not open after the last judgement
   int matrix_blocks = 0;            ///< elements, and pairs of elements with a contact, open ones included

@@ -4,23 +4,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <random>
 
 #include "problem/drawing.hpp"
+#include "tests/validate/dice.hpp"
 
 namespace keyblock {
-
-/// Uniform numbers from the bits of the generator itself, so that every standard library draws the same.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : bits_(seed) {}
-
-  double between(double low, double high) { return low + (high - low) * static_cast<double>(bits_() >> 11U) * 0x1p-53; }
-  int below(int count) { return static_cast<int>(between(0, count)); }
-
- private:
-  std::mt19937_64 bits_;
-};
 
 inline void add_line(Drawing& drawing, Point start, Point end) {
   if (start == end) return;

@@ -1,0 +1,97 @@
+// One run after another, spread over threads by scene.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/validate/convergence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <ctime>
+#include <thread>
+
+#include "run/run.hpp"
+#include "tests/validate/motion_watch.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr std::array<const char*, 2> kProfiles{"legacy", "standard"};
+// A step shorter than asked by less than this share is the asked one: the round-off of a division by a ratio of one.
+constexpr double kSameStep = 1e-9;
+
+void count_step(SceneRun& counts, const StepReport& step) {
+  ++counts.made;
+  counts.passes += step.passes;
+  counts.residuals.push_back(step.residual);
+  if (step.unsettled_contacts > 0) ++counts.unsettled;
+  if (step.redos > 0) ++counts.cut_here;
+  if (step.redos > 0 || step.dt < (1 - kSameStep) * counts.time_step)
+    ++counts.cut;
+  else if (step.fallbacks > 0)
+    ++counts.with_fallback;
+  else
+    ++counts.plain;
+}
+
+// Processor time of the thread.
+double seconds_used() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void run_prepared(const Scene& scene, SceneRun& counts) {
+  counts.blocks = static_cast<int>(scene.model.elements.size());
+  counts.time_step = scene.settings.time_step;
+  counts.asked = scene.settings.step_count;
+  MotionWatch watch(scene.model, scene.settings);
+  const RunOutcome outcome = run(scene, 1,
+                                 {[&](const Frame& frame) { watch.see(frame); },
+                                  [&](const StepReport& step) { count_step(counts, step); }, nullptr, nullptr});
+  if (outcome.end != RunEnd::finished) counts.end = End::failed;
+  counts.reason = outcome.reason;
+  counts.energy_excess = watch.greatest_excess();
+  counts.energy_gain = watch.greatest_gain();
+  counts.energy_ratio = watch.greatest_ratio();
+  counts.rise = watch.greatest_rise();
+  counts.area_change = watch.greatest_area_change();
+  counts.all_finite = watch.all_finite();
+}
+
+}  // namespace
+
+std::vector<Override> constant_step() {
+  return {{"step_control", "constant"}};
+}
+
+SceneRun run_scene(const RandomScene& scene, const std::string& profile, const std::vector<Override>& overrides) {
+  SceneRun counts;
+  counts.scene = scene.name;
+  counts.profile = profile;
+  const double begin = seconds_used();
+  try {
+    run_prepared(prepare(scene.problem, profile, overrides).scene, counts);
+  } catch (const InputError& refusal) {
+    counts.end = End::refused;
+    counts.reason = refusal.sentence();
+  }
+  counts.seconds = seconds_used() - begin;
+  return counts;
+}
+
+std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads) {
+  std::vector<SceneRun> runs(kProfiles.size() * static_cast<std::size_t>(count));
+  std::atomic<int> next = 0;
+  const auto work = [&] {
+    for (int i = next++; i < count; i = next++) {
+      const RandomScene scene = random_scene(first + static_cast<std::uint64_t>(i));
+      for (std::size_t p = 0; p < kProfiles.size(); ++p)
+        runs[kProfiles.size() * static_cast<std::size_t>(i) + p] = run_scene(scene, kProfiles[p], constant_step());
+    }
+  };
+  std::vector<std::thread> pool;
+  for (int i = 0; i < threads; ++i) pool.emplace_back(work);
+  for (std::thread& thread : pool) thread.join();
+  return runs;
+}
+
+}  // namespace keyblock

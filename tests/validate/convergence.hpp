@@ -1,0 +1,54 @@
+// Runs a scene under a profile and counts how its steps came about.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "run/prepare.hpp"
+#include "tests/validate/random_scenes.hpp"
+
+namespace keyblock {
+
+/// How a run ended. `refused`: the scene asks for something the profile says it cannot do.
+enum class End { finished, refused, failed };
+
+/// What one run did.
+struct SceneRun {
+  std::string scene;
+  std::string profile;
+  End end = End::finished;
+  std::string reason;  ///< why it was refused or failed
+  int blocks = 0;
+  double time_step = 0;
+  int asked = 0;                  ///< steps
+  int made = 0;                   ///< steps
+  int plain = 0;                  ///< made at the asked size, without a redone attempt or a fall-back
+  int with_fallback = 0;          ///< made at the asked size without a redone attempt, by the fall-back
+  int cut = 0;                    ///< redone, made in parts, or smaller than asked
+  int cut_here = 0;               ///< of these, redone or made in parts at this very step
+  int unsettled = 0;              ///< accepted with contacts that still opened or closed
+  int passes = 0;                 ///< solves of all steps
+  std::vector<double> residuals;  ///< one a step
+  double seconds = 0;             ///< of processor time
+  double energy_excess = 0;       ///< MotionWatch, as are the next four
+  double energy_gain = 0;
+  double energy_ratio = 0;
+  double rise = 0;
+  double area_change = 0;
+  bool all_finite = true;
+
+  int converged() const { return plain + with_fallback; }
+};
+
+/// Overrides that both profiles are run with: the step of the scene stays.
+std::vector<Override> constant_step();
+
+SceneRun run_scene(const RandomScene& scene, const std::string& profile, const std::vector<Override>& overrides);
+
+/// Scenes of the seeds first … first + count - 1 under both profiles, legacy before standard, in the order of the seeds
+/// whatever the number of threads.
+std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads);
+
+}  // namespace keyblock

@@ -1,0 +1,78 @@
+// Sums over the blocks that may move.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/validate/motion_watch.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/simplex.hpp"
+#include "material/elastic.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kReleaseThatCounts = 1e-9;
+
+Moments moments_of(const ElementFrame& element) {
+  Moments sum;
+  for (const std::vector<Point>& loop : element.loops) sum += moments(loop, element.centroid);
+  return sum;
+}
+
+// ½ σ : D⁻¹ : σ, over the area.
+double strain_energy(const ElementFrame& element, const BlockMaterial& material, Plane plane) {
+  const Eigen::Matrix3d modulus =
+      plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
+  const Eigen::Vector3d stress(element.stress.xx, element.stress.yy, element.stress.xy);
+  return 0.5 * element.area * stress.dot(modulus.inverse() * stress);
+}
+
+}  // namespace
+
+void MotionWatch::begin(const Frame& frame) {
+  double low = INFINITY;
+  double high = -INFINITY;
+  for (std::size_t i = 0; i < frame.elements.size(); ++i) {
+    const ElementFrame& element = frame.elements[i];
+    const Moments m = moments_of(element);
+    const Element& modelled = model_.elements[ElementIndex{static_cast<int>(i)}];
+    const double density =
+        modelled.basis->unknown_count() == 0 ? 0 : model_.material_of(modelled).density;  // held blocks do not count
+    masses_.push_back({density * m.area, density * (m.xx + m.yy), element.centroid, m.area});
+    total_mass_ += density * m.area;
+    if (density == 0) continue;
+    for (const Point& p : element.loops.front()) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+  }
+  height_ = high - low;
+}
+
+void MotionWatch::see(const Frame& frame) {
+  const bool is_first = masses_.empty();
+  if (is_first) begin(frame);
+  double kinetic = 0;
+  double strain = 0;
+  double released = 0;
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    const ElementFrame& element = frame.elements[i];
+    const Mass& m = masses_[i];
+    const Velocity& v = element.velocity;
+    kinetic += 0.5 * m.mass * (v.x * v.x + v.y * v.y) + 0.5 * m.inertia * v.rotation * v.rotation;
+    if (m.mass > 0)
+      strain +=
+          strain_energy(element, model_.block_materials[static_cast<std::size_t>(element.material)], settings_.plane);
+    released -= m.mass * settings_.gravity * (element.centroid.y - m.start.y);
+    if (m.mass > 0) area_change_ = std::max(area_change_, std::abs(element.area / m.area - 1));
+  }
+  if (is_first) start_energy_ = kinetic + strain;
+  all_finite_ = all_finite_ && std::isfinite(kinetic + released + area_change_);
+  excess_ = std::max(excess_, (kinetic - released) / energy_scale());
+  gain_ = std::max(gain_, (kinetic + strain - released - start_energy_) / energy_scale());
+  rise_ = std::max(rise_, -released / energy_scale());
+  if (released > kReleaseThatCounts * energy_scale()) ratio_ = std::max(ratio_, kinetic / released);
+}
+
+}  // namespace keyblock

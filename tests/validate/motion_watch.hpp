@@ -1,0 +1,58 @@
+// Three things no falling heap may do: gain more kinetic energy than its weight gave, rise, or change area.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "model/model.hpp"
+#include "model/settings.hpp"
+#include "result/frame.hpp"
+
+namespace keyblock {
+
+/// Follows the frames of a run under gravity from rest, from outside: masses come from the areas of the first frame,
+/// kinetic energy from centroid velocities and rotation rates (the strain rates' share is left out: it is positive).
+class MotionWatch {
+ public:
+  MotionWatch(const Model& model, const Settings& settings) : model_(model), settings_(settings) {}
+
+  void see(const Frame& frame);
+
+  /// Greatest of kinetic energy minus released potential energy, over `energy_scale()`; ≤ round-off in sound runs.
+  double greatest_excess() const { return excess_; }
+  /// Greatest of kinetic, strain and potential energy together over their start, over `energy_scale()`.
+  double greatest_gain() const { return gain_; }
+  /// Greatest height of the common centre of mass over its first one, over the height of the scene.
+  double greatest_rise() const { return rise_; }
+  /// Greatest relative change of the area of a block.
+  double greatest_area_change() const { return area_change_; }
+  /// Greatest kinetic over released potential energy, where more than 1e-9 of the energy scale is released.
+  double greatest_ratio() const { return ratio_; }
+  bool all_finite() const { return all_finite_; }
+
+ private:
+  struct Mass {
+    double mass = 0;
+    double inertia = 0;
+    Point start;
+    double area = 0;
+  };
+
+  void begin(const Frame& frame);
+  double energy_scale() const { return total_mass_ * settings_.gravity * height_; }
+
+  const Model& model_;
+  const Settings& settings_;
+  std::vector<Mass> masses_;
+  double total_mass_ = 0;
+  double height_ = 0;  ///< of the moving blocks
+  double excess_ = 0;
+  double gain_ = 0;
+  double start_energy_ = 0;  ///< kinetic and strain
+  double rise_ = 0;
+  double area_change_ = 0;
+  double ratio_ = 0;
+  bool all_finite_ = true;
+};
+
+}  // namespace keyblock
