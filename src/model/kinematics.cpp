@@ -78,6 +78,14 @@ Point material_offset(const Basis& basis, const Unknowns& q, Point from_centroid
   return point_of(stretch.inverse() * Eigen::Vector2d(local.x, local.y));
 }
 
+Point point_at(const Model& model, const Reference& reference, const UnknownsTable& q, ElementIndex element,
+               Point start) {
+  const Basis& basis = *model.elements[element].basis;
+  const Point centroid = reference.centroids[element];
+  const Point arm = turned(stretched(basis, q[element], start - centroid), angle_of(basis, q[element]));
+  return centroid + translation(basis, q[element]) + arm;
+}
+
 Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& reference, const UnknownsTable& q) {
   Table<VertexIndex, Point> vertices(model.vertices.size());
   for (ElementIndex e : indices(model.elements)) {

@@ -37,6 +37,10 @@ DisplacementOperator jacobian(const Basis& basis, const Unknowns& q, Point offse
 /// The X of the material point that lies at `from_centroid` (in the plane, from the present centroid).
 Point material_offset(const Basis& basis, const Unknowns& q, Point from_centroid);
 
+/// Where the point of an element lies that lay at `start`.
+Point point_at(const Model& model, const Reference& reference, const UnknownsTable& q, ElementIndex element,
+               Point start);
+
 /// All vertices in the plane.
 Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& reference, const UnknownsTable& q);
 

@@ -28,11 +28,7 @@ std::vector<PointState> carried(const StandardScene& scene, const Motion& motion
                                 const std::vector<CarriedPoint>& points) {
   std::vector<PointState> states;
   for (const CarriedPoint& point : points) {
-    const Basis& basis = *scene.model.elements[point.element].basis;
-    const Unknowns& q = motion.q[point.element];
-    const Point centroid = scene.reference.centroids[point.element];
-    const Point arm = turned(stretched(basis, q, point.start - centroid), angle_of(basis, q));
-    const Point now = centroid + translation(basis, q) + arm;
+    const Point now = point_at(scene.model, scene.reference, motion.q, point.element, point.start);
     states.push_back({now, now - point.start});
   }
   return states;
