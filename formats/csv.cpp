@@ -87,12 +87,15 @@ std::string history_csv(const History& history) {
   std::string text = "step,time [T]";
   const std::size_t count = history.rows.empty() ? 0 : history.rows.front().points.size();
   for (std::size_t i = 1; i <= count; ++i) text += fmt::format(",x{0} [L],y{0} [L],dx{0} [L],dy{0} [L]", i);
+  const std::size_t bolts = history.rows.empty() ? 0 : history.rows.front().bolt_forces.size();
+  for (std::size_t i = 1; i <= bolts; ++i) text += fmt::format(",bolt{} [F]", i);
   text += '\n';
   for (const HistoryRow& row : history.rows) {
     text += fmt::format("{}", row.step);
     append(text, {row.time});
     for (const PointFrame& point : row.points)
       append(text, {point.position.x, point.position.y, point.displacement.x, point.displacement.y});
+    for (const double force : row.bolt_forces) append(text, {force});
     text += '\n';
   }
   return text;

@@ -5,7 +5,8 @@
 // a quote inside is doubled. Written with `\n` and the shortest numbers that read back the same; read with `\n` or
 // `\r\n`, a byte-order mark and empty lines are passed over. Units: the programs know no unit system, every number is in
 // the units of the input. Headers name the dimension where it helps: [T] time, [L] length.
-//   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start
+//   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start;
+//            then the force of every bolt, tension positive: bolti [F]
 //   steps    step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration: one line an accepted step; oci
 //            counts the open-close passes, k_blocks the elements and the pairs of elements with a contact (the
 //            Berkeley program counts fill-in of its factor too), disp_ratio is the greatest displacement over the allowed

@@ -136,6 +136,7 @@ State start_state(const Model& model, AnalysisDialect dialect, const Settings& s
   for (const CarriedPoint& p : model.fixed_points) state.fixed_points.push_back({p.start, {}});
   for (const CarriedPoint& p : model.loading_points) state.loading_points.push_back({p.start, {}});
   for (const CarriedPoint& p : model.measured_points) state.measured_points.push_back({p.start, {}});
+  for (const Bolt& bolt : model.bolts) state.bolts.push_back({bolt.first.start, bolt.second.start, bolt.pretension});
   return state;
 }
 

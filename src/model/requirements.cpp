@@ -55,6 +55,8 @@ std::string_view name_of(TermKind term) {
       return "point_load";
     case TermKind::fixed_point:
       return "fixed_point";
+    case TermKind::bolt:
+      return "bolt";
     case TermKind::contact:
       return "contact";
   }
@@ -81,6 +83,7 @@ Requirements requirements(const Model& model, const Settings& settings) {
     needs.terms.push_back({TermKind::point_load, fmt::format("{} loading points carry a load", count)});
   if (has_held_moving_element(model))
     needs.terms.push_back({TermKind::fixed_point, fmt::format("{} fixed points", model.fixed_points.size())});
+  if (!model.bolts.empty()) needs.terms.push_back({TermKind::bolt, fmt::format("{} bolts", model.bolts.size())});
   if (model.elements.size() > 1)
     needs.terms.push_back({TermKind::contact, fmt::format("{} blocks may touch", model.elements.size())});
   return needs;

@@ -26,6 +26,14 @@ struct PointState {
   Point displacement;
 };
 
+/// The ends of a bolt as they lie now, and the force it carries, tension positive.
+struct BoltState {
+  Point first;
+  Point second;
+  double force = 0;
+  bool is_broken = false;
+};
+
 struct State {
   int step = 0;
   double time = 0;
@@ -35,6 +43,7 @@ struct State {
   std::vector<PointState> fixed_points;
   std::vector<PointState> loading_points;
   std::vector<PointState> measured_points;
+  std::vector<BoltState> bolts;
 };
 
 /// Displacement operator of `element` at the point `x` of the plane.

@@ -98,7 +98,7 @@ std::vector<LegendEntry> make_legend(const Blocks& blocks) {
   add_mark(legend, blocks.loading_points, Mark::loading_point, "loading points");
   add_mark(legend, blocks.measured_points, Mark::measured_point, "measured points");
   if (!blocks.bolts.empty())
-    legend.push_back({.sign = LegendEntry::Sign::dashed_line, .colour = "#7a0177", .words = "bolts"});
+    legend.push_back({.sign = LegendEntry::Sign::dashed_line, .colour = kBoltColour, .words = "bolts"});
   return legend;
 }
 
@@ -109,9 +109,7 @@ void draw_scene(SvgPage& page, const PageMap& map, const Blocks& blocks) {
     draw_edges(page, map, block.outer, width);
     for (const BlockLoop& hole : block.holes) draw_edges(page, map, hole, width);
   }
-  for (const BlockBolt& bolt : blocks.bolts)
-    page.line(map(bolt.segment.start), map(bolt.segment.end),
-              {.stroke = "#7a0177", .stroke_width = 1.5, .dash = "4 3"});
+  for (const BlockBolt& bolt : blocks.bolts) draw_bolt(page, map(bolt.segment.start), map(bolt.segment.end));
   draw_points(page, map, blocks.fixed_points, Mark::fixed_point);
   draw_points(page, map, blocks.loading_points, Mark::loading_point);
   draw_points(page, map, blocks.measured_points, Mark::measured_point);

@@ -71,6 +71,12 @@ void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture)
   draw_start(page, map, picture, width);
 }
 
+/// A broken bolt is not there any more.
+void draw_bolts(SvgPage& page, const PageMap& map, const Frame& frame) {
+  for (const BoltFrame& bolt : frame.bolts)
+    if (!bolt.is_broken) draw_bolt(page, map(bolt.first), map(bolt.second));
+}
+
 void draw_marks(SvgPage& page, const PageMap& map, const Frame& frame) {
   for (const PointFrame& point : frame.fixed_points) draw_mark(page, map(point.position), Mark::fixed_point);
   for (const PointFrame& point : frame.loading_points) draw_mark(page, map(point.position), Mark::loading_point);
@@ -95,6 +101,7 @@ std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   add(picture.end.fixed_points, Mark::fixed_point, "fixed point");
   add(picture.end.loading_points, Mark::loading_point, "loading point");
   add(picture.end.measured_points, Mark::measured_point, "measured point");
+  if (!picture.end.bolts.empty()) legend.push_back({.sign = Sign::dashed_line, .colour = kBoltColour, .words = "bolt"});
   return legend;
 }
 
@@ -122,6 +129,7 @@ std::string run_picture(const RunPicture& picture) {
   draw_legend(page, {kMargin, kTitleHeight}, kRoom, legend);
   if (!box.empty()) {
     draw_elements(page, map, picture);
+    draw_bolts(page, map, picture.end);
     draw_marks(page, map, picture.end);
     draw_scale_bar(page, {kMargin, bar_line}, std::min(layout.scene_room.x, kRoom), map);
   }

@@ -81,6 +81,10 @@ void draw_mark(SvgPage& page, Point at, Mark mark) {
   }
 }
 
+void draw_bolt(SvgPage& page, Point from, Point to) {
+  page.line(from, to, {.stroke = kBoltColour, .stroke_width = 1.5, .dash = "4 3"});
+}
+
 double edge_width(Point page_size, std::size_t block_count) {
   const double area = page_size.x * page_size.y / static_cast<double>(std::max<std::size_t>(block_count, 1));
   return std::clamp(0.05 * std::sqrt(area), 0.15, 1.2);

@@ -28,6 +28,14 @@ struct PointFrame {
   int element = 0;     ///< index from 0
 };
 
+/// A bolt between two elements.
+struct BoltFrame {
+  Point first;
+  Point second;
+  double force = 0;  ///< tension positive
+  bool is_broken = false;
+};
+
 /// All elements and points at one time.
 struct Frame {
   int step = 0;  ///< 0 is the state before the first step
@@ -36,6 +44,7 @@ struct Frame {
   std::vector<PointFrame> fixed_points;
   std::vector<PointFrame> loading_points;
   std::vector<PointFrame> measured_points;
+  std::vector<BoltFrame> bolts;
 };
 
 }  // namespace keyblock

@@ -12,7 +12,8 @@ namespace keyblock {
 struct HistoryRow {
   int step = 0;
   double time = 0;
-  std::vector<PointFrame> points;  ///< the measured points; without any, the centroid of every element
+  std::vector<PointFrame> points;   ///< the measured points; without any, the centroid of every element
+  std::vector<double> bolt_forces;  ///< tension positive
 };
 
 struct History {

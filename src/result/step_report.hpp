@@ -13,7 +13,7 @@ struct StepReport {
   int fallbacks = 0;                ///< contact solves that Newton did not finish and projected Gauss-Seidel did
   int contacts = 0;                 ///< length of the contact list
   int closed = 0;                   ///< contacts not open after the last judgement
-  int matrix_blocks = 0;            ///< elements, and pairs of elements with a contact, open ones included
+  int matrix_blocks = 0;            ///< elements, and pairs of elements with a contact (open too) or a bolt
   double penalty = 0;               ///< contact stiffness, force / length
   double displacement_ratio = 0;    ///< greatest vertex displacement over the allowed one
   double greatest_penetration = 0;  ///< of the closed contacts, length, ≥ 0

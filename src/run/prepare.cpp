@@ -31,8 +31,8 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   const auto warn = [&](const char* name, const char* sentence) {
     warnings.push_back({name, analysis.place, sentence});
   };
-  if (!blocks.bolts.empty())
-    warn("bolts_without_effect", "bolts are read and kept, but exert no force in this profile");
+  if (!blocks.bolts.empty() && settings.dynamics == Dynamics::standard)
+    warn("bolts_without_effect", "bolts are read and kept, but exert no force in this profile yet");
   if (analysis.contact_damping != 0)
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };

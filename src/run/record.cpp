@@ -25,7 +25,7 @@ std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const
 }  // namespace
 
 Frame frame_of(const Model& model, const State& state, const State& start, const Settings& settings) {
-  Frame frame{state.step, state.time, {}, {}, {}, {}};
+  Frame frame{state.step, state.time, {}, {}, {}, {}, {}};
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];
@@ -45,11 +45,14 @@ Frame frame_of(const Model& model, const State& state, const State& start, const
   frame.fixed_points = points_of(model.fixed_points, state.fixed_points);
   frame.loading_points = points_of(model.loading_points, state.loading_points);
   frame.measured_points = points_of(model.measured_points, state.measured_points);
+  for (const BoltState& bolt : state.bolts)
+    frame.bolts.push_back({bolt.first, bolt.second, bolt.force, bolt.is_broken});
   return frame;
 }
 
 HistoryRow history_row(const Model& model, const State& state, const State& start) {
-  HistoryRow row{state.step, state.time, points_of(model.measured_points, state.measured_points)};
+  HistoryRow row{state.step, state.time, points_of(model.measured_points, state.measured_points), {}};
+  for (const BoltState& bolt : state.bolts) row.bolt_forces.push_back(bolt.force);
   if (!row.points.empty()) return row;
   for (ElementIndex e : indices(model.elements)) {
     const Point centroid = state.elements[e].centroid;

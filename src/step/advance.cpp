@@ -65,7 +65,7 @@ double step_size(const Scene& scene, const Stepping& stepping) {
   return first_step_size(scene.model, stepping.state, scene.settings, speed);
 }
 
-// Elements, and pairs of elements with a contact, open ones included: what the matrix of a step may hold.
+// Elements, and pairs of elements with a contact (open ones included) or a bolt: what the matrix of a step may hold.
 int matrix_blocks(const Model& model, const Contacts& contacts) {
   std::vector<std::pair<ElementIndex, ElementIndex>> pairs;
   for (const Contact& contact : contacts) {
@@ -73,6 +73,9 @@ int matrix_blocks(const Model& model, const Contacts& contacts) {
         std::minmax(model.vertices[contact.first.vertex].element, model.vertices[contact.first.start].element);
     pairs.push_back({a, b});
   }
+  for (const Bolt& bolt : model.bolts)
+    if (bolt.first.element != bolt.second.element)
+      pairs.push_back(std::minmax(bolt.first.element, bolt.second.element));
   std::ranges::sort(pairs);
   const auto repeated = std::ranges::unique(pairs);
   return static_cast<int>(model.elements.size() + pairs.size() - repeated.size());

@@ -33,6 +33,15 @@ void move(std::vector<PointState>& states, const std::vector<CarriedPoint>& poin
   }
 }
 
+void move(std::vector<BoltState>& states, const std::vector<Bolt>& bolts, const Mover& mover) {
+  for (std::size_t i = 0; i < bolts.size(); ++i) {
+    BoltState& now = states[i];
+    now.first = now.first + mover(bolts[i].first.element, now.first);
+    now.second = now.second + mover(bolts[i].second.element, now.second);
+    now.force = bolts[i].force_at(distance(now.first, now.second));
+  }
+}
+
 Stress stress_after(const Stress& stress, const Eigen::Vector3d& change) {
   return {stress.xx + change[0], stress.yy + change[1], stress.xy + change[2]};
 }
@@ -47,6 +56,7 @@ State update(const Model& model, State state, const Settings& settings, const In
   move(state.fixed_points, model.fixed_points, mover);
   move(state.loading_points, model.loading_points, mover);
   move(state.measured_points, model.measured_points, mover);
+  move(state.bolts, model.bolts, mover);
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);

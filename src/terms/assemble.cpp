@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "terms/body_force.hpp"
+#include "terms/bolt.hpp"
 #include "terms/elastic.hpp"
 #include "terms/fixed_point.hpp"
 #include "terms/inertia.hpp"
@@ -15,8 +16,9 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<std::pair<TermKind, Term>, 6> kTerms{{
+constexpr std::array<std::pair<TermKind, Term>, 7> kTerms{{
     {TermKind::fixed_point, add_fixed_point},
+    {TermKind::bolt, add_bolt},
     {TermKind::elastic, add_elastic},
     {TermKind::initial_stress, add_initial_stress},
     {TermKind::body_force, add_body_force},

@@ -102,14 +102,11 @@ TEST(Prepare, overrides_come_after_the_profile) {
 
 TEST(Prepare, what_is_read_but_has_no_effect_is_warned_of) {
   EXPECT_TRUE(prepare({one_block(), analysis_of_file()}, "legacy", {}).warnings.empty());
-  Blocks blocks = one_block();
-  blocks.bolts.resize(1);
   Analysis analysis = analysis_of_file();
   analysis.contact_damping = 0.1;
   analysis.block_materials[0].damping = 0.1;
-  EXPECT_EQ(
-      names(prepare({blocks, analysis}, "legacy", {}).warnings),
-      (std::vector<std::string>{"bolts_without_effect", "contact_damping_without_effect", "damping_without_effect"}));
+  EXPECT_EQ(names(prepare({one_block(), analysis}, "legacy", {}).warnings),
+            (std::vector<std::string>{"contact_damping_without_effect", "damping_without_effect"}));
 }
 
 }  // namespace keyblock
