@@ -26,7 +26,8 @@ const std::vector<Column> kFlows{{"contact", [](const LedgerRow& r) { return r.s
                                  {"clean_up", [](const LedgerRow& r) { return r.flow.clean_up; }},
                                  {"algorithmic", [](const LedgerRow& r) { return r.flow.algorithmic; }},
                                  {"projection", [](const LedgerRow& r) { return r.flow.projection; }},
-                                 {"geometric", [](const LedgerRow& r) { return r.flow.geometric; }}};
+                                 {"geometric", [](const LedgerRow& r) { return r.flow.geometric; }},
+                                 {"creep", [](const LedgerRow& r) { return r.flow.creep; }}};
 const std::vector<Column> kMomentum{{"momentum_x", [](const LedgerRow& r) { return r.momentum.linear.x; }},
                                     {"momentum_y", [](const LedgerRow& r) { return r.momentum.linear.y; }},
                                     {"angular_momentum", [](const LedgerRow& r) { return r.momentum.angular; }}};

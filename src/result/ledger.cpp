@@ -14,8 +14,8 @@ double largest_of(const StoredEnergy& e, const StoredEnergy& start) {
 
 double largest_of(const EnergyFlow& f) {
   double largest = 0;
-  for (double flow :
-       {f.external, f.projection, f.geometric, f.friction, f.damping, f.impact, f.closing, f.clean_up, f.algorithmic})
+  for (double flow : {f.external, f.projection, f.geometric, f.creep, f.friction, f.damping, f.impact, f.closing,
+                      f.clean_up, f.algorithmic})
     largest = std::max(largest, std::abs(flow));
   return largest;
 }
@@ -30,6 +30,7 @@ EnergyFlow& EnergyFlow::operator+=(const EnergyFlow& other) {
   external += other.external;
   projection += other.projection;
   geometric += other.geometric;
+  creep += other.creep;
   friction += other.friction;
   damping += other.damping;
   impact += other.impact;

@@ -24,6 +24,7 @@ struct EnergyFlow {
   double external = 0;    ///< work of all loads but weight
   double projection = 0;  ///< work against gravity of moving overlapping blocks apart
   double geometric = 0;  ///< normal forces along mid-step rows for the true gaps: either sign, second order in the step
+  double creep = 0;  ///< sticking points over the slip that their law lets pass: either sign, first order in the step
   // Losses.
   double friction = 0;
   double damping = 0;  ///< of the damping matrix, and velocity that is not carried over
@@ -32,7 +33,7 @@ struct EnergyFlow {
   double clean_up = 0;
   double algorithmic = 0;  ///< of the integrator and of its rule for contact springs
 
-  double gained() const { return external + projection + geometric; }
+  double gained() const { return external + projection + geometric + creep; }
   double lost() const { return friction + damping + impact + closing + clean_up + algorithmic; }
   EnergyFlow& operator+=(const EnergyFlow& other);
 };

@@ -123,11 +123,18 @@ class ContactFlow {
 
   void add_tangential(const Forces& forces, double slip, double friction) {
     const double change = forces.tangential - forces.before.tangential;
-    const double rest = -forces.tangential * (slip + compliance_.tangential * change);
-    const bool sticks = std::abs(forces.tangential) < kAtLimit * friction * forces.normal;
-    const bool is_lag = sticks && compliance_.tangential > 0;
-    (is_lag ? flow_.algorithmic : flow_.friction) += rest;
+    const double work = forces.tangential * (slip + compliance_.tangential * change);
+    const bool stuck = sticks(forces.normal, forces.tangential, friction) &&
+                       sticks(forces.before.normal, forces.before.tangential, friction);
+    if (stuck)
+      flow_.creep += work;
+    else
+      flow_.friction -= work;
     flow_.algorithmic += compliance_.tangential * change * change / 2;
+  }
+
+  static bool sticks(double normal, double tangential, double friction) {
+    return std::abs(tangential) < kAtLimit * friction * normal;
   }
 
   const StandardScene& scene_;

@@ -30,8 +30,8 @@ struct StepAccount {
 ///     ΔT + ΔU + (θv−½) Δvᵀ M Δv + (θf−½) Δqᵀ K Δq + Δqᵀ C Δq/dt = F·Δq + λᵀ G Δq.
 /// A contact of compliance c (0 for multipliers) has, over the gap or slip y that its force works on,
 ///     −λ Δy = Δ(c λ²/2) + c (Δλ)²/2 − λ (Δy + c Δλ):
-/// stored, algorithmic, and what is left: closing of a gap, or friction. The last of a spring that sticks is the lag between
-/// the slip of the step and the velocity its law takes at the end; it is algorithmic.
+/// stored, algorithmic, and what is left: closing of a gap, or friction. A point that stuck before and sticks still has no
+/// friction: its law asks for no velocity at the end of the step, and what slips meanwhile is creep.
 StepAccount account_of(const StandardScene& scene, const StepTrail& trail);
 
 StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion);
