@@ -75,7 +75,26 @@ TEST(Commands, run_writes_record_history_fields_and_picture) {
     EXPECT_TRUE(std::filesystem::exists(out + "/" + frame)) << frame;
   }
   EXPECT_TRUE(contains(read_text(out + "/picture.svg"), "</svg>"));
+  EXPECT_TRUE(contains(read_text(out + "/energy.svg"), "</svg>"));
   EXPECT_TRUE(contains(run.messages, "step 40 of 40"));
+}
+
+TEST(Commands, run_writes_a_ledger_that_closes_and_none_where_it_is_switched_off) {
+  const std::string folder = fresh_folder("ledger");
+  const std::vector<std::string> run{
+      "run", kSlide + ".geo", kSlide + ".ana", "--profile", "standard", "--set", "steps=40", "-o", folder + "/on"};
+  ASSERT_EQ(run_keyblock(run).exit_code, 0);
+  const auto ledger = nlohmann::json::parse(read_text(folder + "/on/run.json"))["ledger"];
+  EXPECT_EQ(ledger["rows"].size(), 41U);
+  EXPECT_EQ(ledger["rows"][0].size(), ledger["columns"].size());
+  EXPECT_LE(ledger["closure"]["energy"].get<double>(), 1e-11);
+  EXPECT_GT(ledger["end"]["kinetic"].get<double>(), 0);
+  std::vector<std::string> without = run;
+  without.back() = folder + "/off";
+  without.insert(without.end(), {"--set", "ledger=off"});
+  ASSERT_EQ(run_keyblock(without).exit_code, 0);
+  EXPECT_FALSE(nlohmann::json::parse(read_text(folder + "/off/run.json")).contains("ledger"));
+  EXPECT_EQ(read_text(folder + "/off/history.csv"), read_text(folder + "/on/history.csv"));
 }
 
 TEST(Commands, the_same_input_gives_the_same_bytes) {

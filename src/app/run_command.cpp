@@ -211,14 +211,16 @@ ExitCode run_files(const RunOptions& options) {
                           record.steps.push_back(report);
                           progress.show(report);
                         },
-                        [&](const HistoryRow& row) { history.rows.push_back(row); }, [] { return stop_asked.load(); }});
+                        [&](const HistoryRow& row) { history.rows.push_back(row); }, [] { return stop_asked.load(); },
+                        [&](const LedgerRow& row) { record.ledger.rows.push_back(row); }});
+  record.ledger.scope = record.outcome.ledger_scope;
   progress.finish();
   record.timings.run = watch.lap();
   record.warnings = joined(record.warnings, run_warnings(prepared, record, *loaded.problem.analysis));
 
   const std::string title =
       fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), options.profile);
-  folder.finish(title, history, record.steps);
+  folder.finish(title, history, record.steps, record.ledger);
   record.outputs = folder.outputs();
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

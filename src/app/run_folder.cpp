@@ -9,6 +9,7 @@
 #include "app/usage_error.hpp"
 #include "formats/csv.hpp"
 #include "formats/vtk.hpp"
+#include "report/energy_picture.hpp"
 #include "report/run_picture.hpp"
 
 namespace keyblock {
@@ -21,8 +22,8 @@ constexpr const char* kRecord = "run.json";
 constexpr const char* kFrameFolder = "frames";
 
 // Everything a run may leave in its folder.
-constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg",
-                            "steps.csv", "blocks.csv",  kFrameFolder};
+constexpr std::array kNames{kRecord,      "history.csv", "fields.pvd", "picture.svg",
+                            "energy.svg", "steps.csv",   "blocks.csv", kFrameFolder};
 
 // How far each followed point has come, over time.
 std::vector<report::Curve> displacement_curves(const History& history) {
@@ -73,7 +74,8 @@ void RunFolder::add(const Frame& frame) {
   frames_.push_back(frame);
 }
 
-void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps) {
+void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
+                       const Ledger& ledger) {
   write("fields.pvd", formats::pvd(frame_files_));
   write("history.csv", formats::history_csv(history));
   write("picture.svg", report::run_picture({title,
@@ -82,6 +84,7 @@ void RunFolder::finish(const std::string& title, const History& history, const s
                                             displacement_curves(history),
                                             {"time [T]", "displacement [L]"},
                                             ""}));
+  if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger));
   if (trace_ == Trace::no) return;
   write("steps.csv", formats::steps_csv(steps));
   write("blocks.csv", formats::blocks_csv(frames_));

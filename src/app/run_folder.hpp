@@ -10,6 +10,7 @@
 #include "app/files.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
+#include "result/ledger.hpp"
 #include "result/step_report.hpp"
 
 namespace keyblock {
@@ -24,8 +25,9 @@ class RunFolder {
   /// Writes the frame's .vtu at once.
   void add(const Frame& frame);
 
-  /// history.csv, fields.pvd, picture.svg and, for a trace, steps.csv and blocks.csv.
-  void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps);
+  /// history.csv, fields.pvd, picture.svg, energy.svg if there is a ledger and, for a trace, steps.csv and blocks.csv.
+  void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
+              const Ledger& ledger);
 
   /// run.json, last: where it stands, everything else does.
   void write_record(const std::string& json);

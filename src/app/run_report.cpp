@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/ledger_report.hpp"
 #include "run/settings_table.hpp"
 
 namespace keyblock {
@@ -153,7 +154,7 @@ Json requirements_json(const Requirements& requirements) {
 }
 
 Json run_json(const Prepared& prepared, const RunRecord& record) {
-  return {
+  Json json = {
       {"program", "keyblock"},
       {"version", KEYBLOCK_VERSION},
       {"profile", record.profile},
@@ -167,6 +168,8 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps)}};
+  if (!record.ledger.rows.empty()) json["ledger"] = ledger_json(record.ledger);
+  return json;
 }
 
 }  // namespace keyblock

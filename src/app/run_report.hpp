@@ -31,6 +31,7 @@ struct RunRecord {
   std::string profile;
   std::vector<InputRecord> inputs;
   std::vector<StepReport> steps;
+  Ledger ledger;
   RunOutcome outcome;
   Timings timings;
   Warnings warnings;

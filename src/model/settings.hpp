@@ -11,6 +11,7 @@ namespace keyblock {
 enum class StepControl { constant, shi };
 enum class PenaltyControl { constant, adaptive };
 enum class Plane { stress, strain };
+enum class Bookkeeping { off, on };
 
 /// Rules of the Berkeley program that look like mistakes (marked Q in the rules of one old step). Each names
 /// the paragraph. On in profile `legacy`, to give the old numbers back, but for the last; each can be left out alone.
@@ -50,7 +51,8 @@ struct Settings {
   OpenCloseConstants open_close;
   BerkeleyQuirks quirks;
   Dynamics dynamics = Dynamics::shi;
-  StandardChoices standard;  ///< read by Dynamics::standard alone
+  Bookkeeping ledger = Bookkeeping::on;  ///< energy and momentum, step by step
+  StandardChoices standard;              ///< read by Dynamics::standard alone
 };
 
 }  // namespace keyblock

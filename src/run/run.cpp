@@ -23,8 +23,13 @@ RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
         measures || stepper->state().step % record_every == 0 || stepper->state().step == scene.settings.step_count;
     if (observer.on_row && is_due) observer.on_row(history_row(scene.model, stepper->state(), first));
   };
+  outcome.ledger_scope = stepper->ledger_scope();
+  const auto keep_books = [&] {
+    if (observer.on_ledger && scene.settings.ledger == Bookkeeping::on) observer.on_ledger(stepper->ledger());
+  };
   show();
   keep_row();
+  keep_books();
   while (stepper->state().step < scene.settings.step_count) {
     if (observer.wants_stop && observer.wants_stop()) {
       outcome.end = RunEnd::stopped;
@@ -39,6 +44,7 @@ RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
     }
     if (observer.on_step) observer.on_step(std::get<StepReport>(made));
     keep_row();
+    keep_books();
     if (stepper->state().step % record_every == 0) show();
   }
   show();

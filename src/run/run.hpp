@@ -9,6 +9,7 @@
 #include "problem/blocks.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
+#include "result/ledger.hpp"
 #include "result/step_report.hpp"
 #include "step/advance.hpp"
 
@@ -21,6 +22,7 @@ struct Observer {
   /// At the start and after every step; where nothing is measured the rows hold all centroids, and come with the frames.
   std::function<void(const HistoryRow&)> on_row;
   std::function<bool()> wants_stop;
+  std::function<void(const LedgerRow&)> on_ledger;  ///< at the start and after every step, if the settings ask for it
 };
 
 enum class RunEnd { finished, failed, stopped };
@@ -31,6 +33,7 @@ struct RunOutcome {
   std::vector<std::size_t> contacts;  ///< contacts (from 0) that would not settle
   int steps = 0;                      ///< accepted
   double time = 0;                    ///< reached
+  LedgerScope ledger_scope;
 };
 
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever

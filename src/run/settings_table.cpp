@@ -117,6 +117,7 @@ const std::vector<Row>& table() {
        quirk(&BerkeleyQuirks::step_rule_by_time)},
       {"dynamics", "whose step is made; the choices below belong to `standard`",
        choice(&Settings::dynamics, {"shi", "standard"})},
+      {"ledger", "energy and momentum of every step, kept and written", choice(&Settings::ledger, {"off", "on"})},
       {"basis", "unknowns of a block that may move: 3 or 6", choice(&StandardChoices::basis, {"rigid", "affine"})},
       {"enforcement", "contact forces by multipliers or by springs of the contact stiffness",
        choice(&StandardChoices::enforcement, {"lagrange", "penalty"})},

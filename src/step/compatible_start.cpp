@@ -15,7 +15,6 @@ namespace keyblock {
 namespace {
 
 constexpr int kRounds = 3;
-constexpr int kRigidUnknowns = 3;
 // Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
 constexpr double kTouching = 1e-6;
 constexpr double kRedundant = 1e-5;  // pivots of scaled W below this share of the largest are taken as zero

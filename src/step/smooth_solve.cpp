@@ -59,14 +59,16 @@ class SmoothSolve {
   double rate() const { return rule_.end_velocity.increment; }
 
   UnknownsTable increments_about(const UnknownsTable& estimate) {
-    const ContactRows rows = contact_rows(scene_.model, scene_.reference, plus(start_.q, 0.5, estimate), touches_);
+    ContactRows rows = contact_rows(scene_.model, scene_.reference, plus(start_.q, 0.5, estimate), touches_);
     const FrictionalSolution solution = solve(problem_about(rows, estimate), result_.forces);
     result_.forces = solution.forces;
     result_.solves += solution.solves + solution.sweeps;
     result_.residual = solution.residual;
     result_.converged = solution.converged;
     result_.undecided = solution.undecided;
-    return plus(free_, 1, answer(rows, inverse_, solution.forces));
+    UnknownsTable increments = plus(free_, 1, answer(rows, inverse_, solution.forces));
+    result_.rows = std::move(rows);
+    return increments;
   }
 
   FrictionalProblem problem_about(const ContactRows& rows, const UnknownsTable& estimate) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/frictional_problem.hpp"
+#include "contact/gap.hpp"
 #include "step/standard_scene.hpp"
 
 namespace keyblock {
@@ -17,6 +18,7 @@ struct SmoothMotion {
   UnknownsTable q;         ///< at the end of the step
   UnknownsTable v;         ///< at the end of the step
   Eigen::VectorXd forces;  ///< of the touches: 2i normal, 2i + 1 tangential
+  ContactRows rows;        ///< that the forces act along: of the last round, at mid-step
   double residual = 0;
   int solves = 0;
   bool converged = false;

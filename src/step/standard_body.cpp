@@ -13,8 +13,6 @@
 namespace keyblock {
 namespace {
 
-constexpr int kRigidUnknowns = 3;
-
 // An undamped block in steady sliding is unstable above φ of about 20 degrees, growth rate up to 0.13 ω₁ at 45; with
 // β + (θf − ½) dt ≥ 2/ω₁ its slowest strain mode is damped critically, twice what 45 degrees needs (contact-notes 4.3).
 constexpr double kDampingOverPeriod = 2;

@@ -7,6 +7,9 @@
 
 namespace keyblock {
 
+/// Unknowns that do not deform come first, in the bases of a block that may move.
+inline constexpr int kRigidUnknowns = 3;
+
 /// Mass and stiffness do not change with the motion: rotation is an unknown of its own and strain is measured in the block
 /// frame (terms of order ω² ε are left out).
 struct Body {

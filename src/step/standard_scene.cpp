@@ -33,13 +33,25 @@ double top_speed(const StandardScene& scene, const UnknownsTable& v) {
   return top;
 }
 
+Point mass_centre_of(const StandardScene& scene) {
+  double mass = 0;
+  Point sum;
+  for (ElementIndex e : indices(scene.bodies)) {
+    if (scene.bodies[e].mass.rows() == 0) continue;
+    mass += scene.bodies[e].mass(0, 0);
+    sum = sum + scene.bodies[e].mass(0, 0) * scene.reference.centroids[e];
+  }
+  return mass > 0 ? (1 / mass) * sum : Point{};
+}
+
 }  // namespace
 
 StandardScene standard_scene(Model model, Settings settings) {
-  StandardScene scene{std::move(model), std::move(settings), {}, {}, {}};
+  StandardScene scene{std::move(model), std::move(settings), {}, {}, {}, {}};
   scene.reference = reference_of(scene.model, scene.settings);
   scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
   for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
+  scene.mass_centre = mass_centre_of(scene);
   return scene;
 }
 

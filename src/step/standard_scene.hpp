@@ -17,6 +17,7 @@ struct StandardScene {
   Reference reference;
   Bodies bodies;
   Table<ElementIndex, ConvexPieces> pieces;
+  Point mass_centre;  ///< of the blocks that can move, at the start
 
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }

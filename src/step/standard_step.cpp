@@ -7,6 +7,7 @@
 
 #include "contact/gap.hpp"
 #include "step/impact.hpp"
+#include "step/ledger.hpp"
 #include "step/smooth_solve.hpp"
 
 namespace keyblock {
@@ -48,15 +49,15 @@ class Attempt {
  public:
   Attempt(const StandardScene& scene, const Motion& start, double time, double dt)
       : scene_(scene), start_(start), dt_(dt) {
-    const UnknownsTable loads = loads_at(scene, start.q, time + dt / 2);
-    scales_ = scales_of(scene, loads, start.v);
+    loads_ = loads_at(scene, start.q, time + dt / 2);
+    scales_ = scales_of(scene, loads_, start.v);
     const Touches touches = touches_of(scene, start, scales_, dt);
     step_.touches = static_cast<int>(touches.size());
     parts_ = split(scene, start, touches, slow_speed(scales_, start.v, dt));
     const double goal = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
     const ForceTolerance tolerance{goal, std::max(goal, kForceAcceptable * scales_.force)};
     least_force_ = goal;
-    smooth_ = smooth_solve(scene, start, loads, parts_.smooth, tolerance, dt);
+    smooth_ = smooth_solve(scene, start, loads_, parts_.smooth, tolerance, dt);
   }
 
   StandardStep run() {
@@ -70,8 +71,11 @@ class Attempt {
     step_.motion.v = smooth_.v;
     if (!scene_.has_springs())
       step_.motion.v = with_closed_at_rest(scene_, smooth_.q, std::move(step_.motion.v), closed);
+    const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
+    if (scene_.settings.ledger == Bookkeeping::on)
+      step_.account = account_of(scene_, {start_, loads_, parts_.smooth, smooth_, cleaned, step_.motion, dt_});
     return std::move(step_);
   }
 
@@ -126,6 +130,7 @@ class Attempt {
   const Motion& start_;
   double dt_;
   double least_force_ = 0;
+  UnknownsTable loads_;
   Scales scales_;
   Split parts_;
   SmoothMotion smooth_;
@@ -140,6 +145,7 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
   StandardStep second = in_parts(scene, first.motion, time + dt / 2, dt / 2, halvings_left - 1);
   second.solves += first.solves + whole.solves;
   second.halvings += first.halvings + 1;
+  second.account += first.account;
   second.residual = std::max(first.residual, second.residual);
   return second;
 }

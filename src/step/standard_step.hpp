@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "step/standard_scene.hpp"
+#include "step/ledger.hpp"
 
 namespace keyblock {
 
 /// What a step did, beside the motion it led to.
 struct StandardStep {
   Motion motion;
+  StepAccount account;  ///< zero where no books are kept
   int solves = 0;
   int touches = 0;
   int halvings = 0;  ///< attempts thrown away

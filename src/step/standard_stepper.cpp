@@ -68,6 +68,7 @@ StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(sce
   start_failure_ = std::move(first.failure);
   motion_ = start_failure_.empty() ? std::move(first.motion) : start_motion(scene_);
   state_ = state_of(scene_, motion_);
+  if (scene_.settings.ledger == Bookkeeping::on) ledger_ = ledger_row(scene_, motion_);
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance() {
@@ -77,13 +78,27 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   for (Unknowns& v : start.v) v *= scene_.settings.velocity_carry_over;
   StandardStep made = standard_step(scene_, start, state_.time, dt);
   if (!made.converged) return failure_of(made);
+  const double not_carried = kinetic_energy(scene_, motion_.v) - kinetic_energy(scene_, start.v);
   motion_ = made.motion;
   const State before = std::move(state_);
   state_ = state_of(scene_, motion_);
   state_.step = before.step + 1;
   state_.time = before.time + dt;
   state_.dt = dt;
+  if (scene_.settings.ledger == Bookkeeping::on) book(made, not_carried);
   return report_of(made, before);
+}
+
+void StandardStepper::book(const StandardStep& step, double not_carried) {
+  const LedgerRow before = ledger_;
+  ledger_ = ledger_row(scene_, motion_);
+  ledger_.step = state_.step;
+  ledger_.time = state_.time;
+  ledger_.flow = before.flow;
+  ledger_.flow += step.account.flow;
+  ledger_.flow.damping += not_carried;
+  ledger_.impulse = before.impulse;
+  ledger_.impulse += step.account.impulse;
 }
 
 StepReport StandardStepper::report_of(const StandardStep& step, const State& before) const {

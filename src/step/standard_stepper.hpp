@@ -15,11 +15,14 @@ class StandardStepper : public Stepper {
   const State& state() const override { return state_; }
   const State& unloaded() const override { return unloaded_; }
   std::variant<StepReport, StepFailure> advance() override;
+  LedgerRow ledger() const override { return ledger_; }
+  LedgerScope ledger_scope() const override { return keyblock::ledger_scope(scene_); }
 
   const StandardScene& scene() const { return scene_; }
   const Motion& motion() const { return motion_; }
 
  private:
+  void book(const StandardStep& step, double not_carried);
   StepReport report_of(const StandardStep& step, const State& before) const;
   StepFailure failure_of(const StandardStep& step) const;
 
@@ -28,6 +31,7 @@ class StandardStepper : public Stepper {
   std::string start_failure_;  ///< said by the first step; empty for a start that was found
   State unloaded_;
   State state_;
+  LedgerRow ledger_;
 };
 
 /// The scene's state at a motion: vertices, carried points, stress turned into the plane, velocities.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/stepper.hpp"
 
+#include "step/shi_ledger.hpp"
 #include "step/standard_stepper.hpp"
 
 namespace keyblock {
@@ -14,6 +15,8 @@ class ShiStepper : public Stepper {
   const State& state() const override { return stepping_.state; }
   const State& unloaded() const override { return unloaded_; }
   std::variant<StepReport, StepFailure> advance() override { return keyblock::advance(scene_, stepping_); }
+  LedgerRow ledger() const override { return stored_row(scene_.model, scene_.settings, state(), unloaded_); }
+  LedgerScope ledger_scope() const override { return stored_scope(unloaded_); }
 
  private:
   const Scene& scene_;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <variant>
 
+#include "result/ledger.hpp"
 #include "step/advance.hpp"
 
 namespace keyblock {
@@ -19,6 +20,10 @@ class Stepper {
   virtual const State& unloaded() const = 0;
   /// On failure the state is unchanged.
   virtual std::variant<StepReport, StepFailure> advance() = 0;
+
+  /// The books at the end of the last accepted step; of zeros where the settings keep none.
+  virtual LedgerRow ledger() const = 0;
+  virtual LedgerScope ledger_scope() const = 0;
 };
 
 /// The stepper of the scene's choice of dynamics; the scene must outlive it.

@@ -1,0 +1,15 @@
+// A picture of the energies of a run over time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "result/ledger.hpp"
+
+namespace keyblock::report {
+
+/// An SVG document: kinetic and strain energy, gravity released, work done and energy lost, as far as the scene has them.
+/// Without rows the page holds the title alone.
+std::string energy_picture(const std::string& title, const Ledger& ledger);
+
+}  // namespace keyblock::report

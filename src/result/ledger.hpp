@@ -1,0 +1,88 @@
+// The energy and momentum of a run, step by step: what is stored, what was done and lost since the start.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+/// Energy at an instant, per unit thickness.
+struct StoredEnergy {
+  double kinetic = 0;
+  double strain = 0;
+  double gravity = 0;  ///< potential of the weights, 0 where the unloaded blocks lie
+  double contact = 0;  ///< in contact springs
+
+  double total() const { return kinetic + strain + gravity + contact; }
+};
+
+/// Energy that came and went, per unit thickness. The losses are ≥ 0 but for what their lines say.
+struct EnergyFlow {
+  // Gains.
+  double external = 0;    ///< work of all loads but weight
+  double projection = 0;  ///< work against gravity of moving overlapping blocks apart
+  double geometric = 0;  ///< normal forces along mid-step rows for the true gaps: either sign, second order in the step
+  double creep = 0;  ///< sticking points over the slip that their law lets pass: either sign, first order in the step
+  // Losses.
+  double friction = 0;
+  double damping = 0;  ///< of the damping matrix, and velocity that is not carried over
+  double impact = 0;   ///< in jumps of velocity, friction included
+  double closing = 0;  ///< normal forces times the gaps they closed; negative where they pushed an overlap apart
+  double clean_up = 0;
+  double algorithmic = 0;  ///< of the integrator and of its rule for contact springs
+
+  double gained() const { return external + projection + geometric + creep; }
+  double lost() const { return friction + damping + impact + closing + clean_up + algorithmic; }
+  EnergyFlow& operator+=(const EnergyFlow& other);
+};
+
+/// Linear momentum and that about the `centre` of the ledger.
+struct Momentum {
+  Point linear;
+  double angular = 0;
+
+  Momentum& operator+=(const Momentum& other);
+};
+
+/// Momenta that may cancel in the sum, by amount.
+struct MomentumSize {
+  double linear = 0;
+  double angular = 0;
+};
+
+/// The books at the end of a step; row 0 is the start.
+struct LedgerRow {
+  int step = 0;
+  double time = 0;
+  StoredEnergy stored;
+  EnergyFlow flow;  ///< since the start
+  Momentum momentum;
+  Momentum impulse;  ///< of all loads, weight included, since the start; supports are not in it
+  MomentumSize momentum_size;
+};
+
+/// Which balances the rows are meant to close.
+struct LedgerScope {
+  bool has_flows = false;    ///< energy: false where stored energies alone are kept
+  bool has_supports = true;  ///< momentum: true where held blocks push too
+  Point centre;              ///< that angular momentum is taken about
+};
+
+struct Ledger {
+  LedgerScope scope;
+  std::vector<LedgerRow> rows;
+};
+
+/// The largest stored energy, counted from the start where it is a potential, or flow.
+double largest_energy(const Ledger& ledger);
+
+/// Greatest |stored − stored at the start − gained + lost| of any row over the largest energy; 0 where nothing moves.
+double energy_closure(const Ledger& ledger);
+
+/// Greatest |momentum − that at the start − impulse| of any row over the largest sum of amounts.
+double linear_momentum_closure(const Ledger& ledger);
+double angular_momentum_closure(const Ledger& ledger);
+
+}  // namespace keyblock

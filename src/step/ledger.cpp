@@ -1,0 +1,222 @@
+// Work of each force over the increments of the smooth motion, losses of velocity after it, impulses of the loads.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/ledger.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "contact/gap.hpp"
+
+namespace keyblock {
+namespace {
+
+// A friction force this near to its limit slides: residuals of the contact forces are smaller.
+constexpr double kAtLimit = 1 - 1e-6;
+
+struct Compliance {
+  double normal = 0;
+  double tangential = 0;
+};
+
+Compliance compliance_of(const StandardScene& scene) {
+  if (!scene.has_springs()) return {};
+  return {1 / scene.normal_stiffness(), 1 / scene.tangential_stiffness()};
+}
+
+double half_square(const UnknownBlock& matrix, const Unknowns& x) {
+  return x.dot(matrix * x) / 2;
+}
+
+// ½ A σᵀ D⁻¹ σ, written in unknowns: a force f of the initial stress makes ½ (q − K⁻¹f)ᵀ K (q − K⁻¹f).
+double strain_energy(const Body& body, const Unknowns& q) {
+  const Eigen::Index strains = body.stiffness.rows() - kRigidUnknowns;
+  if (strains <= 0) return 0;
+  const double without_initial = half_square(body.stiffness, q);
+  if (body.initial_stress.isZero(0)) return without_initial;
+  const Unknowns force = body.initial_stress.tail(strains);
+  const Eigen::MatrixXd stiffness = body.stiffness.bottomRightCorner(strains, strains);
+  return without_initial - body.initial_stress.dot(q) + force.dot(stiffness.llt().solve(force)) / 2;
+}
+
+double spring_energy(const Compliance& compliance, const ContactMemory& memory) {
+  return (compliance.normal * memory.normal * memory.normal +
+          compliance.tangential * memory.tangential * memory.tangential) /
+         2;
+}
+
+double spring_energy(const StandardScene& scene, const Motion& motion) {
+  if (!scene.has_springs()) return 0;
+  const Compliance compliance = compliance_of(scene);
+  double energy = 0;
+  for (const auto& [touch, memory] : motion.closed) energy += spring_energy(compliance, memory);
+  return energy;
+}
+
+EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
+  const StandardChoices& choices = scene.settings.standard;
+  EnergyFlow flow;
+  for (ElementIndex e : indices(scene.bodies)) {
+    const Body& body = scene.bodies[e];
+    if (body.mass.rows() == 0) continue;
+    const Unknowns dq = trail.smooth.q[e] - trail.start.q[e];
+    const Unknowns dv = trail.smooth.v[e] - trail.start.v[e];
+    const double stretched = dq.dot(body.stiffness * dq);
+    flow.external += (trail.loads[e] - body.weight).dot(dq);
+    flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
+    flow.damping += body.damping * stretched / trail.dt;
+    flow.algorithmic += (choices.velocity_weight - 0.5) * dv.dot(body.mass * dv);
+    flow.algorithmic += (choices.force_weight - 0.5) * stretched;
+  }
+  return flow;
+}
+
+// The contacts of one smooth motion, over the increments and gaps of that motion.
+class ContactFlow {
+ public:
+  ContactFlow(const StandardScene& scene, const StepTrail& trail)
+      : scene_(scene),
+        trail_(trail),
+        compliance_(compliance_of(scene)),
+        forgotten_(spring_energy(scene, trail.start)) {}
+
+  EnergyFlow run() {
+    if (!trail_.smooth.forces.isZero(0)) add_touches();
+    flow_.algorithmic += forgotten_;  // springs that let go in this step
+    return flow_;
+  }
+
+ private:
+  void add_touches() {
+    const auto before = vertices_at(scene_.model, scene_.reference, trail_.start.q);
+    const auto after = vertices_at(scene_.model, scene_.reference, trail_.smooth.q);
+    const Eigen::VectorXd way = rates(trail_.smooth.rows, plus(trail_.smooth.q, -1, trail_.start.q));
+    const std::vector<double> friction = friction_of(scene_, trail_.touches);
+    for (std::size_t i = 0; i < trail_.touches.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const Touch& touch = trail_.touches[i];
+      const Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], memory_of(touch)};
+      if (forces.normal == 0 && forces.before.normal == 0) continue;
+      add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
+      add_tangential(forces, way[n + 1], friction[i]);
+      forgotten_ -= spring_energy(compliance_, forces.before);
+    }
+  }
+
+  struct Forces {
+    double normal = 0;
+    double tangential = 0;
+    ContactMemory before;
+  };
+
+  ContactMemory memory_of(const Touch& touch) const {
+    const auto memory = trail_.start.closed.find(touch);
+    return memory == trail_.start.closed.end() ? ContactMemory{} : memory->second;
+  }
+
+  void add_normal(const Forces& forces, double opening, double way) {
+    const double change = forces.normal - forces.before.normal;
+    flow_.geometric += forces.normal * (way - opening);
+    flow_.closing -= forces.normal * (opening + compliance_.normal * change);
+    flow_.algorithmic += compliance_.normal * change * change / 2;
+  }
+
+  void add_tangential(const Forces& forces, double slip, double friction) {
+    const double change = forces.tangential - forces.before.tangential;
+    const double work = forces.tangential * (slip + compliance_.tangential * change);
+    const bool stuck = sticks(forces.normal, forces.tangential, friction) &&
+                       sticks(forces.before.normal, forces.before.tangential, friction);
+    if (stuck)
+      flow_.creep += work;
+    else
+      flow_.friction -= work;
+    flow_.algorithmic += compliance_.tangential * change * change / 2;
+  }
+
+  static bool sticks(double normal, double tangential, double friction) {
+    return std::abs(tangential) < kAtLimit * friction * normal;
+  }
+
+  const StandardScene& scene_;
+  const StepTrail& trail_;
+  Compliance compliance_;
+  double forgotten_;  ///< of the springs at the start, those not met in this step
+  EnergyFlow flow_;
+};
+
+Point present_centroid(const StandardScene& scene, ElementIndex e, const Unknowns& q) {
+  return scene.reference.centroids[e] + Point{q[0], q[1]};
+}
+
+// Loads act for the whole step at its middle configuration, as the equation of the step has it.
+Momentum load_impulse(const StandardScene& scene, const StepTrail& trail) {
+  Momentum impulse;
+  for (ElementIndex e : indices(scene.bodies)) {
+    if (scene.bodies[e].mass.rows() == 0) continue;
+    const Unknowns& load = trail.loads[e];
+    const Point force{load[0], load[1]};
+    const Point arm = present_centroid(scene, e, (trail.start.q[e] + trail.smooth.q[e]) / 2) - scene.mass_centre;
+    impulse += {trail.dt * force, trail.dt * (cross(arm, force) + load[2])};
+  }
+  return impulse;
+}
+
+}  // namespace
+
+StepAccount& StepAccount::operator+=(const StepAccount& other) {
+  flow += other.flow;
+  impulse += other.impulse;
+  return *this;
+}
+
+StepAccount account_of(const StandardScene& scene, const StepTrail& trail) {
+  StepAccount account{body_flow(scene, trail), load_impulse(scene, trail)};
+  account.flow += ContactFlow(scene, trail).run();
+  const double smooth = kinetic_energy(scene, trail.smooth.v);
+  const double cleaned = kinetic_energy(scene, trail.cleaned);
+  account.flow.clean_up += smooth - cleaned;
+  account.flow.impact += cleaned - kinetic_energy(scene, trail.end.v);
+  return account;
+}
+
+double kinetic_energy(const StandardScene& scene, const UnknownsTable& v) {
+  double energy = 0;
+  for (ElementIndex e : indices(v))
+    if (v[e].size() > 0) energy += half_square(scene.bodies[e].mass, v[e]);
+  return energy;
+}
+
+StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion) {
+  StoredEnergy stored;
+  stored.kinetic = kinetic_energy(scene, motion.v);
+  stored.contact = spring_energy(scene, motion);
+  for (ElementIndex e : indices(motion.q)) {
+    const Body& body = scene.bodies[e];
+    if (body.mass.rows() == 0) continue;
+    stored.strain += strain_energy(body, motion.q[e]);
+    stored.gravity -= body.weight.dot(motion.q[e]);
+  }
+  return stored;
+}
+
+LedgerRow ledger_row(const StandardScene& scene, const Motion& motion) {
+  LedgerRow row;
+  row.stored = stored_energy(scene, motion);
+  for (ElementIndex e : indices(motion.v)) {
+    if (motion.v[e].size() == 0) continue;
+    const Unknowns p = scene.bodies[e].mass * motion.v[e];
+    const Point linear{p[0], p[1]};
+    const double orbital = cross(present_centroid(scene, e, motion.q[e]) - scene.mass_centre, linear);
+    row.momentum += {linear, orbital + p[2]};
+    row.momentum_size.linear += length(linear);
+    row.momentum_size.angular += std::abs(orbital) + std::abs(p[2]);
+  }
+  return row;
+}
+
+LedgerScope ledger_scope(const StandardScene& scene) {
+  const bool has_supports = std::ranges::any_of(scene.bodies, [](const Body& body) { return body.mass.rows() == 0; });
+  return {true, has_supports, scene.mass_centre};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,46 @@
+// The energy and momentum of one step of Dynamics::standard, term by term.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "result/ledger.hpp"
+#include "step/smooth_solve.hpp"
+
+namespace keyblock {
+
+/// What an accepted step leaves behind for the books; it refers to what the step holds.
+struct StepTrail {
+  const Motion& start;
+  const UnknownsTable& loads;  ///< on the unknowns, weight included
+  const Touches& touches;      ///< of the smooth motion
+  const SmoothMotion& smooth;
+  const UnknownsTable& cleaned;  ///< velocities after the clean-up
+  const Motion& end;             ///< after projection and jump
+  double dt = 0;
+};
+
+/// What one step adds to the sums of the ledger.
+struct StepAccount {
+  EnergyFlow flow;
+  Momentum impulse;
+
+  StepAccount& operator+=(const StepAccount& other);
+};
+
+/// Closes to round-off because Δqᵀ times the equation of the step is, for the weights θv and θf (contact-notes 2),
+///     ΔT + ΔU + (θv−½) Δvᵀ M Δv + (θf−½) Δqᵀ K Δq + Δqᵀ C Δq/dt = F·Δq + λᵀ G Δq.
+/// A contact of compliance c (0 for multipliers) has, over the gap or slip y that its force works on,
+///     −λ Δy = Δ(c λ²/2) + c (Δλ)²/2 − λ (Δy + c Δλ):
+/// stored, algorithmic, and what is left: closing of a gap, or friction. A point that stuck before and sticks still has no
+/// friction: its law asks for no velocity at the end of the step, and what slips meanwhile is creep.
+StepAccount account_of(const StandardScene& scene, const StepTrail& trail);
+
+StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion);
+
+double kinetic_energy(const StandardScene& scene, const UnknownsTable& v);
+
+/// Step, time and flows are left at zero.
+LedgerRow ledger_row(const StandardScene& scene, const Motion& motion);
+
+LedgerScope ledger_scope(const StandardScene& scene);
+
+}  // namespace keyblock

@@ -1,0 +1,60 @@
+// Energies and momenta block by block, from what the state carries.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/shi_ledger.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "material/elastic.hpp"
+#include "terms/inertia.hpp"
+
+namespace keyblock {
+namespace {
+
+// ½ A σᵀ D⁻¹ σ; D is isotropic, so that the frame of the stress is of no account.
+double strain_energy(const BlockMaterial& material, Plane plane, const ElementState& now) {
+  const Eigen::Matrix3d modulus =
+      plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
+  const Eigen::Vector3d stress(now.stress.xx, now.stress.yy, now.stress.xy);
+  return now.moments.area / 2 * stress.dot(modulus.inverse() * stress);
+}
+
+double weight_per_area(const BlockMaterial& material, const Settings& settings) {
+  return settings.quirks.weight_of_first_material ? material.density * settings.gravity : material.unit_weight;
+}
+
+}  // namespace
+
+LedgerRow stored_row(const Model& model, const Settings& settings, const State& state, const State& unloaded) {
+  const Point centre = stored_scope(unloaded).centre;
+  LedgerRow row;
+  row.step = state.step;
+  row.time = state.time;
+  for (ElementIndex e : indices(model.elements)) {
+    const Element& element = model.elements[e];
+    const BlockMaterial& material = model.material_of(element);
+    const ElementState& now = state.elements[e];
+    const ElementState& first = unloaded.elements[e];
+    const double fall = first.centroid.y - now.centroid.y;
+    row.stored.strain += strain_energy(material, settings.plane, now);
+    row.stored.gravity -= weight_per_area(material, settings) * first.moments.area * fall;
+    const Unknowns v = end_velocity(now, state, settings);
+    const Unknowns p = mass_matrix(*element.basis, now.moments, material.density) * v;
+    if (p.size() == 0) continue;
+    const Point linear{p[0], p[1]};
+    const double orbital = cross(now.centroid - centre, linear);
+    row.stored.kinetic += v.dot(p) / 2;
+    row.momentum += {linear, orbital + p[2]};
+    row.momentum_size.linear += length(linear);
+    row.momentum_size.angular += std::abs(orbital) + std::abs(p[2]);
+  }
+  return row;
+}
+
+LedgerScope stored_scope(const State& unloaded) {
+  Point sum;
+  for (const ElementState& element : unloaded.elements) sum = sum + element.centroid;
+  return {false, true, (1 / static_cast<double>(unloaded.elements.size())) * sum};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,52 @@
+// What the closures of a ledger are relative to, and that they see what is missing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "result/ledger.hpp"
+
+#include <gtest/gtest.h>
+
+namespace keyblock {
+namespace {
+
+// 100 J of gravity released: 60 kinetic, 40 lost to friction.
+Ledger falling_and_rubbing() {
+  Ledger ledger{{true, false, {}}, {{}, {}}};
+  LedgerRow& end = ledger.rows.back();
+  end.stored.kinetic = 60;
+  end.stored.gravity = -100;
+  end.flow.friction = 40;
+  end.momentum.linear = {3, -4};
+  end.impulse.linear = {3, -4};
+  end.momentum_size = {5, 2};
+  return ledger;
+}
+
+}  // namespace
+
+TEST(LedgerSums, a_ledger_that_balances_closes) {
+  EXPECT_EQ(energy_closure(falling_and_rubbing()), 0);
+  EXPECT_EQ(largest_energy(falling_and_rubbing()), 100);
+  EXPECT_EQ(linear_momentum_closure(falling_and_rubbing()), 0);
+}
+
+TEST(LedgerSums, what_is_missing_shows_relative_to_the_largest_energy_and_momentum) {
+  Ledger ledger = falling_and_rubbing();
+  ledger.rows.back().flow.friction = 39;
+  EXPECT_DOUBLE_EQ(energy_closure(ledger), 0.01);
+  ledger.rows.back().impulse.linear.x = 2.5;
+  EXPECT_DOUBLE_EQ(linear_momentum_closure(ledger), 0.1);
+  ledger.rows.back().momentum.angular = 1;
+  EXPECT_DOUBLE_EQ(angular_momentum_closure(ledger), 0.5);
+}
+
+TEST(LedgerSums, gains_and_losses_have_opposite_signs_in_the_balance) {
+  Ledger ledger = falling_and_rubbing();
+  ledger.rows.back().flow.external = 7;
+  ledger.rows.back().flow.impact = 7;
+  EXPECT_EQ(energy_closure(ledger), 0);
+}
+
+TEST(LedgerSums, a_scene_at_rest_closes) {
+  EXPECT_EQ(energy_closure({{}, {{}, {}}}), 0);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,269 @@
+// The ledger closes to round-off, and each of its terms has the sign and the amount that theory gives it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/ledger.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/support/ledger_runs.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::block_above_floor;
+using testing::block_on_slope;
+using testing::column_on_slope;
+using testing::ledger_of;
+using testing::plain_analysis;
+using testing::radians;
+using testing::rectangle;
+using testing::standard_scene_of;
+using testing::standard_settings;
+
+constexpr double kGravity = 9.81;
+constexpr double kMass = 2500;       // of a square metre of plain_analysis
+constexpr double kRoundOff = 1e-11;  // of the largest energy in play; measured 3e-13 at most
+
+constexpr std::array<BlockBasis, 2> kBases{BlockBasis::rigid, BlockBasis::affine};
+constexpr std::array<Enforcement, 2> kEnforcements{Enforcement::lagrange, Enforcement::penalty};
+
+Scene sliding(double slope_deg, double friction_deg, const StandardChoices& choices) {
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.penalty_factor = 10;
+  analysis.joint_materials[0].friction_angle_deg = friction_deg;
+  Settings settings = standard_settings(analysis);
+  settings.standard = choices;
+  return standard_scene_of(block_on_slope(radians(slope_deg)), analysis, settings);
+}
+
+Scene toppling(double dt, const StandardChoices& choices) {
+  Analysis analysis = plain_analysis(dt, 1);
+  analysis.penalty_factor = 10;
+  analysis.joint_materials[0].friction_angle_deg = 50;
+  Settings settings = standard_settings(analysis);
+  settings.standard = choices;
+  return standard_scene_of(column_on_slope(radians(20), 5), analysis, settings);
+}
+
+Scene dropped(double dt, const StandardChoices& choices) {
+  const Analysis analysis = plain_analysis(dt, 1);
+  Settings settings = standard_settings(analysis);
+  settings.standard = choices;
+  return standard_scene_of(block_above_floor(1), analysis, settings);
+}
+
+StandardChoices choices_of(BlockBasis basis, Enforcement enforcement) {
+  StandardChoices choices;
+  choices.basis = basis;
+  choices.enforcement = enforcement;
+  return choices;
+}
+
+// The two bodies of dda-13 with masses 2500 and 5000 and speeds 2 and −1: all 7500 J are in their approach.
+Scene meeting(BlockBasis basis, double restitution) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({0, 0}, {1, 1}), rectangle({1.0123, 0}, {2.0123, 1})};
+  blocks.blocks[1].material = 1;
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.gravity = 0;
+  analysis.block_materials.push_back(analysis.block_materials[0]);
+  analysis.block_materials[1].density = 2 * kMass;
+  analysis.block_materials[0].initial_velocity = {2, 0, 0};
+  analysis.block_materials[1].initial_velocity = {-1, 0, 0};
+  Settings settings = standard_settings(analysis);
+  settings.standard.basis = basis;
+  settings.standard.restitution = restitution;
+  return standard_scene_of(blocks, analysis, settings);
+}
+
+// A free square metre that was pressed in one direction and let go: σ²/(2 E) of strain energy at the start.
+constexpr double kPressure = 1e6;
+constexpr double kReleased = kPressure * kPressure / (2 * 5e9);
+Scene let_go(double force_weight, StrainDamping damping, double velocity_weight = 0.5) {
+  Analysis analysis = plain_analysis(1e-5, 1);
+  analysis.gravity = 0;
+  analysis.block_materials[0].initial_stress = {-kPressure, 0, 0};
+  Settings settings = standard_settings(analysis);
+  settings.standard.force_weight = force_weight;
+  settings.standard.velocity_weight = velocity_weight;
+  settings.standard.strain_damping = damping;
+  return standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
+}
+
+}  // namespace
+
+TEST(Ledger, closes_to_round_off_for_every_choice_of_basis_contact_start_weights_and_damping) {
+  double worst = 0;
+  const auto check = [&](const std::string& what, const Scene& scene, double time) {
+    const double closure = energy_closure(ledger_of(scene, time));
+    EXPECT_LE(closure, kRoundOff) << what;
+    worst = std::max(worst, closure);
+  };
+  for (BlockBasis basis : kBases) {
+    for (Enforcement enforcement : kEnforcements) {
+      for (StartRule start : {StartRule::compatible, StartRule::sudden}) {
+        for (const auto& [velocity_weight, force_weight] :
+             {std::pair{0.5, 1.0}, std::pair{0.5, 0.5}, std::pair{0.7, 0.6}, std::pair{1.0, 1.0}}) {
+          StandardChoices choices = choices_of(basis, enforcement);
+          choices.start = start;
+          choices.velocity_weight = velocity_weight;
+          choices.force_weight = force_weight;
+          const std::string what =
+              fmt::format("basis {}, enforcement {}, start {}, weights {} {}", static_cast<int>(basis),
+                          static_cast<int>(enforcement), static_cast<int>(start), velocity_weight, force_weight);
+          check("slide, " + what, sliding(30, 20, choices), 0.2);
+          check("hold, " + what, sliding(30, 35, choices), 0.1);
+          check("topple, " + what, toppling(5e-3, choices), 1);
+          choices.restitution = 0.6;
+          check("drop, " + what, dropped(1e-3, choices), 0.8);
+        }
+      }
+    }
+  }
+  RecordProperty("worst_closure", fmt::format("{:.1e}", worst));
+}
+
+TEST(Ledger, gravity_released_in_free_fall_is_kinetic_energy) {
+  for (BlockBasis basis : kBases) {
+    const Ledger ledger = ledger_of(dropped(1e-3, choices_of(basis, Enforcement::lagrange)), 0.4);
+    const StoredEnergy& end = ledger.rows.back().stored;
+    const double expected = kMass * kGravity * kGravity * 0.16 / 2;  // m (g t)²/2
+    EXPECT_NEAR(end.kinetic / expected, 1, 1e-11);
+    EXPECT_NEAR(end.gravity / expected, -1, 1e-11);
+    EXPECT_NEAR(ledger.rows.back().impulse.linear.y / (-kMass * kGravity * 0.4), 1, 1e-12);
+    EXPECT_NEAR(linear_momentum_closure(ledger), 0, kRoundOff);
+  }
+}
+
+TEST(Ledger, friction_takes_its_force_times_the_way) {
+  for (BlockBasis basis : kBases) {
+    for (Enforcement enforcement : kEnforcements) {
+      const Ledger ledger = ledger_of(sliding(30, 20, choices_of(basis, enforcement)), 0.5);
+      const double mu = std::tan(radians(20));
+      const double normal = kMass * kGravity * std::cos(radians(30));
+      const double way = kGravity / 2 * (std::sin(radians(30)) - mu * std::cos(radians(30))) * 0.25;
+      EXPECT_NEAR(ledger.rows.back().flow.friction / (mu * normal * way), 1, 1e-9);
+      for (std::size_t i = 1; i < ledger.rows.size(); ++i)
+        EXPECT_GE(ledger.rows[i].flow.friction, ledger.rows[i - 1].flow.friction);
+    }
+  }
+}
+
+TEST(Ledger, an_impact_takes_what_restitution_leaves_out) {
+  for (BlockBasis basis : kBases) {
+    for (double e : {0.0, 0.5, 1.0}) {
+      const EnergyFlow flow = ledger_of(meeting(basis, e), 0.05).rows.back().flow;
+      EXPECT_NEAR(flow.impact, 7500 * (1 - e * e), 1e-8) << e;
+      EXPECT_EQ(flow.projection, 0) << "without weight";
+    }
+  }
+}
+
+// The overlap is at most the way of one step; lifting the block out of it is what the fall gained too much.
+TEST(Ledger, a_drop_loses_to_the_impact_and_projection_stays_within_one_step_of_fall) {
+  for (double dt : {1e-3, 1e-4}) {
+    for (double e : {0.0, 0.6, 1.0}) {
+      StandardChoices choices = choices_of(BlockBasis::rigid, Enforcement::lagrange);
+      choices.restitution = e;
+      const EnergyFlow flow = ledger_of(dropped(dt, choices), 0.5).rows.back().flow;
+      const double fall = kMass * kGravity;  // 1 m
+      const double step_of_fall = fall * std::sqrt(2 * kGravity) * dt;
+      EXPECT_GE(flow.impact, 0);
+      EXPECT_GE(flow.projection, 0);
+      EXPECT_LE(flow.projection, step_of_fall);
+      EXPECT_NEAR(flow.impact, fall * (1 - e * e), 2 * step_of_fall) << e;
+    }
+  }
+}
+
+// σ²A/(2E) of uniaxial stress; with Shi's weight it goes to the algorithm, with damping to damping, else nowhere.
+TEST(Ledger, the_strain_energy_of_a_released_block_goes_where_the_choices_send_it) {
+  const auto end_of = [](const Scene& scene) {
+    const Ledger ledger = ledger_of(scene, 0.02);
+    EXPECT_NEAR(ledger.rows.front().stored.strain, kReleased, 1e-12 * kReleased);
+    EXPECT_LE(energy_closure(ledger), kRoundOff);
+    return ledger.rows.back();
+  };
+  const LedgerRow damped = end_of(let_go(0.5, StrainDamping::critical));
+  EXPECT_NEAR(damped.flow.damping, kReleased, 1e-9 * kReleased);
+  EXPECT_EQ(damped.flow.algorithmic, 0);
+  const LedgerRow shi = end_of(let_go(1, StrainDamping::none));
+  EXPECT_EQ(shi.flow.damping, 0);
+  EXPECT_GT(shi.flow.algorithmic, 0.1 * kReleased);
+  EXPECT_NEAR(shi.flow.algorithmic + shi.stored.total(), kReleased, 1e-9 * kReleased);
+  const LedgerRow backward = end_of(let_go(0.5, StrainDamping::none, 1));
+  EXPECT_GT(backward.flow.algorithmic, 0.1 * kReleased);
+  const LedgerRow kept = end_of(let_go(0.5, StrainDamping::none));
+  EXPECT_NEAR(kept.stored.total(), kReleased, 1e-9 * kReleased);
+}
+
+TEST(Ledger, damping_and_algorithmic_loss_never_give_back) {
+  for (const Scene& scene : {let_go(1, StrainDamping::none), let_go(0.5, StrainDamping::critical),
+                             let_go(0.7, StrainDamping::critical, 0.8)}) {
+    const Ledger ledger = ledger_of(scene, 0.005);
+    for (std::size_t i = 1; i < ledger.rows.size(); ++i) {
+      EXPECT_GE(ledger.rows[i].flow.algorithmic, ledger.rows[i - 1].flow.algorithmic);
+      EXPECT_GE(ledger.rows[i].flow.damping, ledger.rows[i - 1].flow.damping);
+    }
+  }
+}
+
+// W = F²t²/(2m) of a constant force on a free block.
+TEST(Ledger, a_point_load_does_its_force_times_the_way) {
+  Blocks blocks{{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}};
+  blocks.loading_points = {{{0.5, 0.5}, 0, {}}};
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.gravity = 0;
+  analysis.point_loads = {{{0, 1}, {{3000, 4000}, {3000, 4000}}, {}}};
+  const Ledger ledger = ledger_of(standard_scene_of(blocks, analysis, standard_settings(analysis)), 0.5);
+  const LedgerRow& end = ledger.rows.back();
+  EXPECT_NEAR(end.flow.external / (25e6 * 0.25 / (2 * kMass)), 1, 1e-11);
+  EXPECT_NEAR(end.impulse.linear.x, 1500, 1e-9);
+  EXPECT_LE(energy_closure(ledger), kRoundOff);
+  EXPECT_LE(linear_momentum_closure(ledger), kRoundOff);
+  EXPECT_LE(angular_momentum_closure(ledger), kRoundOff);
+}
+
+TEST(Ledger, the_geometric_term_of_toppling_is_second_order_in_the_step_and_clean_up_only_loses) {
+  for (BlockBasis basis : kBases) {
+    std::vector<double> made;
+    for (double dt : {4e-3, 2e-3, 1e-3}) {
+      const EnergyFlow flow = ledger_of(toppling(dt, choices_of(basis, Enforcement::lagrange)), 1).rows.back().flow;
+      made.push_back(std::abs(flow.geometric));
+      EXPECT_GE(flow.clean_up, 0);
+      EXPECT_LE(flow.clean_up, 1e-3);  // J of some 8e4 that are released
+    }
+    for (std::size_t i = 1; i < made.size(); ++i)
+      EXPECT_GE(std::log2(made[i - 1] / made[i]), 1.9) << made[i - 1] << " J, then " << made[i] << " J";
+    RecordProperty(basis == BlockBasis::rigid ? "rigid" : "affine",
+                   fmt::format("{:.2e} {:.2e} {:.2e} J", made[0], made[1], made[2]));
+  }
+}
+
+TEST(Ledger, velocity_that_is_not_carried_over_is_damping) {
+  Scene scene = dropped(1e-3, choices_of(BlockBasis::rigid, Enforcement::lagrange));
+  scene.settings.velocity_carry_over = 0;
+  const Ledger ledger = ledger_of(scene, 0.1);
+  const LedgerRow& end = ledger.rows.back();
+  EXPECT_GT(end.flow.damping, 0);
+  EXPECT_NEAR(end.flow.damping + end.stored.total(), 0, 1e-12 * end.flow.damping);
+}
+
+TEST(Ledger, free_bodies_keep_linear_and_angular_momentum_through_a_central_impact) {
+  for (BlockBasis basis : kBases) {
+    const Ledger ledger = ledger_of(meeting(basis, 0.5), 0.05);
+    EXPECT_FALSE(ledger.scope.has_supports);
+    EXPECT_LE(linear_momentum_closure(ledger), 1e-12);
+    EXPECT_LE(angular_momentum_closure(ledger), 1e-12);
+  }
+}
+
+TEST(Ledger, no_books_are_kept_where_the_settings_say_so) {
+  Scene scene = dropped(1e-3, choices_of(BlockBasis::rigid, Enforcement::lagrange));
+  scene.settings.ledger = Bookkeeping::off;
+  EXPECT_EQ(ledger_of(scene, 0.01).rows.back().stored.kinetic, 0);
+}
+
+}  // namespace keyblock
