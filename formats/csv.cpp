@@ -24,15 +24,17 @@ class CsvScanner {
  public:
   explicit CsvScanner(const Source& source) : source_(source), text_(source.text) {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+    line_start_ = text_.data();
   }
 
   /// The next row that is not an empty line; without cells at the end of the text.
   CsvRow next_row() {
     while (skip_line_end()) {
     }
-    CsvRow row{{}, line_};
+    CsvRow row{{}, line_, {}};
     if (text_.empty()) return row;
     do {
+      row.columns.push_back(static_cast<int>(text_.data() - line_start_) + 1);
       row.cells.push_back(next_cell());
     } while (skip(','));
     if (!text_.empty() && !skip_line_end())
@@ -51,8 +53,13 @@ class CsvScanner {
     const bool carriage_return = text_.starts_with("\r\n");
     if (carriage_return) text_.remove_prefix(1);
     if (!skip('\n')) return false;
-    ++line_;
+    begin_line();
     return true;
+  }
+
+  void begin_line() {
+    ++line_;
+    line_start_ = text_.data();
   }
 
   std::string next_cell() {
@@ -69,15 +76,17 @@ class CsvScanner {
     std::string cell;
     while (!text_.empty()) {
       if (skip('"') && !text_.starts_with('"')) return cell;
-      if (text_.starts_with('\n')) ++line_;
+      const bool ends_line = text_.starts_with('\n');
       cell += text_.front();
       text_.remove_prefix(1);
+      if (ends_line) begin_line();
     }
     throw InputError({source_.name, opened, 0}, "expected a closing quote, found the end of the file");
   }
 
   const Source& source_;
   std::string_view text_;
+  const char* line_start_ = nullptr;
   int line_ = 1;
 };
 
@@ -153,8 +162,9 @@ std::size_t csv_column(const CsvTable& table, std::string_view heading) {
 double csv_real(const CsvTable& table, const CsvRow& row, std::size_t column) {
   const std::optional<double> value = parse_real(row.cells.at(column));
   if (!value)
-    throw InputError({table.name, row.line, 0}, fmt::format("expected a number in column \"{}\", found \"{}\"",
-                                                            table.header.at(column), row.cells[column]));
+    throw InputError(
+        {table.name, row.line, row.columns[column]},
+        fmt::format("expected a number in column \"{}\", found \"{}\"", table.header.at(column), row.cells[column]));
   return *value;
 }
 

@@ -32,10 +32,11 @@ std::string history_csv(const History& history);
 std::string steps_csv(std::span<const StepReport> steps);
 std::string blocks_csv(std::span<const Frame> frames);
 
-/// One row of cells and the line of the file it began on.
+/// One row of cells, the line of the file it began on, and the column at which each cell begins.
 struct CsvRow {
   std::vector<std::string> cells;
   int line = 0;
+  std::vector<int> columns;
 };
 
 /// A table as text; every row has as many cells as the header.

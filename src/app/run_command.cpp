@@ -18,6 +18,7 @@
 #include "app/usage_error.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
+#include "study/named_files.hpp"
 
 namespace keyblock {
 namespace {
@@ -74,7 +75,8 @@ std::vector<Override> overrides_of(const std::vector<std::string>& sets) {
 // A wrong profile or setting is the user's, not the file's.
 Prepared prepare_as_asked(const Problem& problem, const RunOptions& options) {
   try {
-    return prepare(problem, options.profile, overrides_of(options.sets));
+    const std::vector<Override> overrides = overrides_of(options.sets);
+    return prepare(study::with_named_files(problem, overrides, {}), options.profile, overrides);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -137,12 +139,15 @@ Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const A
       [](const StepReport& s) {
         return fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual);
       });
-  for (const CarriedPoint& point : prepared.scene.model.loading_points) {
-    if (point.curve.times.empty() || point.curve.times.back() >= record.outcome.time) continue;
-    warnings.push_back({"load_held_after_table", point.curve.place,
-                        fmt::format("the table of loads ends at time {:.6g}, the run at {:.6g}; the last load is held",
-                                    point.curve.times.back(), record.outcome.time)});
-  }
+  const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
+    if (curve.times.empty() || curve.times.back() >= record.outcome.time) return;
+    warnings.push_back({name, curve.place,
+                        fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} is held",
+                                    what, curve.times.back(), record.outcome.time, what)});
+  };
+  for (const CarriedPoint& point : prepared.scene.model.loading_points)
+    warn_held("load_held_after_table", "load", point.curve);
+  warn_held("acceleration_held_after_table", "acceleration", settings.body_acceleration.curve);
   return warnings;
 }
 

@@ -6,14 +6,15 @@
 
 #include <algorithm>
 
+#include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
 
 namespace keyblock {
 namespace {
 
 bool has_weight(const Model& model, const Settings& settings) {
-  if (settings.quirks.weight_of_first_material) return settings.gravity != 0;
-  return std::ranges::any_of(model.block_materials, [](const BlockMaterial& m) { return m.unit_weight != 0; });
+  return std::ranges::any_of(model.block_materials,
+                             [&](const BlockMaterial& m) { return !weight_per_area(m, settings).isZero(0); });
 }
 
 std::size_t loaded_points(const Model& model) {
@@ -51,6 +52,8 @@ std::string_view name_of(TermKind term) {
       return "initial_stress";
     case TermKind::body_force:
       return "body_force";
+    case TermKind::body_acceleration:
+      return "body_acceleration";
     case TermKind::point_load:
       return "point_load";
     case TermKind::fixed_point:
@@ -79,6 +82,8 @@ Requirements requirements(const Model& model, const Settings& settings) {
     needs.terms.push_back({TermKind::initial_stress, "blocks carry stress from step to step"});
   }
   if (has_weight(model, settings)) needs.terms.push_back({TermKind::body_force, "blocks have weight"});
+  if (has_body_acceleration(settings))
+    needs.terms.push_back({TermKind::body_acceleration, "a given acceleration acts on the mass of blocks"});
   if (const auto count = loaded_points(model))
     needs.terms.push_back({TermKind::point_load, fmt::format("{} loading points carry a load", count)});
   if (has_held_moving_element(model))

@@ -11,7 +11,17 @@
 
 namespace keyblock {
 
-enum class TermKind { inertia, elastic, initial_stress, body_force, point_load, fixed_point, bolt, contact };
+enum class TermKind {
+  inertia,
+  elastic,
+  initial_stress,
+  body_force,
+  body_acceleration,
+  point_load,
+  fixed_point,
+  bolt,
+  contact
+};
 
 std::string_view name_of(TermKind term);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "model/standard_choices.hpp"
 #include "problem/analysis.hpp"
 #include "problem/drawing.hpp"
@@ -32,6 +34,13 @@ struct BerkeleyQuirks {
   bool step_rule_by_time = false;
 };
 
+/// An acceleration of all blocks beside gravity, as of a shaken ground seen from the ground. The parts add up.
+struct BodyAcceleration {
+  Point constant;
+  TimeCurve curve;   ///< length / time², linear between rows
+  std::string file;  ///< what `curve` was read from; empty: nothing
+};
+
 /// Everything a run decides besides the scene itself. Units are those of the input.
 struct Settings {
   NodeMerging node_merging = NodeMerging::in_order_found;
@@ -41,7 +50,9 @@ struct Settings {
   double velocity_carry_over = 1;  ///< 0 static, 1 dynamic
   Rotation rotation = Rotation::first_order;
   Plane plane = Plane::stress;
-  double gravity = 0;          ///< acceleration, downward
+  Point gravity;            ///< acceleration, y up
+  double file_gravity = 0;  ///< downward, as the file has it: the one that its unit weights speak of
+  BodyAcceleration body_acceleration;
   double contact_penalty = 0;  ///< starting normal stiffness, force / length
   PenaltyControl penalty_control = PenaltyControl::constant;
   double fixed_point_factor = 100;        ///< stiffness of fixed points over the starting contact penalty

@@ -99,6 +99,7 @@ struct Analysis {
   std::vector<BoltProperties> bolt_properties;
   std::vector<TimeCurve> fixed_point_motions;  ///< Shi's dialect: one a fixed point, may be empty
   std::vector<TimeCurve> point_loads;  ///< one a loading point, in order; fewer than points: the rest carry none
+  TimeCurve body_acceleration;         ///< of a side file, acts on all blocks; empty: none
   Place place;                         ///< the file
 };
 

@@ -1,4 +1,4 @@
-// A vector that changes with time, linear between given rows: loads of points, motions of fixed points.
+// A vector that changes with time, linear between given rows: loads of points, motions of fixed points, accelerations.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@ namespace keyblock {
 /// Rows (t, value), times strictly increasing. An empty curve is zero for ever.
 struct TimeCurve {
   std::vector<double> times;
-  std::vector<Point> values;  ///< force (loading point) or displacement (fixed point)
+  std::vector<Point> values;  ///< force (loading point), displacement (fixed point) or acceleration
   Place place;
 
   /// Linear between rows (legacy-rules 7.3); before the first and after the last row the nearest row's value

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "model/choose_basis.hpp"
 #include "model/from_blocks.hpp"
@@ -39,7 +40,7 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   if (std::ranges::any_of(analysis.block_materials, damped))
     warn("damping_without_effect", "the damping of block materials is read, but has no effect, as in the old program");
   const auto has_own_weight = [&](const BlockMaterial& m) {
-    return std::abs(m.unit_weight - m.density * settings.gravity) > kSameWeight * std::abs(m.unit_weight);
+    return std::abs(m.unit_weight - m.density * settings.file_gravity) > kSameWeight * std::abs(m.unit_weight);
   };
   if (settings.quirks.weight_of_first_material && std::ranges::any_of(analysis.block_materials, has_own_weight))
     warn("unit_weight_without_effect",
@@ -92,6 +93,8 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
   Settings settings = profile_settings(profile, *problem.analysis);
   for (const auto& [name, value] : overrides) set(settings, name, value);
+  if (!settings.body_acceleration.file.empty() && settings.body_acceleration.curve.times.empty())
+    throw std::invalid_argument("setting body_acceleration_file: the file was not read");
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));

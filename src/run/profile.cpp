@@ -35,7 +35,9 @@ Settings legacy(const Analysis& analysis) {
   settings.velocity_carry_over = analysis.velocity_carry_over;
   settings.rotation = analysis.rotation;
   settings.plane = analysis.plane_strain ? Plane::strain : Plane::stress;
-  settings.gravity = berkeley_gravity(analysis);
+  settings.file_gravity = berkeley_gravity(analysis);
+  settings.gravity = {0, 0.0 - settings.file_gravity};
+  settings.body_acceleration.curve = analysis.body_acceleration;
   settings.contact_penalty = start_penalty(analysis);
   settings.penalty_control = analysis.automatic_penalty ? PenaltyControl::adaptive : PenaltyControl::constant;
   settings.allowed_displacement_ratio = analysis.allowed_displacement_ratio;

@@ -27,6 +27,15 @@ struct Whole {
   int& (*of)(Settings&);
   int least;
 };
+/// A number that stands for several settings.
+struct Shorthand {
+  double (*get)(const Settings&);
+  void (*set)(Settings&, double);
+};
+/// Name of a file that the caller has read.
+struct File {
+  std::string& (*of)(Settings&);
+};
 struct Choice {
   std::vector<std::string> names;
   std::function<int(const Settings&)> get;
@@ -36,7 +45,7 @@ struct Choice {
 struct Row {
   const char* name;
   const char* meaning;
-  std::variant<Real, Whole, Choice> kind;
+  std::variant<Real, Whole, Shorthand, File, Choice> kind;
 };
 
 template <class E>
@@ -70,8 +79,22 @@ const std::vector<Row>& table() {
        Real{[](Settings& s) -> double& { return s.velocity_carry_over; }, 0, false, 1}},
       {"rotation", "how points move under a rotation", choice(&Settings::rotation, {"first_order", "exact"})},
       {"plane", "plane stress or plane strain", choice(&Settings::plane, {"stress", "strain"})},
-      {"gravity", "acceleration of gravity, downward [length/time^2]",
-       Real{[](Settings& s) -> double& { return s.gravity; }, -kNoLimit}},
+      {"gravity", "acceleration of gravity, downward: gravity.x = 0 and the negative of gravity.y [length/time^2]",
+       Shorthand{[](const Settings& s) { return 0.0 - s.gravity.y; },
+                 [](Settings& s, double downward) {
+                   s.gravity = {0, 0.0 - downward};
+                 }}},
+      {"gravity.x",
+       "acceleration of gravity in x; unit weights of materials turn and grow with gravity [length/time^2]",
+       Real{[](Settings& s) -> double& { return s.gravity.x; }, -kNoLimit}},
+      {"gravity.y", "acceleration of gravity in y, upward [length/time^2]",
+       Real{[](Settings& s) -> double& { return s.gravity.y; }, -kNoLimit}},
+      {"body_acceleration.x", "constant force per mass on every block, in x [length/time^2]",
+       Real{[](Settings& s) -> double& { return s.body_acceleration.constant.x; }, -kNoLimit}},
+      {"body_acceleration.y", "constant force per mass on every block, in y [length/time^2]",
+       Real{[](Settings& s) -> double& { return s.body_acceleration.constant.y; }, -kNoLimit}},
+      {"body_acceleration_file", "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one",
+       File{[](Settings& s) -> std::string& { return s.body_acceleration.file; }}},
       {"contact_penalty", "starting normal contact stiffness [force/length]",
        Real{[](Settings& s) -> double& { return s.contact_penalty; }, 0, true}},
       {"penalty_control", "how the contact stiffness changes",
@@ -150,6 +173,8 @@ struct Write {
   const Settings& settings;
   std::string operator()(const Real& r) const { return fmt::format("{}", r.of(const_cast<Settings&>(settings))); }
   std::string operator()(const Whole& w) const { return fmt::format("{}", w.of(const_cast<Settings&>(settings))); }
+  std::string operator()(const Shorthand& s) const { return fmt::format("{}", s.get(settings)); }
+  std::string operator()(const File& f) const { return f.of(const_cast<Settings&>(settings)); }
   std::string operator()(const Choice& c) const { return c.names[static_cast<std::size_t>(c.get(settings))]; }
 };
 
@@ -170,6 +195,12 @@ struct Read {
     if (!value || *value < w.least) refuse(row, fmt::format("a whole number of at least {}", w.least), text);
     w.of(settings) = *value;
   }
+  void operator()(const Shorthand& s) const {
+    const std::optional<double> value = parse<double>(text);
+    if (!value || !std::isfinite(*value)) refuse(row, "a number", text);
+    s.set(settings, *value);
+  }
+  void operator()(const File& f) const { f.of(settings) = text; }
   void operator()(const Choice& c) const {
     for (std::size_t i = 0; i < c.names.size(); ++i) {
       if (c.names[i] == text) return c.set(settings, static_cast<int>(i));
@@ -187,9 +218,10 @@ struct Read {
 
 std::vector<SettingText> list(const Settings& settings) {
   std::vector<SettingText> texts;
-  for (const Row& row : table())
-    texts.push_back(
-        {row.name, std::visit(Write{settings}, row.kind), row.meaning, !std::holds_alternative<Choice>(row.kind)});
+  for (const Row& row : table()) {
+    const bool is_text = std::holds_alternative<Choice>(row.kind) || std::holds_alternative<File>(row.kind);
+    texts.push_back({row.name, std::visit(Write{settings}, row.kind), row.meaning, !is_text});
+  }
   return texts;
 }
 

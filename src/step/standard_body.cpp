@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "material/elastic.hpp"
+#include "model/body_load.hpp"
 #include "terms/inertia.hpp"
 
 namespace keyblock {
@@ -67,9 +68,7 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
   const StrainOperator strain = basis.strain();
   body.stiffness = moments.area * (strain.transpose() * modulus_of(material, settings) * strain);
   body.initial_stress = -moments.area * (strain.transpose() * start_stress(material, reference.centroids[e].y));
-  const double weight =
-      settings.quirks.weight_of_first_material ? material.density * settings.gravity : material.unit_weight;
-  body.weight = basis.constant.transpose() * Eigen::Vector2d(0, -weight * moments.area);
+  body.weight = basis.constant.transpose() * (moments.area * weight_per_area(material, settings));
   body.damping = damping_of(body, settings);
   for (VertexIndex v : element.vertices()) body.size = std::max(body.size, length(reference.offsets[v]));
   return body;

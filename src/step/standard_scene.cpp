@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
 
 namespace keyblock {
@@ -81,6 +82,11 @@ Motion start_motion(const StandardScene& scene) {
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time) {
   UnknownsTable loads;
   for (const Body& body : scene.bodies) loads.push_back(body.weight);
+  if (has_body_acceleration(scene.settings)) {
+    const Eigen::Vector2d acceleration = body_acceleration_at(scene.settings, time);
+    for (ElementIndex e : indices(loads))
+      if (loads[e].size() > 0) loads[e].head<2>() += scene.bodies[e].mass(0, 0) * acceleration;
+  }
   for (const CarriedPoint& point : scene.model.loading_points) {
     const Point force = point.curve.at(time);
     const Point offset = point.start - scene.reference.centroids[point.element];

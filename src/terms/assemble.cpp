@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "terms/body_acceleration.hpp"
 #include "terms/body_force.hpp"
 #include "terms/bolt.hpp"
 #include "terms/elastic.hpp"
@@ -22,6 +23,7 @@ constexpr std::array<std::pair<TermKind, Term>, 7> kTerms{{
     {TermKind::elastic, add_elastic},
     {TermKind::initial_stress, add_initial_stress},
     {TermKind::body_force, add_body_force},
+    {TermKind::body_acceleration, add_body_acceleration},
     {TermKind::point_load, add_point_load},
     {TermKind::inertia, add_inertia},
 }};

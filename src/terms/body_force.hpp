@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// F += ∫ Tᵀ (0, -w), w = density × gravity, or the own unit weight of each material when the quirk
+/// F += ∫ Tᵀ w with w = weight_per_area: density × gravity, or the own unit weight of each material when the quirk
 /// weight_of_first_material is off (legacy-rules 7.3).
 void add_body_force(const StepContext& context, System& system);
 

@@ -115,7 +115,7 @@ TEST(Csv, faults_are_named_with_their_line) {
   EXPECT_EQ(complaint("value\n\"1\"2\n"),
             "a.csv:2: error: expected a comma or the end of the line after a closing quote");
   EXPECT_EQ(complaint("a,b\n1,2\n"), "a.csv:1: error: expected a column \"value\", found \"a,b\"");
-  EXPECT_EQ(complaint("value\nabc\n"), "a.csv:2: error: expected a number in column \"value\", found \"abc\"");
+  EXPECT_EQ(complaint("value\nabc\n"), "a.csv:2:1: error: expected a number in column \"value\", found \"abc\"");
 }
 
 }  // namespace keyblock::formats

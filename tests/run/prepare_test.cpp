@@ -95,7 +95,7 @@ TEST(Prepare, motions_must_be_as_many_as_fixed_points) {
 TEST(Prepare, overrides_come_after_the_profile) {
   const Scene scene = prepare({one_block(), analysis_of_file()}, "legacy", {{"steps", "3"}, {"gravity", "0"}}).scene;
   EXPECT_EQ(scene.settings.step_count, 3);
-  EXPECT_EQ(scene.settings.gravity, 0);
+  EXPECT_EQ(scene.settings.gravity, (Point{0, 0}));
   EXPECT_EQ(scene.settings.time_step, 1e-3);
   EXPECT_THROW(prepare({one_block(), analysis_of_file()}, "legacy", {{"no_such", "1"}}), std::invalid_argument);
 }

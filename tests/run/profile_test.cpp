@@ -23,7 +23,7 @@ TEST(Profile, penalty_is_the_factor_times_the_greatest_modulus_unless_the_file_g
 TEST(Profile, gravity_of_native_files_is_that_of_the_first_material) {
   Analysis analysis = testing::plain_analysis(1e-3, 1);
   analysis.gravity.reset();
-  EXPECT_DOUBLE_EQ(profile_settings("legacy", analysis).gravity, 9.81);
+  EXPECT_DOUBLE_EQ(-profile_settings("legacy", analysis).gravity.y, 9.81);
 }
 
 // Shi's dialect names start velocity and stress gradient apart and weighs each material by itself.

@@ -1,0 +1,40 @@
+// The table that `body_acceleration_file` names reaches the settings of the run; a missing one is the input's fault.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/named_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "tests/support/scenes.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::study {
+namespace {
+
+Problem one_block() {
+  return {Blocks{{testing::rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, testing::plain_analysis(1e-3, 1)};
+}
+
+}  // namespace
+
+TEST(NamedFiles, the_table_is_read_from_the_folder_and_becomes_the_curve_of_the_run) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "named_files";
+  std::filesystem::create_directories(folder);
+  testing::write_text(folder / "shake.csv", "time,ax,ay\n0,0,0\n2,4,0\n");
+  const std::vector<Override> overrides{{"body_acceleration_file", "shake.csv"}};
+  for (const char* profile : {"legacy", "standard"}) {
+    const Prepared prepared = prepare(with_named_files(one_block(), overrides, folder), profile, overrides);
+    EXPECT_EQ(prepared.scene.settings.body_acceleration.curve.at(1), (Point{2, 0}));
+    EXPECT_TRUE(prepared.requirements.has(TermKind::body_acceleration));
+  }
+}
+
+TEST(NamedFiles, a_missing_file_is_an_input_error_and_a_name_that_was_not_read_is_refused) {
+  const std::vector<Override> overrides{{"body_acceleration_file", "no_such.csv"}};
+  EXPECT_THROW(with_named_files(one_block(), overrides, {}), InputError);
+  EXPECT_THROW(prepare(one_block(), "legacy", overrides), std::invalid_argument);
+}
+
+}  // namespace keyblock::study
