@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/friction_newton.hpp"
 
-#include <Eigen/LU>
 #include <array>
+#include <optional>
 #include <set>
+
+#include "contact/active_forces.hpp"
 
 namespace keyblock {
 namespace {
@@ -20,18 +22,20 @@ constexpr int kMostSets = 60;
 
 class Newton {
  public:
-  Newton(const FrictionalProblem& problem, const Eigen::VectorXd& start) : problem_(problem) {
-    solution_.forces = start;
-    solution_.residual = residual(problem, start);
-  }
+  Newton(const FrictionalProblem& problem, FrictionalSolution so_far)
+      : problem_(problem), solution_(std::move(so_far)) {}
 
   FrictionalSolution run() {
-    for (double weight : kProximal) {
-      if (solution_.residual <= problem_.acceptable && !is_first(weight)) break;
+    for (std::size_t attempt = 0; attempt < kProximal.size(); ++attempt) {
+      if (solution_.residual <= (attempt == 0 ? problem_.goal : problem_.acceptable)) break;
+      weights_ = attempt == 0 && problem_.proximal.size() > 0
+                     ? problem_.proximal
+                     : Eigen::VectorXd(kProximal[attempt] * problem_.w.diagonal());
+      system_.reset();
       forces_ = solution_.forces;
       for (int round = 0; round < kMostRounds && !is_solved(); ++round) {
         const double before = solution_.residual;
-        if (!settle(regularised(weight))) break;
+        if (!settle({weights_, forces_})) break;
         if (solution_.residual <= problem_.acceptable && solution_.residual > kProgress * before) break;
       }
     }
@@ -39,25 +43,18 @@ class Newton {
   }
 
  private:
-  FrictionalProblem regularised(double weight) const {
-    FrictionalProblem regular = problem_;
-    const Eigen::VectorXd added = weight * problem_.w.diagonal();
-    regular.w.diagonal() += added;
-    regular.b -= added.cwiseProduct(forces_);
-    return regular;
-  }
-
-  // False if the active sets go round in a cycle.
-  bool settle(const FrictionalProblem& regular) {
+  // Solves with the proximal term; false if the active sets go round in a cycle.
+  bool settle(const Proximal& proximal) {
+    const Eigen::VectorXd right = problem_.b - proximal.weights.cwiseProduct(proximal.reference);
     std::set<std::vector<Grip>> visited;
-    std::vector<Grip> grips = natural_map(regular, forces_).grips;
+    std::vector<Grip> grips = natural_map(problem_, forces_, proximal).grips;
     for (int i = 0; i < kMostSets; ++i) {
       visited.insert(grips);
-      forces_ = forces_for(regular, grips);
-      ++solution_.solves;
+      factorise(grips);
+      forces_ = system_->solve(right);
       keep_best();
       if (is_solved()) return true;
-      const std::vector<Grip> next = natural_map(regular, forces_).grips;
+      const std::vector<Grip> next = natural_map(problem_, forces_, proximal).grips;
       if (next == grips) return true;
       if (visited.contains(next)) {
         name_undecided(grips, next);
@@ -68,26 +65,13 @@ class Newton {
     return false;
   }
 
-  // Open: λ = 0. Stick: yn = yt = 0. Slip: yn = 0, λt = ± μ λn, which makes the matrix nonsymmetric.
-  static Eigen::VectorXd forces_for(const FrictionalProblem& p, const std::vector<Grip>& grips) {
-    Eigen::MatrixXd a = Eigen::MatrixXd::Identity(p.w.rows(), p.w.cols());
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(p.w.rows());
-    const auto touch = [&](Eigen::Index row) {
-      a.row(row) = p.w.row(row) / p.w(row, row);
-      right[row] = -p.b[row] / p.w(row, row);
-    };
-    for (std::size_t i = 0; i < p.count(); ++i) {
-      const auto n = static_cast<Eigen::Index>(2 * i);
-      if (grips[i] == Grip::open) continue;
-      touch(n);
-      if (grips[i] == Grip::stick) touch(n + 1);
-      if (grips[i] == Grip::slip_forward) a(n + 1, n) = -p.friction[i];
-      if (grips[i] == Grip::slip_backward) a(n + 1, n) = p.friction[i];
-    }
-    return a.partialPivLu().solve(right);
+  void factorise(const std::vector<Grip>& grips) {
+    if (system_ && grips == factorised_) return;
+    system_.emplace(problem_, grips, weights_);
+    factorised_ = grips;
+    ++solution_.solves;
   }
 
-  static bool is_first(double weight) { return weight == kProximal.front(); }
   bool is_solved() const { return solution_.residual <= problem_.goal; }
 
   void keep_best() {
@@ -104,14 +88,24 @@ class Newton {
   }
 
   const FrictionalProblem& problem_;
-  Eigen::VectorXd forces_;       ///< of the last active set
   FrictionalSolution solution_;  ///< with the best forces seen
+  Eigen::VectorXd weights_;      ///< of the proximal term
+  Eigen::VectorXd forces_;       ///< of the last active set
+  std::optional<ActiveForces> system_;
+  std::vector<Grip> factorised_;
 };
 
 }  // namespace
 
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
-  return Newton(problem, start).run();
+  FrictionalSolution so_far;
+  so_far.forces = start;
+  so_far.residual = residual(problem, start);
+  return newton(problem, std::move(so_far));
+}
+
+FrictionalSolution newton(const FrictionalProblem& problem, FrictionalSolution so_far) {
+  return Newton(problem, std::move(so_far)).run();
 }
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Semismooth Newton on the natural map of frictional contact.
+// Newton's method for contact forces: one linear system an active set, with a proximal term against redundant contacts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,9 +6,12 @@
 
 namespace keyblock {
 
-/// Alart & Curnier 1991: the active set of the natural map, one linear solve each. Redundant contacts (a rigid block on two
-/// sticking corners) make W singular; a proximal term ρ W_ii (λ − λ_ref) decides among equal solutions, and λ_ref follows
-/// until the problem without it is solved (contact-notes 3, step 4).
+/// Semismooth Newton on the natural map. The proximal term ρ W_ii (λ − λ_ref) makes redundant contacts regular; λ_ref follows
+/// round by round until the residual of the problem itself is at its goal (contact-notes 3, steps 3 to 5). An active set
+/// that comes back is a cycle: the pairs that differ between the two visits are undecided. The best forces seen are kept.
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start);
+
+/// The same from an earlier solution, whose counts go on.
+FrictionalSolution newton(const FrictionalProblem& problem, FrictionalSolution so_far);
 
 }  // namespace keyblock

@@ -8,23 +8,43 @@
 #include "contact/friction_sweeps.hpp"
 
 namespace keyblock {
+namespace {
 
-NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
-  const Eigen::VectorXd y = problem.w * forces + problem.b;
+// Sweeps between two attempts of Newton: enough to leave the cycle in which it was caught.
+constexpr int kSweepsBetween = 200;
+constexpr int kMostTurns = 8;
+
+}  // namespace
+
+double ForceLaw::limit(double normal) const {
+  return std::max(0.0, cohesion + friction * normal);
+}
+
+NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal) {
+  const Eigen::VectorXd y =
+      problem.w * forces + problem.b + proximal.weights.cwiseProduct(forces - proximal.reference);
+  const Eigen::VectorXd diagonal = problem.w.diagonal() + proximal.weights;
   NaturalMap map{forces, {}};
+  map.grips.reserve(problem.count());
   for (std::size_t i = 0; i < problem.count(); ++i) {
+    const ForceLaw& law = problem.laws[i];
     const auto n = static_cast<Eigen::Index>(2 * i);
     const Eigen::Index t = n + 1;
-    const double normal = std::max(0.0, forces[n] - y[n] / problem.w(n, n));
-    const double limit = problem.friction[i] * normal;
-    const double tangential = forces[t] - y[t] / problem.w(t, t);
-    map.forces[n] = normal;
+    const double wanted = forces[n] - y[n] / diagonal[n];
+    const double tangential = forces[t] - y[t] / diagonal[t];
+    const bool open = wanted <= law.least;
+    const double limit = open ? 0 : law.limit(wanted);
+    map.forces[n] = open ? law.least : wanted;
     map.forces[t] = std::clamp(tangential, -limit, limit);
     const Grip sliding = tangential > 0 ? Grip::slip_forward : Grip::slip_backward;
     const bool holds = limit > 0 && std::abs(tangential) <= limit;
-    map.grips.push_back(normal <= 0 ? Grip::open : holds ? Grip::stick : sliding);
+    map.grips.push_back(open ? Grip::open : holds ? Grip::stick : sliding);
   }
   return map;
+}
+
+NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
+  return natural_map(problem, forces, {Eigen::VectorXd::Zero(forces.size()), forces});
 }
 
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
@@ -34,12 +54,19 @@ double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces)
 
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
   FrictionalSolution solution = newton(problem, start);
+  FrictionalSolution best = solution;
+  for (int turn = 0; turn < kMostTurns && solution.residual > problem.acceptable; ++turn) {
+    solution = sweep(problem, std::move(solution), kSweepsBetween << turn);
+    if (solution.residual > problem.acceptable) solution = newton(problem, std::move(solution));
+    if (solution.residual < best.residual) best = solution;
+  }
+  solution.forces = best.forces;
+  solution.residual = best.residual;
   solution.converged = solution.residual <= problem.acceptable;
-  if (!solution.converged) solution = sweep(problem, std::move(solution));
-  // Round-off on an open contact would pass for a closed one.
+  // Round-off on an open touch would pass for a closed one.
   const NaturalMap map = natural_map(problem, solution.forces);
   for (std::size_t i = 0; i < problem.count(); ++i)
-    if (map.grips[i] == Grip::open) solution.forces.segment<2>(static_cast<Eigen::Index>(2 * i)).setZero();
+    if (map.grips[i] == Grip::open) solution.forces.segment<2>(static_cast<Eigen::Index>(2 * i)) << problem.laws[i].least, 0;
   return solution;
 }
 

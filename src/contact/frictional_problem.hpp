@@ -1,50 +1,76 @@
-// Unilateral contact with Coulomb friction as a complementarity problem in the contact forces, and its solution.
+// Contact, bond and tie forces of a step as a complementarity problem, and its solution.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace keyblock {
 
-/// y = W λ + b with entries 2i (normal) and 2i + 1 (tangential) of contact i:
-///     0 ≤ λn ⊥ yn ≥ 0,   |λt| ≤ μ λn,   λt opposes yt, and yt = 0 while |λt| < μ λn.
-/// Compliance of the contact (1/p) stands on the diagonal of W.
-struct FrictionalProblem {
-  Eigen::MatrixXd w;
-  Eigen::VectorXd b;
-  std::vector<double> friction;  ///< μ of each contact
-  double goal = 0;               ///< residual to aim at, in the unit of λ
-  double acceptable = 0;         ///< residual that counts as solved where the goal is out of reach; at least the goal
+/// What a pair of forces, normal and tangential, may be:
+///     λn ≥ least,   |λt| ≤ max(0, cohesion + friction λn).
+struct ForceLaw {
+  double friction = 0;  ///< μ
+  double cohesion = 0;  ///< tangential force held without normal force; infinite where nothing slips
+  double least = 0;     ///< smallest normal force: 0 of a touch, −tensile strength of a bond, −∞ of a tie
 
-  std::size_t count() const { return friction.size(); }
+  /// Largest tangential force under a normal force.
+  double limit(double normal) const;
 };
 
-enum class Grip { open, stick, slip_forward, slip_backward };  ///< slip_forward: λt = +μ λn
+/// Both forces take whatever value keeps y = 0: a held point.
+inline constexpr ForceLaw kHeld{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+using ContactMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// y = W λ + b with entries 2i (normal) and 2i + 1 (tangential) of pair i:
+///     λn − least ≥ 0 ⊥ yn ≥ 0,   |λt| ≤ limit,   λt opposes yt, and yt = 0 while |λt| < limit.
+/// Compliance (1/p) stands on the diagonal of W, which must be positive.
+struct FrictionalProblem {
+  ContactMatrix w;
+  Eigen::VectorXd b;
+  std::vector<ForceLaw> laws;
+  double goal = 0;            ///< residual to aim at, in the unit of λ
+  double acceptable = 0;      ///< residual that counts as solved where the goal is out of reach; at least the goal
+  Eigen::VectorXd proximal;   ///< weights of the first proximal term, as 1/p of an augmented Lagrangian; empty: our choice
+
+  std::size_t count() const { return laws.size(); }
+};
+
+/// open: at the least normal force, which is none for a touch; slip_forward: λt = +limit.
+enum class Grip { open, stick, slip_forward, slip_backward };
 
 struct FrictionalSolution {
   Eigen::VectorXd forces;
   double residual = 0;
-  int solves = 0;                      ///< linear solves
+  int solves = 0;                      ///< linear systems factorised
   int sweeps = 0;                      ///< of projected Gauss-Seidel, 0 if it was not needed
   bool converged = false;              ///< residual ≤ acceptable
-  std::vector<std::size_t> undecided;  ///< contacts whose state went round in a cycle
+  std::vector<std::size_t> undecided;  ///< pairs whose state went round in a cycle
 };
 
-/// What λ would become under the natural map (Alart & Curnier 1991):
-///     λn → max(0, λn − rn yn),  λt → clamp(λt − rt yt, ± μ max(0, λn − rn yn)),  r = 1 / W_ii.
+/// What λ would become under the natural map (Alart & Curnier 1991), with r = 1 / W_ii:
+///     λn → max(least, λn − rn yn),  λt → clamp(λt − rt yt, ± limit of the new λn).
 struct NaturalMap {
   Eigen::VectorXd forces;
   std::vector<Grip> grips;
 };
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 
+/// A term `weights` ∘ (λ − reference) added to y: it makes redundant contacts regular, and vanishes where λ is the reference.
+struct Proximal {
+  Eigen::VectorXd weights;
+  Eigen::VectorXd reference;
+};
+NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal);
+
 /// Largest change of λ by the natural map: zero at the solution and only there.
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 
-/// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel from
-/// the best forces it saw. The forces of open contacts are exactly zero.
+/// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and Newton
+/// in turn from the best forces seen. The forces of open touches are exactly zero.
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start);
 
 }  // namespace keyblock

@@ -5,10 +5,6 @@
 namespace keyblock {
 namespace {
 
-Point outward_normal(Point along) {
-  return (1 / length(along)) * Point{along.y, -along.x};
-}
-
 Eigen::RowVector2d row_vector(Point p) {
   return {p.x, p.y};
 }
@@ -21,21 +17,28 @@ class Rows {
   void add(const Touch& touch, ContactRows& rows) const {
     const ElementIndex a = model_.vertices[touch.vertex].element;
     const ElementIndex b = model_.vertices[touch.start].element;
-    const Point along = vertices_[touch.end] - vertices_[touch.start];
-    const Point from_start = vertices_[touch.vertex] - vertices_[touch.start];
-    const double s = dot(from_start, along) / dot(along, along);
-    const Point n = outward_normal(along);
+    const Point n = normal_of(touch, vertices_);
     const Point t{-n.y, n.x};
-    const DisplacementOperator at_vertex = at(touch.vertex);
-    const DisplacementOperator at_foot = (1 - s) * at(touch.start) + s * at(touch.end);
-    rows.push_back({a, b, row_vector(n) * at_vertex, -row_vector(n) * at_foot});
-    rows.push_back({a, b, row_vector(t) * at_vertex, -row_vector(t) * opposite(b, vertices_[touch.vertex])});
+    const DisplacementOperator at_point = of_point(touch);
+    rows.push_back({a, b, row_vector(n) * at_point, -row_vector(n) * of_foot(touch)});
+    rows.push_back({a, b, row_vector(t) * at_point, -row_vector(t) * opposite(b, point_of(touch, vertices_))});
   }
 
  private:
   DisplacementOperator at(VertexIndex v) const {
     const ElementIndex e = model_.vertices[v].element;
     return jacobian(*model_.elements[e].basis, q_[e], reference_.offsets[v]);
+  }
+  DisplacementOperator of_point(const Touch& touch) const {
+    if (touch.kind != TouchKind::middle) return at(touch.vertex);
+    return (1 - touch.along) * at(touch.vertex) + touch.along * at(touch.other);
+  }
+  // With s the share of the edge at the foot of the point; a corner is met as it is.
+  DisplacementOperator of_foot(const Touch& touch) const {
+    if (touch.kind == TouchKind::bisector) return at(touch.other);
+    const Point along = vertices_[touch.end] - vertices_[touch.start];
+    const double s = dot(point_of(touch, vertices_) - vertices_[touch.start], along) / dot(along, along);
+    return (1 - s) * at(touch.start) + s * at(touch.end);
   }
   DisplacementOperator opposite(ElementIndex e, Point x) const {
     const Basis& basis = *model_.elements[e].basis;
@@ -49,18 +52,12 @@ class Rows {
   Table<VertexIndex, Point> vertices_;
 };
 
-// The part of row i on element e; empty if there is none.
-const ContactRow::Row* part_on(const ContactRow& row, ElementIndex e) {
-  if (row.vertex_element == e) return &row.of_vertex;
-  return row.edge_element == e ? &row.of_edge : nullptr;
-}
+struct PartOfRow {
+  Eigen::Index row;
+  const ContactRow::Row* values;
+};
 
 }  // namespace
-
-double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
-  const Point n = outward_normal(vertices[touch.end] - vertices[touch.start]);
-  return dot(n, vertices[touch.vertex] - vertices[touch.start]);
-}
 
 ContactRows contact_rows(const Model& model, const Reference& reference, const UnknownsTable& q,
                          const Touches& touches) {
@@ -94,20 +91,25 @@ UnknownsTable answer(const ContactRows& rows, const Table<ElementIndex, UnknownB
   return sum;
 }
 
-Eigen::MatrixXd contact_matrix(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks) {
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const ContactRow& row = rows[static_cast<std::size_t>(i)];
-    const ContactRow::Row vertex_side = row.of_vertex * blocks[row.vertex_element];
-    const ContactRow::Row edge_side = row.of_edge * blocks[row.edge_element];
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      const ContactRow& other = rows[static_cast<std::size_t>(j)];
-      if (const auto* part = part_on(other, row.vertex_element)) w(i, j) += vertex_side.dot(*part);
-      if (const auto* part = part_on(other, row.edge_element)) w(i, j) += edge_side.dot(*part);
-      w(j, i) = w(i, j);
+ContactMatrix contact_matrix(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks) {
+  Table<ElementIndex, std::vector<PartOfRow>> parts(blocks.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (rows[i].of_vertex.size() > 0) parts[rows[i].vertex_element].push_back({row, &rows[i].of_vertex});
+    if (rows[i].of_edge.size() > 0) parts[rows[i].edge_element].push_back({row, &rows[i].of_edge});
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (ElementIndex e : indices(blocks)) {
+    for (const PartOfRow& part : parts[e]) {
+      const ContactRow::Row side = *part.values * blocks[e];
+      for (const PartOfRow& other : parts[e]) entries.emplace_back(part.row, other.row, side.dot(*other.values));
     }
   }
+  // An entry on every diagonal, so that compliance finds its place.
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, 0.0);
+  ContactMatrix w(count, count);
+  w.setFromTriplets(entries.begin(), entries.end());
   return w;
 }
 

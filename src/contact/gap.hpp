@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "contact/frictional_problem.hpp"
 #include "contact/touch.hpp"
 #include "model/kinematics.hpp"
 
 namespace keyblock {
-
-/// Distance of the corner from the line of the edge, positive outside.
-double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
 /// One row of G: what a unit rate of the unknowns of the two elements does to gap or slip.
 struct ContactRow {
@@ -24,7 +22,7 @@ using ContactRows = std::vector<ContactRow>;
 
 /// With the outward normal n of the edge and s the share of the edge at the foot of the corner,
 ///     g = n·(xP − x1),  ∂g = n·(∂xP − (1−s) ∂x1 − s ∂x2),
-/// exact, the turning of n included. The slip row is t·(∂xP − ∂x of the point of the other element that lies at xP), so
+/// exact, the turning of n included (for a bisector, where the corners meet). The slip row is t·(∂xP − ∂x of the point of the other element that lies at xP), so
 /// that angular momentum holds with an open gap too (contact-notes 2).
 ContactRows contact_rows(const Model& model, const Reference& reference, const UnknownsTable& q,
                          const Touches& touches);
@@ -36,7 +34,7 @@ Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x);
 UnknownsTable answer(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks,
                      const Eigen::VectorXd& forces);
 
-/// W = G B Gᵀ, dense.
-Eigen::MatrixXd contact_matrix(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks);
+/// W = G B Gᵀ: entries where two rows share an element that can move.
+ContactMatrix contact_matrix(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks);
 
 }  // namespace keyblock

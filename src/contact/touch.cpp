@@ -1,4 +1,4 @@
-// Separating edge of each pair, then the ends of the common stretch.
+// Separating edge of each pair, then the ends of the common stretch; corners where no edge leads are put aside.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/touch.hpp"
 
@@ -11,6 +11,11 @@ namespace {
 // Two separations that differ by less than this share of the edge are equal up to round-off: the first one found stays, so
 // that parallel faces do not change their line of reference from step to step.
 constexpr double kTie = 1e-9;
+// Sine of the angle between two edges below which they count as parallel: half the turn of a corner that is one to the eye.
+constexpr double kParallel = 1e-4;
+// Lobatto's weights on three points give the stiffness of an evenly sprung stretch and the pivot at its end
+// (contact-notes 6).
+constexpr double kLobattoEnd = 1.0 / 6;
 
 struct Edge {
   VertexIndex start;
@@ -18,55 +23,49 @@ struct Edge {
   bool is_inner = false;
 };
 
+struct Leading {
+  Edge edge;
+  double separation = -std::numeric_limits<double>::infinity();
+};
+
 class PairTouches {
  public:
-  PairTouches(const ConvexPiece& a, const ConvexPiece& b, const Table<VertexIndex, Point>& vertices, double reach)
-      : vertices_(vertices), reach_(reach) {
-    const Reference of_a = best_edge(a, b);
-    const Reference of_b = best_edge(b, a);
-    const bool a_leads = of_a.separation >= of_b.separation - kTie * length(along(of_b.edge));
-    reference_ = a_leads ? of_a : of_b;
-    other_ = a_leads ? &b : &a;
+  PairTouches(const ConvexPiece& a, const ConvexPiece& b, const Table<VertexIndex, Point>& vertices,
+              const TouchSearch& search)
+      : vertices_(vertices), search_(search), a_(a), b_(b), of_a_(best_edge(a, b)), of_b_(best_edge(b, a)) {
+    a_leads_ = of_a_.separation >= of_b_.separation - kTie * length(along(of_b_.edge));
   }
 
-  Touches run() const {
-    if (reference_.separation > reach_ || reference_.edge.is_inner) return {};
-    const Edge facing = most_opposed();
-    if (facing.is_inner) return {};
-    // Stretch along the line of reference: that of the line itself, and the facing edge, which runs against it.
-    const double own_low = 0;
-    const double own_high = length(along(reference_.edge));
-    const double facing_low = station(facing.end);
-    const double facing_high = station(facing.start);
-    if (std::min(own_high, facing_high) < std::max(own_low, facing_low) - kTie * own_high) return {};
-    Touches touches;
-    touches.push_back(facing_low >= own_low ? on_reference(facing.end) : on_facing(reference_.edge.start, facing));
-    touches.push_back(facing_high <= own_high ? on_reference(facing.start) : on_facing(reference_.edge.end, facing));
-    return touches;
+  void add_to(FoundTouches& found) const {
+    const Leading& reference = a_leads_ ? of_a_ : of_b_;
+    if (reference.separation > search_.reach || reference.edge.is_inner) return;
+    const CornerTie tie = tie_about(reference.separation);
+    if (!tie.candidates.empty()) {
+      found.ties.push_back(tie);
+      return;
+    }
+    const Touches touches = along_stretch(reference.edge, most_opposed(reference.edge, a_leads_ ? b_ : a_));
+    found.touches.insert(found.touches.end(), touches.begin(), touches.end());
   }
 
  private:
-  struct Reference {
-    Edge edge;
-    double separation = -std::numeric_limits<double>::infinity();
-  };
-
   Point at(VertexIndex v) const { return vertices_[v]; }
   Point along(Edge e) const { return at(e.end) - at(e.start); }
+  Point direction(Edge e) const { return (1 / length(along(e))) * along(e); }
   static Edge edge_of(const ConvexPiece& piece, std::size_t i) {
     return {piece.corners[i], piece.corners[i + 1 == piece.corners.size() ? 0 : i + 1], piece.is_inner[i]};
   }
 
   double separation(Edge edge, const ConvexPiece& from) const {
-    const Point direction = (1 / length(along(edge))) * along(edge);
+    const Point d = direction(edge);
     double least = std::numeric_limits<double>::infinity();
-    for (VertexIndex v : from.corners) least = std::min(least, -cross(direction, at(v) - at(edge.start)));
+    for (VertexIndex v : from.corners) least = std::min(least, -cross(d, at(v) - at(edge.start)));
     return least;
   }
 
   // An inner edge leads only if it leads clearly: it may lie on one line with an edge of the boundary.
-  Reference best_edge(const ConvexPiece& of, const ConvexPiece& from) const {
-    Reference best;
+  Leading best_edge(const ConvexPiece& of, const ConvexPiece& from) const {
+    Leading best;
     for (std::size_t i = 0; i < of.corners.size(); ++i) {
       const Edge edge = edge_of(of, i);
       const double value = separation(edge, from);
@@ -78,14 +77,75 @@ class PairTouches {
     return best;
   }
 
-  Edge most_opposed() const {
-    const Point direction = along(reference_.edge);
-    Edge best = edge_of(*other_, 0);
+  // Edges of either piece that lead as well as the best within round-off and slack, if two of them are not parallel.
+  CornerTie tie_about(double best) const {
+    std::vector<Edge> of_a = leading(a_, b_, best);
+    std::vector<Edge> of_b = leading(b_, a_, best);
+    if (of_a.size() + of_b.size() < 2) return {};
+    const auto [p, q] = nearest_corners();
+    CornerTie tie;
+    for (const Edge& e : of_a) tie.candidates.push_back(against(e, q, p));
+    for (const Edge& e : of_b) tie.candidates.push_back(against(e, p, q));
+    Touches bisectors;
+    for (std::size_t i = 0; i < tie.candidates.size(); ++i)
+      for (std::size_t j = i + 1; j < tie.candidates.size(); ++j)
+        if (!parallel(tie.candidates[i], tie.candidates[j]))
+          bisectors.push_back(bisector(tie.candidates[i], tie.candidates[j], i < of_a.size() && j >= of_a.size()));
+    if (bisectors.empty()) return {};
+    tie.candidates.insert(tie.candidates.end(), bisectors.begin(), bisectors.end());
+    return tie;
+  }
+
+  // Pieces that touch or overlap within the slack count as just touching.
+  std::vector<Edge> leading(const ConvexPiece& of, const ConvexPiece& from, double best) const {
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < of.corners.size(); ++i) {
+      const Edge edge = edge_of(of, i);
+      const double tie = kTie * length(along(edge));
+      const double least = best > tie ? best - tie : std::min(best, 0.0) - tie - search_.slack;
+      if (!edge.is_inner && separation(edge, from) >= least) edges.push_back(edge);
+    }
+    return edges;
+  }
+
+  std::pair<VertexIndex, VertexIndex> nearest_corners() const {
+    std::pair<VertexIndex, VertexIndex> nearest{a_.corners.front(), b_.corners.front()};
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < other_->corners.size(); ++i) {
-      const Edge edge = edge_of(*other_, i);
-      const double cosine = dot(along(edge), direction) / length(along(edge));
-      if (cosine < least - kTie * length(direction)) {
+    for (VertexIndex p : a_.corners) {
+      for (VertexIndex q : b_.corners) {
+        const double d = distance(at(p), at(q));
+        if (d < least) nearest = {p, q};
+        least = std::min(least, d);
+      }
+    }
+    return nearest;
+  }
+
+  static Touch against(Edge e, VertexIndex vertex, VertexIndex met) {
+    Touch touch{vertex, e.start, e.end};
+    touch.other = met;
+    return touch;
+  }
+  bool parallel(const Touch& a, const Touch& b) const {
+    return std::abs(cross(direction({a.start, a.end}), direction({b.start, b.end}))) < kParallel;
+  }
+  static Touch bisector(const Touch& first, const Touch& second, bool of_two_elements) {
+    Touch touch = first;
+    touch.kind = TouchKind::bisector;
+    touch.second_start = second.start;
+    touch.second_end = second.end;
+    touch.second_sign = of_two_elements ? -1 : 1;
+    return touch;
+  }
+
+  Edge most_opposed(Edge reference, const ConvexPiece& other) const {
+    const Point line = direction(reference);
+    Edge best = edge_of(other, 0);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < other.corners.size(); ++i) {
+      const Edge edge = edge_of(other, i);
+      const double cosine = dot(direction(edge), line);
+      if (cosine < least - kTie) {
         least = cosine;
         best = edge;
       }
@@ -93,39 +153,116 @@ class PairTouches {
     return best;
   }
 
-  double station(VertexIndex v) const {
-    const Point line = along(reference_.edge);
-    return dot(at(v) - at(reference_.edge.start), line) / length(line);
+  // Stretch along the line of reference: that of the line itself, and the facing edge, which runs against it.
+  Touches along_stretch(Edge reference, Edge facing) const {
+    if (facing.is_inner) return {};
+    const double own_high = length(along(reference));
+    const double facing_low = station(reference, facing.end);
+    const double facing_high = station(reference, facing.start);
+    const double low = std::max(0.0, facing_low);
+    const double high = std::min(own_high, facing_high);
+    if (high < low - kTie * own_high) return {};
+    Touches touches;
+    touches.push_back(facing_low >= 0 ? Touch{facing.end, reference.start, reference.end}
+                                      : Touch{reference.start, facing.start, facing.end});
+    touches.push_back(facing_high <= own_high ? Touch{facing.start, reference.start, reference.end}
+                                              : Touch{reference.end, facing.start, facing.end});
+    const double stretch = std::max(0.0, high - low);
+    const bool has_middle = search_.with_middles && stretch > kTie * own_high;
+    if (has_middle) {
+      Touch middle{facing.start, reference.start, reference.end, TouchKind::middle};
+      middle.other = facing.end;
+      middle.along = (facing_high - (low + high) / 2) / (facing_high - facing_low);
+      touches.insert(touches.begin() + 1, middle);
+    }
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+      const bool is_end = touches[i].kind == TouchKind::corner;
+      touches[i].stretch = stretch;
+      touches[i].share = !has_middle ? 0.5 : is_end ? kLobattoEnd : 1 - 2 * kLobattoEnd;
+      touches[i].facing = facing_of(reference, facing, !is_end ? 1 : i == 0 ? 0 : 2);
+    }
+    return touches;
   }
 
-  Touch on_reference(VertexIndex v) const { return {v, reference_.edge.start, reference_.edge.end}; }
-  static Touch on_facing(VertexIndex v, Edge facing) { return {v, facing.start, facing.end}; }
+  // The two edges run against each other: low on one is high on the other.
+  static Facing facing_of(Edge reference, Edge facing, int place) {
+    if (reference.start < facing.start) return {reference.start, facing.start, place};
+    return {facing.start, reference.start, 2 - place};
+  }
+
+  double station(Edge reference, VertexIndex v) const { return dot(at(v) - at(reference.start), direction(reference)); }
 
   const Table<VertexIndex, Point>& vertices_;
-  double reach_;
-  Reference reference_;
-  const ConvexPiece* other_ = nullptr;
+  const TouchSearch& search_;
+  const ConvexPiece& a_;
+  const ConvexPiece& b_;
+  Leading of_a_;
+  Leading of_b_;
+  bool a_leads_ = true;
 };
+
+// Pieces of one element share corners.
+void drop_repeated(Touches& touches, std::size_t first) {
+  const auto from = touches.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(from, touches.end());
+  touches.erase(std::unique(from, touches.end()), touches.end());
+}
 
 }  // namespace
 
-Touches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
-                     const Table<VertexIndex, Point>& vertices, double reach) {
-  Touches touches;
+FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
+                          const Table<VertexIndex, Point>& vertices, const TouchSearch& search) {
+  FoundTouches found;
   for (const auto& [a, b] : pairs) {
-    Touches of_pair;
-    for (const ConvexPiece& of_a : pieces[a]) {
-      for (const ConvexPiece& of_b : pieces[b]) {
-        const Touches found = PairTouches(of_a, of_b, vertices, reach).run();
-        of_pair.insert(of_pair.end(), found.begin(), found.end());
-      }
-    }
-    // Pieces of one element share corners.
-    std::ranges::sort(of_pair);
-    const auto repeated = std::ranges::unique(of_pair);
-    touches.insert(touches.end(), of_pair.begin(), repeated.begin());
+    const std::size_t first = found.touches.size();
+    for (const ConvexPiece& of_a : pieces[a])
+      for (const ConvexPiece& of_b : pieces[b]) PairTouches(of_a, of_b, vertices, search).add_to(found);
+    drop_repeated(found.touches, first);
   }
-  return touches;
+  return found;
+}
+
+Point outward_normal(VertexIndex start, VertexIndex end, const Table<VertexIndex, Point>& vertices) {
+  const Point along = vertices[end] - vertices[start];
+  return (1 / length(along)) * Point{along.y, -along.x};
+}
+
+Point normal_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
+  const Point first = outward_normal(touch.start, touch.end, vertices);
+  if (touch.kind != TouchKind::bisector) return first;
+  const Point sum = first + touch.second_sign * outward_normal(touch.second_start, touch.second_end, vertices);
+  return (1 / length(sum)) * sum;
+}
+
+Point point_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
+  if (touch.kind != TouchKind::middle) return vertices[touch.vertex];
+  return (1 - touch.along) * vertices[touch.vertex] + touch.along * vertices[touch.other];
+}
+
+double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
+  const VertexIndex met = touch.kind == TouchKind::bisector ? touch.other : touch.start;
+  return dot(normal_of(touch, vertices), point_of(touch, vertices) - vertices[met]);
+}
+
+const Touch* touch_of(const CornerTie& tie, const Table<VertexIndex, Point>& before,
+                      const Table<VertexIndex, Point>& after, double overlap) {
+  const auto gained = [&](const Touch& touch) {
+    return gap_of(touch, after) - std::min(0.0, gap_of(touch, before));
+  };
+  const Touch* best = nullptr;
+  for (const Touch& touch : tie.candidates)
+    if (touch.kind == TouchKind::corner && (!best || gained(touch) > gained(*best))) best = &touch;
+  if (!best || gained(*best) >= -overlap) return nullptr;
+  for (const Touch& touch : tie.candidates) {
+    if (touch.kind != TouchKind::bisector) continue;
+    Touch first = touch;
+    first.kind = TouchKind::corner;
+    const auto second = std::ranges::find_if(tie.candidates, [&](const Touch& t) {
+      return t.kind == TouchKind::corner && t.start == touch.second_start && t.end == touch.second_end;
+    });
+    if (gained(first) >= gained(*best) - overlap && gained(*second) >= gained(*best) - overlap) return &touch;
+  }
+  return best;
 }
 
 }  // namespace keyblock

@@ -61,7 +61,7 @@ std::string unsupported(const StandardScene& scene) {
     return "expected every held block to have two fixed points that are not driven: one fixed point or a driven one "
            "needs profile legacy";
   for (ElementIndex e : indices(scene.pieces))
-    if (scene.pieces[e].size() != 1)
+    if (scene.pieces[e].empty())
       return fmt::format("expected convex blocks without holes, found block {}: it needs profile legacy", e.value + 1);
   return {};
 }
