@@ -68,7 +68,8 @@ Eigen::VectorXd ActiveForces::solve(const Eigen::VectorXd& b) const {
   Eigen::VectorXd right = -from_given_;
   for (Eigen::Index row = 0; row < right.size(); ++row) right[row] -= b[rows_[static_cast<std::size_t>(row)]];
   Eigen::VectorXd unknowns = right;
-  if (right.size() > 0) unknowns = sparse_ ? Eigen::VectorXd(sparse_->solve(right)) : Eigen::VectorXd(dense_.solve(right));
+  if (right.size() > 0)
+    unknowns = sparse_ ? Eigen::VectorXd(sparse_->solve(right)) : Eigen::VectorXd(dense_.solve(right));
   Eigen::VectorXd forces(static_cast<Eigen::Index>(columns_.size()));
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];

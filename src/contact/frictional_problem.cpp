@@ -21,8 +21,7 @@ double ForceLaw::limit(double normal) const {
 }
 
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal) {
-  const Eigen::VectorXd y =
-      problem.w * forces + problem.b + proximal.weights.cwiseProduct(forces - proximal.reference);
+  const Eigen::VectorXd y = problem.w * forces + problem.b + proximal.weights.cwiseProduct(forces - proximal.reference);
   const Eigen::VectorXd diagonal = problem.w.diagonal() + proximal.weights;
   NaturalMap map{forces, {}};
   map.grips.reserve(problem.count());
@@ -66,7 +65,8 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
   // Round-off on an open touch would pass for a closed one.
   const NaturalMap map = natural_map(problem, solution.forces);
   for (std::size_t i = 0; i < problem.count(); ++i)
-    if (map.grips[i] == Grip::open) solution.forces.segment<2>(static_cast<Eigen::Index>(2 * i)) << problem.laws[i].least, 0;
+    if (map.grips[i] == Grip::open)
+      solution.forces.segment<2>(static_cast<Eigen::Index>(2 * i)) << problem.laws[i].least, 0;
   return solution;
 }
 

@@ -23,6 +23,9 @@ struct ForceLaw {
 /// Both forces take whatever value keeps y = 0: a held point.
 inline constexpr ForceLaw kHeld{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
+/// The normal force keeps yn = 0, pushing or pulling, and there is no other: a bolt, or a face that must not move.
+inline constexpr ForceLaw kTie{0, 0, -std::numeric_limits<double>::infinity()};
+
 using ContactMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// y = W λ + b with entries 2i (normal) and 2i + 1 (tangential) of pair i:
@@ -32,9 +35,10 @@ struct FrictionalProblem {
   ContactMatrix w;
   Eigen::VectorXd b;
   std::vector<ForceLaw> laws;
-  double goal = 0;            ///< residual to aim at, in the unit of λ
-  double acceptable = 0;      ///< residual that counts as solved where the goal is out of reach; at least the goal
-  Eigen::VectorXd proximal;   ///< weights of the first proximal term, as 1/p of an augmented Lagrangian; empty: our choice
+  double goal = 0;        ///< residual to aim at, in the unit of λ
+  double acceptable = 0;  ///< residual that counts as solved where the goal is out of reach; at least the goal
+  Eigen::VectorXd
+      proximal;  ///< weights of the first proximal term, as 1/p of an augmented Lagrangian; empty: our choice
 
   std::size_t count() const { return laws.size(); }
 };

@@ -246,9 +246,7 @@ double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
 
 const Touch* touch_of(const CornerTie& tie, const Table<VertexIndex, Point>& before,
                       const Table<VertexIndex, Point>& after, double overlap) {
-  const auto gained = [&](const Touch& touch) {
-    return gap_of(touch, after) - std::min(0.0, gap_of(touch, before));
-  };
+  const auto gained = [&](const Touch& touch) { return gap_of(touch, after) - std::min(0.0, gap_of(touch, before)); };
   const Touch* best = nullptr;
   for (const Touch& touch : tie.candidates)
     if (touch.kind == TouchKind::corner && (!best || gained(touch) > gained(*best))) best = &touch;

@@ -32,12 +32,12 @@ struct Touch {
   VertexIndex start;
   VertexIndex end;
   TouchKind kind = TouchKind::corner;
-  VertexIndex other;         ///< middle: the point lies between `vertex` and this; bisector: the corner that is met
-  double along = 0;          ///< middle: where between them, 0 … 1
-  VertexIndex second_start;  ///< bisector: the second edge
-  VertexIndex second_end;
+  VertexIndex other = {};  ///< middle: the point lies between `vertex` and this; bisector: the corner that is met
+  double along = 0;        ///< middle: where between them, 0 … 1
+  VertexIndex second_start = {};  ///< bisector: the second edge
+  VertexIndex second_end = {};
   double second_sign = 1;  ///< bisector: −1 where the second edge is of the element of `vertex`
-  Facing facing;           ///< neither, where a corner meets a corner
+  Facing facing = {};      ///< neither, where a corner meets a corner
   double stretch = 0;      ///< length of the stretch that the two edges share
   double share = 1;        ///< of the stretch that this touch stands for; 0 < share ≤ 1
 
@@ -62,7 +62,8 @@ struct FoundTouches {
 struct TouchSearch {
   double reach = 0;  ///< pieces farther apart do not touch
   double slack = 0;  ///< overlap that counts as none between corner and corner: the compression of contact springs
-  bool with_middles = false;  ///< a third point inside each shared stretch, weights 1/6, 4/6, 1/6 (Lobatto); else two halves
+  bool with_middles =
+      false;  ///< a third point inside each shared stretch, weights 1/6, 4/6, 1/6 (Lobatto); else two halves
 };
 
 /// The touches of the given pairs. For two convex pieces the line of reference is the edge, of either, from which the other

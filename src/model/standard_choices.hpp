@@ -10,8 +10,16 @@ enum class Dynamics { shi, standard };
 /// Unknowns of a block that may move; blocks that cannot move are fixed and have none.
 enum class BlockBasis { rigid, affine };
 
-/// How contact forces come about: as multipliers of gaps that do not close, or as springs of finite stiffness.
-enum class Enforcement { lagrange, penalty };
+/// How contact forces come about: as multipliers of gaps that do not close, as springs of finite stiffness, or as such springs
+/// whose forces are raised until nothing overlaps.
+enum class Enforcement { lagrange, penalty, augmented };
+
+/// Where the springs of two faces stand: at the ends of the stretch they share, or at Lobatto's three points.
+enum class SpringPoints { ends, lobatto };
+
+/// What stops blocks that meet fast: a jump of velocities with restitution, or the contact springs, which must then be soft
+/// against the step (a twentieth of the contact time at most).
+enum class ImpactLaw { jump, springs };
 
 /// compatible: contact forces and strains in equilibrium with the first accelerations; sudden: loads on unstressed blocks.
 enum class StartRule { compatible, sudden };
@@ -26,6 +34,8 @@ struct StandardChoices {
   StrainDamping strain_damping = StrainDamping::critical;
   double velocity_weight = 0.5;  ///< of the velocity at the end of the step in its displacement; 1/2 is second order
   double force_weight = 1;       ///< of the elastic force at the end of the step; Shi 1, average acceleration 1/2
+  SpringPoints spring_points = SpringPoints::ends;
+  ImpactLaw impact = ImpactLaw::jump;
   double restitution = 0;        ///< rebound over approach speed of an impact
 };
 

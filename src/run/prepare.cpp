@@ -54,13 +54,6 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   return warnings;
 }
 
-Warnings not_in_standard(const Analysis& analysis) {
-  const auto bonded = [](const JointMaterial& m) { return m.cohesion != 0 || m.tensile_strength != 0; };
-  if (std::ranges::none_of(analysis.joint_materials, bonded)) return {};
-  return {{"joint_strength_without_effect", analysis.place,
-           "cohesion and tensile strength of joints are read, but have no effect in profile standard yet"}};
-}
-
 // Motions belong to points by their order: a point lost in cutting would give its motion to another.
 void require_points(const Blocks& blocks, const Analysis& analysis) {
   if (blocks.blocks.empty()) throw InputError(blocks.place, "expected at least one block, found none");
@@ -101,7 +94,6 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   Model model = model_from_blocks(cut.blocks, *problem.analysis);
   if (settings.dynamics == Dynamics::standard) {
     model = standard_model(std::move(model), settings, cut.blocks.place);
-    cut.warnings = joined(std::move(cut.warnings), not_in_standard(*problem.analysis));
   }
   Requirements needs = requirements(model, settings);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);

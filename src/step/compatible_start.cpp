@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 
-#include "contact/frictional_problem.hpp"
+#include "contact/friction_newton.hpp"
 #include "contact/gap.hpp"
+#include "step/contact_laws.hpp"
+#include "step/touch_search.hpp"
 
 namespace keyblock {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 constexpr int kRounds = 3;
 // Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
 constexpr double kTouching = 1e-6;
-constexpr double kRedundant = 1e-5;  // pivots of scaled W below this share of the largest are taken as zero
+constexpr double kShiftTolerance = 1e-13;  // of the gaps to be closed
 // A block that shifts by more than this times all gaps together is thrown about, not settled.
 constexpr double kLeverage = 10;
 constexpr double kForceTolerance = 1e-12;  // of the largest force on a block
@@ -32,7 +33,9 @@ class Settling {
         rigid_(every(scene.bodies, &Body::rigid_mass_inverse)) {
     const Scales scales = scales_of(scene_, loads_, motion_.v);
     tolerance_ = kForceTolerance * scales.force;
-    touches_ = resting(touches_of(scene_, motion_, scales, scene_.settings.time_step), scales);
+    touches_ = resting(touches_of(scene_, motion_, scales, scene_.settings.time_step).touches, scales);
+    const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
+    motion_.bonds = bonds_at(scene_, touches_, vertices, kTouching * scales.size);
   }
 
   CompatibleStart run() {
@@ -66,8 +69,13 @@ class Settling {
     const double dt = scene_.settings.time_step;
     forces_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
     if (!touches_.empty()) {
-      FrictionalProblem problem{dt * contact_matrix(rows_, rigid_), dt * rates(rows_, product(rigid_, loads_)),
-                                friction_of(scene_, touches_), tolerance_, kLooser * tolerance_};
+      FrictionalProblem problem{dt * contact_matrix(rows_, rigid_),
+                                dt * rates(rows_, product(rigid_, loads_)),
+                                {},
+                                tolerance_,
+                                kLooser * tolerance_,
+                                {}};
+      for (const Touch& touch : touches_) problem.laws.push_back(contact_law(scene_, motion_.bonds, touch).force);
       const Eigen::VectorXd v = rates(rows_, motion_.v);
       for (Eigen::Index t = 1; t < v.size(); t += 2) problem.b[t] += v[t];
       forces_ = solve(problem, forces_).forces;
@@ -87,34 +95,29 @@ class Settling {
     }
   }
 
+  // Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of pushes that
+  // would close a gap by a large shift only to the elastic contact.
   void shift() {
-    ContactRows normals;
-    std::vector<double> missing;
+    FrictionalProblem problem{contact_matrix(rows_, rigid_), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
     const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const double force = normal(i);
-      if (force <= 0) continue;
-      normals.push_back(rows_[2 * i]);
-      const double wanted = scene_.has_springs() ? -force / scene_.normal_stiffness() : 0;
-      missing.push_back(wanted - gap_of(touches_[i], vertices));
+      const bool pressed = normal(i) > 0;
+      problem.laws.push_back(pressed ? kTie : ForceLaw{});
+      if (!pressed) continue;
+      const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
+      problem.b[static_cast<Eigen::Index>(2 * i)] = gap_of(touches_[i], vertices) + normal(i) * law.normal_compliance;
     }
-    if (missing.empty()) return;
-    const Eigen::Map<const Eigen::VectorXd> right(missing.data(), static_cast<Eigen::Index>(missing.size()));
-    const UnknownsTable by = answer(normals, rigid_, least_push(contact_matrix(normals, rigid_), right));
+    const double missing = problem.b.cwiseAbs().sum();
+    if (missing == 0) return;
+    // An open touch takes no push here.
+    for (std::size_t i = 0; i < touches_.size(); ++i)
+      if (normal(i) <= 0) problem.b[static_cast<Eigen::Index>(2 * i)] = missing;
+    problem.goal = problem.acceptable = kShiftTolerance * missing / Eigen::VectorXd(problem.w.diagonal()).maxCoeff();
+    const UnknownsTable by = answer(rows_, rigid_, newton(problem, Eigen::VectorXd::Zero(forces_.size())).forces);
     motion_.q = plus(motion_.q, 1, by);
-    asked_ += right.cwiseAbs().sum();
+    asked_ += missing;
     for (ElementIndex e : indices(by))
       if (by[e].size() > 0) greatest_shift_ = std::max(greatest_shift_, by[e].head<2>().norm());
-  }
-
-  // W is scaled to a unit diagonal, so that heavy blocks count as light ones. Blocks wedged among blocks make it all but
-  // singular: combinations of pushes that would close a gap by a large shift only are left to the elastic contact.
-  static Eigen::VectorXd least_push(const Eigen::MatrixXd& w, const Eigen::VectorXd& right) {
-    const Eigen::VectorXd scale = w.diagonal().cwiseSqrt().cwiseInverse();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-    inverse.setThreshold(kRedundant);
-    inverse.compute(scale.asDiagonal() * w * scale.asDiagonal());
-    return scale.asDiagonal() * inverse.solve(scale.asDiagonal() * right);
   }
 
   std::string too_far() const {
@@ -129,7 +132,8 @@ class Settling {
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       if (normal(i) <= 0) continue;
       const double tangential = forces_[static_cast<Eigen::Index>(2 * i + 1)];
-      motion_.closed[touches_[i]] = {normal(i), tangential, -tangential / scene_.tangential_stiffness()};
+      const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
+      motion_.closed.add(touches_[i], memory_of(law, normal(i), tangential));
     }
   }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/impact.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 
 #include "contact/frictional_problem.hpp"
@@ -60,10 +59,10 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
     for (std::size_t i = impacts.size(); i < all.size(); ++i) room[i] -= std::min(before[i], 0.0);
     if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable; })) break;
     const ContactRows rows = contact_rows(scene.model, scene.reference, q, all);
-    FrictionalProblem problem{contact_matrix(rows, blocks), {}, std::vector<double>(all.size(), 0)};
+    FrictionalProblem problem{contact_matrix(rows, blocks), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
     problem.b = Eigen::VectorXd::Zero(problem.w.rows());
     for (std::size_t i = 0; i < all.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
-    problem.goal = tolerable / problem.w.diagonal().maxCoeff();
+    problem.goal = tolerable / Eigen::VectorXd(problem.w.diagonal()).maxCoeff();
     problem.acceptable = kLooser * problem.goal;
     const Eigen::VectorXd push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
     q = plus(q, 1, answer(rows, blocks, push));
@@ -78,8 +77,8 @@ UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, con
   const ContactRows rows = contact_rows(scene.model, scene.reference, q, touches);
   const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
-  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), friction_of(scene, touches), goal,
-                            kLooser * goal};
+  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
+  for (const Touch& touch : touches) problem.laws.push_back({scene.model.joint_at(touch.end).friction_tangent()});
   for (std::size_t i = 0; i < parties.size(); ++i)
     problem.b[static_cast<Eigen::Index>(2 * i)] -= scene.settings.standard.restitution * parties[i].approach;
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
@@ -89,13 +88,13 @@ UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, con
 UnknownsTable with_closed_at_rest(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
                                   const Touches& closed) {
   if (closed.empty()) return v;
-  const ContactRows both = contact_rows(scene.model, scene.reference, q, closed);
-  ContactRows rows;
-  for (std::size_t i = 0; i < closed.size(); ++i) rows.push_back(both[2 * i]);
+  const ContactRows rows = contact_rows(scene.model, scene.reference, q, closed);
   const auto blocks = every(scene.bodies, &Body::mass_inverse);
-  // Redundant touches make W singular; the least impulses among equal answers are taken.
-  const Eigen::VectorXd impulses = contact_matrix(rows, blocks).completeOrthogonalDecomposition().solve(rates(rows, v));
-  return plus(v, -1, answer(rows, blocks, impulses));
+  const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
+  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
+  problem.laws.assign(closed.size(), kTie);
+  const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
+  return plus(v, 1, answer(rows, blocks, impulses));
 }
 
 }  // namespace keyblock

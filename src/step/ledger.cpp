@@ -14,16 +14,6 @@ namespace {
 // A friction force this near to its limit slides: residuals of the contact forces are smaller.
 constexpr double kAtLimit = 1 - 1e-6;
 
-struct Compliance {
-  double normal = 0;
-  double tangential = 0;
-};
-
-Compliance compliance_of(const StandardScene& scene) {
-  if (!scene.has_springs()) return {};
-  return {1 / scene.normal_stiffness(), 1 / scene.tangential_stiffness()};
-}
-
 double half_square(const UnknownBlock& matrix, const Unknowns& x) {
   return x.dot(matrix * x) / 2;
 }
@@ -39,17 +29,9 @@ double strain_energy(const Body& body, const Unknowns& q) {
   return without_initial - body.initial_stress.dot(q) + force.dot(stiffness.llt().solve(force)) / 2;
 }
 
-double spring_energy(const Compliance& compliance, const ContactMemory& memory) {
-  return (compliance.normal * memory.normal * memory.normal +
-          compliance.tangential * memory.tangential * memory.tangential) /
-         2;
-}
-
-double spring_energy(const StandardScene& scene, const Motion& motion) {
-  if (!scene.has_springs()) return 0;
-  const Compliance compliance = compliance_of(scene);
+double spring_energy(const Motion& motion) {
   double energy = 0;
-  for (const auto& [touch, memory] : motion.closed) energy += spring_energy(compliance, memory);
+  for (const auto& [touch, memory] : motion.closed.all()) energy += memory.energy();
   return energy;
 }
 
@@ -77,8 +59,7 @@ class ContactFlow {
   ContactFlow(const StandardScene& scene, const StepTrail& trail)
       : scene_(scene),
         trail_(trail),
-        compliance_(compliance_of(scene)),
-        forgotten_(spring_energy(scene, trail.start)) {}
+        forgotten_(spring_energy(trail.start)) {}
 
   EnergyFlow run() {
     if (!trail_.smooth.forces.isZero(0)) add_touches();
@@ -91,15 +72,14 @@ class ContactFlow {
     const auto before = vertices_at(scene_.model, scene_.reference, trail_.start.q);
     const auto after = vertices_at(scene_.model, scene_.reference, trail_.smooth.q);
     const Eigen::VectorXd way = rates(trail_.smooth.rows, plus(trail_.smooth.q, -1, trail_.start.q));
-    const std::vector<double> friction = friction_of(scene_, trail_.touches);
     for (std::size_t i = 0; i < trail_.touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const Touch& touch = trail_.touches[i];
-      const Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], memory_of(touch)};
+      const Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], before_of(touch), trail_.smooth.laws[i]};
       if (forces.normal == 0 && forces.before.normal == 0) continue;
       add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
-      add_tangential(forces, way[n + 1], friction[i]);
-      forgotten_ -= spring_energy(compliance_, forces.before);
+      add_tangential(forces, way[n + 1]);
+      forgotten_ -= forces.before.energy();
     }
   }
 
@@ -107,39 +87,39 @@ class ContactFlow {
     double normal = 0;
     double tangential = 0;
     ContactMemory before;
+    const ContactLaw& law;
   };
 
-  ContactMemory memory_of(const Touch& touch) const {
-    const auto memory = trail_.start.closed.find(touch);
-    return memory == trail_.start.closed.end() ? ContactMemory{} : memory->second;
+  ContactMemory before_of(const Touch& touch) const {
+    const ContactMemory* memory = trail_.start.closed.of(touch);
+    return memory ? *memory : ContactMemory{};
   }
 
   void add_normal(const Forces& forces, double opening, double way) {
     const double change = forces.normal - forces.before.normal;
     flow_.geometric += forces.normal * (way - opening);
-    flow_.closing -= forces.normal * (opening + compliance_.normal * change);
-    flow_.algorithmic += compliance_.normal * change * change / 2;
+    flow_.closing -= forces.normal * (opening + forces.law.normal_compliance * change);
+    flow_.algorithmic += forces.law.normal_compliance * change * change / 2;
   }
 
-  void add_tangential(const Forces& forces, double slip, double friction) {
+  void add_tangential(const Forces& forces, double slip) {
     const double change = forces.tangential - forces.before.tangential;
-    const double work = forces.tangential * (slip + compliance_.tangential * change);
-    const bool stuck = sticks(forces.normal, forces.tangential, friction) &&
-                       sticks(forces.before.normal, forces.before.tangential, friction);
+    const double work = forces.tangential * (slip + forces.law.tangential_compliance * change);
+    const bool stuck = sticks(forces.law, forces.normal, forces.tangential) &&
+                       sticks(forces.law, forces.before.normal, forces.before.tangential);
     if (stuck)
       flow_.creep += work;
     else
       flow_.friction -= work;
-    flow_.algorithmic += compliance_.tangential * change * change / 2;
+    flow_.algorithmic += forces.law.tangential_compliance * change * change / 2;
   }
 
-  static bool sticks(double normal, double tangential, double friction) {
-    return std::abs(tangential) < kAtLimit * friction * normal;
+  static bool sticks(const ContactLaw& law, double normal, double tangential) {
+    return std::abs(tangential) < kAtLimit * law.force.limit(normal);
   }
 
   const StandardScene& scene_;
   const StepTrail& trail_;
-  Compliance compliance_;
   double forgotten_;  ///< of the springs at the start, those not met in this step
   EnergyFlow flow_;
 };
@@ -189,7 +169,7 @@ double kinetic_energy(const StandardScene& scene, const UnknownsTable& v) {
 StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion) {
   StoredEnergy stored;
   stored.kinetic = kinetic_energy(scene, motion.v);
-  stored.contact = spring_energy(scene, motion);
+  stored.contact = spring_energy(motion);
   for (ElementIndex e : indices(motion.q)) {
     const Body& body = scene.bodies[e];
     if (body.mass.rows() == 0) continue;

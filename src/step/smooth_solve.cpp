@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/gap.hpp"
+#include "step/contact_laws.hpp"
 #include "step/step_equations.hpp"
 
 namespace keyblock {
@@ -17,6 +18,10 @@ constexpr double kSettled = 1e-12;
 // of that size for the next step to close; more is a failure.
 constexpr int kMostRounds = 8;
 constexpr double kTolerable = 1e-6;
+// Rows and matrix are made anew about the first estimates; later ones differ by less than what the gaps are settled to.
+constexpr int kMostRows = 2;
+// A bond that moves by more than this share of block size in a step is broken; less is round-off of the solution.
+constexpr double kBroken = 1e-11;
 
 class SmoothSolve {
  public:
@@ -25,29 +30,46 @@ class SmoothSolve {
       : scene_(scene),
         start_(start),
         touches_(touches),
-        tolerance_(tolerance),
         dt_(dt),
-        rule_(step_rule(scene.settings.standard, dt)) {
+        rule_(step_rule(scene.settings.standard, dt)),
+        start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
+        bonds_(start.bonds) {
     for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
+    increments_ = free_;
+    for (const Body& body : scene.bodies)
+      if (body.mass.rows() > 0) size_ = std::max(size_, body.size);
+    problem_.goal = tolerance.goal;
+    problem_.acceptable = tolerance.acceptable;
+    result_.forces = remembered_forces();
   }
 
   SmoothMotion run() {
-    UnknownsTable increments = free_;
-    result_.converged = true;
-    result_.forces = remembered_forces();
-    double change = touches_.empty() ? 0 : 1;
-    for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
-      UnknownsTable next = increments_about(increments);
-      change = greatest_change(increments, next);
-      increments = std::move(next);
-    }
-    result_.converged = result_.converged && change <= kTolerable;
-    result_.q = plus(start_.q, 1, increments);
-    result_.v = plus(known_velocity_, rate(), increments);
+    do {
+      settle();
+    } while (result_.converged && break_bonds());
+    result_.q = plus(start_.q, 1, increments_);
+    result_.v = plus(known_velocity_, rate(), increments_);
+    result_.bonds = bonds_;
+    result_.rows = std::move(rows_);
+    result_.laws = std::move(laws_);
     return std::move(result_);
   }
 
  private:
+  void settle() {
+    laws_.clear();
+    for (const Touch& touch : touches_) laws_.push_back(contact_law(scene_, bonds_, touch));
+    result_.converged = true;
+    double change = touches_.empty() ? 0 : 1;
+    for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
+      if (round < kMostRows) linearise();
+      UnknownsTable next = increments_about(increments_);
+      change = greatest_change(increments_, next);
+      increments_ = std::move(next);
+    }
+    result_.converged = result_.converged && change <= kTolerable;
+  }
+
   void prepare(ElementIndex e, const Unknowns& load) {
     StepEquations equations = step_equations(scene_.bodies[e], start_.q[e], start_.v[e], load, rule_);
     inverse_.push_back(std::move(equations.inverse));
@@ -58,50 +80,80 @@ class SmoothSolve {
   // Slip velocities are counted as increments: the displacement that alone would give them.
   double rate() const { return rule_.end_velocity.increment; }
 
+  void linearise() {
+    rows_ = contact_rows(scene_.model, scene_.reference, plus(start_.q, 0.5, increments_), touches_);
+    problem_.w = contact_matrix(rows_, inverse_);
+    problem_.laws.clear();
+    problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const ContactLaw& law = laws_[i];
+      problem_.laws.push_back(law.force);
+      problem_.w.coeffRef(n, n) += normal_scale() * law.normal_compliance;
+      problem_.w.coeffRef(n + 1, n + 1) += of_stretch() * law.tangential_compliance;
+      if (problem_.proximal.size() == 0) continue;
+      problem_.proximal[n] = law.normal_weight;
+      problem_.proximal[n + 1] = of_stretch() * law.tangential_weight;
+    }
+  }
+  bool has_proximal() const {
+    return std::ranges::any_of(laws_, [](const ContactLaw& law) { return law.normal_weight > 0; });
+  }
+
   UnknownsTable increments_about(const UnknownsTable& estimate) {
-    ContactRows rows = contact_rows(scene_.model, scene_.reference, plus(start_.q, 0.5, estimate), touches_);
-    const FrictionalSolution solution = solve(problem_about(rows, estimate), result_.forces);
+    set_right_side(estimate);
+    const FrictionalSolution solution = solve(problem_, result_.forces);
     result_.forces = solution.forces;
-    result_.solves += solution.solves + solution.sweeps;
+    result_.solves += solution.solves;
+    result_.sweeps += solution.sweeps;
     result_.residual = solution.residual;
     result_.converged = solution.converged;
     result_.undecided = solution.undecided;
-    UnknownsTable increments = plus(free_, 1, answer(rows, inverse_, solution.forces));
-    result_.rows = std::move(rows);
-    return increments;
+    return plus(free_, 1, answer(rows_, inverse_, solution.forces));
   }
 
-  FrictionalProblem problem_about(const ContactRows& rows, const UnknownsTable& estimate) const {
+  void set_right_side(const UnknownsTable& estimate) {
     const Table<VertexIndex, Point> end = vertices_at(scene_.model, scene_.reference, plus(start_.q, 1, estimate));
-    const Eigen::VectorXd from_estimate = rates(rows, plus(free_, -1, estimate));
-    const Eigen::VectorXd slip = rates(rows, plus(free_, 1 / rate(), known_velocity_));
-    FrictionalProblem problem{contact_matrix(rows, inverse_), slip, friction_of(scene_, touches_), tolerance_.goal,
-                              tolerance_.acceptable};
+    const Eigen::VectorXd from_estimate = rates(rows_, plus(free_, -1, estimate));
+    problem_.b = rates(rows_, plus(free_, 1 / rate(), known_velocity_));
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      problem.b[n] = gap_of(touches_[i], end) + from_estimate[n];
-      if (scene_.has_springs()) add_springs(problem, n, touches_[i]);
+      problem_.b[n] = gap_of(touches_[i], end) + from_estimate[n] - laws_[i].rest_gap;
+      if (springs_stop()) problem_.b[n] += gap_of(touches_[i], start_vertices_) - laws_[i].rest_gap;
+      const ContactMemory* memory = start_.closed.of(touches_[i]);
+      if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += of_stretch() * memory->stretch;
     }
-    return problem;
   }
+
+  // Springs that stop an impact act at the middle of the step, which keeps their energy: λ = −p (g0 + g1)/2.
+  bool springs_stop() const { return scene_.settings.standard.impact == ImpactLaw::springs; }
+  double normal_scale() const { return springs_stop() ? 2 : 1; }
 
   // The tangential spring is stretched by dt times the velocity at the end of the step: a spring too stiff for the step then
   // brings its point to rest, where the displacement of the step would turn the velocity over in each step.
-  void add_springs(FrictionalProblem& problem, Eigen::Index n, const Touch& touch) const {
-    problem.w(n, n) += 1 / scene_.normal_stiffness();
-    const double of_stretch = 1 / (rate() * dt_);
-    problem.w(n + 1, n + 1) += of_stretch / scene_.tangential_stiffness();
-    const auto memory = start_.closed.find(touch);
-    if (memory != start_.closed.end()) problem.b[n + 1] += of_stretch * memory->second.stretch;
+  double of_stretch() const { return 1 / (rate() * dt_); }
+
+  // A bond that slips or opens is gone: its contact goes on without cohesion (brittle joint). One that carries all it can
+  // without moving, because its neighbour holds, stays.
+  bool break_bonds() {
+    const std::size_t before = bonds_.size();
+    const NaturalMap map = natural_map(problem_, result_.forces);
+    const Eigen::VectorXd y = problem_.w * result_.forces + problem_.b;
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      if (!laws_[i].is_bonded || map.grips[i] == Grip::stick) continue;
+      const double moved = y.segment<2>(static_cast<Eigen::Index>(2 * i)).cwiseAbs().maxCoeff();
+      if (moved > kBroken * size_) bonds_.erase(touches_[i].facing);
+    }
+    return bonds_.size() < before;
   }
 
   Eigen::VectorXd remembered_forces() const {
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * touches_.size()));
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const auto memory = start_.closed.find(touches_[i]);
-      if (memory == start_.closed.end()) continue;
-      forces[static_cast<Eigen::Index>(2 * i)] = memory->second.normal;
-      forces[static_cast<Eigen::Index>(2 * i + 1)] = memory->second.tangential;
+      const ContactMemory* memory = start_.closed.of(touches_[i]);
+      if (!memory) continue;
+      forces[static_cast<Eigen::Index>(2 * i)] = memory->normal;
+      forces[static_cast<Eigen::Index>(2 * i + 1)] = memory->tangential;
     }
     return forces;
   }
@@ -121,9 +173,15 @@ class SmoothSolve {
   const StandardScene& scene_;
   const Motion& start_;
   const Touches& touches_;
-  ForceTolerance tolerance_;
   double dt_;
   StepRule rule_;
+  Table<VertexIndex, Point> start_vertices_;
+  Bonds bonds_;
+  std::vector<ContactLaw> laws_;
+  ContactRows rows_;
+  FrictionalProblem problem_;
+  UnknownsTable increments_;
+  double size_ = 0;  ///< of the largest moving block
   Table<ElementIndex, UnknownBlock> inverse_;
   UnknownsTable free_;            ///< increments without contact
   UnknownsTable known_velocity_;  ///< what the increments leave of the velocities at the end

@@ -4,7 +4,7 @@
 
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
-#include "step/standard_scene.hpp"
+#include "step/contact_laws.hpp"
 
 namespace keyblock {
 
@@ -18,9 +18,12 @@ struct SmoothMotion {
   UnknownsTable q;         ///< at the end of the step
   UnknownsTable v;         ///< at the end of the step
   Eigen::VectorXd forces;  ///< of the touches: 2i normal, 2i + 1 tangential
-  ContactRows rows;        ///< that the forces act along: of the last round, at mid-step
+  ContactRows rows;        ///< that the forces act along, at mid-step
+  std::vector<ContactLaw> laws;  ///< of the touches
   double residual = 0;
-  int solves = 0;
+  Bonds bonds;     ///< that still hold
+  int solves = 0;  ///< linear systems factorised
+  int sweeps = 0;  ///< of the fall-back
   bool converged = false;
   std::vector<std::size_t> undecided;  ///< touches that would not settle
 };

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
@@ -14,25 +13,9 @@
 namespace keyblock {
 namespace {
 
-// Blocks may move twice as far as they do at the present speed before a pair outside the list could touch.
-constexpr double kReachOverTravel = 2;
-// Touching blocks are within reach whatever the speed: round-off of file coordinates, as a share of block size.
-constexpr double kReachAtRest = 1e-6;
 constexpr double kSlowSteps = 3;
 // Speeds below this share of the fastest block are round-off of the solves before, not an approach.
 constexpr double kSpeedRoundOff = 1e-10;
-
-double top_speed(const StandardScene& scene, const UnknownsTable& v) {
-  double top = 0;
-  for (ElementIndex e : indices(v)) {
-    const Eigen::Index n = v[e].size();
-    if (n == 0) continue;
-    double speed = std::hypot(v[e][0], v[e][1]);
-    for (Eigen::Index i = 2; i < n; ++i) speed += scene.bodies[e].size * std::abs(v[e][i]);
-    top = std::max(top, speed);
-  }
-  return top;
-}
 
 Point mass_centre_of(const StandardScene& scene) {
   double mass = 0;
@@ -109,28 +92,6 @@ Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const U
     scales.size = std::max(scales.size, body.size);
   }
   return scales;
-}
-
-Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
-  State state;
-  state.vertices = vertices_at(scene.model, scene.reference, motion.q);
-  const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
-  const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
-  std::vector<ElementPair> pairs = close_pairs(scene.model, state, reach);
-  std::erase_if(pairs, [&](const ElementPair& pair) {
-    return motion.q[pair.lower].size() + motion.q[pair.upper].size() == 0;  // neither can move
-  });
-  return find_touches(pairs, scene.pieces, state.vertices, reach);
-}
-
-std::vector<double> friction_of(const StandardScene& scene, const Touches& touches) {
-  std::vector<double> friction;
-  for (const Touch& touch : touches) {
-    const auto material = static_cast<std::size_t>(scene.model.vertices[touch.end].joint_material);
-    const double angle = scene.model.joint_materials[material].friction_angle_deg * std::numbers::pi / 180;
-    friction.push_back(std::tan(angle));
-  }
-  return friction;
 }
 
 double slow_speed(const Scales& scales, const UnknownsTable& v, double dt) {

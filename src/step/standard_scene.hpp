@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "contact/touch.hpp"
 #include "model/state.hpp"
+#include "step/contact_memory.hpp"
 #include "step/standard_body.hpp"
 
 namespace keyblock {
@@ -30,17 +30,11 @@ StandardScene standard_scene(Model model, Settings settings);
 /// jointed slope of 45 blocks, whose base has a kink, some fell through it.
 std::string unsupported(const StandardScene& scene);
 
-/// What a closed contact remembers.
-struct ContactMemory {
-  double normal = 0;      ///< force of the last step, pressure positive
-  double tangential = 0;  ///< force of the last step
-  double stretch = 0;     ///< elastic slip of the tangential spring (penalty)
-};
-
 struct Motion {
   UnknownsTable q;
   UnknownsTable v;
-  std::map<Touch, ContactMemory> closed;
+  ClosedContacts closed;
+  Bonds bonds;
 };
 
 Motion start_motion(const StandardScene& scene);
@@ -56,12 +50,6 @@ struct Scales {
   double size = 0;  ///< of the largest moving block
 };
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& v);
-
-/// Pairs within reach of a step of `dt`, as touches.
-Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);
-
-/// μ of each touch: that of the joint material of its edge.
-std::vector<double> friction_of(const StandardScene& scene, const Touches& touches);
 
 /// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of free
 /// acceleration would give (contact-notes 3, step 2).

@@ -6,19 +6,24 @@
 #include <cmath>
 
 #include "contact/gap.hpp"
+#include "step/contact_laws.hpp"
 #include "step/impact.hpp"
 #include "step/ledger.hpp"
 #include "step/smooth_solve.hpp"
+#include "step/touch_search.hpp"
 
 namespace keyblock {
 namespace {
 
 constexpr int kMostHalvings = 2;
+// Each search adds the corners that the last solution made overlap; what is left after these is for the next step.
+constexpr int kMostSearches = 4;
 // Residual of the contact forces over the largest load on a block: few contacts reach the first, assemblies the second.
 constexpr double kForceGoal = 1e-10;
 constexpr double kForceAcceptable = 1e-6;
 // Where nothing loads the blocks, forces come from momentum alone: the same over momentum / dt.
 constexpr double kMomentumGoal = 1e-13;
+constexpr double kMomentumAcceptable = 1e-9;
 // Touches that overlapped take part in the jump, and those with a gap below this share of block size: the corners of a flat
 // impact meet within round-off.
 constexpr double kMeeting = 1e-10;
@@ -32,10 +37,11 @@ struct Split {
 Split split(const StandardScene& scene, const Motion& start, const Touches& touches, double slow) {
   const ContactRows rows = contact_rows(scene.model, scene.reference, start.q, touches);
   const Eigen::VectorXd speeds = rates(rows, start.v);
+  const bool springs_stop = scene.settings.standard.impact == ImpactLaw::springs;
   Split parts;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const double speed = speeds[static_cast<Eigen::Index>(2 * i)];
-    if (speed > -slow || start.closed.contains(touches[i])) {
+    if (springs_stop || speed > -slow || start.closed.of(touches[i])) {
       parts.smooth.push_back(touches[i]);
     } else {
       parts.impacts.push_back(touches[i]);
@@ -48,27 +54,24 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
 class Attempt {
  public:
   Attempt(const StandardScene& scene, const Motion& start, double time, double dt)
-      : scene_(scene), start_(start), dt_(dt) {
-    loads_ = loads_at(scene, start.q, time + dt / 2);
+      : scene_(scene), start_(start), dt_(dt), loads_(loads_at(scene, start.q, time + dt / 2)) {
     scales_ = scales_of(scene, loads_, start.v);
-    const Touches touches = touches_of(scene, start, scales_, dt);
-    step_.touches = static_cast<int>(touches.size());
-    parts_ = split(scene, start, touches, slow_speed(scales_, start.v, dt));
-    const double goal = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
-    const ForceTolerance tolerance{goal, std::max(goal, kForceAcceptable * scales_.force)};
-    least_force_ = goal;
-    smooth_ = smooth_solve(scene, start, loads_, parts_.smooth, tolerance, dt);
+    found_ = touches_of(scene, start, scales_, dt);
+    least_force_ = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
   }
 
   StandardStep run() {
-    step_.solves = smooth_.solves;
+    move_smoothly();
+    step_.touches = parts_.smooth;
+    step_.touches.insert(step_.touches.end(), parts_.impacts.begin(), parts_.impacts.end());
+    step_.undecided = smooth_.undecided;
     step_.residual = scales_.force > 0 ? smooth_.residual / scales_.force : 0;
     step_.converged = smooth_.converged;
-    for (std::size_t i : smooth_.undecided) step_.undecided.push_back(parts_.smooth[i]);
     if (!step_.converged) return std::move(step_);
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
     step_.motion.v = smooth_.v;
+    step_.motion.bonds = smooth_.bonds;
     if (!scene_.has_springs())
       step_.motion.v = with_closed_at_rest(scene_, smooth_.q, std::move(step_.motion.v), closed);
     const UnknownsTable cleaned = step_.motion.v;
@@ -80,10 +83,29 @@ class Attempt {
   }
 
  private:
+  // Again where blocks came to overlap at corners that nobody reckoned with.
+  void move_smoothly() {
+    const ForceTolerance tolerance{
+        least_force_, std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
+    for (int search = 0; search < kMostSearches; ++search) {
+      parts_ = split(scene_, start_, found_.touches, slow_speed(scales_, start_.v, dt_));
+      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, dt_);
+      step_.solves += smooth_.solves;
+      step_.fallbacks += smooth_.sweeps > 0 ? 1 : 0;
+      if (!smooth_.converged) return;
+      const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
+      const Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_);
+      if (fresh.empty()) return;
+      found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
+    }
+  }
+
   double normal(std::size_t i) const { return smooth_.forces[static_cast<Eigen::Index>(2 * i)]; }
 
-  // A force below the residual is none.
-  bool is_closed(std::size_t i) const { return normal(i) > least_force_; }
+  // A force below the residual is none; a bond may pull.
+  bool is_closed(std::size_t i) const {
+    return std::abs(normal(i)) > least_force_ || smooth_.bonds.contains(parts_.smooth[i].facing);
+  }
 
   Touches closed_touches() const {
     Touches closed;
@@ -122,16 +144,17 @@ class Attempt {
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       if (!is_closed(i)) continue;
       const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
-      step_.motion.closed[parts_.smooth[i]] = {normal(i), tangential, -tangential / scene_.tangential_stiffness()};
+      step_.motion.closed.add(parts_.smooth[i], memory_of(smooth_.laws[i], normal(i), tangential));
     }
   }
 
   const StandardScene& scene_;
   const Motion& start_;
   double dt_;
-  double least_force_ = 0;
   UnknownsTable loads_;
   Scales scales_;
+  FoundTouches found_;
+  double least_force_ = 0;
   Split parts_;
   SmoothMotion smooth_;
   StandardStep step_;
@@ -144,6 +167,7 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
   if (!first.converged) return first;
   StandardStep second = in_parts(scene, first.motion, time + dt / 2, dt / 2, halvings_left - 1);
   second.solves += first.solves + whole.solves;
+  second.fallbacks += first.fallbacks + whole.fallbacks;
   second.halvings += first.halvings + 1;
   second.account += first.account;
   second.residual = std::max(first.residual, second.residual);

@@ -11,11 +11,12 @@ struct StandardStep {
   Motion motion;
   StepAccount account;  ///< zero where no books are kept
   int solves = 0;
-  int touches = 0;
-  int halvings = 0;  ///< attempts thrown away
+  int fallbacks = 0;  ///< solutions that needed sweeps
+  int halvings = 0;   ///< attempts thrown away
   double residual = 0;
   bool converged = true;
-  Touches undecided;  ///< if it did not converge
+  Touches touches;                     ///< all that were reckoned with
+  std::vector<std::size_t> undecided;  ///< of the touches: those that went round in a cycle
 };
 
 /// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in

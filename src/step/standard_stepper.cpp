@@ -108,7 +108,7 @@ StepReport StandardStepper::report_of(const StandardStep& step, const State& bef
   report.dt = state_.dt;
   report.passes = step.solves;
   report.redos = step.halvings;
-  report.contacts = step.touches;
+  report.contacts = static_cast<int>(step.touches.size());
   report.closed = static_cast<int>(motion_.closed.size());
   report.matrix_blocks = static_cast<int>(scene_.bodies.size());
   report.penalty = scene_.has_springs() ? scene_.normal_stiffness() : 0;
@@ -117,20 +117,23 @@ StepReport StandardStepper::report_of(const StandardStep& step, const State& bef
   for (VertexIndex v : indices(state_.vertices))
     greatest = std::max(greatest, distance(state_.vertices[v], before.vertices[v]));
   report.displacement_ratio = greatest / (scene_.settings.allowed_displacement_ratio * scene_.model.scale);
-  for (const auto& [touch, memory] : motion_.closed)
+  for (const auto& [touch, memory] : motion_.closed.all())
     report.greatest_penetration = std::max(report.greatest_penetration, -gap_of(touch, state_.vertices));
   return report;
 }
 
 StepFailure StandardStepper::failure_of(const StandardStep& step) const {
-  std::string pairs;
-  for (const Touch& touch : step.undecided)
-    pairs += fmt::format("{}block {} on block {}", pairs.empty() ? "" : ", ",
+  std::string names;
+  for (std::size_t i : step.undecided) {
+    const Touch& touch = step.touches[i];
+    names += fmt::format("{}{} (block {} on block {})", names.empty() ? "" : ", ", i + 1,
                          scene_.model.vertices[touch.vertex].element.value + 1,
                          scene_.model.vertices[touch.start].element.value + 1);
-  return {fmt::format("step {} (time {}): contact forces do not settle, residual {} of the largest load{}{}",
-                      state_.step + 1, state_.time, step.residual, pairs.empty() ? "" : "; undecided: ", pairs),
-          {}};
+  }
+  return {
+      fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
+                  state_.step + 1, state_.time, step.residual, names.empty() ? "" : "; undecided contacts: ", names),
+      step.undecided};
 }
 
 }  // namespace keyblock

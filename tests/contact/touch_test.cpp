@@ -21,7 +21,7 @@ Touches touches_between(const BlockPolygon& a, const BlockPolygon& b, double rea
   const Table<ElementIndex, ConvexPieces> pieces{convex_pieces(model, {0}), convex_pieces(model, {1})};
   Table<VertexIndex, Point> vertices;
   vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
-  Touches touches = find_touches({{{0}, {1}}}, pieces, vertices, reach);
+  Touches touches = find_touches({{{0}, {1}}}, pieces, vertices, {reach}).touches;
   std::ranges::sort(touches);
   return touches;
 }

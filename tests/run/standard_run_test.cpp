@@ -61,15 +61,6 @@ TEST(StandardRun, a_scene_it_cannot_run_is_refused_with_the_reason) {
   std::get<Blocks>(hanging.geometry).fixed_points.push_back({{0.5, 0.5}, 1, {}});
   EXPECT_THROW(prepare(hanging, "standard", {}), InputError);
   EXPECT_NO_THROW(prepare(hanging, "legacy", {}));
-  Problem notched = block_on_floor();
-  BlockLoop& floor = std::get<Blocks>(notched.geometry).blocks[0].outer;
-  floor.insert(floor.begin() + 1, {{0.5, -0.9}, 0});
-  EXPECT_THROW(prepare(notched, "standard", {}), InputError);
-  Problem bonded = block_on_floor();
-  bonded.analysis->joint_materials[0].cohesion = 1e5;
-  const Prepared prepared = prepare(bonded, "standard", {});
-  ASSERT_EQ(prepared.warnings.size(), 1U);
-  EXPECT_EQ(prepared.warnings[0].name, "joint_strength_without_effect");
 }
 
 // The cases whose expected values are those of theory, not of springs below the blocks.

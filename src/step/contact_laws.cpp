@@ -1,0 +1,67 @@
+// Joint material by the edge of the touch; stiffness by its share of the stretch.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/contact_laws.hpp"
+
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+// The two ends of a stretch have the contact stiffness each, so the whole stretch has twice that.
+double stiffness_share(const Touch& touch) {
+  return touch.facing.lower ? 2 * touch.share : 1;
+}
+
+void add_springs(ContactLaw& law, const StandardScene& scene, const Touch& touch) {
+  const double share = stiffness_share(touch);
+  const double normal = 1 / (share * scene.normal_stiffness());
+  const double tangential = 1 / (share * scene.tangential_stiffness());
+  switch (scene.settings.standard.enforcement) {
+    case Enforcement::lagrange:
+      break;
+    case Enforcement::penalty:
+      law.normal_compliance = normal;
+      law.tangential_compliance = tangential;
+      break;
+    case Enforcement::augmented:
+      law.normal_weight = normal;
+      law.tangential_weight = tangential;
+      break;
+  }
+}
+
+}  // namespace
+
+ContactMemory memory_of(const ContactLaw& law, double normal, double tangential) {
+  return {normal, tangential, -tangential * law.tangential_compliance, law.normal_compliance,
+          law.tangential_compliance};
+}
+
+ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch) {
+  const JointMaterial& joint = scene.model.joint_at(touch.end);
+  ContactLaw law;
+  law.force.friction = joint.friction_tangent();
+  add_springs(law, scene, touch);
+  const auto bond = touch.facing.lower ? bonds.find(touch.facing) : bonds.end();
+  if (bond == bonds.end()) return law;
+  law.is_bonded = true;
+  law.force.cohesion = joint.cohesion * bond->second.length;
+  law.force.least = -joint.tensile_strength * bond->second.length;
+  law.rest_gap = bond->second.gap;
+  return law;
+}
+
+Bonds bonds_at(const StandardScene& scene, const Touches& touches, const Table<VertexIndex, Point>& vertices,
+               double tolerance) {
+  Bonds bonds;
+  for (const Touch& touch : touches) {
+    const JointMaterial& joint = scene.model.joint_at(touch.end);
+    const bool has_strength = joint.cohesion > 0 || joint.tensile_strength > 0;
+    const double gap = gap_of(touch, vertices);
+    if (has_strength && touch.stretch > 0 && std::abs(gap) < tolerance)
+      bonds[touch.facing] = {gap, touch.stretch * touch.share};
+  }
+  return bonds;
+}
+
+}  // namespace keyblock

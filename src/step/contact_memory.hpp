@@ -1,0 +1,49 @@
+// What contacts remember from step to step: forces, the stretch of their springs, and bonds that still hold.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+
+#include "contact/touch.hpp"
+
+namespace keyblock {
+
+struct ContactMemory {
+  double normal = 0;      ///< force of the last step, pressure positive
+  double tangential = 0;  ///< force of the last step
+  double stretch = 0;     ///< elastic slip of the tangential spring (penalty)
+  double normal_compliance = 0;      ///< of the spring, 0 of a multiplier
+  double tangential_compliance = 0;
+
+  /// Held by the springs.
+  double energy() const {
+    return (normal_compliance * normal * normal + tangential_compliance * tangential * tangential) / 2;
+  }
+};
+
+/// Closed contacts by the name of their touch. Where the line of reference has passed from one of two facing edges to the
+/// other, the touch at the same end of the stretch inherits: gap and slip keep their signs.
+class ClosedContacts {
+ public:
+  void add(const Touch& touch, const ContactMemory& memory);
+
+  /// None for a contact that was open.
+  const ContactMemory* of(const Touch& touch) const;
+
+  std::size_t size() const { return by_touch_.size(); }
+  const std::map<Touch, ContactMemory>& all() const { return by_touch_; }
+
+ private:
+  std::map<Touch, ContactMemory> by_touch_;
+  std::map<Facing, ContactMemory> by_facing_;
+};
+
+/// One end of the stretch along which two edges are bonded.
+struct Bond {
+  double gap = 0;     ///< at the start, kept as long as the bond pulls
+  double length = 0;  ///< of the stretch that this end stands for
+};
+
+using Bonds = std::map<Facing, Bond>;
+
+}  // namespace keyblock

@@ -1,0 +1,83 @@
+// Reach from speeds, slack from springs; pairs of which neither can move are left out.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/touch_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+// Blocks may move twice as far as they do at the present speed before a pair outside the list could touch.
+constexpr double kReachOverTravel = 2;
+// Touching blocks are within reach whatever the speed: round-off of file coordinates, as a share of block size.
+constexpr double kReachAtRest = 1e-6;
+// Overlap that a step may leave between corners it did not reckon with, as a share of block size: the next step sees it.
+constexpr double kNewOverlap = 1e-9;
+
+double top_speed(const StandardScene& scene, const UnknownsTable& v) {
+  double top = 0;
+  for (ElementIndex e : indices(v)) {
+    const Eigen::Index n = v[e].size();
+    if (n == 0) continue;
+    double speed = std::hypot(v[e][0], v[e][1]);
+    for (Eigen::Index i = 2; i < n; ++i) speed += scene.bodies[e].size * std::abs(v[e][i]);
+    top = std::max(top, speed);
+  }
+  return top;
+}
+
+// Compression of the springs of closed contacts is no overlap between corners; twice the greatest is on the safe side.
+TouchSearch search_of(const StandardScene& scene, const Motion& motion, double reach) {
+  double greatest = 0;
+  for (const auto& [touch, memory] : motion.closed.all()) greatest = std::max(greatest, memory.normal);
+  const bool springs = scene.has_springs();
+  return {reach, springs ? 2 * greatest / scene.normal_stiffness() : 0,
+          springs && scene.settings.standard.spring_points == SpringPoints::lobatto};
+}
+
+FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, Point>& vertices,
+                          const TouchSearch& search) {
+  State state;
+  state.vertices = vertices;
+  std::vector<ElementPair> pairs = close_pairs(scene.model, state, search.reach);
+  std::erase_if(pairs, [&](const ElementPair& pair) {
+    return scene.bodies[pair.lower].mass.rows() + scene.bodies[pair.upper].mass.rows() == 0;  // neither can move
+  });
+  return find_touches(pairs, scene.pieces, vertices, search);
+}
+
+}  // namespace
+
+FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
+  const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
+  const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
+  const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
+  FoundTouches found = found_within(scene, vertices, search_of(scene, motion, reach));
+  for (const CornerTie& tie : found.ties) {
+    const auto closed =
+        std::ranges::find_if(tie.candidates, [&](const Touch& touch) { return motion.closed.of(touch); });
+    if (closed != tie.candidates.end()) found.touches.push_back(*closed);
+  }
+  return found;
+}
+
+Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
+                          const FoundTouches& known, const Scales& scales) {
+  const auto is_known = [&](const Touch& touch) {
+    return std::ranges::find(known.touches, touch) != known.touches.end();
+  };
+  const double overlap = kNewOverlap * scales.size;
+  const TouchSearch search = search_of(scene, start, 0);
+  Touches fresh;
+  for (const Touch& touch : found_within(scene, vertices, search).touches)
+    if (!is_known(touch) && gap_of(touch, vertices) < -overlap - search.slack) fresh.push_back(touch);
+  const auto before = vertices_at(scene.model, scene.reference, start.q);
+  for (const CornerTie& tie : known.ties) {
+    if (std::ranges::any_of(tie.candidates, is_known)) continue;
+    if (const Touch* touch = touch_of(tie, before, vertices, overlap)) fresh.push_back(*touch);
+  }
+  return fresh;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,17 @@
+// Which touches a step reckons with, and which it finds it should have.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "step/standard_scene.hpp"
+
+namespace keyblock {
+
+/// Pairs within reach of a step of `dt`, as touches. Ties of corners that were closed in the last step are touches still.
+FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);
+
+/// Touches that overlap at the end of a motion to `vertices` by more than a named share of block size and are not in `known`:
+/// corners that came round, and ties that closed.
+Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
+                          const FoundTouches& known, const Scales& scales);
+
+}  // namespace keyblock
