@@ -9,10 +9,10 @@
 namespace keyblock {
 
 struct ContactMemory {
-  double normal = 0;      ///< force of the last step, pressure positive
-  double tangential = 0;  ///< force of the last step
-  double stretch = 0;     ///< elastic slip of the tangential spring (penalty)
-  double normal_compliance = 0;      ///< of the spring, 0 of a multiplier
+  double normal = 0;             ///< force of the last step, pressure positive
+  double tangential = 0;         ///< force of the last step
+  double stretch = 0;            ///< elastic slip of the tangential spring (penalty)
+  double normal_compliance = 0;  ///< of the spring, 0 of a multiplier
   double tangential_compliance = 0;
 
   /// Held by the springs.

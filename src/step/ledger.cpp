@@ -57,9 +57,7 @@ EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
 class ContactFlow {
  public:
   ContactFlow(const StandardScene& scene, const StepTrail& trail)
-      : scene_(scene),
-        trail_(trail),
-        forgotten_(spring_energy(trail.start)) {}
+      : scene_(scene), trail_(trail), forgotten_(spring_energy(trail.start)) {}
 
   EnergyFlow run() {
     if (!trail_.smooth.forces.isZero(0)) add_touches();
@@ -75,7 +73,8 @@ class ContactFlow {
     for (std::size_t i = 0; i < trail_.touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const Touch& touch = trail_.touches[i];
-      const Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], before_of(touch), trail_.smooth.laws[i]};
+      const Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], before_of(touch),
+                          trail_.smooth.laws[i]};
       if (forces.normal == 0 && forces.before.normal == 0) continue;
       add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
       add_tangential(forces, way[n + 1]);

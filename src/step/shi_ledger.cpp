@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "material/elastic.hpp"
+#include "model/body_load.hpp"
 #include "terms/inertia.hpp"
 
 namespace keyblock {
@@ -17,10 +18,6 @@ double strain_energy(const BlockMaterial& material, Plane plane, const ElementSt
       plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
   const Eigen::Vector3d stress(now.stress.xx, now.stress.yy, now.stress.xy);
   return now.moments.area / 2 * stress.dot(modulus.inverse() * stress);
-}
-
-double weight_per_area(const BlockMaterial& material, const Settings& settings) {
-  return settings.quirks.weight_of_first_material ? material.density * settings.gravity : material.unit_weight;
 }
 
 }  // namespace
@@ -35,9 +32,10 @@ LedgerRow stored_row(const Model& model, const Settings& settings, const State& 
     const BlockMaterial& material = model.material_of(element);
     const ElementState& now = state.elements[e];
     const ElementState& first = unloaded.elements[e];
-    const double fall = first.centroid.y - now.centroid.y;
+    const Point moved = now.centroid - first.centroid;
     row.stored.strain += strain_energy(material, settings.plane, now);
-    row.stored.gravity -= weight_per_area(material, settings) * first.moments.area * fall;
+    row.stored.gravity -=
+        first.moments.area * weight_per_area(material, settings).dot(Eigen::Vector2d(moved.x, moved.y));
     const Unknowns v = end_velocity(now, state, settings);
     const Unknowns p = mass_matrix(*element.basis, now.moments, material.density) * v;
     if (p.size() == 0) continue;

@@ -15,10 +15,10 @@ struct ForceTolerance {
 };
 
 struct SmoothMotion {
-  UnknownsTable q;         ///< at the end of the step
-  UnknownsTable v;         ///< at the end of the step
-  Eigen::VectorXd forces;  ///< of the touches: 2i normal, 2i + 1 tangential
-  ContactRows rows;        ///< that the forces act along, at mid-step
+  UnknownsTable q;               ///< at the end of the step
+  UnknownsTable v;               ///< at the end of the step
+  Eigen::VectorXd forces;        ///< of the touches: 2i normal, 2i + 1 tangential
+  ContactRows rows;              ///< that the forces act along, at mid-step
   std::vector<ContactLaw> laws;  ///< of the touches
   double residual = 0;
   Bonds bonds;     ///< that still hold

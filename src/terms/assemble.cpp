@@ -17,7 +17,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<std::pair<TermKind, Term>, 7> kTerms{{
+constexpr std::array<std::pair<TermKind, Term>, 8> kTerms{{
     {TermKind::fixed_point, add_fixed_point},
     {TermKind::bolt, add_bolt},
     {TermKind::elastic, add_elastic},
