@@ -95,23 +95,22 @@ class Settling {
     }
   }
 
+  // Touches that carry get the gap of their force; the others are only kept from overlapping, or their springs would kick.
   // Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of pushes that
   // would close a gap by a large shift only to the elastic contact.
   void shift() {
     FrictionalProblem problem{contact_matrix(rows_, rigid_), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
     const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
+    double missing = 0;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const bool pressed = normal(i) > 0;
-      problem.laws.push_back(pressed ? kTie : ForceLaw{});
-      if (!pressed) continue;
       const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
-      problem.b[static_cast<Eigen::Index>(2 * i)] = gap_of(touches_[i], vertices) + normal(i) * law.normal_compliance;
+      const bool carries = normal(i) != 0;
+      problem.laws.push_back(carries ? kTie : ForceLaw{});
+      const double gap = gap_of(touches_[i], vertices) - law.rest_gap + normal(i) * law.normal_compliance;
+      problem.b[static_cast<Eigen::Index>(2 * i)] = gap;
+      missing += carries ? std::abs(gap) : std::max(0.0, -gap);
     }
-    const double missing = problem.b.cwiseAbs().sum();
     if (missing == 0) return;
-    // An open touch takes no push here.
-    for (std::size_t i = 0; i < touches_.size(); ++i)
-      if (normal(i) <= 0) problem.b[static_cast<Eigen::Index>(2 * i)] = missing;
     problem.goal = problem.acceptable = kShiftTolerance * missing / Eigen::VectorXd(problem.w.diagonal()).maxCoeff();
     const UnknownsTable by = answer(rows_, rigid_, newton(problem, Eigen::VectorXd::Zero(forces_.size())).forces);
     motion_.q = plus(motion_.q, 1, by);
@@ -130,7 +129,7 @@ class Settling {
 
   void remember() {
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      if (normal(i) <= 0) continue;
+      if (normal(i) == 0) continue;
       const double tangential = forces_[static_cast<Eigen::Index>(2 * i + 1)];
       const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
       motion_.closed.add(touches_[i], memory_of(law, normal(i), tangential));

@@ -185,10 +185,11 @@ LedgerRow ledger_row(const StandardScene& scene, const Motion& motion) {
     if (motion.v[e].size() == 0) continue;
     const Unknowns p = scene.bodies[e].mass * motion.v[e];
     const Point linear{p[0], p[1]};
-    const double orbital = cross(present_centroid(scene, e, motion.q[e]) - scene.mass_centre, linear);
+    const Point arm = present_centroid(scene, e, motion.q[e]) - scene.mass_centre;
+    const double orbital = cross(arm, linear);
     row.momentum += {linear, orbital + p[2]};
     row.momentum_size.linear += length(linear);
-    row.momentum_size.angular += std::abs(orbital) + std::abs(p[2]);
+    row.momentum_size.angular += (length(arm) + scene.bodies[e].size) * length(linear) + std::abs(p[2]);
   }
   return row;
 }
