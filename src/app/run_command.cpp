@@ -140,7 +140,7 @@ Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const A
         return fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual);
       });
   const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
-    if (curve.times.empty() || curve.times.back() >= record.outcome.time) return;
+    if (curve.times.empty() || curve.times.back() >= record.outcome.time || curve.values.back() == Point{}) return;
     warnings.push_back({name, curve.place,
                         fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} is held",
                                     what, curve.times.back(), record.outcome.time, what)});

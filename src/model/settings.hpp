@@ -53,7 +53,8 @@ struct Settings {
   Point gravity;            ///< acceleration, y up
   double file_gravity = 0;  ///< downward, as the file has it: the one that its unit weights speak of
   BodyAcceleration body_acceleration;
-  double contact_penalty = 0;  ///< starting normal stiffness, force / length
+  double joint_strength_factor = 1;  ///< on tan φ, cohesion and tensile strength of all joint materials
+  double contact_penalty = 0;        ///< starting normal stiffness, force / length
   PenaltyControl penalty_control = PenaltyControl::constant;
   double fixed_point_factor = 100;        ///< stiffness of fixed points over the starting contact penalty
   double allowed_displacement_ratio = 0;  ///< g2

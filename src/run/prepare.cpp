@@ -11,6 +11,7 @@
 
 #include "model/choose_basis.hpp"
 #include "model/from_blocks.hpp"
+#include "model/joint_strength.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
 #include "step/standard_scene.hpp"
@@ -91,7 +92,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
-  Model model = model_from_blocks(cut.blocks, *problem.analysis);
+  Model model = with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor);
   if (settings.dynamics == Dynamics::standard) {
     model = standard_model(std::move(model), settings, cut.blocks.place);
   }

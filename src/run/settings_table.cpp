@@ -95,6 +95,8 @@ const std::vector<Row>& table() {
        Real{[](Settings& s) -> double& { return s.body_acceleration.constant.y; }, -kNoLimit}},
       {"body_acceleration_file", "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one",
        File{[](Settings& s) -> std::string& { return s.body_acceleration.file; }}},
+      {"joint_strength_factor", "factor on tan(friction angle), cohesion and tensile strength of all joint materials",
+       Real{[](Settings& s) -> double& { return s.joint_strength_factor; }, 0}},
       {"contact_penalty", "starting normal contact stiffness [force/length]",
        Real{[](Settings& s) -> double& { return s.contact_penalty; }, 0, true}},
       {"penalty_control", "how the contact stiffness changes",
