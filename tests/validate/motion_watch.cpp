@@ -64,7 +64,7 @@ void MotionWatch::see(const Frame& frame) {
     if (m.mass > 0)
       strain +=
           strain_energy(element, model_.block_materials[static_cast<std::size_t>(element.material)], settings_.plane);
-    released -= m.mass * settings_.gravity * (element.centroid.y - m.start.y);
+    released += m.mass * dot(settings_.gravity, element.centroid - m.start);
     if (m.mass > 0) area_change_ = std::max(area_change_, std::abs(element.area / m.area - 1));
   }
   if (is_first) start_energy_ = kinetic + strain;

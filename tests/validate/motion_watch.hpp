@@ -39,7 +39,7 @@ class MotionWatch {
   };
 
   void begin(const Frame& frame);
-  double energy_scale() const { return total_mass_ * settings_.gravity * height_; }
+  double energy_scale() const { return total_mass_ * length(settings_.gravity) * height_; }
 
   const Model& model_;
   const Settings& settings_;
