@@ -16,8 +16,6 @@ namespace keyblock {
 namespace {
 
 constexpr int kRounds = 3;
-// Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
-constexpr double kTouching = 1e-6;
 constexpr double kShiftTolerance = 1e-13;  // of the gaps to be closed
 // A block that shifts by more than this times all gaps together is thrown about, not settled.
 constexpr double kLeverage = 10;
@@ -33,9 +31,7 @@ class Settling {
         rigid_(every(scene.bodies, &Body::rigid_mass_inverse)) {
     const Scales scales = scales_of(scene_, loads_, motion_.v);
     tolerance_ = kForceTolerance * scales.force;
-    touches_ = resting(touches_of(scene_, motion_, scales, scene_.settings.time_step).touches, scales);
-    const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
-    motion_.bonds = bonds_at(scene_, touches_, vertices, kTouching * scales.size);
+    touches_ = resting_touches(scene_, motion_, scales);
   }
 
   CompatibleStart run() {
@@ -52,18 +48,6 @@ class Settling {
   }
 
  private:
-  Touches resting(const Touches& all, const Scales& scales) const {
-    const double slow = slow_speed(scales, motion_.v, scene_.settings.time_step);
-    const Eigen::VectorXd speeds = rates(contact_rows(scene_.model, scene_.reference, motion_.q, all), motion_.v);
-    const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
-    Touches touches;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool touching = std::abs(gap_of(all[i], vertices)) < kTouching * scales.size;
-      if (touching && std::abs(speeds[static_cast<Eigen::Index>(2 * i)]) <= slow) touches.push_back(all[i]);
-    }
-    return touches;
-  }
-
   // Velocities after one step of free acceleration stand for g̈, so that a block that slides already keeps its direction.
   void find_forces() {
     const double dt = scene_.settings.time_step;

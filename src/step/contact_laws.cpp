@@ -51,15 +51,13 @@ ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Tou
   return law;
 }
 
-Bonds bonds_at(const StandardScene& scene, const Touches& touches, const Table<VertexIndex, Point>& vertices,
-               double tolerance) {
+Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches& resting) {
+  const auto vertices = vertices_at(scene.model, scene.reference, q);
   Bonds bonds;
-  for (const Touch& touch : touches) {
+  for (const Touch& touch : resting) {
     const JointMaterial& joint = scene.model.joint_at(touch.end);
     const bool has_strength = joint.cohesion > 0 || joint.tensile_strength > 0;
-    const double gap = gap_of(touch, vertices);
-    if (has_strength && touch.stretch > 0 && std::abs(gap) < tolerance)
-      bonds[touch.facing] = {gap, touch.stretch * touch.share};
+    if (has_strength && touch.stretch > 0) bonds[touch.facing] = {gap_of(touch, vertices), touch.stretch * touch.share};
   }
   return bonds;
 }

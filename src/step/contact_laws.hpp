@@ -26,8 +26,7 @@ ContactMemory memory_of(const ContactLaw& law, double normal, double tangential)
 /// stiffness p each, three points 2p by Lobatto's weights (contact-notes 6).
 ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch);
 
-/// Bonds of the touches that are closed at the start, within `tolerance`, and whose joint material has strength.
-Bonds bonds_at(const StandardScene& scene, const Touches& touches, const Table<VertexIndex, Point>& vertices,
-               double tolerance);
+/// Bonds of resting touches whose joint material has strength.
+Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches& resting);
 
 }  // namespace keyblock

@@ -9,6 +9,9 @@
 
 #include "contact/gap.hpp"
 #include "step/compatible_start.hpp"
+#include "step/contact_laws.hpp"
+#include "step/settled_start.hpp"
+#include "step/touch_search.hpp"
 
 namespace keyblock {
 namespace {
@@ -20,7 +23,10 @@ bool has_initial_stress(const StandardScene& scene) {
 
 CompatibleStart first_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
+  const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.v);
+  motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
   if (scene.settings.standard.start == StartRule::sudden || has_initial_stress(scene)) return {std::move(motion), {}};
+  if (scene.has_springs()) return {settled(scene, std::move(motion)), {}};
   return compatible(scene, std::move(motion));
 }
 

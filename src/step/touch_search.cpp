@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/gap.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -14,6 +16,9 @@ constexpr double kReachOverTravel = 2;
 constexpr double kReachAtRest = 1e-6;
 // Overlap that a step may leave between corners it did not reckon with, as a share of block size: the next step sees it.
 constexpr double kNewOverlap = 1e-9;
+
+// Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
+constexpr double kTouching = 1e-6;
 
 double top_speed(const StandardScene& scene, const UnknownsTable& v) {
   double top = 0;
@@ -78,6 +83,20 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
     if (const Touch* touch = touch_of(tie, before, vertices, overlap)) fresh.push_back(*touch);
   }
   return fresh;
+}
+
+Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {
+  const double dt = scene.settings.time_step;
+  const Touches all = touches_of(scene, motion, scales, dt).touches;
+  const double slow = slow_speed(scales, motion.v, dt);
+  const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, all), motion.v);
+  const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
+  Touches touches;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool touching = std::abs(gap_of(all[i], vertices)) < kTouching * scales.size;
+    if (touching && std::abs(speeds[static_cast<Eigen::Index>(2 * i)]) <= slow) touches.push_back(all[i]);
+  }
+  return touches;
 }
 
 }  // namespace keyblock

