@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "study/quantities.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -18,7 +20,9 @@ using study::ComparedValue;
 using study::TraceDifference;
 
 std::string name_of(const ComparedValue& value) {
-  return value.block ? fmt::format("{} of block {}", value.quantity, *value.block) : value.quantity;
+  if (!value.block) return value.quantity;
+  const bool of_point = study::owner_of(value.quantity) == study::Owner::point;
+  return fmt::format("{} of {} {}", value.quantity, of_point ? "point" : "block", *value.block);
 }
 
 std::string computed_of(const ComparedCase& run, const ComparedValue& value) {
