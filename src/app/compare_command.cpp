@@ -1,9 +1,9 @@
 // `keyblock compare`: reruns cases against their expected values, and traces of the old program step by step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -117,10 +117,14 @@ struct Comparison {
     }
   }
 
-  std::size_t missed() const {
-    return refused.size() +
-           static_cast<std::size_t>(std::ranges::count_if(cases, [](const CaseComparison& c) { return !c.holds(); }) +
-                                    std::ranges::count_if(traces, [](const TraceDifference& t) { return !t.holds(); }));
+  /// Names of what was refused or does not hold.
+  std::vector<std::string> missed() const {
+    std::vector<std::string> names = refused;
+    for (const CaseComparison& c : cases)
+      if (!c.holds()) names.push_back(c.name);
+    for (const TraceDifference& t : traces)
+      if (!t.holds()) names.push_back(t.name);
+    return names;
   }
 };
 
@@ -132,11 +136,13 @@ void print_json(const Comparison& all) {
 }
 
 ExitCode verdict(const Comparison& all) {
+  const std::vector<std::string> missed = all.missed();
   spdlog::info("{}, {}, {} missed{}", counted(all.cases.size(), "case"), counted(all.traces.size(), "trace"),
-               all.missed(),
+               missed.size(),
                all.slow == 0 ? "" : fmt::format("; {} left out (--all runs them)", counted(all.slow, "slow case")));
+  if (!missed.empty()) spdlog::info("missed: {}", fmt::join(missed, ", "));
   if (all.cases.empty() && all.traces.empty()) return all.slow == 0 ? ExitCode::unreadable : ExitCode::usage;
-  return all.missed() == 0 ? ExitCode::ok : ExitCode::check_failed;
+  return missed.empty() ? ExitCode::ok : ExitCode::check_failed;
 }
 
 ExitCode compare(const CompareOptions& options) {

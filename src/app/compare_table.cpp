@@ -1,4 +1,4 @@
-// Lays out the tables of `keyblock compare`, at most 160 characters wide but for the sources.
+// Lays out the tables of `keyblock compare`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/compare_table.hpp"
 
@@ -9,8 +9,12 @@
 #include <cmath>
 #include <limits>
 
+#include "study/quantities.hpp"
+
 namespace keyblock {
 namespace {
+
+constexpr std::size_t kWidth = 160;  // a wide terminal
 
 using study::CaseComparison;
 using study::ComparedCase;
@@ -18,7 +22,9 @@ using study::ComparedValue;
 using study::TraceDifference;
 
 std::string name_of(const ComparedValue& value) {
-  return value.block ? fmt::format("{} of block {}", value.quantity, *value.block) : value.quantity;
+  if (!value.block) return value.quantity;
+  const bool of_point = study::owner_of(value.quantity) == study::Owner::point;
+  return fmt::format("{} of {} {}", value.quantity, of_point ? "point" : "block", *value.block);
 }
 
 std::string computed_of(const ComparedCase& run, const ComparedValue& value) {
@@ -43,20 +49,39 @@ std::string verdict_of(const std::vector<ComparedCase>& runs, std::size_t row) {
   return judged.size() == runs.size() ? "ok" : fmt::format("ok: {} only", fmt::join(judged, ", "));
 }
 
+// The text broken at spaces, so that no line is wider than the table; lines after the first begin under its text.
+std::string wrapped(const std::string& label, const std::string& text) {
+  std::string result;
+  std::string line = label;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (line.size() + 1 + word.size() > kWidth) {
+      result += line + "\n";
+      line = std::string(label.size(), ' ');
+    }
+    line += " " + word;
+    begin = end + 1;
+  }
+  return result + line + "\n";
+}
+
 std::string heading(const CaseComparison& comparison) {
   std::string text = fmt::format("\n{}\n", comparison.name);
-  if (!comparison.about.empty()) text += fmt::format("  {}\n", comparison.about);
+  if (!comparison.about.empty()) text += wrapped(" ", comparison.about);
   for (const ComparedCase& run : comparison.plain) {
-    if (!run.not_run.empty()) text += fmt::format("  {}: not run: {}\n", run.profile, run.not_run);
+    if (!run.not_run.empty()) text += wrapped(fmt::format("  {}: not run:", run.profile), run.not_run);
     if (run.outcome.end != RunEnd::finished)
-      text += fmt::format("  {}: the run ended early, after {} steps at time {:.6g}: {}\n", run.profile,
-                          run.outcome.steps, run.outcome.time, run.outcome.reason);
+      text += wrapped(fmt::format("  {}: ended early, after {} steps at time {:.6g}:", run.profile, run.outcome.steps,
+                                  run.outcome.time),
+                      run.outcome.reason);
   }
   return text;
 }
 
 std::string column_heads(const CaseComparison& comparison) {
-  std::string text = fmt::format("  {:28} {:>8} {:>16}", "quantity", "time", "expected");
+  std::string text = fmt::format("  {:26} {:>7} {:>16}", "quantity", "time", "expected");
   for (const ComparedCase& run : comparison.plain) text += fmt::format(" {:>16}", run.profile);
   for (const ComparedCase& run : comparison.plain) text += fmt::format(" {:>14}", "error " + run.profile);
   return text + fmt::format(" {:>9}  {:6} {}\n", "tolerance", "source", "verdict");
@@ -64,7 +89,7 @@ std::string column_heads(const CaseComparison& comparison) {
 
 std::string value_line(const CaseComparison& comparison, std::size_t row, std::size_t source) {
   const ComparedValue& v = comparison.plain.front().values[row];
-  std::string text = fmt::format("  {:28} {:>8.6g} {:>16.9g}", name_of(v), v.time, v.expected);
+  std::string text = fmt::format("  {:26} {:>7.6g} {:>16.9g}", name_of(v), v.time, v.expected);
   for (const ComparedCase& run : comparison.plain) text += fmt::format(" {:>16}", computed_of(run, run.values[row]));
   for (const ComparedCase& run : comparison.plain) text += fmt::format(" {:>14}", error_of(run.values[row]));
   return text + fmt::format(" {:>9.1e}  {:6} {}\n", v.tolerance, fmt::format("[{}]", source),
@@ -80,14 +105,14 @@ double strain_on(const ComparedValue& value) {
 std::string variant_line(const ComparedCase& run) {
   const std::string name = fmt::format("variant {} ({})", run.variant, run.profile);
   const std::string verdict = run.holds() ? "ok" : "MISSED";
-  if (!run.not_run.empty()) return fmt::format("  {:44} not run: {}  {}\n", name, run.not_run, verdict);
+  if (!run.not_run.empty()) return wrapped(fmt::format("  {:56} {}, not run:", name, verdict), run.not_run);
   const ComparedValue* worst = nullptr;
   for (const ComparedValue& v : run.values)
     if (v.is_judged && (worst == nullptr || strain_on(v) > strain_on(*worst))) worst = &v;
-  if (worst == nullptr) return fmt::format("  {:44} nothing judged\n", name);
-  std::string text = fmt::format("  {:44} worst error {:>9} of {:.1e} ({} at {:.6g})  {}\n", name, error_of(*worst),
+  if (worst == nullptr) return fmt::format("  {:56} nothing judged\n", name);
+  std::string text = fmt::format("  {:56} worst error {:>9} of {:.1e} ({} at {:.6g})  {}\n", name, error_of(*worst),
                                  worst->tolerance, name_of(*worst), worst->time, verdict);
-  if (run.outcome.end != RunEnd::finished) text += fmt::format("    ended early: {}\n", run.outcome.reason);
+  if (run.outcome.end != RunEnd::finished) text += wrapped("    ended early:", run.outcome.reason);
   return text;
 }
 
@@ -110,10 +135,10 @@ std::string table_of(const CaseComparison& comparison, Detail detail) {
     text += value_line(comparison, row, static_cast<std::size_t>(source) + 1);
   }
   for (const ComparedCase& run : comparison.variants) text += variant_line(run);
-  for (std::size_t i = 0; i < sources.size(); ++i) text += fmt::format("  [{}] {}\n", i + 1, sources[i]);
+  for (std::size_t i = 0; i < sources.size(); ++i) text += wrapped(fmt::format("  [{}]", i + 1), sources[i]);
   if (detail == Detail::brief) return text;
   for (const std::string& reason : texts_of(values, &ComparedValue::tolerance_reason))
-    text += fmt::format("  tolerance: {}\n", reason);
+    text += wrapped("  tolerance:", reason);
   return text;
 }
 

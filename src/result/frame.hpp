@@ -19,6 +19,8 @@ struct ElementFrame {
   Velocity velocity;
   Stress stress;
   double area = 0;
+  double mass = 0;               ///< density times the area at the start, per unit thickness
+  double moment_of_inertia = 0;  ///< about the centroid, at the start
 };
 
 /// A point that travels with an element.

@@ -104,11 +104,28 @@ Variant variant_of(const Node& node) {
   return variant;
 }
 
+Json parsed(const std::string& path) {
+  try {
+    return Json::parse(formats::load(path).text);
+  } catch (const Json::parse_error& error) {
+    throw InputError({path, 0, 0}, fmt::format("expected JSON: {}", error.what()));
+  }
+}
+
+// A name in the list stands for the list in that file.
 std::vector<Variant> variants_of(const Node& list) {
   if (!list.json.is_array()) list.refuse("a list");
   std::vector<Variant> variants;
-  for (std::size_t i = 0; i < list.json.size(); ++i)
-    variants.push_back(variant_of({list.folder, list.file, fmt::format("{}[{}]", list.key, i), list.json[i]}));
+  for (std::size_t i = 0; i < list.json.size(); ++i) {
+    const Node node{list.folder, list.file, fmt::format("{}[{}]", list.key, i), list.json[i]};
+    if (!node.json.is_string()) {
+      variants.push_back(variant_of(node));
+      continue;
+    }
+    const std::string path = (list.folder.folder / node.text()).lexically_normal().string();
+    const Json shared = parsed(path);
+    for (Variant& variant : variants_of({list.folder, path, "", shared})) variants.push_back(std::move(variant));
+  }
   return variants;
 }
 
@@ -116,14 +133,6 @@ std::string reason_of(const Node& node) {
   const std::string text = node.text();
   if (!text.starts_with(kNotRun) || text.size() == kNotRun.size()) node.refuse("\"not run: REASON\"");
   return text.substr(kNotRun.size());
-}
-
-Json parsed(const std::string& path) {
-  try {
-    return Json::parse(formats::load(path).text);
-  } catch (const Json::parse_error& error) {
-    throw InputError({path, 0, 0}, fmt::format("expected JSON: {}", error.what()));
-  }
 }
 
 }  // namespace

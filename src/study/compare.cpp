@@ -38,22 +38,26 @@ std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expe
   return values;
 }
 
-void require_blocks(const std::vector<ComparedValue>& values, std::size_t count, const std::string& file) {
+void require_numbers(const std::vector<ComparedValue>& values, const Model& model, const std::string& file) {
   for (const ComparedValue& v : values) {
+    const bool of_point = owner_of(v.quantity) == Owner::point;
+    const std::size_t count = of_point ? model.measured_points.size() : model.elements.size();
     if (v.block && (*v.block < 1 || *v.block > static_cast<int>(count)))
-      throw InputError({file, 0, 0}, fmt::format("expected a block from 1 to {}, found {}", count, *v.block));
+      throw InputError({file, 0, 0}, fmt::format("expected a {} from 1 to {}, found {}",
+                                                 of_point ? "measured point" : "block", count, *v.block));
   }
 }
 
 // Times of the table are steps of the run up to the round-off of their sum: half a step tells neighbours apart.
-void pick(std::vector<ComparedValue>& values, const Frame& frame, double half_step) {
+void pick(std::vector<ComparedValue>& values, const RunSoFar& run, double half_step) {
   for (ComparedValue& v : values) {
-    if (std::abs(frame.time - v.time) < half_step) v.computed = quantity_of(frame, v.quantity, v.block);
+    if (std::abs(run.now().time - v.time) < half_step) v.computed = quantity_of(run, v.quantity, v.block);
   }
 }
 
 int first_block(const std::vector<ComparedValue>& values) {
-  const auto followed = std::ranges::find_if(values, [](const ComparedValue& v) { return v.block.has_value(); });
+  const auto followed =
+      std::ranges::find_if(values, [](const ComparedValue& v) { return owner_of(v.quantity) == Owner::block; });
   return followed == values.end() ? 1 : *followed->block;
 }
 
@@ -72,15 +76,18 @@ std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, co
 ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   compared.followed_block = first_block(compared.values);
   const auto block = static_cast<std::size_t>(compared.followed_block - 1);
+  RunSoFar so_far;
   Observer observer;
+  observer.on_step = [&](const StepReport& report) { so_far.add(report); };
   observer.on_frame = [&](const Frame& frame) {
-    if (frame.step == 0) compared.start = frame;
-    compared.end = frame;
+    so_far.add(frame);
     compared.times.push_back(frame.time);
     compared.displacements.push_back(length(frame.elements[block].displacement));
-    pick(compared.values, frame, scene.settings.time_step / 2);
+    pick(compared.values, so_far, scene.settings.time_step / 2);
   };
   compared.outcome = run(scene, 1, observer);
+  compared.start = so_far.start();
+  compared.end = so_far.now();
   return compared;
 }
 
@@ -93,7 +100,7 @@ ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const st
   }
   const Prepared& prepared = std::get<Prepared>(made);
   compared.warnings = joined(loaded.input.warnings, prepared.warnings);
-  require_blocks(compared.values, prepared.scene.model.elements.size(), loaded.table);
+  require_numbers(compared.values, prepared.scene.model, loaded.table);
   return run_and_pick(prepared.scene, std::move(compared));
 }
 

@@ -18,7 +18,7 @@ namespace keyblock::study {
 /// One row of expected.csv and what the run gave for it.
 struct ComparedValue {
   std::string quantity;
-  std::optional<int> block;  ///< from 1, as in the file; none for the whole scene
+  std::optional<int> block;  ///< or measured point, from 1, as in the file; none for the whole scene
   double time = 0;
   double expected = 0;
   std::optional<double> computed;  ///< none if the run did not reach the time
@@ -45,7 +45,7 @@ struct ComparedCase {
   Frame start;
   Frame end;
   std::vector<double> times;          ///< of every step, from 0
-  std::vector<double> displacements;  ///< of the block of the first row, at those times
+  std::vector<double> displacements;  ///< of the first block that is named, at those times
   int followed_block = 1;             ///< whose they are, from 1
 
   /// Nothing is judged, or the run finished and every judged value holds.

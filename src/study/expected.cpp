@@ -15,11 +15,12 @@
 namespace keyblock::study {
 namespace {
 
+// A number names a block or a measured point; without one it is a quantity of the scene.
 void require_quantity(const ExpectedValue& value, const Place& place) {
-  const Owner owner = value.block ? Owner::block : Owner::scene;
-  if (!is_quantity(value.quantity, owner))
+  const std::optional<Owner> owner = owner_of(value.quantity);
+  if (!owner || (*owner == Owner::scene) == value.block.has_value())
     throw InputError(place, fmt::format("expected a quantity of {}, found \"{}\"",
-                                        value.block ? "a block" : "the scene", value.quantity));
+                                        value.block ? "a block or a measured point" : "the scene", value.quantity));
 }
 
 void require_judged(const ExpectedValue& value, const Place& place) {

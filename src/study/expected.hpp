@@ -14,7 +14,7 @@ namespace keyblock::study {
 
 struct ExpectedValue {
   std::string quantity;
-  std::optional<int> block;  ///< from 1, as in the file; none for the whole scene
+  std::optional<int> block;  ///< or measured point, from 1, as in the file; none for the whole scene
   double time = 0;
   double value = 0;
   double tolerance = 0;  ///< absolute

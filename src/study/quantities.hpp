@@ -1,4 +1,4 @@
-// What can be asked of a run in expected.csv: the quantities by name, and their values in a frame.
+// What can be asked of a run in expected.csv: the quantities by name, and their values at an instant.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,16 +6,44 @@
 #include <string>
 
 #include "result/frame.hpp"
+#include "result/step_report.hpp"
 
 namespace keyblock::study {
 
-/// Whose quantity it is: that of a block, or of the whole scene.
-enum class Owner { block, scene };
+/// Whose quantity it is: that of a block, of a measured point, or of the whole scene.
+enum class Owner { block, point, scene };
 
-/// True if expected.csv may ask for it.
-bool is_quantity(const std::string& name, Owner owner);
+/// The owner of a quantity that expected.csv may ask for; nothing for a name that is none.
+std::optional<Owner> owner_of(const std::string& quantity);
 
-/// The quantity of block `number` (from 1), or of the scene where there is none.
-double quantity_of(const Frame& frame, const std::string& name, std::optional<int> number);
+/// A run up to an instant: where everything is, where it began, and what was seen on the way.
+class RunSoFar {
+ public:
+  /// Takes in the next accepted step.
+  void add(const StepReport& step);
+  /// Takes in the next frame, the first of them the start; every step should have one.
+  void add(const Frame& frame);
+
+  const Frame& start() const { return start_; }
+  const Frame& now() const { return now_; }
+  /// Share of the steps that needed no shorter one and left no contact undecided; 1 before the first.
+  double converged_share() const;
+  /// Greatest height of the centre of mass until now.
+  double greatest_height() const { return greatest_height_; }
+  /// Greatest |A/A0 - 1| of any block until now.
+  double greatest_area_change() const { return greatest_area_change_; }
+
+ private:
+  Frame start_;
+  Frame now_;
+  bool has_begun_ = false;
+  int steps_ = 0;
+  int converged_ = 0;
+  double greatest_height_ = 0;
+  double greatest_area_change_ = 0;
+};
+
+/// The value of a quantity now; `number` (from 1) says which block or measured point. Both must exist.
+double quantity_of(const RunSoFar& run, const std::string& quantity, std::optional<int> number);
 
 }  // namespace keyblock::study

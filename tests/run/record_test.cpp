@@ -63,6 +63,16 @@ TEST(Record, a_frame_counts_displacement_from_the_start_and_shows_the_end_veloci
   EXPECT_EQ(block.velocity, (Velocity{10, -5, 2.5}));  // 2 d/dt from rest
 }
 
+// A rectangle a x b of density ρ has the mass ρ a b and the moment of inertia ρ a b (a² + b²)/12 about its centroid.
+TEST(Record, mass_and_moment_of_inertia_are_those_of_the_start) {
+  const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
+  const State first = start(scene).state;
+  const Frame frame = frame_of(scene.model, moved(first), first, scene.settings);
+  const double density = scene.model.block_materials[0].density;
+  EXPECT_NEAR(frame.elements[1].mass, density * 2, 1e-12 * density);
+  EXPECT_NEAR(frame.elements[1].moment_of_inertia, density * 2 * 5 / 12, 1e-11 * density);
+}
+
 TEST(Record, followed_are_the_measured_points_with_the_number_of_their_element) {
   Blocks blocks = frame_and_block();
   blocks.measured_points = {{{11, 1}, 1, {}}};

@@ -4,7 +4,6 @@
 
 #include "run/prepare.hpp"
 #include "run/run.hpp"
-#include "study/compare.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock {
@@ -61,16 +60,6 @@ TEST(StandardRun, a_scene_it_cannot_run_is_refused_with_the_reason) {
   std::get<Blocks>(hanging.geometry).fixed_points.push_back({{0.5, 0.5}, 1, {}});
   EXPECT_THROW(prepare(hanging, "standard", {}), InputError);
   EXPECT_NO_THROW(prepare(hanging, "legacy", {}));
-}
-
-// The cases whose expected values are those of theory, not of springs below the blocks.
-TEST(StandardRun, profile_standard_meets_the_closed_forms_of_the_legacy_cases) {
-  const std::string root = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
-  for (const study::CaseFolder& folder :
-       study::find_cases({root + "sliding_block", root + "free_fall", root + "push_block", root + "toppling_column"})) {
-    const study::ComparedCase compared = study::compare_case(folder, "standard");
-    EXPECT_TRUE(compared.holds()) << compared.name << ' ' << compared.outcome.reason;
-  }
 }
 
 }  // namespace keyblock

@@ -57,6 +57,19 @@ TEST(CaseFile, settings_of_both_profiles_come_before_those_of_one_and_these_befo
   EXPECT_EQ(file.overrides(file.variants.front()), variant);
 }
 
+TEST(CaseFile, variants_can_be_shared_by_naming_a_file_of_them) {
+  const CaseFolder folder = folder_with(R"({"variants": [
+      "shared.json", {"name": "own", "profile": "legacy", "set": {}}]})");
+  testing::write_text(folder.folder / "shared.json", R"([{"name": "a", "profile": "standard", "set": {}},
+                                                          {"name": "b", "profile": "standard", "set": {}}])");
+  const CaseFile file = read_case_file(folder);
+  ASSERT_EQ(file.variants.size(), 3U);
+  EXPECT_EQ(file.variants[0].name, "a");
+  EXPECT_EQ(file.variants[2].name, "own");
+  testing::write_text(folder.folder / "shared.json", R"([{"name": "a"}])");
+  EXPECT_THROW(read_case_file(folder), InputError);
+}
+
 TEST(CaseFile, a_file_named_by_a_setting_lies_in_the_case_folder) {
   const CaseFolder folder = folder_with(R"({"set": {"both": {"body_acceleration_file": "quake.csv"}}})");
   EXPECT_EQ(read_case_file(folder).overrides("legacy").front().second, (folder.folder / "quake.csv").string());

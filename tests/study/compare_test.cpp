@@ -81,6 +81,16 @@ TEST(Compare, values_are_picked_at_their_block_and_time) {
   EXPECT_EQ(fall.end.step, 400);
 }
 
+// A block of 4 m² and 2500 kg/m³ above ground that is held: p = m g t, T = m (g t)²/2 at 1 s.
+TEST(Compare, momentum_and_kinetic_energy_of_free_fall) {
+  const CaseComparison fall = judged(
+      "vy,2,1,-9.81,1e-9,r,s,standard\nmomentum_y,,1,-98100,1e-6,r,s,standard\n"
+      "kinetic_energy,,1,481180.5,1e-5,r,s,standard\nconverged_share,,1,1,0,r,s,both\n",
+      "{}");
+  for (const ComparedCase& run : fall.plain)
+    for (const ComparedValue& v : run.values) EXPECT_FALSE(v.is_missed()) << v.quantity << ' ' << *v.computed;
+}
+
 TEST(Compare, a_time_that_the_run_does_not_reach_does_not_hold) {
   const ComparedCase fall = compared("dy,2,5,0,1e9,r,s\n");
   EXPECT_FALSE(fall.values[0].computed);
@@ -89,7 +99,8 @@ TEST(Compare, a_time_that_the_run_does_not_reach_does_not_hold) {
 
 TEST(Compare, an_unknown_quantity_or_block_is_refused) {
   EXPECT_THROW(compared("colour,2,1,0,1,r,s\n"), InputError);
-  EXPECT_THROW(compared("block_count,2,1,0,1,r,s\n"), InputError) << "a quantity of the scene, not of a block";
+  EXPECT_THROW(compared("momentum_x,2,1,0,1,r,s\n"), InputError) << "a quantity of the scene, not of a block";
+  EXPECT_THROW(compared("px,99,1,0,1,r,s\n"), InputError);
   EXPECT_THROW(compared("dy,3,1,0,1,r,s\n"), InputError);
   EXPECT_THROW(compared("dy,0,1,0,1,r,s\n"), InputError);
   EXPECT_THROW(compared("dy,2,1,nan,1,r,s\n"), InputError);

@@ -1,0 +1,26 @@
+<?xml version="1.0" standalone="no"?>
+<!DOCTYPE DDA SYSTEM "geometry.dtd">
+<Berkeley:DDA xmlns:Berkeley="http://www.tsoft.com/~bdoolin/dda">
+<!-- geometry -->
+<Berkeley:Geometry>
+<Berkeley:Edgenodedist distance="0.01"/>
+<Jointlist>
+<Joint type="1"> -0.520226280656067 -1.94151091084103 0.00258819045102521 0.00965925826289068 </Joint>
+<Joint type="1"> -0.527297348467932 -1.92926346212711 18.8105376938392 -7.11082074507958 </Joint>
+<Joint type="1"> 18.7982902451253 -7.11789181289144 19.3211047162324 -5.16672164378752 </Joint>
+<Joint type="1"> -0.00965925826289068 0.00258819045102521 19.3281757840443 -5.17896909250144 </Joint>
+<Joint type="1"> 3.86111511470525 -1.04493543867297 4.12511054070982 -0.0596910958581239 </Joint>
+<Joint type="1"> 5.79296676728339 -1.56257352887802 6.05696219328796 -0.577329186063165 </Joint>
+<Joint type="1"> 4.1128630919959 -0.0667621636699894 6.06403326109982 -0.589576634777081 </Joint>
+</Jointlist>
+<Fixedpointlist>
+<Point> 0.577697258635287 -1.70770778453612 </Point>
+<Point> 17.9643621318385 -6.3664505963815 </Point>
+<Point> 18.223181176941 -5.40052477009243 </Point>
+<Point> 0.836516303737808 -0.741781958247055 </Point>
+</Fixedpointlist>
+<Measuredpointlist>
+<Point> 4.9590386539966 -0.81113231236807 </Point>
+</Measuredpointlist>
+</Berkeley:Geometry>
+</Berkeley:DDA>

@@ -1,0 +1,26 @@
+<?xml version="1.0" standalone="no"?>
+<!DOCTYPE DDA SYSTEM "geometry.dtd">
+<Berkeley:DDA xmlns:Berkeley="http://www.tsoft.com/~bdoolin/dda">
+<!-- geometry -->
+<Berkeley:Geometry>
+<Berkeley:Edgenodedist distance="0.01"/>
+<Jointlist>
+<Joint type="1"> -1.42128463018496 -1.42128463018496 0.00707106781186547 0.00707106781186548 </Joint>
+<Joint type="1"> -1.42128463018496 -1.40714249456123 12.7349931291697 -15.5634202539159 </Joint>
+<Joint type="1"> 12.720850993546 -15.5634202539159 14.1492066915428 -14.1350645559191 </Joint>
+<Joint type="1"> -0.00707106781186548 0.00707106781186547 14.1492066915428 -14.1492066915428 </Joint>
+<Joint type="1"> 2.82135605693433 -2.83549819255806 3.5426049737446 -2.11424927574778 </Joint>
+<Joint type="1"> 4.23556961930742 -4.24971175493115 4.9568185361177 -3.52846283812087 </Joint>
+<Joint type="1"> 3.52846283812087 -2.11424927574778 4.9568185361177 -3.5426049737446 </Joint>
+</Jointlist>
+<Fixedpointlist>
+<Point> -0.353553390593274 -1.76776695296637 </Point>
+<Point> 12.3743686707646 -14.4956890143242 </Point>
+<Point> 13.0814754519511 -13.7885822331377 </Point>
+<Point> 0.353553390593274 -1.06066017177982 </Point>
+</Fixedpointlist>
+<Measuredpointlist>
+<Point> 3.88908729652601 -3.18198051533946 </Point>
+</Measuredpointlist>
+</Berkeley:Geometry>
+</Berkeley:DDA>
