@@ -46,9 +46,9 @@ void require_blocks(const std::vector<ComparedValue>& values, std::size_t count,
 }
 
 // Times of the table are steps of the run up to the round-off of their sum: half a step tells neighbours apart.
-void pick(std::vector<ComparedValue>& values, const Frame& frame, double half_step) {
+void pick(std::vector<ComparedValue>& values, const Frame& frame, const Frame& first, double half_step) {
   for (ComparedValue& v : values) {
-    if (std::abs(frame.time - v.time) < half_step) v.computed = quantity_of(frame, v.quantity, v.block);
+    if (std::abs(frame.time - v.time) < half_step) v.computed = quantity_of(frame, first, v.quantity, v.block);
   }
 }
 
@@ -72,13 +72,15 @@ std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, co
 ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   compared.followed_block = first_block(compared.values);
   const auto block = static_cast<std::size_t>(compared.followed_block - 1);
+  Frame first;  // the end of the first step; the start before that
   Observer observer;
   observer.on_frame = [&](const Frame& frame) {
     if (frame.step == 0) compared.start = frame;
+    if (frame.step <= 1) first = frame;
     compared.end = frame;
     compared.times.push_back(frame.time);
     compared.displacements.push_back(length(frame.elements[block].displacement));
-    pick(compared.values, frame, scene.settings.time_step / 2);
+    pick(compared.values, frame, first, scene.settings.time_step / 2);
   };
   compared.outcome = run(scene, 1, observer);
   return compared;

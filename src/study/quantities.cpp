@@ -24,6 +24,19 @@ const std::map<std::string, OfBlock>& block_quantities() {
       {"sxy", [](const ElementFrame& e) { return e.stress.xy; }},
       {"area", [](const ElementFrame& e) { return e.area; }},
       {"speed", [](const ElementFrame& e) { return std::hypot(e.velocity.x, e.velocity.y); }},
+      {"vx", [](const ElementFrame& e) { return e.velocity.x; }},
+      {"vy", [](const ElementFrame& e) { return e.velocity.y; }},
+      {"spin", [](const ElementFrame& e) { return e.velocity.rotation; }},
+  };
+  return table;
+}
+
+using OfBlockSince = double (*)(const ElementFrame& now, const ElementFrame& first);
+
+const std::map<std::string, OfBlockSince>& block_quantities_since() {
+  static const std::map<std::string, OfBlockSince> table{
+      {"travel", [](const ElementFrame& now,
+                    const ElementFrame& first) { return length(now.displacement - first.displacement); }},
   };
   return table;
 }
@@ -46,12 +59,16 @@ const std::map<std::string, OfScene>& scene_quantities() {
 }  // namespace
 
 bool is_quantity(const std::string& name, Owner owner) {
-  return owner == Owner::block ? block_quantities().contains(name) : scene_quantities().contains(name);
+  if (owner == Owner::scene) return scene_quantities().contains(name);
+  return block_quantities().contains(name) || block_quantities_since().contains(name);
 }
 
-double quantity_of(const Frame& frame, const std::string& name, std::optional<int> number) {
+double quantity_of(const Frame& frame, const Frame& first, const std::string& name, std::optional<int> number) {
   if (!number) return scene_quantities().at(name)(frame);
-  return block_quantities().at(name)(frame.elements[static_cast<std::size_t>(*number - 1)]);
+  const auto block = static_cast<std::size_t>(*number - 1);
+  const auto since = block_quantities_since().find(name);
+  if (since != block_quantities_since().end()) return since->second(frame.elements[block], first.elements[block]);
+  return block_quantities().at(name)(frame.elements[block]);
 }
 
 }  // namespace keyblock::study

@@ -87,6 +87,13 @@ TEST(Compare, a_time_that_the_run_does_not_reach_does_not_hold) {
   EXPECT_FALSE(fall.holds());
 }
 
+// g/2 (1 - 0.005²) of the fall lies behind the first step of 5 ms.
+TEST(Compare, velocities_and_the_travel_since_the_first_step_are_quantities_of_a_block) {
+  EXPECT_TRUE(compared("vx,2,1,0,1e-9,r,s\nvy,2,1,-9.81,1e-9,r,s\nspin,2,1,0,1e-9,r,s\n").holds());
+  EXPECT_TRUE(compared("travel,2,1,4.904877375,1e-9,r,s\n").holds());
+  EXPECT_TRUE(compared("travel,2,0.005,0,0,r,s\n").holds());
+}
+
 TEST(Compare, an_unknown_quantity_or_block_is_refused) {
   EXPECT_THROW(compared("colour,2,1,0,1,r,s\n"), InputError);
   EXPECT_THROW(compared("block_count,2,1,0,1,r,s\n"), InputError) << "a quantity of the scene, not of a block";
