@@ -116,3 +116,8 @@ def write_case(folder, scene, analysis, expected, about, **case):
     with open(os.path.join(folder, 'case.json'), 'w') as file:
         json.dump({'about': about, 'set': overrides, **case}, file, indent=1, ensure_ascii=False)
         file.write('\n')
+
+
+def reduced(strength_factor):
+    """Strength of all joints times a factor, in both profiles."""
+    return {'both': {'joint_strength_factor': repr(strength_factor)}}
