@@ -77,7 +77,7 @@ def rock(density=2600.0, youngs_modulus=5e9, poissons_ratio=0.25, weight=None, v
     return (density, weight, youngs_modulus, poissons_ratio) + (0.0,) * 6 + tuple(velocity)
 
 
-def analysis_text(scene, steps, time_step, rocks, joints, penalty=5e10, carry_over=1.0, curves=None, ratio=0.1):
+def analysis_text(scene, steps, time_step, rocks, joints, penalty=5e10, carry_over=1.0, curves=None, ratio=0.01):
     """Shi's analysis file. `joints`: (friction angle, cohesion, tensile strength). `curves`: {point: rows (t, x, y)}, points
     counted from 0, fixed ones first."""
     curves = curves or {}
