@@ -92,9 +92,26 @@ def case(name, data, shape, share, time=1.0):
                'two blocks at %.2f of their factor of safety %.4f' % (share, safety), set=reduced(1 / factor))
 
 
+def wedge_pair(phi, time=0.8):
+    """The wedge pair of berkeley_tables/wedge2.csv: a trapezium on 45 degrees pushes a block on the level."""
+    scene = Scene()
+    scene.block([(9, 1), (10, 1), (10, 3), (7, 3)])
+    scene.block([(10, 0), (12, 0), (12, 3), (10, 3)])
+    scene.fixed_block([(10, 0), (0, 10), (0, -2), (10, -2)])
+    scene.fixed_block([(10, 0), (10, -2), (30, -2), (30, 0)])
+    a = acceleration(4 * 2.5 * G, 45, tangent(phi), 6 * 2.5 * G, 0, tangent(phi), tangent(phi))
+    expected = [('dx', block, t, a[1] * t * t / 2, 1e-3 * a[1] * t * t / 2 + 1e-5, 'elastic strain of the blocks',
+                 'two sliding blocks, horizontal acceleration %.6g of both' % a[1]) for block in (1, 2) for t in (time / 2, time)]
+    write_case(os.path.join(HERE, 'wedge_p%02d' % phi), scene,
+               analysis_text(scene, 800, 0.001, [rock(2500)], [(phi, 0, 0)]), expected,
+               'a trapezium on 45 degrees pushes a block on the level, friction %d degrees everywhere' % phi)
+
+
 ROWS = {'smooth_joint': ((1000, 50, 30, 1500, 10, 30, 0), (6, 8, 9, 4)),
         'rough_joint': ((1000, 50, 30, 1500, 10, 30, 20), (6, 8, 9, 4)),
         'steep': ((600, 60, 35, 1000, 5, 25, 30), (4, 7, 9, 4))}
 for row, (data, shape) in ROWS.items():
     case(row + '_stands', data, shape, 0.98)
     case(row + '_slides', data, shape, 1.02)
+for angle in (0, 5, 10, 15):
+    wedge_pair(angle)
