@@ -28,13 +28,11 @@ CutResult blocks_of(const Problem& problem, NodeMerging merging) {
 constexpr double kSameWeight = 1e-3;
 
 // What the files ask for that this profile does not do is said, not dropped in silence.
-Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
+Warnings not_modelled(const Analysis& analysis, const Settings& settings) {
   Warnings warnings;
   const auto warn = [&](const char* name, const char* sentence) {
     warnings.push_back({name, analysis.place, sentence});
   };
-  if (!blocks.bolts.empty() && settings.dynamics == Dynamics::standard)
-    warn("bolts_without_effect", "bolts are read and kept, but exert no force in this profile yet");
   if (analysis.contact_damping != 0)
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
@@ -91,7 +89,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
     throw std::invalid_argument("setting body_acceleration_file: the file was not read");
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
-  cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
+  cut.warnings = joined(std::move(cut.warnings), not_modelled(*problem.analysis, settings));
   Model model = with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor);
   if (settings.dynamics == Dynamics::standard) {
     model = standard_model(std::move(model), settings, cut.blocks.place);

@@ -9,7 +9,9 @@
 
 #include "contact/friction_newton.hpp"
 #include "contact/gap.hpp"
+#include "contact/ties.hpp"
 #include "step/contact_laws.hpp"
+#include "step/step_ties.hpp"
 #include "step/touch_search.hpp"
 
 namespace keyblock {
@@ -29,6 +31,8 @@ class Settling {
         motion_(std::move(motion)),
         loads_(loads_at(scene, motion_.q, 0)),
         rigid_(every(scene.bodies, &Body::rigid_mass_inverse)) {
+    const ContactRows of_bolts = bolt_rows(scene.model, scene.reference, motion_.q);
+    if (!of_bolts.empty()) loads_ = plus(loads_, 1, answer(of_bolts, identities(), pretensions()));
     const Scales scales = scales_of(scene_, loads_, motion_.v);
     tolerance_ = kForceTolerance * scales.force;
     touches_ = resting_touches(scene_, motion_, scales);
@@ -37,7 +41,7 @@ class Settling {
   CompatibleStart run() {
     if (tolerance_ == 0) return {std::move(motion_), {}};
     for (int round = 0; round < kRounds; ++round) {
-      rows_ = contact_rows(scene_.model, scene_.reference, motion_.q, touches_);
+      rows_ = rows_with_points(scene_, motion_.q, touches_);
       find_forces();
       strain();
       shift();
@@ -52,7 +56,7 @@ class Settling {
   void find_forces() {
     const double dt = scene_.settings.time_step;
     forces_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
-    if (!touches_.empty()) {
+    if (!rows_.empty()) {
       FrictionalProblem problem{dt * contact_matrix(rows_, rigid_),
                                 dt * rates(rows_, product(rigid_, loads_)),
                                 {},
@@ -61,7 +65,8 @@ class Settling {
                                 {}};
       for (const Touch& touch : touches_) problem.laws.push_back(contact_law(scene_, motion_.bonds, touch).force);
       const Eigen::VectorXd v = rates(rows_, motion_.v);
-      for (Eigen::Index t = 1; t < v.size(); t += 2) problem.b[t] += v[t];
+      for (std::size_t i = 0; i < touches_.size(); ++i) problem.b[tangential(i)] += v[tangential(i)];
+      problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
       forces_ = solve(problem, forces_).forces;
     }
     acceleration_ = plus(product(rigid_, loads_), 1, answer(rows_, rigid_, forces_));
@@ -94,6 +99,12 @@ class Settling {
       problem.b[static_cast<Eigen::Index>(2 * i)] = gap;
       missing += carries ? std::abs(gap) : std::max(0.0, -gap);
     }
+    problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
+    if (!scene_.held.empty()) {
+      const Eigen::VectorXd off = offsets(scene_.model, scene_.reference, motion_.q, scene_.held, 0);
+      problem.b.tail(off.size()) = off;
+      missing += off.cwiseAbs().sum();
+    }
     if (missing == 0) return;
     problem.goal = problem.acceptable = kShiftTolerance * missing / Eigen::VectorXd(problem.w.diagonal()).maxCoeff();
     const UnknownsTable by = answer(rows_, rigid_, newton(problem, Eigen::VectorXd::Zero(forces_.size())).forces);
@@ -114,12 +125,21 @@ class Settling {
   void remember() {
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       if (normal(i) == 0) continue;
-      const double tangential = forces_[static_cast<Eigen::Index>(2 * i + 1)];
       const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
-      motion_.closed.add(touches_[i], memory_of(law, normal(i), tangential));
+      motion_.closed.add(touches_[i], memory_of(law, normal(i), forces_[tangential(i)]));
     }
+    motion_.ties.point_forces = forces_.tail(static_cast<Eigen::Index>(2 * scene_.held.size()));
   }
 
+  // Force λ = −f along the rows of each bolt, none across.
+  Eigen::VectorXd pretensions() const {
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * scene_.model.bolts.size()));
+    for (std::size_t i = 0; i < scene_.model.bolts.size(); ++i)
+      forces[static_cast<Eigen::Index>(2 * i)] = -scene_.model.bolts[i].pretension;
+    return forces;
+  }
+
+  static Eigen::Index tangential(std::size_t touch) { return static_cast<Eigen::Index>(2 * touch + 1); }
   double normal(std::size_t touch) const { return forces_[static_cast<Eigen::Index>(2 * touch)]; }
 
   Table<ElementIndex, UnknownBlock> identities() const {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <map>
+#include <vector>
 
 #include "contact/touch.hpp"
 
@@ -36,6 +38,13 @@ class ClosedContacts {
  private:
   std::map<Touch, ContactMemory> by_touch_;
   std::map<Facing, ContactMemory> by_facing_;
+};
+
+/// Bolts and held points.
+struct TieMemory {
+  std::vector<double> bolt_forces;  ///< tension positive; 0 of a broken one
+  std::vector<bool> broken;         ///< bolts
+  Eigen::VectorXd point_forces;     ///< on the element, 2i in x and 2i + 1 in y
 };
 
 /// One end of the stretch along which two edges are bonded.

@@ -6,6 +6,7 @@
 
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
+#include "step/step_ties.hpp"
 
 namespace keyblock {
 namespace {
@@ -58,8 +59,9 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
     std::vector<double> room = gaps_of(scene, q, all);
     for (std::size_t i = impacts.size(); i < all.size(); ++i) room[i] -= std::min(before[i], 0.0);
     if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable; })) break;
-    const ContactRows rows = contact_rows(scene.model, scene.reference, q, all);
+    const ContactRows rows = rows_with_points(scene, q, all);
     FrictionalProblem problem{contact_matrix(rows, blocks), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
+    problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
     problem.b = Eigen::VectorXd::Zero(problem.w.rows());
     for (std::size_t i = 0; i < all.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
     problem.goal = tolerable / Eigen::VectorXd(problem.w.diagonal()).maxCoeff();
@@ -74,25 +76,29 @@ UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, con
                          const std::vector<Party>& parties) {
   Touches touches;
   for (const Party& party : parties) touches.push_back(party.touch);
-  const ContactRows rows = contact_rows(scene.model, scene.reference, q, touches);
+  const ContactRows rows = rows_with_points(scene, q, touches);
   const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
   FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches) problem.laws.push_back({scene.model.joint_at(touch.end).friction_tangent()});
+  problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
+  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // held points move on as they do
   for (std::size_t i = 0; i < parties.size(); ++i)
     problem.b[static_cast<Eigen::Index>(2 * i)] -= scene.settings.standard.restitution * parties[i].approach;
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   return plus(v, 1, answer(rows, blocks, impulses));
 }
 
-UnknownsTable with_closed_at_rest(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                  const Touches& closed) {
-  if (closed.empty()) return v;
-  const ContactRows rows = contact_rows(scene.model, scene.reference, q, closed);
+UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
+                                   const Touches& closed, double time, double dt) {
+  if (closed.empty() && scene.held.empty()) return v;
   const auto blocks = every(scene.bodies, &Body::mass_inverse);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
+  const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
+  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
   problem.laws.assign(closed.size(), kTie);
+  problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   return plus(v, 1, answer(rows, blocks, impulses));
 }

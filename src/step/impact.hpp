@@ -24,9 +24,9 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
 UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
                          const std::vector<Party>& parties);
 
-/// Makes the normal velocity of closed touches zero, with the full mass: gaps are kept in positions, and without this their
-/// rates would change sign each step (contact-notes 3, step 8).
-UnknownsTable with_closed_at_rest(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                  const Touches& closed);
+/// Makes the normal velocity of closed touches zero and that of held points what their motion wants, with the full mass: both
+/// are kept in positions, and without this their rates would change sign each step (contact-notes 3, step 8).
+UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
+                                   const Touches& closed, double time, double dt);
 
 }  // namespace keyblock

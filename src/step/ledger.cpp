@@ -35,6 +35,13 @@ double spring_energy(const Motion& motion) {
   return energy;
 }
 
+double bolt_energy(const StandardScene& scene, const Motion& motion) {
+  double energy = 0;
+  for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)
+    energy += motion.ties.bolt_forces[i] * motion.ties.bolt_forces[i] / (2 * scene.model.bolts[i].stiffness);
+  return energy;
+}
+
 EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
   const StandardChoices& choices = scene.settings.standard;
   EnergyFlow flow;
@@ -61,6 +68,7 @@ class ContactFlow {
 
   EnergyFlow run() {
     if (!trail_.smooth.forces.isZero(0)) add_touches();
+    if (trail_.ties.count() > 0) add_ties();
     flow_.algorithmic += forgotten_;  // springs that let go in this step
     return flow_;
   }
@@ -79,6 +87,25 @@ class ContactFlow {
       add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
       add_tangential(forces, way[n + 1]);
       forgotten_ -= forces.before.energy();
+    }
+  }
+
+  // A bolt is a spring; a held point does the work of its support.
+  void add_ties() {
+    const Eigen::VectorXd way = rates(trail_.smooth.rows, plus(trail_.smooth.q, -1, trail_.start.q));
+    const Eigen::VectorXd longer = trail_.ties.elongation(trail_.smooth.q) - trail_.ties.elongation(trail_.start.q);
+    const Eigen::VectorXd before = trail_.ties.remembered();
+    const Eigen::Index first = static_cast<Eigen::Index>(2 * trail_.touches.size());
+    for (std::size_t i = 0; i < trail_.ties.count(); ++i) {
+      const Eigen::Index own = static_cast<Eigen::Index>(2 * i);
+      const Eigen::Index n = first + own;
+      if (i >= trail_.ties.bolt_count()) {
+        flow_.external += trail_.smooth.forces.segment<2>(n).dot(way.segment<2>(n));
+        continue;
+      }
+      ContactLaw law;
+      law.normal_compliance = trail_.ties.compliance(i);
+      add_normal({trail_.smooth.forces[n], 0, {before[own]}, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
     }
   }
 
@@ -168,7 +195,7 @@ double kinetic_energy(const StandardScene& scene, const UnknownsTable& v) {
 StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion) {
   StoredEnergy stored;
   stored.kinetic = kinetic_energy(scene, motion.v);
-  stored.contact = spring_energy(motion);
+  stored.contact = spring_energy(motion) + bolt_energy(scene, motion);
   for (ElementIndex e : indices(motion.q)) {
     const Body& body = scene.bodies[e];
     if (body.mass.rows() == 0) continue;

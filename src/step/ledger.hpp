@@ -4,6 +4,7 @@
 
 #include "result/ledger.hpp"
 #include "step/smooth_solve.hpp"
+#include "step/step_ties.hpp"
 
 namespace keyblock {
 
@@ -12,6 +13,7 @@ struct StepTrail {
   const Motion& start;
   const UnknownsTable& loads;  ///< on the unknowns, weight included
   const Touches& touches;      ///< of the smooth motion
+  const StepTies& ties;        ///< whose forces follow those of the touches
   const SmoothMotion& smooth;
   const UnknownsTable& cleaned;  ///< velocities after the clean-up
   const Motion& end;             ///< after projection and jump

@@ -57,10 +57,11 @@ class Settling {
   void step(const StandardScene& scene, const Touches& touches, double stiffness_over_inertia) {
     const ForceTolerance tolerance{kForceGoal * scales_.force, kForceAcceptable * scales_.force};
     const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene.normal_stiffness());
-    SmoothMotion made = smooth_solve(scene, motion_, loads_, touches, tolerance, dt);
+    SmoothMotion made = smooth_solve(scene, motion_, loads_, touches, tolerance, 0, dt);
     if (!made.converged) return;
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
+    motion_.ties = std::move(made.ties);
     motion_.closed = {};
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);

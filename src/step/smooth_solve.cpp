@@ -9,6 +9,7 @@
 #include "contact/gap.hpp"
 #include "step/contact_laws.hpp"
 #include "step/step_equations.hpp"
+#include "step/step_ties.hpp"
 
 namespace keyblock {
 namespace {
@@ -28,14 +29,15 @@ constexpr double kBroken = 1e-11;
 class SmoothSolve {
  public:
   SmoothSolve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const Touches& touches,
-              const ForceTolerance& tolerance, double dt)
+              const ForceTolerance& tolerance, double time, double dt)
       : scene_(scene),
         start_(start),
         touches_(touches),
         dt_(dt),
         rule_(step_rule(scene.settings.standard, dt)),
         start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
-        bonds_(start.bonds) {
+        bonds_(start.bonds),
+        ties_(scene, start, time, dt) {
     for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
     increments_ = free_;
     for (const Body& body : scene.bodies)
@@ -52,6 +54,7 @@ class SmoothSolve {
     result_.q = plus(start_.q, 1, increments_);
     result_.v = plus(known_velocity_, rate(), increments_);
     result_.bonds = bonds_;
+    result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()));
     result_.rows = std::move(rows_);
     result_.laws = std::move(laws_);
     return std::move(result_);
@@ -62,7 +65,7 @@ class SmoothSolve {
     laws_.clear();
     for (const Touch& touch : touches_) laws_.push_back(contact_law(scene_, bonds_, touch));
     result_.converged = true;
-    double change = touches_.empty() ? 0 : 1;
+    double change = touches_.empty() && ties_.count() == 0 ? 0 : 1;
     double unsolved = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
       if (round < kMostRows) linearise();
@@ -86,7 +89,10 @@ class SmoothSolve {
   double rate() const { return rule_.end_velocity.increment; }
 
   void linearise() {
-    rows_ = contact_rows(scene_.model, scene_.reference, plus(start_.q, 0.5, increments_), touches_);
+    const UnknownsTable middle = plus(start_.q, 0.5, increments_);
+    rows_ = contact_rows(scene_.model, scene_.reference, middle, touches_);
+    const ContactRows of_ties = ties_.rows(middle);
+    rows_.insert(rows_.end(), of_ties.begin(), of_ties.end());
     problem_.w = contact_matrix(rows_, inverse_);
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
@@ -100,7 +106,14 @@ class SmoothSolve {
       problem_.proximal[n] = law.normal_weight;
       problem_.proximal[n + 1] = of_stretch() * law.tangential_weight;
     }
+    for (std::size_t i = 0; i < ties_.count(); ++i) {
+      const Eigen::Index n = first_tie() + static_cast<Eigen::Index>(2 * i);
+      problem_.laws.push_back(ties_.law(i));
+      problem_.w.coeffRef(n, n) += ties_.compliance(i);
+      if (i < ties_.bolt_count()) problem_.w.coeffRef(n + 1, n + 1) += 1;  // across a bolt there is no force
+    }
   }
+  Eigen::Index first_tie() const { return static_cast<Eigen::Index>(2 * touches_.size()); }
   bool has_proximal() const {
     return std::ranges::any_of(laws_, [](const ContactLaw& law) { return law.normal_weight > 0; });
   }
@@ -127,6 +140,8 @@ class SmoothSolve {
       const ContactMemory* memory = start_.closed.of(touches_[i]);
       if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += of_stretch() * memory->stretch;
     }
+    const Eigen::Index of_ties = problem_.b.size() - first_tie();
+    problem_.b.tail(of_ties) = ties_.gaps(plus(start_.q, 1, estimate)) + from_estimate.tail(of_ties);
   }
 
   // Springs that stop an impact act at the middle of the step, which keeps their energy: λ = −p (g0 + g1)/2.
@@ -152,7 +167,9 @@ class SmoothSolve {
   }
 
   Eigen::VectorXd remembered_forces() const {
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * touches_.size()));
+    const Eigen::VectorXd of_ties = ties_.remembered();
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_tie() + of_ties.size());
+    forces.tail(of_ties.size()) = of_ties;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const ContactMemory* memory = start_.closed.of(touches_[i]);
       if (!memory) continue;
@@ -181,6 +198,7 @@ class SmoothSolve {
   StepRule rule_;
   Table<VertexIndex, Point> start_vertices_;
   Bonds bonds_;
+  StepTies ties_;
   std::vector<ContactLaw> laws_;
   ContactRows rows_;
   FrictionalProblem problem_;
@@ -195,8 +213,8 @@ class SmoothSolve {
 }  // namespace
 
 SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
-                          const Touches& touches, const ForceTolerance& tolerance, double dt) {
-  return SmoothSolve(scene, start, loads, touches, tolerance, dt).run();
+                          const Touches& touches, const ForceTolerance& tolerance, double time, double dt) {
+  return SmoothSolve(scene, start, loads, touches, tolerance, time, dt).run();
 }
 
 }  // namespace keyblock

@@ -21,7 +21,8 @@ struct SmoothMotion {
   ContactRows rows;              ///< that the forces act along, at mid-step
   std::vector<ContactLaw> laws;  ///< of the touches
   double residual = 0;
-  Bonds bonds;     ///< that still hold
+  Bonds bonds;  ///< that still hold
+  TieMemory ties;
   int solves = 0;  ///< linear systems factorised
   int sweeps = 0;  ///< of the fall-back
   bool converged = false;
@@ -31,8 +32,8 @@ struct SmoothMotion {
 /// With weights θv of the velocity and θf of the elastic force (contact-notes 2),
 ///     A Δq = r + Gᵀ λ,  A = M/(θv dt²) + θf K + C/dt,  r = F − K q0 + M v0/(θv dt),  v1 = (Δq/dt − (1−θv) v0)/θv.
 /// The normal law is in positions at the end of the step, friction in velocities, G along the mid-step normal
-/// (Moreau 1988, Jean 1999); with springs, both have the compliance of the spring.
+/// (Moreau 1988, Jean 1999); with springs, both have the compliance of the spring. Bolts and held points are part of it.
 SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
-                          const Touches& touches, const ForceTolerance& tolerance, double dt);
+                          const Touches& touches, const ForceTolerance& tolerance, double time, double dt);
 
 }  // namespace keyblock

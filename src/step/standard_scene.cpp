@@ -9,6 +9,7 @@
 
 #include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
+#include "step/step_ties.hpp"
 
 namespace keyblock {
 namespace {
@@ -31,18 +32,16 @@ Point mass_centre_of(const StandardScene& scene) {
 }  // namespace
 
 StandardScene standard_scene(Model model, Settings settings) {
-  StandardScene scene{std::move(model), std::move(settings), {}, {}, {}, {}};
+  StandardScene scene{std::move(model), std::move(settings), {}, {}, {}, {}, {}};
   scene.reference = reference_of(scene.model, scene.settings);
   scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
   for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
+  scene.held = held_points(scene.model);
   scene.mass_centre = mass_centre_of(scene);
   return scene;
 }
 
 std::string unsupported(const StandardScene& scene) {
-  if (has_held_moving_element(scene.model))
-    return "expected every held block to have two fixed points that are not driven: one fixed point or a driven one "
-           "needs profile legacy";
   for (ElementIndex e : indices(scene.pieces))
     if (scene.pieces[e].empty())
       return fmt::format("expected convex blocks without holes, found block {}: it needs profile legacy", e.value + 1);
@@ -59,6 +58,7 @@ Motion start_motion(const StandardScene& scene) {
     if (count > 0) v.head<3>() << given.x, given.y, given.rotation;
     motion.v.push_back(v);
   }
+  motion.ties = tie_start(scene);
   return motion;
 }
 

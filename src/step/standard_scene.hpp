@@ -17,7 +17,8 @@ struct StandardScene {
   Reference reference;
   Bodies bodies;
   Table<ElementIndex, ConvexPieces> pieces;
-  Point mass_centre;  ///< of the blocks that can move, at the start
+  std::vector<CarriedPoint> held;  ///< fixed points of elements that have unknowns
+  Point mass_centre;               ///< of the blocks that can move, at the start
 
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
@@ -35,6 +36,7 @@ struct Motion {
   UnknownsTable v;
   ClosedContacts closed;
   Bonds bonds;
+  TieMemory ties;
 };
 
 Motion start_motion(const StandardScene& scene);

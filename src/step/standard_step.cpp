@@ -54,7 +54,7 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
 class Attempt {
  public:
   Attempt(const StandardScene& scene, const Motion& start, double time, double dt)
-      : scene_(scene), start_(start), dt_(dt), loads_(loads_at(scene, start.q, time + dt / 2)) {
+      : scene_(scene), start_(start), time_(time), dt_(dt), loads_(loads_at(scene, start.q, time + dt / 2)) {
     scales_ = scales_of(scene, loads_, start.v);
     found_ = touches_of(scene, start, scales_, dt);
     least_force_ = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
@@ -72,13 +72,15 @@ class Attempt {
     step_.motion.q = smooth_.q;
     step_.motion.v = smooth_.v;
     step_.motion.bonds = smooth_.bonds;
-    if (!scene_.has_springs())
-      step_.motion.v = with_closed_at_rest(scene_, smooth_.q, std::move(step_.motion.v), closed);
+    step_.motion.ties = smooth_.ties;
+    step_.motion.v = with_held_velocities(scene_, smooth_.q, std::move(step_.motion.v),
+                                          scene_.has_springs() ? Touches{} : closed, time_, dt_);
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
     if (scene_.settings.ledger == Bookkeeping::on)
-      step_.account = account_of(scene_, {start_, loads_, parts_.smooth, smooth_, cleaned, step_.motion, dt_});
+      step_.account = account_of(scene_, {start_, loads_, parts_.smooth, StepTies(scene_, start_, time_, dt_), smooth_,
+                                          cleaned, step_.motion, dt_});
     return std::move(step_);
   }
 
@@ -89,7 +91,7 @@ class Attempt {
         least_force_, std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
     for (int search = 0; search < kMostSearches; ++search) {
       parts_ = split(scene_, start_, found_.touches, slow_speed(scales_, start_.v, dt_));
-      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, dt_);
+      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_);
       step_.solves += smooth_.solves;
       step_.fallbacks += smooth_.sweeps > 0 ? 1 : 0;
       if (!smooth_.converged) return;
@@ -150,6 +152,7 @@ class Attempt {
 
   const StandardScene& scene_;
   const Motion& start_;
+  double time_;
   double dt_;
   UnknownsTable loads_;
   Scales scales_;

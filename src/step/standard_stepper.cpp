@@ -63,6 +63,13 @@ State state_of(const StandardScene& scene, const Motion& motion) {
   state.fixed_points = carried(scene, motion, scene.model.fixed_points);
   state.loading_points = carried(scene, motion, scene.model.loading_points);
   state.measured_points = carried(scene, motion, scene.model.measured_points);
+  for (std::size_t i = 0; i < scene.model.bolts.size(); ++i) {
+    const Bolt& bolt = scene.model.bolts[i];
+    const auto end = [&](const MaterialPoint& point) {
+      return point_at(scene.model, scene.reference, motion.q, point.element, point.start);
+    };
+    state.bolts.push_back({end(bolt.first), end(bolt.second), motion.ties.bolt_forces[i], motion.ties.broken[i]});
+  }
   return state;
 }
 
