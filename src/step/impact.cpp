@@ -6,6 +6,7 @@
 
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
+#include "model/material_choices.hpp"
 
 namespace keyblock {
 namespace {
@@ -79,8 +80,10 @@ UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, con
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
   FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches) problem.laws.push_back({scene.model.joint_at(touch.end).friction_tangent()});
-  for (std::size_t i = 0; i < parties.size(); ++i)
-    problem.b[static_cast<Eigen::Index>(2 * i)] -= scene.settings.standard.restitution * parties[i].approach;
+  for (std::size_t i = 0; i < parties.size(); ++i) {
+    const double restitution = restitution_of(scene.settings, scene.model.vertices[touches[i].end].joint_material);
+    problem.b[static_cast<Eigen::Index>(2 * i)] -= restitution * parties[i].approach;
+  }
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   return plus(v, 1, answer(rows, blocks, impulses));
 }

@@ -72,8 +72,8 @@ class Attempt {
     step_.motion.q = smooth_.q;
     step_.motion.v = smooth_.v;
     step_.motion.bonds = smooth_.bonds;
-    if (!scene_.has_springs())
-      step_.motion.v = with_closed_at_rest(scene_, smooth_.q, std::move(step_.motion.v), closed);
+    step_.motion.v =
+        with_closed_at_rest(scene_, smooth_.q, std::move(step_.motion.v), without_springs(scene_, closed));
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();

@@ -75,7 +75,8 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   const double dt = scene_.settings.time_step;
   Motion start = motion_;
-  for (Unknowns& v : start.v) v *= scene_.settings.velocity_carry_over;
+  for (ElementIndex e : indices(start.v))
+    start.v[e] *= scene_.settings.velocity_carry_over.of(scene_.model.elements[e].material);
   StandardStep made = standard_step(scene_, start, state_.time, dt);
   if (!made.converged) return failure_of(made);
   const double not_carried = kinetic_energy(scene_, motion_.v) - kinetic_energy(scene_, start.v);
