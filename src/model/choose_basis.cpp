@@ -19,10 +19,12 @@ bool is_pinned(const Model& model, ElementIndex e) {
 
 }  // namespace
 
-Model with_bases(Model model, BlockBasis basis) {
-  const Basis& moving = basis == BlockBasis::rigid ? rigid_basis() : affine_basis();
-  for (ElementIndex e : indices(model.elements))
-    model.elements[e].basis = is_pinned(model, e) ? &fixed_basis() : &moving;
+Model with_bases(Model model, const PerMaterial<BlockBasis>& basis) {
+  for (ElementIndex e : indices(model.elements)) {
+    Element& element = model.elements[e];
+    const Basis& moving = basis.of(element.material) == BlockBasis::rigid ? rigid_basis() : affine_basis();
+    element.basis = is_pinned(model, e) ? &fixed_basis() : &moving;
+  }
   return model;
 }
 

@@ -8,8 +8,8 @@
 namespace keyblock {
 
 /// A block held at two or more places by points that are not driven is `fixed`: two points of a rigid body leave it no
-/// motion, and a file that holds a block so means boundary. Every other block gets `basis`.
-Model with_bases(Model model, BlockBasis basis);
+/// motion, and a file that holds a block so means boundary. Every other block gets the basis of its material.
+Model with_bases(Model model, const PerMaterial<BlockBasis>& basis);
 
 /// True if a fixed point of the model sits on an element that may move.
 bool has_held_moving_element(const Model& model);

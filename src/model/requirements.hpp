@@ -15,12 +15,17 @@ enum class TermKind {
   inertia,
   elastic,
   initial_stress,
+  damping,
   body_force,
   body_acceleration,
   point_load,
   fixed_point,
   bolt,
-  contact
+  contact,
+  friction,
+  bond,
+  impact,
+  start
 };
 
 std::string_view name_of(TermKind term);
@@ -38,6 +43,8 @@ struct Requirements {
   bool has(TermKind term) const;
 };
 
-Requirements requirements(const Model& model, const Settings& settings);
+/// The plan of a run, in the order of the theory. `why_enforcement` says why contact forces come about as they do, where that
+/// was not asked for.
+Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement = {});
 
 }  // namespace keyblock

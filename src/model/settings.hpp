@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "model/per_material.hpp"
 #include "model/standard_choices.hpp"
 #include "problem/analysis.hpp"
 #include "problem/drawing.hpp"
@@ -47,7 +49,10 @@ struct Settings {
   int step_count = 0;
   double time_step = 0;  ///< g1
   StepControl step_control = StepControl::constant;
-  double velocity_carry_over = 1;  ///< 0 static, 1 dynamic
+  PerMaterial<double> velocity_carry_over = 1;  ///< 0 static, 1 dynamic; by block material
+  PerMaterial<double> mass_damping = 0;         ///< a of the damping matrix a M + b K, 1 / time; by block material
+  /// b of it, time, by block material; where it is not given, profile `standard` damps strain modes as strain_damping says.
+  PerMaterial<std::optional<double>> stiffness_damping;
   Rotation rotation = Rotation::first_order;
   Plane plane = Plane::stress;
   Point gravity;            ///< acceleration, y up

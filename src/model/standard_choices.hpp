@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/per_material.hpp"
+
 namespace keyblock {
 
 /// Which step is made: Shi's, as the old programs do, or midpoint kinematics with contact as complementarity.
@@ -11,8 +13,8 @@ enum class Dynamics { shi, standard };
 enum class BlockBasis { rigid, affine };
 
 /// How contact forces come about: as multipliers of gaps that do not close, as springs of finite stiffness, or as such springs
-/// whose forces are raised until nothing overlaps.
-enum class Enforcement { lagrange, penalty, augmented };
+/// whose forces are raised until nothing overlaps. automatic: multipliers or springs, as the blocks touch at the start.
+enum class Enforcement { lagrange, penalty, augmented, automatic };
 
 /// Where the springs of two faces stand: at the ends of the stretch they share, or at Lobatto's three points.
 enum class SpringPoints { ends, lobatto };
@@ -28,15 +30,15 @@ enum class StartRule { compatible, sudden };
 enum class StrainDamping { critical, none };
 
 struct StandardChoices {
-  BlockBasis basis = BlockBasis::affine;
-  Enforcement enforcement = Enforcement::lagrange;
+  PerMaterial<BlockBasis> basis = BlockBasis::affine;             ///< by block material
+  PerMaterial<Enforcement> enforcement = Enforcement::automatic;  ///< by joint material
   StartRule start = StartRule::compatible;
   StrainDamping strain_damping = StrainDamping::critical;
   double velocity_weight = 0.5;  ///< of the velocity at the end of the step in its displacement; 1/2 is second order
   double force_weight = 1;       ///< of the elastic force at the end of the step; Shi 1, average acceleration 1/2
   SpringPoints spring_points = SpringPoints::ends;
   ImpactLaw impact = ImpactLaw::jump;
-  double restitution = 0;        ///< rebound over approach speed of an impact
+  PerMaterial<double> restitution = 0;  ///< rebound over approach speed of an impact; by joint material
 };
 
 }  // namespace keyblock

@@ -30,8 +30,8 @@ Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, E
   return {origin + Point{x, y}, {sum.area, 0, 0, sum.xx - x * sum.x, sum.yy - y * sum.y, sum.xy - x * sum.y}};
 }
 
-Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings) {
-  const double carry = settings.velocity_carry_over;
+Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings, int material) {
+  const double carry = settings.velocity_carry_over.of(material);
   if (state.step == 0 || carry == 0) return carry * element.velocity;
   if (!settings.quirks.velocity_from_coming_step) return element.velocity;
   return 2 / state.dt * element.last_step - carry * element.velocity;

@@ -57,7 +57,7 @@ struct Placement {
 Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, ElementIndex element,
                 const Settings& settings);
 
-/// Velocity of the unknowns at the end of the last accepted step; zero where none is carried (static).
-Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings);
+/// Velocity of the unknowns at the end of the last accepted step; zero where its block material carries none (static).
+Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings, int material);
 
 }  // namespace keyblock

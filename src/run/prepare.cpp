@@ -37,7 +37,8 @@ Warnings not_modelled(const Analysis& analysis, const Settings& settings) {
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
   if (std::ranges::any_of(analysis.block_materials, damped))
-    warn("damping_without_effect", "the damping of block materials is read, but has no effect, as in the old program");
+    warn("damping_without_effect", "the damping of block materials is read, but has no effect, as in the old program; --set mass_damping.N or "
+         "stiffness_damping.N for block material N has one");
   const auto has_own_weight = [&](const BlockMaterial& m) {
     return std::abs(m.unit_weight - m.density * settings.file_gravity) > kSameWeight * std::abs(m.unit_weight);
   };
@@ -62,12 +63,40 @@ void require_points(const Blocks& blocks, const Analysis& analysis) {
                                                  blocks.fixed_points.size(), motions));
 }
 
-// The model with the bases of `standard`. Throws InputError for a scene that these dynamics cannot run.
-Model standard_model(Model model, const Settings& settings, const Place& place) {
-  model = with_bases(std::move(model), settings.standard.basis);
-  const std::string why = unsupported(standard_scene(model, settings));
+struct Plan {
+  Model model;
+  Requirements requirements;
+};
+
+// The model with the bases of `standard`, and the plan with the enforcement that was decided on. Throws InputError for a
+// scene that these dynamics cannot run.
+Plan standard_plan(Model model, const Settings& settings, const Place& place) {
+  const StandardScene scene = standard_scene(with_bases(std::move(model), settings.standard.basis), settings);
+  const std::string why = unsupported(scene);
   if (!why.empty()) throw InputError(place, why);
-  return model;
+  std::string why_enforcement;
+  if (settings.standard.enforcement.common == Enforcement::automatic)
+    why_enforcement = scene.settings.standard.enforcement.common == Enforcement::penalty
+                          ? "touching blocks stand in a ring"
+                          : "no touching blocks stand in a ring";
+  return {scene.model, requirements(scene.model, scene.settings, why_enforcement)};
+}
+
+Plan plan_of(Model model, const Settings& settings, const Place& place) {
+  if (settings.dynamics == Dynamics::standard) return standard_plan(std::move(model), settings, place);
+  Requirements needs = requirements(model, settings);
+  return {std::move(model), std::move(needs)};
+}
+
+// The profile with the overrides on it, sound for the materials of the file.
+Settings settings_of(const Analysis& analysis, const std::string& profile, const std::vector<Override>& overrides) {
+  Settings settings = profile_settings(profile, analysis);
+  for (const auto& [name, value] : overrides) set(settings, name, value);
+  require_materials(settings, static_cast<int>(analysis.block_materials.size()),
+                    static_cast<int>(analysis.joint_materials.size()));
+  if (!settings.body_acceleration.file.empty() && settings.body_acceleration.curve.times.empty())
+    throw std::invalid_argument("setting body_acceleration_file: the file was not read");
+  return settings;
 }
 
 Place place_of(const Problem& problem) {
@@ -83,18 +112,13 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
-  Settings settings = profile_settings(profile, *problem.analysis);
-  for (const auto& [name, value] : overrides) set(settings, name, value);
-  if (!settings.body_acceleration.file.empty() && settings.body_acceleration.curve.times.empty())
-    throw std::invalid_argument("setting body_acceleration_file: the file was not read");
+  const Settings settings = settings_of(*problem.analysis, profile, overrides);
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(*problem.analysis, settings));
-  Model model = with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor);
-  if (settings.dynamics == Dynamics::standard) {
-    model = standard_model(std::move(model), settings, cut.blocks.place);
-  }
-  Requirements needs = requirements(model, settings);
+  auto [model, needs] =
+      plan_of(with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor),
+              settings, cut.blocks.place);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(cut.warnings),

@@ -29,7 +29,7 @@ Frame frame_of(const Model& model, const State& state, const State& start, const
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];
-    const Unknowns rates = end_velocity(now, state, settings);
+    const Unknowns rates = end_velocity(now, state, settings, element.material);
     const Eigen::Vector2d velocity = element.basis->constant * rates;  // of the centroid; zero for a fixed basis
     const int spin = element.basis->rotation_unknown;
     const Point moved = now.centroid - start.elements[e].centroid;

@@ -1,241 +1,251 @@
-// The table of settings: one row a setting, with its kind, range and meaning.
+// The table of settings: one row a setting, with its range and meaning.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/settings_table.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <optional>
 #include <stdexcept>
-#include <variant>
+
+#include "run/setting_row.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::max();
+constexpr Range kAnyNumber{};
+constexpr Range kAboveZero{0, true};
+constexpr Range kNotNegative{0};
+constexpr Range kShare{0, false, 1};
+constexpr Range kFromHalf{0.5, false, 1};
 
-struct Real {
-  double& (*of)(Settings&);
-  double least;
-  bool open = false;  ///< the least value itself is excluded
-  double greatest = kNoLimit;
-};
-struct Whole {
-  int& (*of)(Settings&);
-  int least;
-};
-/// A number that stands for several settings.
-struct Shorthand {
-  double (*get)(const Settings&);
-  void (*set)(Settings&, double);
-};
-/// Name of a file that the caller has read.
-struct File {
-  std::string& (*of)(Settings&);
-};
-struct Choice {
-  std::vector<std::string> names;
-  std::function<int(const Settings&)> get;
-  std::function<void(Settings&, int)> set;
-};
-
-struct Row {
-  const char* name;
-  const char* meaning;
-  std::variant<Real, Whole, Shorthand, File, Choice> kind;
-};
-
-template <class E>
-Choice choice(E Settings::*member, std::vector<std::string> names) {
-  return {std::move(names), [member](const Settings& s) { return static_cast<int>(s.*member); },
-          [member](Settings& s, int value) { s.*member = static_cast<E>(value); }};
+template <class T>
+auto at(T Settings::*member) {
+  return [member](auto& s) -> auto& { return s.*member; };
+}
+template <class T>
+auto at(T OpenCloseConstants::*member) {
+  return [member](auto& s) -> auto& { return s.open_close.*member; };
+}
+template <class T>
+auto at(T StandardChoices::*member) {
+  return [member](auto& s) -> auto& { return s.standard.*member; };
 }
 
-template <class E>
-Choice choice(E StandardChoices::*member, std::vector<std::string> names) {
-  return {std::move(names), [member](const Settings& s) { return static_cast<int>(s.standard.*member); },
-          [member](Settings& s, int value) { s.standard.*member = static_cast<E>(value); }};
+SettingRow quirk(const std::string& name, const std::string& meaning, bool BerkeleyQuirks::*member) {
+  return row("quirk." + name, meaning, [member](auto& s) -> auto& { return s.quirks.*member; }, off_or_on());
 }
 
-Choice quirk(bool BerkeleyQuirks::*member) {
-  return {{"off", "on"},
-          [member](const Settings& s) { return s.quirks.*member ? 1 : 0; },
-          [member](Settings& s, int value) { s.quirks.*member = value == 1; }};
+SettingRow downward_gravity() {
+  return {"gravity",
+          "acceleration of gravity, downward: gravity.x = 0 and the negative of gravity.y [length/time^2]",
+          true,
+          [](const Settings& s) { return fmt::format("{}", 0.0 - s.gravity.y); },
+          [](Settings& s, const std::string& text) {
+            s.gravity = {0, 0.0 - real(kAnyNumber).read("gravity", text)};
+          },
+          std::nullopt};
 }
 
-const std::vector<Row>& table() {
-  static const std::vector<Row> rows{
-      {"node_merging", "how near crossings become one node when a drawing is cut",
-       choice(&Settings::node_merging, {"nearest_first", "in_order_found"})},
-      {"steps", "number of time steps", Whole{[](Settings& s) -> int& { return s.step_count; }, 1}},
-      {"time_step",
-       "step size; under rule shi only the least one, a hundredth of it, and the step where nothing moves [time]",
-       Real{[](Settings& s) -> double& { return s.time_step; }, 0, true}},
-      {"step_control", "how the step size is chosen", choice(&Settings::step_control, {"constant", "shi"})},
-      {"velocity_carry_over", "share of the velocity carried into a step: 0 static, 1 dynamic",
-       Real{[](Settings& s) -> double& { return s.velocity_carry_over; }, 0, false, 1}},
-      {"rotation", "how points move under a rotation", choice(&Settings::rotation, {"first_order", "exact"})},
-      {"plane", "plane stress or plane strain", choice(&Settings::plane, {"stress", "strain"})},
-      {"gravity", "acceleration of gravity, downward: gravity.x = 0 and the negative of gravity.y [length/time^2]",
-       Shorthand{[](const Settings& s) { return 0.0 - s.gravity.y; },
-                 [](Settings& s, double downward) {
-                   s.gravity = {0, 0.0 - downward};
-                 }}},
-      {"gravity.x",
-       "acceleration of gravity in x; unit weights of materials turn and grow with gravity [length/time^2]",
-       Real{[](Settings& s) -> double& { return s.gravity.x; }, -kNoLimit}},
-      {"gravity.y", "acceleration of gravity in y, upward [length/time^2]",
-       Real{[](Settings& s) -> double& { return s.gravity.y; }, -kNoLimit}},
-      {"body_acceleration.x", "constant force per mass on every block, in x [length/time^2]",
-       Real{[](Settings& s) -> double& { return s.body_acceleration.constant.x; }, -kNoLimit}},
-      {"body_acceleration.y", "constant force per mass on every block, in y [length/time^2]",
-       Real{[](Settings& s) -> double& { return s.body_acceleration.constant.y; }, -kNoLimit}},
-      {"body_acceleration_file", "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one",
-       File{[](Settings& s) -> std::string& { return s.body_acceleration.file; }}},
-      {"joint_strength_factor", "factor on tan(friction angle), cohesion and tensile strength of all joint materials",
-       Real{[](Settings& s) -> double& { return s.joint_strength_factor; }, 0}},
-      {"contact_penalty", "starting normal contact stiffness [force/length]",
-       Real{[](Settings& s) -> double& { return s.contact_penalty; }, 0, true}},
-      {"penalty_control", "how the contact stiffness changes",
-       choice(&Settings::penalty_control, {"constant", "adaptive"})},
-      {"fixed_point_factor", "stiffness of fixed points over the starting contact stiffness",
-       Real{[](Settings& s) -> double& { return s.fixed_point_factor; }, 0, true}},
-      {"allowed_displacement_ratio", "allowed displacement of a step over half the size of the scene",
-       Real{[](Settings& s) -> double& { return s.allowed_displacement_ratio; }, 0, true}},
-      {"pass_limit", "open-close passes of one attempt", Whole{[](Settings& s) -> int& { return s.pass_limit; }, 1}},
-      {"redo_limit", "redone attempts at one step before the run stops",
-       Whole{[](Settings& s) -> int& { return s.redo_limit; }, 0}},
-      {"closing_ratio", "penetration at which a contact closes, over half the size of the scene",
-       Real{[](Settings& s) -> double& { return s.open_close.closing_ratio; }, 0}},
-      {"opening_ratio", "separation at which a contact opens, over half the size of the scene",
-       Real{[](Settings& s) -> double& { return s.open_close.opening_ratio; }, 0}},
-      {"allowed_penetration", "penetration the adaptive stiffness aims at, over half the size of the scene",
-       Real{[](Settings& s) -> double& { return s.open_close.allowed_penetration; }, 0, true}},
-      {"angle_overlap_deg", "angle within which two edges count as parallel [degree]",
-       Real{[](Settings& s) -> double& { return s.open_close.angle_overlap_deg; }, 0}},
-      {"normal_to_shear_stiffness", "normal over shear contact stiffness",
-       Real{[](Settings& s) -> double& { return s.open_close.normal_to_shear_stiffness; }, 0, true}},
-      {"quirk.moments_about_origin", "rules 7: area moments about the origin of coordinates",
-       quirk(&BerkeleyQuirks::moments_about_origin)},
-      {"quirk.search_full_depth", "rules 2: penetration side searched to the full distance",
-       quirk(&BerkeleyQuirks::search_full_depth)},
-      {"quirk.edge_direction_offset", "rules 3: 1e-7 added to |dx| in edge directions",
-       quirk(&BerkeleyQuirks::edge_direction_offset)},
-      {"quirk.stale_contact_list", "rules 3: a step without contacts keeps the last list",
-       quirk(&BerkeleyQuirks::stale_contact_list)},
-      {"quirk.contact_length_last_vertex", "rules 5: end of a shared edge mistaken",
-       quirk(&BerkeleyQuirks::contact_length_last_vertex)},
-      {"quirk.plane_strain_factor", "rules 7.2: plane-strain stiffness too stiff",
-       quirk(&BerkeleyQuirks::plane_strain_factor)},
-      {"quirk.velocity_from_coming_step", "rules 7.4: velocity from the coming step size",
-       quirk(&BerkeleyQuirks::velocity_from_coming_step)},
-      {"quirk.start_velocity_slots", "rules 7.5: stress gradient and start velocity share values",
-       quirk(&BerkeleyQuirks::start_velocity_slots)},
-      {"quirk.weight_of_first_material", "one gravity for all materials",
-       quirk(&BerkeleyQuirks::weight_of_first_material)},
-      {"quirk.cut_step_stays", "rules 11.2: a cut step stays cut", quirk(&BerkeleyQuirks::cut_step_stays)},
-      {"quirk.fixed_pass_bound", "rules 11.1: 8 passes whatever the limit", quirk(&BerkeleyQuirks::fixed_pass_bound)},
-      {"quirk.step_rule_by_time", "rules 13: time in place of the displacement ratio",
-       quirk(&BerkeleyQuirks::step_rule_by_time)},
-      {"dynamics", "whose step is made; the choices below belong to `standard`",
-       choice(&Settings::dynamics, {"shi", "standard"})},
-      {"ledger", "energy and momentum of every step, kept and written", choice(&Settings::ledger, {"off", "on"})},
-      {"basis", "unknowns of a block that may move: 3 or 6", choice(&StandardChoices::basis, {"rigid", "affine"})},
-      {"enforcement", "contact forces by multipliers or by springs of the contact stiffness",
-       choice(&StandardChoices::enforcement, {"lagrange", "penalty", "augmented"})},
-      {"spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
-       choice(&StandardChoices::spring_points, {"ends", "lobatto"})},
-      {"impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs",
-       choice(&StandardChoices::impact, {"jump", "springs"})},
-      {"start", "strains and contact forces at the start", choice(&StandardChoices::start, {"compatible", "sudden"})},
-      {"strain_damping", "stiffness damping of the strain modes",
-       choice(&StandardChoices::strain_damping, {"critical", "none"})},
-      {"velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order",
-       Real{[](Settings& s) -> double& { return s.standard.velocity_weight; }, 0.5, false, 1}},
-      {"force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
-       Real{[](Settings& s) -> double& { return s.standard.force_weight; }, 0.5, false, 1}},
-      {"restitution", "rebound over approach speed of an impact",
-       Real{[](Settings& s) -> double& { return s.standard.restitution; }, 0, false, 1}},
+std::vector<SettingRow> rows_of_the_run() {
+  return {
+      row("node_merging", "how near crossings become one node when a drawing is cut", at(&Settings::node_merging),
+          one_of<NodeMerging>({"nearest_first", "in_order_found"})),
+      row("steps", "number of time steps", at(&Settings::step_count), whole(1)),
+      row("time_step",
+          "step size; under rule shi only the least one, a hundredth of it, and the step where nothing moves [time]",
+          at(&Settings::time_step), real(kAboveZero)),
+      row("step_control", "how the step size is chosen", at(&Settings::step_control),
+          one_of<StepControl>({"constant", "shi"})),
+      row(Materials::of_blocks, "velocity_carry_over", "share of the velocity carried into a step: 0 static, 1 dynamic",
+          at(&Settings::velocity_carry_over), real(kShare)),
+      row("rotation", "how points move under a rotation", at(&Settings::rotation),
+          one_of<Rotation>({"first_order", "exact"})),
+      row("plane", "plane stress or plane strain", at(&Settings::plane), one_of<Plane>({"stress", "strain"})),
   };
+}
+
+std::vector<SettingRow> rows_of_loads_and_materials() {
+  return {
+      downward_gravity(),
+      row("gravity.x", "acceleration of gravity in x; unit weights of materials turn and grow with it [length/time^2]",
+          [](auto& s) -> auto& { return s.gravity.x; }, real(kAnyNumber)),
+      row("gravity.y", "acceleration of gravity in y, upward [length/time^2]",
+          [](auto& s) -> auto& { return s.gravity.y; }, real(kAnyNumber)),
+      row("body_acceleration.x", "constant force per mass on every block, in x [length/time^2]",
+          [](auto& s) -> auto& { return s.body_acceleration.constant.x; }, real(kAnyNumber)),
+      row("body_acceleration.y", "constant force per mass on every block, in y [length/time^2]",
+          [](auto& s) -> auto& { return s.body_acceleration.constant.y; }, real(kAnyNumber)),
+      row("body_acceleration_file",
+          "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one",
+          [](auto& s) -> auto& { return s.body_acceleration.file; }, any_text()),
+      row(Materials::of_blocks, "mass_damping",
+          "a of the damping matrix a M + b K; it slows rigid motion too [1/time]", at(&Settings::mass_damping),
+          real(kNotNegative)),
+      row(Materials::of_blocks, "stiffness_damping",
+          "b of the damping matrix a M + b K; where none is given, 0 under dynamics shi, else as strain_damping says "
+          "[time]",
+          at(&Settings::stiffness_damping), real_or_nothing(kNotNegative)),
+      row("joint_strength_factor", "factor on tan(friction angle), cohesion and tensile strength of all joint materials",
+          at(&Settings::joint_strength_factor), real(kNotNegative)),
+  };
+}
+
+std::vector<SettingRow> rows_of_contact_and_steps() {
+  return {
+      row("contact_penalty", "starting normal contact stiffness [force/length]", at(&Settings::contact_penalty),
+          real(kAboveZero)),
+      row("penalty_control", "how the contact stiffness changes", at(&Settings::penalty_control),
+          one_of<PenaltyControl>({"constant", "adaptive"})),
+      row("fixed_point_factor", "stiffness of fixed points over the starting contact stiffness",
+          at(&Settings::fixed_point_factor), real(kAboveZero)),
+      row("allowed_displacement_ratio", "allowed displacement of a step over half the size of the scene",
+          at(&Settings::allowed_displacement_ratio), real(kAboveZero)),
+      row("pass_limit", "open-close passes of one attempt", at(&Settings::pass_limit), whole(1)),
+      row("redo_limit", "redone attempts at one step before the run stops", at(&Settings::redo_limit), whole(0)),
+      row("closing_ratio", "penetration at which a contact closes, over half the size of the scene",
+          at(&OpenCloseConstants::closing_ratio), real(kNotNegative)),
+      row("opening_ratio", "separation at which a contact opens, over half the size of the scene",
+          at(&OpenCloseConstants::opening_ratio), real(kNotNegative)),
+      row("allowed_penetration", "penetration the adaptive stiffness aims at, over half the size of the scene",
+          at(&OpenCloseConstants::allowed_penetration), real(kAboveZero)),
+      row("angle_overlap_deg", "angle within which two edges count as parallel [degree]",
+          at(&OpenCloseConstants::angle_overlap_deg), real(kNotNegative)),
+      row("normal_to_shear_stiffness", "normal over shear contact stiffness",
+          at(&OpenCloseConstants::normal_to_shear_stiffness), real(kAboveZero)),
+  };
+}
+
+std::vector<SettingRow> rows_of_quirks() {
+  using Q = BerkeleyQuirks;
+  return {
+      quirk("moments_about_origin", "rules 7: area moments about the origin of coordinates", &Q::moments_about_origin),
+      quirk("search_full_depth", "rules 2: penetration side searched to the full distance", &Q::search_full_depth),
+      quirk("edge_direction_offset", "rules 3: 1e-7 added to |dx| in edge directions", &Q::edge_direction_offset),
+      quirk("stale_contact_list", "rules 3: a step without contacts keeps the last list", &Q::stale_contact_list),
+      quirk("contact_length_last_vertex", "rules 5: end of a shared edge mistaken", &Q::contact_length_last_vertex),
+      quirk("plane_strain_factor", "rules 7.2: plane-strain stiffness too stiff", &Q::plane_strain_factor),
+      quirk("velocity_from_coming_step", "rules 7.4: velocity from the coming step size",
+            &Q::velocity_from_coming_step),
+      quirk("start_velocity_slots", "rules 7.5: stress gradient and start velocity share values",
+            &Q::start_velocity_slots),
+      quirk("weight_of_first_material", "one gravity for all materials", &Q::weight_of_first_material),
+      quirk("cut_step_stays", "rules 11.2: a cut step stays cut", &Q::cut_step_stays),
+      quirk("fixed_pass_bound", "rules 11.1: 8 passes whatever the limit", &Q::fixed_pass_bound),
+      quirk("step_rule_by_time", "rules 13: time in place of the displacement ratio", &Q::step_rule_by_time),
+      row("dynamics", "whose step is made; the choices below belong to `standard`", at(&Settings::dynamics),
+          one_of<Dynamics>({"shi", "standard"})),
+      row("ledger", "energy and momentum of every step, kept and written", at(&Settings::ledger),
+          one_of<Bookkeeping>({"off", "on"})),
+  };
+}
+
+std::vector<SettingRow> rows_of_standard() {
+  using C = StandardChoices;
+  return {
+      row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 or 6", at(&C::basis),
+          one_of<BlockBasis>({"rigid", "affine"})),
+      row(Materials::of_joints, "enforcement",
+          "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing overlaps; "
+          "automatic: springs if the touching blocks form a ring, else multipliers",
+          at(&C::enforcement), one_of<Enforcement>({"lagrange", "penalty", "augmented", "automatic"})),
+      row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
+          at(&C::spring_points), one_of<SpringPoints>({"ends", "lobatto"})),
+      row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
+          one_of<ImpactLaw>({"jump", "springs"})),
+      row("start", "strains and contact forces at the start", at(&C::start), one_of<StartRule>({"compatible", "sudden"})),
+      row("strain_damping", "stiffness damping of the strain modes", at(&C::strain_damping),
+          one_of<StrainDamping>({"critical", "none"})),
+      row("velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order", at(&C::velocity_weight),
+          real(kFromHalf)),
+      row("force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
+          at(&C::force_weight), real(kFromHalf)),
+      row(Materials::of_joints, "restitution", "rebound over approach speed of an impact", at(&C::restitution),
+          real(kShare)),
+  };
+}
+
+const std::vector<SettingRow>& table() {
+  static const std::vector<SettingRow> rows = [] {
+    std::vector<SettingRow> all;
+    for (const auto& part : {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(),
+                             rows_of_quirks(), rows_of_standard()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
   return rows;
 }
 
-template <class T>
-std::optional<T> parse(const std::string& text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
+const SettingRow* find_row(const std::string& name) {
+  const auto found = std::ranges::find(table(), name, &SettingRow::name);
+  return found == table().end() ? nullptr : &*found;
 }
 
-[[noreturn]] void refuse(const Row& row, const std::string& expected, const std::string& found) {
-  throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}\"", row.name, expected, found));
+/// "restitution.2": the row before the last point and the material behind it, from 0.
+struct MaterialSetting {
+  const SettingRow* row = nullptr;
+  int material = 0;
+};
+
+MaterialSetting material_setting(const std::string& name) {
+  const std::size_t point = name.rfind('.');
+  if (point == std::string::npos) return {};
+  const SettingRow* row = find_row(name.substr(0, point));
+  if (row == nullptr || !row->per_material) return {};
+  int number = 0;
+  const char* end = name.data() + name.size();
+  const auto [last, error] = std::from_chars(name.data() + point + 1, end, number);
+  if (error != std::errc{} || last != end || number < 1)
+    refuse_value(name, "a material number from 1 behind the point", name.substr(point + 1));
+  return {row, number - 1};
 }
 
-struct Write {
-  const Settings& settings;
-  std::string operator()(const Real& r) const { return fmt::format("{}", r.of(const_cast<Settings&>(settings))); }
-  std::string operator()(const Whole& w) const { return fmt::format("{}", w.of(const_cast<Settings&>(settings))); }
-  std::string operator()(const Shorthand& s) const { return fmt::format("{}", s.get(settings)); }
-  std::string operator()(const File& f) const { return f.of(const_cast<Settings&>(settings)); }
-  std::string operator()(const Choice& c) const { return c.names[static_cast<std::size_t>(c.get(settings))]; }
-};
+std::string numbered(const SettingRow& row, int material) {
+  return fmt::format("{}.{}", row.name, material + 1);
+}
 
-struct Read {
-  Settings& settings;
-  const Row& row;
-  const std::string& text;
-
-  void operator()(const Real& r) const {
-    const std::optional<double> value = parse<double>(text);
-    const bool in_range =
-        value && std::isfinite(*value) && *value <= r.greatest && (r.open ? *value > r.least : *value >= r.least);
-    if (!in_range) refuse(row, range_of(r), text);
-    r.of(settings) = *value;
-  }
-  void operator()(const Whole& w) const {
-    const std::optional<int> value = parse<int>(text);
-    if (!value || *value < w.least) refuse(row, fmt::format("a whole number of at least {}", w.least), text);
-    w.of(settings) = *value;
-  }
-  void operator()(const Shorthand& s) const {
-    const std::optional<double> value = parse<double>(text);
-    if (!value || !std::isfinite(*value)) refuse(row, "a number", text);
-    s.set(settings, *value);
-  }
-  void operator()(const File& f) const { f.of(settings) = text; }
-  void operator()(const Choice& c) const {
-    for (std::size_t i = 0; i < c.names.size(); ++i) {
-      if (c.names[i] == text) return c.set(settings, static_cast<int>(i));
-    }
-    refuse(row, fmt::format("one of {}", fmt::join(c.names, ", ")), text);
-  }
-  static std::string range_of(const Real& r) {
-    if (r.least == -kNoLimit) return "a number";
-    if (r.greatest != kNoLimit) return fmt::format("a number from {} to {}", r.least, r.greatest);
-    return fmt::format("a number {} {}", r.open ? "greater than" : "of at least", r.least);
-  }
-};
+const char* noun(Materials materials) {
+  return materials == Materials::of_blocks ? "block" : "joint";
+}
 
 }  // namespace
 
 std::vector<SettingText> list(const Settings& settings) {
   std::vector<SettingText> texts;
-  for (const Row& row : table()) {
-    const bool is_text = std::holds_alternative<Choice>(row.kind) || std::holds_alternative<File>(row.kind);
-    texts.push_back({row.name, std::visit(Write{settings}, row.kind), row.meaning, !is_text});
+  for (const SettingRow& row : table()) {
+    const std::string value = row.write(settings);
+    std::string meaning = row.meaning;
+    if (row.per_material)
+      meaning += fmt::format("; {}.N for {} material N alone", row.name, noun(row.per_material->materials));
+    texts.push_back({row.name, value, meaning, row.is_number && !value.empty()});
+    if (!row.per_material) continue;
+    for (int material : row.per_material->given(settings)) {
+      const std::string own = row.per_material->write(settings, material);
+      texts.push_back({numbered(row, material), own, meaning, row.is_number && !own.empty()});
+    }
   }
   return texts;
 }
 
 void set(Settings& settings, const std::string& name, const std::string& value) {
-  for (const Row& row : table()) {
-    if (name == row.name) return std::visit(Read{settings, row, value}, row.kind);
+  if (const SettingRow* row = find_row(name)) return row->read(settings, value);
+  const auto [row, material] = material_setting(name);
+  if (row == nullptr)
+    throw std::invalid_argument(fmt::format("there is no setting \"{}\"; `keyblock run --settings` lists them", name));
+  row->per_material->read(settings, material, name, value);
+}
+
+void require_materials(const Settings& settings, int block_materials, int joint_materials) {
+  for (const SettingRow& row : table()) {
+    if (!row.per_material) continue;
+    const Materials materials = row.per_material->materials;
+    const int count = materials == Materials::of_blocks ? block_materials : joint_materials;
+    for (int material : row.per_material->given(settings)) {
+      if (material >= count)
+        refuse_value(numbered(row, material), fmt::format("a {} material from 1 to {}", noun(materials), count),
+                     fmt::format("{}", material + 1));
+    }
   }
-  throw std::invalid_argument(fmt::format("there is no setting \"{}\"; `keyblock run --settings` lists them", name));
 }
 
 }  // namespace keyblock

@@ -18,11 +18,14 @@ struct SettingText {
   bool is_number = false;
 };
 
-/// All settings in the order of the table.
+/// All settings in the order of the table; behind those that materials may have of their own, `name.N` for each that does.
 std::vector<SettingText> list(const Settings& settings);
 
 /// Sets one setting from text. Throws std::invalid_argument with the expected values if the name or the value
-/// is not valid.
+/// is not valid. `name.N` sets the value of material N, counted from 1, where the setting is one of materials.
 void set(Settings& settings, const std::string& name, const std::string& value);
+
+/// Throws std::invalid_argument where a value was given for a material that is not there.
+void require_materials(const Settings& settings, int block_materials, int joint_materials);
 
 }  // namespace keyblock

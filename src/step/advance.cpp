@@ -12,6 +12,7 @@
 #include "contact/carry.hpp"
 #include "contact/detect.hpp"
 #include "model/from_blocks.hpp"
+#include "model/material_choices.hpp"
 #include "step/motion.hpp"
 #include "step/open_close.hpp"
 #include "step/penalty.hpp"
@@ -50,8 +51,8 @@ Contacts contacts_of_step(const Scene& scene, const Stepping& stepping) {
       quirks.stale_contact_list ? with_stale_contacts(std::move(found), stepping.contacts) : std::move(found.contacts);
   contacts = carry(std::move(contacts), stepping.contacts, state, scene.rules, quirks);
   if (state.step > 0) return contacts;
-  return scene.settings.velocity_carry_over == 0 ? start_open(std::move(contacts))
-                                                 : start_closed(std::move(contacts), state, scene.rules);
+  return is_static(scene.settings, scene.model) ? start_open(std::move(contacts))
+                                                : start_closed(std::move(contacts), state, scene.rules);
 }
 
 double step_size(const Scene& scene, const Stepping& stepping) {

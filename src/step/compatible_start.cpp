@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 
@@ -24,6 +25,13 @@ constexpr double kLeverage = 10;
 constexpr double kForceTolerance = 1e-12;  // of the largest force on a block
 constexpr double kLooser = 1e6;            // what counts as solved where the goal is out of reach
 
+// Contact stiffness over the inertia that keeps rigid motion finite while forces are distributed.
+constexpr double kLong = 1e6;
+// Slip given to a sliding touch, over all others, so that it slides on.
+constexpr double kBeyond = 1e3;
+// A friction force this near to its limit slides.
+constexpr double kSliding = 1 - 1e-6;
+
 class Settling {
  public:
   Settling(const StandardScene& scene, Motion motion)
@@ -35,6 +43,8 @@ class Settling {
     if (!of_bolts.empty()) loads_ = plus(loads_, 1, answer(of_bolts, identities(), pretensions()));
     const Scales scales = scales_of(scene_, loads_, motion_.v);
     tolerance_ = kForceTolerance * scales.force;
+    for (const Body& body : scene.bodies)
+      if (body.mass.rows() > 0) heaviest_ = std::max(heaviest_, body.mass(0, 0));
     touches_ = resting_touches(scene_, motion_, scales);
   }
 
@@ -43,12 +53,14 @@ class Settling {
     for (int round = 0; round < kRounds; ++round) {
       rows_ = rows_with_points(scene_, motion_.q, touches_);
       find_forces();
+      distribute();
       strain();
       shift();
     }
     remember();
     const std::string failure = greatest_shift_ > kLeverage * asked_ ? too_far() : std::string();
-    return {std::move(motion_), failure};
+    const double left = missing();
+    return {std::move(motion_), failure, asked_ > 0 ? left / asked_ : 0};
   }
 
  private:
@@ -72,6 +84,42 @@ class Settling {
     acceleration_ = plus(product(rigid_, loads_), 1, answer(rows_, rigid_, forces_));
   }
 
+  // Forces of rigid blocks are not unique where more touches carry than statics needs. Those of elastic blocks are: the ones
+  // under which blocks loaded by f − M a strain and shift until the gaps are met (inertia relief), sliding touches sliding
+  // on. Rigid motion is kept finite by a mass over a long time squared.
+  void distribute() {
+    if (rows_.empty()) return;
+    Table<ElementIndex, UnknownBlock> flexibility;
+    UnknownsTable increments;
+    for (ElementIndex e : indices(scene_.bodies)) {
+      const Body& body = scene_.bodies[e];
+      const UnknownBlock a = body.stiffness + body.mass * (scene_.normal_stiffness() / (kLong * heaviest_));
+      flexibility.push_back(a.rows() > 0 ? UnknownBlock(a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()))) : a);
+      const Unknowns unbalanced =
+          loads_[e] + body.initial_stress - body.stiffness * motion_.q[e] - body.mass * acceleration_[e];
+      increments.push_back(flexibility[e] * unbalanced);
+    }
+    FrictionalProblem problem{
+        contact_matrix(rows_, flexibility), rates(rows_, increments), {}, tolerance_, kLooser * tolerance_, {}};
+    const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
+    const double beyond = kBeyond * problem.b.cwiseAbs().maxCoeff() +
+                          kBeyond * Eigen::VectorXd(problem.w.diagonal()).maxCoeff() * forces_.cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
+      const Eigen::Index n = tangential(i) - 1;
+      problem.laws.push_back(law.force);
+      problem.w.coeffRef(n, n) += law.normal_compliance;
+      problem.w.coeffRef(n + 1, n + 1) += law.tangential_compliance;
+      problem.b[n] += gap_of(touches_[i], vertices) - law.rest_gap;
+      const double force = forces_[n + 1];
+      if (std::abs(force) > 0 && std::abs(force) >= kSliding * law.force.limit(normal(i)))
+        problem.b[n + 1] = force > 0 ? -beyond : beyond;
+    }
+    problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
+    const FrictionalSolution elastic = solve(problem, forces_);
+    if (elastic.converged) forces_ = elastic.forces;
+  }
+
   void strain() {
     UnknownsTable forces = plus(loads_, 1, answer(rows_, identities(), forces_));
     for (ElementIndex e : indices(forces)) {
@@ -89,16 +137,12 @@ class Settling {
   // would close a gap by a large shift only to the elastic contact.
   void shift() {
     FrictionalProblem problem{contact_matrix(rows_, rigid_), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
-    const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
-    double missing = 0;
+    const std::vector<double> gaps = gaps_from_wanted();
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
-      const bool carries = normal(i) != 0;
-      problem.laws.push_back(carries ? kTie : ForceLaw{});
-      const double gap = gap_of(touches_[i], vertices) - law.rest_gap + normal(i) * law.normal_compliance;
-      problem.b[static_cast<Eigen::Index>(2 * i)] = gap;
-      missing += carries ? std::abs(gap) : std::max(0.0, -gap);
+      problem.laws.push_back(normal(i) != 0 ? kTie : ForceLaw{});
+      problem.b[static_cast<Eigen::Index>(2 * i)] = gaps[i];
     }
+    double missing = this->missing();
     problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
     if (!scene_.held.empty()) {
       const Eigen::VectorXd off = offsets(scene_.model, scene_.reference, motion_.q, scene_.held, 0);
@@ -112,6 +156,23 @@ class Settling {
     asked_ += missing;
     for (ElementIndex e : indices(by))
       if (by[e].size() > 0) greatest_shift_ = std::max(greatest_shift_, by[e].head<2>().norm());
+  }
+
+  // Gaps, counted from those that the forces want.
+  std::vector<double> gaps_from_wanted() const {
+    const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
+    std::vector<double> gaps;
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
+      gaps.push_back(gap_of(touches_[i], vertices) - law.rest_gap + normal(i) * law.normal_compliance);
+    }
+    return gaps;
+  }
+  double missing() const {
+    const std::vector<double> gaps = gaps_from_wanted();
+    double sum = 0;
+    for (std::size_t i = 0; i < gaps.size(); ++i) sum += normal(i) != 0 ? std::abs(gaps[i]) : std::max(0.0, -gaps[i]);
+    return sum;
   }
 
   std::string too_far() const {
@@ -159,6 +220,7 @@ class Settling {
   Table<ElementIndex, UnknownBlock> rigid_;
   Touches touches_;
   double tolerance_ = 0;
+  double heaviest_ = 0;
   ContactRows rows_;
   Eigen::VectorXd forces_;
   UnknownsTable acceleration_;

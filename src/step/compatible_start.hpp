@@ -11,6 +11,7 @@ namespace keyblock {
 struct CompatibleStart {
   Motion motion;
   std::string failure;  ///< one sentence, if there is none; empty otherwise
+  double misfit = 0;    ///< what is left of the gaps that shifts were to close, over those of the first round
 };
 
 /// (a) rigid accelerations and contact forces from 0 ≤ g̈ ⊥ λn ≥ 0 with Coulomb friction; (b) strains from

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "model/material_choices.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -12,12 +14,17 @@ double stiffness_share(const Touch& touch) {
   return touch.facing.lower ? 2 * touch.share : 1;
 }
 
+Enforcement enforcement_at(const StandardScene& scene, const Touch& touch) {
+  return enforcement_of(scene.settings, scene.model.vertices[touch.end].joint_material);
+}
+
 void add_springs(ContactLaw& law, const StandardScene& scene, const Touch& touch) {
   const double share = stiffness_share(touch);
   const double normal = 1 / (share * scene.normal_stiffness());
   const double tangential = 1 / (share * scene.tangential_stiffness());
-  switch (scene.settings.standard.enforcement) {
+  switch (enforcement_at(scene, touch)) {
     case Enforcement::lagrange:
+    case Enforcement::automatic:  // decided before the first step
       break;
     case Enforcement::penalty:
       law.normal_compliance = normal;
@@ -31,6 +38,11 @@ void add_springs(ContactLaw& law, const StandardScene& scene, const Touch& touch
 }
 
 }  // namespace
+
+Touches without_springs(const StandardScene& scene, Touches touches) {
+  std::erase_if(touches, [&](const Touch& touch) { return enforcement_at(scene, touch) == Enforcement::penalty; });
+  return touches;
+}
 
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential) {
   return {normal, tangential, -tangential * law.tangential_compliance, law.normal_compliance,

@@ -18,6 +18,9 @@ struct ContactLaw {
   bool is_bonded = false;
 };
 
+/// The touches whose joint materials make no springs of them.
+Touches without_springs(const StandardScene& scene, Touches touches);
+
 /// What a touch with this law remembers of its forces.
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential);
 

@@ -6,6 +6,7 @@
 
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
+#include "model/material_choices.hpp"
 #include "step/step_ties.hpp"
 
 namespace keyblock {
@@ -83,8 +84,10 @@ UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, con
   for (const Touch& touch : touches) problem.laws.push_back({scene.model.joint_at(touch.end).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // held points move on as they do
-  for (std::size_t i = 0; i < parties.size(); ++i)
-    problem.b[static_cast<Eigen::Index>(2 * i)] -= scene.settings.standard.restitution * parties[i].approach;
+  for (std::size_t i = 0; i < parties.size(); ++i) {
+    const double restitution = restitution_of(scene.settings, scene.model.vertices[touches[i].end].joint_material);
+    problem.b[static_cast<Eigen::Index>(2 * i)] -= restitution * parties[i].approach;
+  }
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   return plus(v, 1, answer(rows, blocks, impulses));
 }

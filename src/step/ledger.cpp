@@ -53,7 +53,7 @@ EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
     const double stretched = dq.dot(body.stiffness * dq);
     flow.external += (trail.loads[e] - body.weight).dot(dq);
     flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
-    flow.damping += body.damping * stretched / trail.dt;
+    flow.damping += dq.dot(body.damping * dq) / trail.dt;
     flow.algorithmic += (choices.velocity_weight - 0.5) * dv.dot(body.mass * dv);
     flow.algorithmic += (choices.force_weight - 0.5) * stretched;
   }

@@ -3,6 +3,7 @@
 #include "step/settled_start.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -17,11 +18,12 @@ namespace {
 // Strength of the glue, so far above any stress that it never breaks.
 constexpr double kGlue = 1e30;
 // Stiffness of the contacts over the inertia of the heaviest block in a step: long ones for the static step, in which nothing
-// can move away, short ones to dissolve the glue.
+// can move away, short and then longer ones to dissolve the glue. A free block moves by half that times its weight over the
+// contact stiffness in each.
 constexpr double kStaticStep = 1e6;
-constexpr double kShortStep = 1;
 constexpr int kStaticSteps = 2;
-constexpr int kShortSteps = 4;
+constexpr std::array<double, 3> kDissolving{1, 4, 16};
+constexpr int kStepsEach = 8;
 constexpr double kForceGoal = 1e-10;  // of the largest load on a block
 constexpr double kForceAcceptable = 1e-6;
 
@@ -47,7 +49,8 @@ class Settling {
     motion_.bonds = bonds_at(with_glue, motion_.q, touches);
     for (int i = 0; i < kStaticSteps; ++i) step(with_glue, touches, kStaticStep);
     motion_.bonds = bonds;
-    for (int i = 0; i < kShortSteps; ++i) step(scene_, touches, kShortStep);
+    for (double stiffness : kDissolving)
+      for (int i = 0; i < kStepsEach; ++i) step(scene_, touches, stiffness);
     motion_.v = velocities_;
     return std::move(motion_);
   }

@@ -36,7 +36,7 @@ LedgerRow stored_row(const Model& model, const Settings& settings, const State& 
     row.stored.strain += strain_energy(material, settings.plane, now);
     row.stored.gravity -=
         first.moments.area * weight_per_area(material, settings).dot(Eigen::Vector2d(moved.x, moved.y));
-    const Unknowns v = end_velocity(now, state, settings);
+    const Unknowns v = end_velocity(now, state, settings, element.material);
     const Unknowns p = mass_matrix(*element.basis, now.moments, material.density) * v;
     if (p.size() == 0) continue;
     const Point linear{p[0], p[1]};

@@ -41,10 +41,16 @@ double slowest_frequency(const Body& body) {
   return std::sqrt(modes.eigenvalues().minCoeff());
 }
 
-double damping_of(const Body& body, const Settings& settings) {
+double least_stiffness_damping(const Body& body, const Settings& settings) {
   if (settings.standard.strain_damping == StrainDamping::none || body.mass.rows() <= kRigidUnknowns) return 0;
   const double by_weight = (settings.standard.force_weight - 0.5) * settings.time_step;
   return std::max(0.0, kDampingOverPeriod / slowest_frequency(body) - by_weight);
+}
+
+UnknownBlock damping_of(const Body& body, const Settings& settings, int material) {
+  const std::optional<double> given = settings.stiffness_damping.of(material);
+  const double of_stiffness = given ? *given : least_stiffness_damping(body, settings);
+  return settings.mass_damping.of(material) * body.mass + of_stiffness * body.stiffness;
 }
 
 // Stress at the start, with its gradient at the height of the centroid.
@@ -69,7 +75,7 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
   body.stiffness = moments.area * (strain.transpose() * modulus_of(material, settings) * strain);
   body.initial_stress = -moments.area * (strain.transpose() * start_stress(material, reference.centroids[e].y));
   body.weight = basis.constant.transpose() * (moments.area * weight_per_area(material, settings));
-  body.damping = damping_of(body, settings);
+  body.damping = damping_of(body, settings, element.material);
   for (VertexIndex v : element.vertices()) body.size = std::max(body.size, length(reference.offsets[v]));
   return body;
 }

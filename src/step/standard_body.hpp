@@ -17,7 +17,7 @@ struct Body {
   UnknownBlock mass_inverse;
   UnknownBlock rigid_mass_inverse;  ///< of translation and rotation alone; zero in strain rows and columns
   UnknownBlock stiffness;
-  double damping = 0;       ///< β of the damping matrix β K, time
+  UnknownBlock damping;     ///< a M + b K
   Unknowns initial_stress;  ///< force that the stress at the start exerts on the unknowns
   Unknowns weight;
   double size = 0;  ///< largest distance of a vertex from the centroid

@@ -9,6 +9,7 @@
 
 #include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
+#include "step/enforcement.hpp"
 #include "step/step_ties.hpp"
 
 namespace keyblock {
@@ -32,7 +33,8 @@ Point mass_centre_of(const StandardScene& scene) {
 }  // namespace
 
 StandardScene standard_scene(Model model, Settings settings) {
-  StandardScene scene{std::move(model), std::move(settings), {}, {}, {}, {}, {}};
+  StandardScene scene{std::move(model), {}, {}, {}, {}, {}, {}};
+  scene.settings = with_enforcement_decided(std::move(settings), scene.model);
   scene.reference = reference_of(scene.model, scene.settings);
   scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
   for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/touch.hpp"
+#include "model/material_choices.hpp"
 #include "model/state.hpp"
 #include "step/contact_memory.hpp"
 #include "step/standard_body.hpp"
@@ -22,9 +23,10 @@ struct StandardScene {
 
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
-  bool has_springs() const { return settings.standard.enforcement == Enforcement::penalty; }
+  bool has_springs() const { return has_enforcement(settings, model, Enforcement::penalty); }
 };
 
+/// An enforcement that is `automatic` is decided here.
 StandardScene standard_scene(Model model, Settings settings);
 
 /// Why this scene cannot be run so, in one sentence; empty if it can. Blocks of more than one convex piece are refused: on the

@@ -73,8 +73,8 @@ class Attempt {
     step_.motion.v = smooth_.v;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.ties = smooth_.ties;
-    step_.motion.v = with_held_velocities(scene_, smooth_.q, std::move(step_.motion.v),
-                                          scene_.has_springs() ? Touches{} : closed, time_, dt_);
+    step_.motion.v =
+        with_held_velocities(scene_, smooth_.q, std::move(step_.motion.v), without_springs(scene_, closed), time_, dt_);
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();

@@ -10,6 +10,7 @@
 #include "contact/gap.hpp"
 #include "step/compatible_start.hpp"
 #include "step/contact_laws.hpp"
+#include "step/enforcement.hpp"
 #include "step/settled_start.hpp"
 #include "step/touch_search.hpp"
 
@@ -21,13 +22,20 @@ bool has_initial_stress(const StandardScene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return (body.initial_stress.array() != 0).any(); });
 }
 
+// Forces whose gaps no shift can make are not those of elastic blocks: the start is settled instead.
+constexpr double kMisfit = 1e-6;
+
 CompatibleStart first_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.v);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
-  if (scene.settings.standard.start == StartRule::sudden || has_initial_stress(scene)) return {std::move(motion), {}};
-  if (scene.has_springs()) return {settled(scene, std::move(motion)), {}};
-  return compatible(scene, std::move(motion));
+  if (scene.settings.standard.start == StartRule::sudden || has_initial_stress(scene))
+    return {std::move(motion), {}, 0};
+  CompatibleStart start = compatible(scene, motion);
+  const bool is_jointed = has_ring(scene.model, touching_pairs(scene.model));
+  if (is_jointed && (!start.failure.empty() || start.misfit > kMisfit))
+    return {settled(scene, std::move(motion)), {}, 0};
+  return start;
 }
 
 std::vector<PointState> carried(const StandardScene& scene, const Motion& motion,
@@ -88,7 +96,8 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   const double dt = scene_.settings.time_step;
   Motion start = motion_;
-  for (Unknowns& v : start.v) v *= scene_.settings.velocity_carry_over;
+  for (ElementIndex e : indices(start.v))
+    start.v[e] *= scene_.settings.velocity_carry_over.of(scene_.model.elements[e].material);
   StandardStep made = standard_step(scene_, start, state_.time, dt);
   if (!made.converged) return failure_of(made);
   const double not_carried = kinetic_energy(scene_, motion_.v) - kinetic_energy(scene_, start.v);

@@ -22,7 +22,7 @@ StepRule step_rule(const StandardChoices& choices, double dt) {
 StepEquations step_equations(const Body& body, const Unknowns& q0, const Unknowns& v0, const Unknowns& load,
                              const StepRule& rule) {
   const UnknownBlock a =
-      rule.inertia.increment * body.mass + (rule.stiffness + body.damping * rule.damping.increment) * body.stiffness;
+      rule.inertia.increment * body.mass + rule.stiffness * body.stiffness + rule.damping.increment * body.damping;
   const Unknowns r = load + body.initial_stress - body.stiffness * q0 - body.mass * (rule.inertia.velocity * v0);
   StepEquations equations{a, {}, rule.end_velocity.velocity * v0};
   if (a.rows() > 0) equations.inverse = a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()));

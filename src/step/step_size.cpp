@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/material_choices.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -55,7 +57,7 @@ double next_step_size(const Model& model, const State& state, const Settings& se
   const double acceleration = std::max(last.penetration * last.penalty / mass, greatest_load(model, state.time) / mass);
   const double distance = allowed_displacement(model, settings);
   const double ratio = settings.quirks.step_rule_by_time ? state.time : last.displacement_ratio;
-  const double speed = settings.velocity_carry_over == 0 ? 0 : ratio * distance / last.dt;
+  const double speed = is_static(settings, model) ? 0 : ratio * distance / last.dt;
   if (acceleration <= 0 && speed <= 0) return std::min(settings.time_step, kGrowth * last.dt);
   return std::min(time_to_move(distance, speed, acceleration), kGrowth * last.dt);
 }

@@ -81,7 +81,8 @@ State update(const Model& model, State state, const Settings& settings, const In
 State with_velocity_of_last_step(const Model& model, State state, const Settings& settings, double dt) {
   for (ElementIndex e : indices(model.elements)) {
     ElementState& now = state.elements[e];
-    now.velocity = 2 / dt * now.last_step - settings.velocity_carry_over * now.velocity;
+    const double carry_over = settings.velocity_carry_over.of(model.elements[e].material);
+    now.velocity = 2 / dt * now.last_step - carry_over * now.velocity;
   }
   return state;
 }

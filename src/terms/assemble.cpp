@@ -8,6 +8,7 @@
 #include "terms/body_acceleration.hpp"
 #include "terms/body_force.hpp"
 #include "terms/bolt.hpp"
+#include "terms/damping.hpp"
 #include "terms/elastic.hpp"
 #include "terms/fixed_point.hpp"
 #include "terms/inertia.hpp"
@@ -17,7 +18,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<std::pair<TermKind, Term>, 8> kTerms{{
+constexpr std::array<std::pair<TermKind, Term>, 9> kTerms{{
     {TermKind::fixed_point, add_fixed_point},
     {TermKind::bolt, add_bolt},
     {TermKind::elastic, add_elastic},
@@ -26,6 +27,7 @@ constexpr std::array<std::pair<TermKind, Term>, 8> kTerms{{
     {TermKind::body_acceleration, add_body_acceleration},
     {TermKind::point_load, add_point_load},
     {TermKind::inertia, add_inertia},
+    {TermKind::damping, add_damping},
 }};
 
 }  // namespace

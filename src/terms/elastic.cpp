@@ -16,14 +16,20 @@ Eigen::Matrix3d stiffness_modulus(const BlockMaterial& material, const Settings&
 
 }  // namespace
 
+UnknownBlock stiffness_matrix(const Basis& basis, double area, const BlockMaterial& material,
+                              const Settings& settings) {
+  const StrainOperator strain = basis.strain();
+  const Eigen::Matrix3d modulus = stiffness_modulus(material, settings);
+  return area * (strain.transpose() * modulus * strain);
+}
+
 void add_elastic(const StepContext& context, System& system) {
   const Model& model = context.model;
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
-    const StrainOperator strain = element.basis->strain();
-    const Eigen::Matrix3d modulus = stiffness_modulus(model.material_of(element), context.settings);
     const double area = context.state.elements[e].moments.area;
-    system.matrix.add(e.value, e.value, area * (strain.transpose() * modulus * strain));
+    system.matrix.add(e.value, e.value,
+                      stiffness_matrix(*element.basis, area, model.material_of(element), context.settings));
   }
 }
 

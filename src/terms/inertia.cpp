@@ -20,9 +20,10 @@ void add_inertia(const StepContext& context, System& system) {
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];
+    const double carry_over = settings.velocity_carry_over.of(element.material);
     const UnknownBlock mass = mass_matrix(*element.basis, now.moments, model.material_of(element).density);
     system.matrix.add(e.value, e.value, 2 / (dt * dt) * mass);
-    system.load_of(e.value) += (2 / dt) * settings.velocity_carry_over * (mass * now.velocity);
+    system.load_of(e.value) += (2 / dt) * carry_over * (mass * now.velocity);
   }
 }
 

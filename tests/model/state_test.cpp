@@ -65,14 +65,14 @@ TEST(State, end_velocity_makes_the_mean_velocity_that_of_the_step) {
   state.step = 1;
   Settings settings;
   settings.velocity_carry_over = 1;
-  EXPECT_NEAR(end_velocity(element, state, settings)[0], 7, 1e-12);
+  EXPECT_NEAR(end_velocity(element, state, settings, 0)[0], 7, 1e-12);
   state.step = 0;
-  EXPECT_EQ(end_velocity(element, state, settings)[0], 3);
+  EXPECT_EQ(end_velocity(element, state, settings, 0)[0], 3);
   state.step = 1;
   settings.quirks.velocity_from_coming_step = false;  // the state then holds the end velocity already
-  EXPECT_EQ(end_velocity(element, state, settings)[0], 3);
+  EXPECT_EQ(end_velocity(element, state, settings, 0)[0], 3);
   settings.velocity_carry_over = 0;
-  EXPECT_EQ(end_velocity(element, state, settings)[0], 0);
+  EXPECT_EQ(end_velocity(element, state, settings, 0)[0], 0);
 }
 
 }  // namespace keyblock

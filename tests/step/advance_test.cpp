@@ -83,7 +83,7 @@ TEST(ShiStep, free_fall_is_exact) {
     for (int i = 0; i < steps; ++i) step_once(scene, stepping);
     const ElementState& block = stepping.state.elements[ElementIndex{0}];
     EXPECT_NEAR((block.centroid.y - 10.5) / -4.905, 1, 1e-10) << "dt " << dt;
-    EXPECT_NEAR(end_velocity(block, stepping.state, scene.settings)[1] / -9.81, 1, 1e-10) << "dt " << dt;
+    EXPECT_NEAR(end_velocity(block, stepping.state, scene.settings, 0)[1] / -9.81, 1, 1e-10) << "dt " << dt;
     EXPECT_NEAR(block.centroid.x, 0.5, 1e-12);
     EXPECT_NEAR(block.rotation, 0, 1e-15);
   }
@@ -114,7 +114,7 @@ double rebound(double dt_over_contact_time, double gap_in_steps) {
   Stepping stepping = start(scene);
   stepping.state.elements[ElementIndex{1}].velocity[1] = -kSpeed;
   for (int i = 0; i < 20 + static_cast<int>(3 / dt_over_contact_time); ++i) step_once(scene, stepping);
-  return end_velocity(stepping.state.elements[ElementIndex{1}], stepping.state, scene.settings)[1] / kSpeed;
+  return end_velocity(stepping.state.elements[ElementIndex{1}], stepping.state, scene.settings, 0)[1] / kSpeed;
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// Multipliers or springs, decided from how the blocks touch at the start.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "contact/candidates.hpp"
+#include "model/settings.hpp"
+
+namespace keyblock {
+
+/// Pairs of blocks whose outlines meet at the start, within a named share of block size.
+std::vector<ElementPair> touching_pairs(const Model& model);
+
+/// True if some blocks joined by these pairs stand in a ring, as in a jointed mass or an arch; stacks and rows of blocks do
+/// not. All held blocks count as one.
+bool has_ring(const Model& model, const std::vector<ElementPair>& touching);
+
+/// `automatic` becomes penalty where the touching blocks form a ring, lagrange elsewhere: in a ring forces are many times
+/// redundant, and multipliers took five times the solves of springs and left steps unfinished (contact-notes 3).
+Settings with_enforcement_decided(Settings settings, const Model& model);
+
+}  // namespace keyblock
