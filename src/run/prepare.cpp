@@ -35,6 +35,9 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   };
   if (!blocks.bolts.empty() && settings.dynamics == Dynamics::standard)
     warn("bolts_without_effect", "bolts are read and kept, but exert no force in this profile yet");
+  const auto has_strength = [](const BlockBolt& bolt) { return bolt.strength > 0; };
+  if (settings.dynamics == Dynamics::shi && std::ranges::any_of(blocks.bolts, has_strength))
+    warn("bolt_strength_without_effect", "the strength of bolts is read, but breaks none, as in the old program");
   if (analysis.contact_damping != 0)
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
