@@ -11,6 +11,7 @@
 
 #include "formats/case.hpp"
 #include "run/prepare.hpp"
+#include "study/named_files.hpp"
 #include "study/quantities.hpp"
 
 namespace keyblock::study {
@@ -65,7 +66,7 @@ int first_block(const std::vector<ComparedValue>& values) {
 std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, const std::string& profile,
                                                         const std::vector<Override>& overrides) {
   try {
-    return prepare(loaded.input.problem, profile, overrides);
+    return prepare(with_named_files(loaded.input.problem, overrides, {}), profile, overrides);
   } catch (const std::invalid_argument& error) {
     throw InputError({loaded.file.path, 0, 0}, error.what());
   } catch (const InputError& error) {
