@@ -46,7 +46,7 @@ struct Momentum {
   Momentum& operator+=(const Momentum& other);
 };
 
-/// Momenta that may cancel in the sum, by amount.
+/// Sums of |p|, and of |p| times arm and block size and of spins: they do not cancel.
 struct MomentumSize {
   double linear = 0;
   double angular = 0;

@@ -40,11 +40,11 @@ LedgerRow stored_row(const Model& model, const Settings& settings, const State& 
     const Unknowns p = mass_matrix(*element.basis, now.moments, material.density) * v;
     if (p.size() == 0) continue;
     const Point linear{p[0], p[1]};
-    const double orbital = cross(now.centroid - centre, linear);
+    const Point arm = now.centroid - centre;
     row.stored.kinetic += v.dot(p) / 2;
-    row.momentum += {linear, orbital + p[2]};
+    row.momentum += {linear, cross(arm, linear) + p[2]};
     row.momentum_size.linear += length(linear);
-    row.momentum_size.angular += std::abs(orbital) + std::abs(p[2]);
+    row.momentum_size.angular += length(arm) * length(linear) + std::abs(p[2]);
   }
   return row;
 }

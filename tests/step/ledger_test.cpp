@@ -137,6 +137,8 @@ TEST(Ledger, gravity_released_in_free_fall_is_kinetic_energy) {
   }
 }
 
+// Exact with multipliers. Springs at three points start with forces that are one answer of many and settle within a few
+// steps: there the way is that of dda-03 within its tolerance, 1e-6 of it and 1e-7 m.
 TEST(Ledger, friction_takes_its_force_times_the_way) {
   for (BlockBasis basis : kBases) {
     for (Enforcement enforcement : kEnforcements) {
@@ -144,7 +146,8 @@ TEST(Ledger, friction_takes_its_force_times_the_way) {
       const double mu = std::tan(radians(20));
       const double normal = kMass * kGravity * std::cos(radians(30));
       const double way = kGravity / 2 * (std::sin(radians(30)) - mu * std::cos(radians(30))) * 0.25;
-      EXPECT_NEAR(ledger.rows.back().flow.friction / (mu * normal * way), 1, 1e-9);
+      const double tolerance = enforcement == Enforcement::lagrange ? 1e-9 * way : 1e-6 * way + 1e-7;
+      EXPECT_NEAR(ledger.rows.back().flow.friction / (mu * normal), way, tolerance);
       for (std::size_t i = 1; i < ledger.rows.size(); ++i)
         EXPECT_GE(ledger.rows[i].flow.friction, ledger.rows[i - 1].flow.friction);
     }
