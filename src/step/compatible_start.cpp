@@ -18,7 +18,10 @@
 namespace keyblock {
 namespace {
 
-constexpr int kRounds = 3;
+// Three rounds suffice where statics gives the forces; then elasticity does, and each shrinks the misfit several times.
+constexpr int kStaticRounds = 3;
+constexpr int kMostRounds = 20;
+constexpr double kFits = 1e-9;             // misfit over the gaps that were to be closed
 constexpr double kShiftTolerance = 1e-13;  // of the gaps to be closed
 // A block that shifts by more than this times all gaps together is thrown about, not settled.
 constexpr double kLeverage = 10;
@@ -26,7 +29,9 @@ constexpr double kForceTolerance = 1e-12;  // of the largest force on a block
 constexpr double kLooser = 1e6;            // what counts as solved where the goal is out of reach
 
 // Contact stiffness over the inertia that keeps rigid motion finite while forces are distributed.
-constexpr double kLong = 1e6;
+constexpr double kLong = 1e3;
+// Weight of the proximal term over the flexibility of a touch, much less than the share of it that is elastic.
+constexpr double kRegular = 1e-7;
 // Slip given to a sliding touch, over all others, so that it slides on.
 constexpr double kBeyond = 1e3;
 // A friction force this near to its limit slides.
@@ -46,21 +51,25 @@ class Settling {
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) heaviest_ = std::max(heaviest_, body.mass(0, 0));
     touches_ = resting_touches(scene_, motion_, scales);
+    scales_ = scales;
+    unshifted_ = motion_;
+    found_ = touches_of(scene_, motion_, scales, scene.settings.time_step);
   }
 
   CompatibleStart run() {
     if (tolerance_ == 0) return {std::move(motion_), {}};
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kStaticRounds || (round < kMostRounds && misfit() > kFits); ++round) {
       rows_ = rows_with_points(scene_, motion_.q, touches_);
       find_forces();
-      distribute();
+      if (round >= kStaticRounds) distribute();
       strain();
       shift();
+      add_overlapping();
     }
     remember();
     const std::string failure = greatest_shift_ > kLeverage * asked_ ? too_far() : std::string();
-    const double left = missing();
-    return {std::move(motion_), failure, asked_ > 0 ? left / asked_ : 0};
+    const double left = misfit();
+    return {std::move(motion_), failure, left};
   }
 
  private:
@@ -116,8 +125,11 @@ class Settling {
         problem.b[n + 1] = force > 0 ? -beyond : beyond;
     }
     problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
-    const FrictionalSolution elastic = solve(problem, forces_);
-    if (elastic.converged) forces_ = elastic.forces;
+    problem.proximal = kRegular * problem.w.diagonal();
+    problem.acceptable = tolerance_;
+    FrictionalSolution elastic = newton(problem, elastic_.size() > 0 ? elastic_ : forces_);
+    elastic.converged = elastic.residual <= kLooser * tolerance_;
+    if (elastic.converged) elastic_ = forces_ = elastic.forces;
   }
 
   void strain() {
@@ -175,6 +187,17 @@ class Settling {
     return sum;
   }
 
+  double misfit() const { return asked_ > 0 ? missing() / asked_ : 0; }
+
+  // Corners where no edge led, and that strains and shifts have pressed together.
+  void add_overlapping() {
+    const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
+    const Touches fresh = newly_overlapping(scene_, unshifted_, vertices, found_, scales_);
+    found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
+    touches_.insert(touches_.end(), fresh.begin(), fresh.end());
+    if (!fresh.empty()) elastic_.resize(0);
+  }
+
   std::string too_far() const {
     return fmt::format(
         "no compatible start was found: blocks would have to shift by {:.3g} to close gaps of {:.3g} in all; choose "
@@ -219,10 +242,14 @@ class Settling {
   UnknownsTable loads_;
   Table<ElementIndex, UnknownBlock> rigid_;
   Touches touches_;
+  FoundTouches found_;
+  Motion unshifted_;
+  Scales scales_;
   double tolerance_ = 0;
   double heaviest_ = 0;
   ContactRows rows_;
   Eigen::VectorXd forces_;
+  Eigen::VectorXd elastic_;  ///< forces of the last round that elasticity distributed
   UnknownsTable acceleration_;
   double asked_ = 0;           ///< sum of all gaps that shifts were to close
   double greatest_shift_ = 0;  ///< of one block in one round
