@@ -28,11 +28,14 @@ CutResult blocks_of(const Problem& problem, NodeMerging merging) {
 constexpr double kSameWeight = 1e-3;
 
 // What the files ask for that this profile does not do is said, not dropped in silence.
-Warnings not_modelled(const Analysis& analysis, const Settings& settings) {
+Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
   Warnings warnings;
   const auto warn = [&](const char* name, const char* sentence) {
     warnings.push_back({name, analysis.place, sentence});
   };
+  const auto has_strength = [](const BlockBolt& bolt) { return bolt.strength > 0; };
+  if (settings.dynamics == Dynamics::shi && std::ranges::any_of(blocks.bolts, has_strength))
+    warn("bolt_strength_without_effect", "the strength of bolts is read, but breaks none, as in the old program");
   if (analysis.contact_damping != 0)
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
@@ -115,7 +118,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   const Settings settings = settings_of(*problem.analysis, profile, overrides);
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
-  cut.warnings = joined(std::move(cut.warnings), not_modelled(*problem.analysis, settings));
+  cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   auto [model, needs] =
       plan_of(with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor),
               settings, cut.blocks.place);

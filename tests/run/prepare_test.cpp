@@ -100,6 +100,15 @@ TEST(Prepare, overrides_come_after_the_profile) {
   EXPECT_THROW(prepare({one_block(), analysis_of_file()}, "legacy", {{"no_such", "1"}}), std::invalid_argument);
 }
 
+TEST(Prepare, legacy_says_that_it_breaks_no_bolt) {
+  Blocks blocks = one_block();
+  blocks.bolts = {{{{0, 0}, {1, 0}}, 0, 0, 1e6, 0, 0}};
+  EXPECT_TRUE(prepare({blocks, analysis_of_file()}, "legacy", {}).warnings.empty());
+  blocks.bolts[0].strength = 5;
+  EXPECT_EQ(names(prepare({blocks, analysis_of_file()}, "legacy", {}).warnings),
+            (std::vector<std::string>{"bolt_strength_without_effect"}));
+}
+
 TEST(Prepare, what_is_read_but_has_no_effect_is_warned_of) {
   EXPECT_TRUE(prepare({one_block(), analysis_of_file()}, "legacy", {}).warnings.empty());
   Analysis analysis = analysis_of_file();
