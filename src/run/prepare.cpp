@@ -40,7 +40,8 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
   if (std::ranges::any_of(analysis.block_materials, damped))
-    warn("damping_without_effect", "the damping of block materials is read, but has no effect, as in the old program; --set mass_damping.N or "
+    warn("damping_without_effect",
+         "the damping of block materials is read, but has no effect, as in the old program; --set mass_damping.N or "
          "stiffness_damping.N for block material N has one");
   const auto has_own_weight = [&](const BlockMaterial& m) {
     return std::abs(m.unit_weight - m.density * settings.file_gravity) > kSameWeight * std::abs(m.unit_weight);
