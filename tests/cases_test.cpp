@@ -6,11 +6,18 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <ostream>
 
 #include "run/profile.hpp"
 #include "study/compare.hpp"
 
 namespace keyblock::study {
+
+/// How GoogleTest names a case in its output.
+void PrintTo(const CaseFolder& folder, std::ostream* out) {
+  *out << folder.name;
+}
+
 namespace {
 
 /// The cases with expected values that are not slow.

@@ -18,6 +18,7 @@ using testing::read_text;
 using testing::run_keyblock;
 
 const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
+const std::string kFall = kCases + "free_fall/released";
 const std::string kSlide = kCases + "sliding_block/a30_p20/a30_p20";
 
 bool contains(const std::string& text, const std::string& part) {
@@ -171,11 +172,11 @@ TEST(Commands, check_goes_on_after_a_bad_file_and_exits_3) {
 }
 
 TEST(Commands, compare_exits_1_when_a_value_is_missed) {
-  const std::string folder = fresh_folder("missed") + "/a30_p20";
-  std::filesystem::copy(kCases + "sliding_block/a30_p20", folder);
+  const std::string folder = fresh_folder("missed") + "/released";
+  std::filesystem::copy(kFall, folder);
   EXPECT_EQ(run_keyblock({"compare", folder}).exit_code, 0);
   const std::string table = read_text(folder + "/expected.csv");
-  testing::write_text(folder + "/expected.csv", table + "area,2,1,1.5,0.1,a wrong value,this test\n");
+  testing::write_text(folder + "/expected.csv", table + "area,2,1,3.5,0.1,a wrong value,this test\n");
   const ProgramRun missed = run_keyblock({"compare", folder});
   EXPECT_EQ(missed.exit_code, 1);
   EXPECT_TRUE(contains(missed.output, "MISSED"));
@@ -188,20 +189,20 @@ TEST(Commands, a_missing_file_is_exit_3) {
 }
 
 TEST(Commands, compare_goes_on_after_a_case_that_cannot_be_read) {
-  const std::string folder = fresh_folder("bad_setting") + "/a30_p20";
-  std::filesystem::copy(kCases + "sliding_block/a30_p20", folder);
+  const std::string folder = fresh_folder("bad_setting") + "/released";
+  std::filesystem::copy(kFall, folder);
   testing::write_text(folder + "/case.json", R"({"set": {"both": {"time_stop": "1"}}})");
-  const ProgramRun both = run_keyblock({"compare", folder, kCases + "sliding_block/a30_p20"});
+  const ProgramRun both = run_keyblock({"compare", folder, kFall});
   EXPECT_EQ(both.exit_code, 1);
   EXPECT_TRUE(contains(both.messages, "case.json: error: there is no setting \"time_stop\"")) << both.messages;
-  EXPECT_TRUE(contains(both.output, "displacement of block 2")) << both.output;
+  EXPECT_TRUE(contains(both.output, "speed of block 2")) << both.output;
 }
 
 TEST(Commands, compare_leaves_slow_cases_out_unless_all_are_asked_for) {
-  const std::string folder = fresh_folder("slow") + "/a30_p20";
-  std::filesystem::copy(kCases + "sliding_block/a30_p20", folder);
+  const std::string folder = fresh_folder("slow") + "/released";
+  std::filesystem::copy(kFall, folder);
   testing::write_text(folder + "/case.json", R"({"slow": true})");
-  const ProgramRun quick = run_keyblock({"compare", folder, kCases + "sliding_block/a30_p10"});
+  const ProgramRun quick = run_keyblock({"compare", folder, kCases + "free_fall/spinning"});
   EXPECT_EQ(quick.exit_code, 0);
   EXPECT_TRUE(contains(quick.messages, "1 case, 0 traces, 0 missed; 1 slow case left out")) << quick.messages;
   EXPECT_EQ(run_keyblock({"compare", folder}).exit_code, 2) << "nothing is left to run";
@@ -211,9 +212,9 @@ TEST(Commands, compare_leaves_slow_cases_out_unless_all_are_asked_for) {
 }
 
 TEST(Commands, compare_shows_both_profiles_or_the_one_asked_for) {
-  const ProgramRun both = run_keyblock({"compare", kCases + "sliding_block/a30_p20"});
+  const ProgramRun both = run_keyblock({"compare", kFall});
   EXPECT_TRUE(contains(both.output, "error legacy") && contains(both.output, "error standard")) << both.output;
-  const ProgramRun one = run_keyblock({"compare", "--profile", "standard", kCases + "sliding_block/a30_p20"});
+  const ProgramRun one = run_keyblock({"compare", "--profile", "standard", kFall});
   EXPECT_EQ(one.exit_code, 0);
   EXPECT_FALSE(contains(one.output, "error legacy")) << one.output;
 }

@@ -18,7 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kNotRun = "not run: ";
-constexpr std::string_view kFileSetting = "_file";
 
 /// A value of the file and the key it stands under, for messages.
 struct Node {
@@ -55,9 +54,7 @@ struct Node {
 };
 
 Override override_of(const Node& node, const std::string& name) {
-  if (node.json.is_number()) return {name, node.json.dump()};
-  const std::string value = node.text();
-  return {name, name.ends_with(kFileSetting) ? (node.folder.folder / value).string() : value};
+  return {name, node.json.is_number() ? node.json.dump() : node.text()};
 }
 
 std::vector<Override> overrides_of(const Node& object) {

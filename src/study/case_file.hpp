@@ -8,7 +8,7 @@
 //                  "tolerance": 2e-3, "reason": "why this tolerance"}],
 //    "legacy": "not run: REASON", "standard": "not run: REASON"}
 // A text in the list of variants names a file, relative to the folder, with a list of more, so that cases can share them.
-// A value is text or a number. A setting whose name ends in `_file` names a file of the case folder.
+// A value is text or a number. A file that a setting names is looked for in the case folder.
 #pragma once
 
 #include <map>

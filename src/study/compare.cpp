@@ -19,7 +19,7 @@ namespace {
 
 /// All that the folder holds, read once for all its runs.
 struct Loaded {
-  std::string name;
+  CaseFolder folder;
   std::string table;  ///< path of expected.csv
   CaseFile file;
   std::vector<ExpectedValue> expected;
@@ -28,7 +28,7 @@ struct Loaded {
 
 Loaded load(const CaseFolder& folder) {
   const std::string table = (folder.folder / "expected.csv").string();
-  return {folder.name, table, read_case_file(folder), read_expected(table), formats::load_case(folder.inputs())};
+  return {folder, table, read_case_file(folder), read_expected(table), formats::load_case(folder.inputs())};
 }
 
 std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expected, const std::string& profile) {
@@ -65,8 +65,9 @@ int first_block(const std::vector<ComparedValue>& values) {
 // A setting that is none is the case file's fault; a scene that the profile refuses is a result: the sentence why.
 std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, const std::string& profile,
                                                         const std::vector<Override>& overrides) {
+  const Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
   try {
-    return prepare(with_named_files(loaded.input.problem, overrides, {}), profile, overrides);
+    return prepare(problem, profile, overrides);
   } catch (const std::invalid_argument& error) {
     throw InputError({loaded.file.path, 0, 0}, error.what());
   } catch (const InputError& error) {
@@ -93,7 +94,7 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
 }
 
 ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
-  compared.name = loaded.name;
+  compared.name = loaded.folder.name;
   const auto made = prepared_or_refused(loaded, compared.profile, overrides);
   if (const auto* why = std::get_if<std::string>(&made)) {
     compared.not_run = *why;
@@ -107,7 +108,7 @@ ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const st
 
 ComparedCase plain_run(const Loaded& loaded, const std::string& profile) {
   ComparedCase compared;
-  compared.name = loaded.name;
+  compared.name = loaded.folder.name;
   compared.profile = profile;
   compared.values = values_to_find(loaded.expected, profile);
   const auto not_run = loaded.file.not_run.find(profile);
@@ -152,7 +153,7 @@ ComparedCase compare_case(const CaseFolder& folder, const std::string& profile) 
 
 CaseComparison compare_in(const CaseFolder& folder, const std::vector<std::string>& profiles) {
   const Loaded loaded = load(folder);
-  CaseComparison comparison{loaded.name, loaded.file.about, {}, {}};
+  CaseComparison comparison{loaded.folder.name, loaded.file.about, {}, {}};
   for (const std::string& profile : profiles) comparison.plain.push_back(plain_run(loaded, profile));
   for (const Variant& variant : loaded.file.variants)
     if (std::ranges::find(profiles, variant.profile) != profiles.end())

@@ -70,11 +70,6 @@ TEST(CaseFile, variants_can_be_shared_by_naming_a_file_of_them) {
   EXPECT_THROW(read_case_file(folder), InputError);
 }
 
-TEST(CaseFile, a_file_named_by_a_setting_lies_in_the_case_folder) {
-  const CaseFolder folder = folder_with(R"({"set": {"both": {"body_acceleration_file": "quake.csv"}}})");
-  EXPECT_EQ(read_case_file(folder).overrides("legacy").front().second, (folder.folder / "quake.csv").string());
-}
-
 TEST(CaseFile, says_which_profile_is_not_run_and_why) {
   const CaseFile file = read_case_file(folder_with(R"({"slow": true, "legacy": "not run: it has no bolts"})"));
   EXPECT_TRUE(file.is_slow);

@@ -126,6 +126,17 @@ TEST(Compare, settings_of_the_case_file_are_those_of_the_run) {
   EXPECT_TRUE(moon.holds());
 }
 
+// s = g t²/2 - a t²/2 with a constant acceleration a = 1 upward.
+TEST(Compare, a_file_that_a_setting_names_is_looked_for_in_the_case_folder) {
+  const CaseFolder folder =
+      free_fall("quantity,block,time,value,tolerance,tolerance_reason,source\ndy,2,1,-4.405,1e-9,r,s\n");
+  testing::write_text(folder.folder / "case.json", R"({"set": {"both": {"body_acceleration_file": "lift.csv"}}})");
+  testing::write_text(folder.folder / "lift.csv", "time,ax,ay\n0,0,1\n5,0,1\n");
+  EXPECT_TRUE(compare_in(folder, {"legacy", "standard"}).holds());
+  fs::remove(folder.folder / "lift.csv");
+  EXPECT_THROW(compare_in(folder, {"legacy"}), InputError);
+}
+
 TEST(Compare, a_variant_is_held_against_the_same_values_with_its_own_settings) {
   const CaseComparison fall = judged(kRight + "both\n", R"({"variants": [
       {"name": "10 ms", "profile": "standard", "set": {"time_step": "0.01", "steps": "200"}},
