@@ -23,6 +23,9 @@ constexpr int kMostRounds = 8;
 constexpr double kTolerable = 1e-6;
 // Rows and matrix are made anew about the first estimates; later ones differ by less than what the gaps are settled to.
 constexpr int kMostRows = 2;
+// Where every touch has a spring, the springs make the forces unique: the first proximal term is this share of their
+// compliance, which may be far below that of the blocks.
+constexpr double kWeakTerm = 1e-3;
 // A bond that moves by more than this share of block size in a step is broken; less is round-off of the solution.
 constexpr double kBroken = 1e-11;
 
@@ -103,8 +106,8 @@ class SmoothSolve {
       problem_.w.coeffRef(n, n) += normal_scale() * law.normal_compliance;
       problem_.w.coeffRef(n + 1, n + 1) += of_stretch() * law.tangential_compliance;
       if (problem_.proximal.size() == 0) continue;
-      problem_.proximal[n] = law.normal_weight;
-      problem_.proximal[n + 1] = of_stretch() * law.tangential_weight;
+      problem_.proximal[n] = law.normal_weight + kWeakTerm * normal_scale() * law.normal_compliance;
+      problem_.proximal[n + 1] = of_stretch() * (law.tangential_weight + kWeakTerm * law.tangential_compliance);
     }
     for (std::size_t i = 0; i < ties_.count(); ++i) {
       const Eigen::Index n = first_tie() + static_cast<Eigen::Index>(2 * i);
@@ -115,7 +118,9 @@ class SmoothSolve {
   }
   Eigen::Index first_tie() const { return static_cast<Eigen::Index>(2 * touches_.size()); }
   bool has_proximal() const {
-    return std::ranges::any_of(laws_, [](const ContactLaw& law) { return law.normal_weight > 0; });
+    return !laws_.empty() && std::ranges::all_of(laws_, [](const ContactLaw& law) {
+      return law.normal_weight > 0 || law.normal_compliance > 0;
+    });
   }
 
   UnknownsTable next_increments() {
