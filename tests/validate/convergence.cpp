@@ -75,6 +75,9 @@ SceneRun run_scene(const RandomScene& scene, const std::string& profile, const s
   } catch (const InputError& refusal) {
     counts.end = End::refused;
     counts.reason = refusal.sentence();
+  } catch (const std::exception& error) {
+    counts.end = End::crashed;
+    counts.reason = error.what();
   }
   counts.seconds = seconds_used() - begin;
   return counts;

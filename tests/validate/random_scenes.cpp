@@ -36,11 +36,16 @@ Analysis drawn_analysis(Dice& dice) {
   return analysis;
 }
 
-BlockMaterial drawn_rock(Dice& dice) {
+constexpr double kStiffest = 1e11;
+constexpr double kSoftestOfStack = 1e8;
+// Under the weight of 30 m of rock this is strained by 5e-4: area changes beyond a thousandth are no elasticity.
+constexpr double kSoftestOfSlope = 2e9;
+
+BlockMaterial drawn_rock(Dice& dice, double softest) {
   BlockMaterial rock;
   rock.density = dice.between(1500, 3500);
   rock.unit_weight = rock.density * kGravity;
-  rock.youngs_modulus = dice.magnitude_between(1e8, 1e11);
+  rock.youngs_modulus = dice.magnitude_between(softest, kStiffest);
   rock.poissons_ratio = dice.between(0, 0.4);
   return rock;
 }
@@ -74,7 +79,7 @@ constexpr double kFloorEnd = 3;  // beyond the outermost towers
 class StackDrawing {
  public:
   explicit StackDrawing(std::uint64_t seed) : dice_(seed), analysis_(drawn_analysis(dice_)) {
-    analysis_.block_materials.push_back(drawn_rock(dice_));  // the floor
+    analysis_.block_materials.push_back(drawn_rock(dice_, kSoftestOfStack));  // the floor
     analysis_.joint_materials.push_back(drawn_joint(dice_));
   }
 
@@ -111,7 +116,7 @@ class StackDrawing {
       const int above = static_cast<int>(analysis_.joint_materials.size());
       analysis_.joint_materials.push_back(drawn_joint(dice_));
       const int rock = static_cast<int>(analysis_.block_materials.size());
-      analysis_.block_materials.push_back(drawn_rock(dice_));
+      analysis_.block_materials.push_back(drawn_rock(dice_, kSoftestOfStack));
       scene_.blocks.push_back(rectangle({left + offset, y}, {left + offset + w, y + h}, rock, {below, above, 0}));
       right = std::max(right, left + offset + w);
       y += h;
@@ -142,7 +147,7 @@ struct JointSet {
 class SlopeDrawing {
  public:
   explicit SlopeDrawing(std::uint64_t seed) : dice_(seed), analysis_(drawn_analysis(dice_)) {
-    analysis_.block_materials.push_back(drawn_rock(dice_));
+    analysis_.block_materials.push_back(drawn_rock(dice_, kSoftestOfSlope));
     for (int i = 0; i < 3; ++i) analysis_.joint_materials.push_back(drawn_joint(dice_));
     foundation_is_one_ = dice_.happens(0.25);
     drawing_.edge_node_ratio = dice_.happens(0.5) ? 0.005 : 1e-6;
