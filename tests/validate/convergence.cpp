@@ -42,8 +42,6 @@ double seconds_used() {
 
 void run_prepared(const Scene& scene, SceneRun& counts) {
   counts.blocks = static_cast<int>(scene.model.elements.size());
-  counts.time_step = scene.settings.time_step;
-  counts.asked = scene.settings.step_count;
   MotionWatch watch(scene.model, scene.settings);
   Observer observer;
   observer.on_frame = [&](const Frame& frame) { watch.see(frame); };
@@ -69,6 +67,8 @@ SceneRun run_scene(const RandomScene& scene, const std::string& profile, const s
   SceneRun counts;
   counts.scene = scene.name;
   counts.profile = profile;
+  counts.time_step = scene.problem.analysis->time_step;
+  counts.asked = scene.problem.analysis->step_count;
   const double begin = seconds_used();
   try {
     run_prepared(prepare(scene.problem, profile, overrides).scene, counts);
