@@ -28,8 +28,8 @@ test: build ## build and pass every test
 cases: build ## rerun every legacy case in both profiles against its expected values
 	build/keyblock compare legacy_cases
 
-validate: build ## longer checks: every case and trace, slow ones too, cutting against GEOS, time curves of cutting
-	@$(call install_missing,libgeos-dev)
+validate: build ## longer checks: every case and trace, slow ones too, cutting against GEOS, random and extreme scenes
+	@$(call install_missing,libgeos-dev valgrind)
 	build/keyblock compare --all legacy_cases
 	cmake -S . -B build -G Ninja
 	cmake --build build --target keyblock_validate

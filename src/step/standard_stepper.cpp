@@ -134,6 +134,7 @@ StepReport StandardStepper::report_of(const StandardStep& step, const State& bef
   report.dt = state_.dt;
   report.passes = step.solves;
   report.redos = step.halvings;
+  report.fallbacks = step.fallbacks;
   report.contacts = static_cast<int>(step.touches.size());
   report.closed = static_cast<int>(motion_.closed.size());
   report.matrix_blocks = static_cast<int>(scene_.bodies.size());

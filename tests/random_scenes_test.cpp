@@ -1,0 +1,71 @@
+// Random stacks and slopes in small: drawn alike every time, replayed from their files, and every step of profile `standard` converges. The
+// full count is `make validate`'s.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/validate/random_scenes.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "formats/case.hpp"
+#include "tests/validate/shares.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr int kScenes = 12;
+
+const std::vector<SceneRun>& twelve_runs() {
+  static const std::vector<SceneRun> runs = run_scenes(0, kScenes, 2);
+  return runs;
+}
+
+}  // namespace
+
+TEST(RandomScenes, profile_standard_converges_without_cutting_and_never_ends_early) {
+  for (const std::string& miss : misses_of_standard(shares_of(twelve_runs()))) ADD_FAILURE() << miss;
+  for (const SceneRun& run : twelve_runs()) {
+    if (run.profile != "standard") continue;
+    EXPECT_EQ(run.end, End::finished) << run.scene << ": " << run.reason;
+    EXPECT_TRUE(run.all_finite) << run.scene;
+  }
+}
+
+TEST(RandomScenes, slopes_have_5_to_60_blocks_and_stacks_2_to_12) {
+  for (const SceneRun& run : twelve_runs()) {
+    if (run.end == End::refused) continue;
+    const bool is_slope = run.scene.starts_with("slope");
+    EXPECT_GE(run.blocks, 1 + (is_slope ? kFewestBlocksOfSlope : 2)) << run.scene;
+    EXPECT_LE(run.blocks, is_slope ? 2 + kMostBlocksOfSlope : 1 + 12) << run.scene;
+  }
+}
+
+TEST(RandomScenes, results_do_not_depend_on_the_number_of_threads) {
+  const std::vector<SceneRun> alone = run_scenes(0, 4, 1);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const SceneRun& beside = twelve_runs()[i];
+    EXPECT_EQ(alone[i].scene, beside.scene);
+    EXPECT_EQ(alone[i].residuals, beside.residuals) << alone[i].scene;
+    EXPECT_EQ(alone[i].energy_gain, beside.energy_gain) << alone[i].scene;
+  }
+}
+
+// Legacy with the native file's choices, the constant step beside them: the same run, to the bit.
+TEST(RandomScenes, a_scene_replays_from_its_files) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "random_scenes";
+  std::filesystem::create_directories(folder);
+  for (const std::uint64_t seed : {2, 11}) {
+    const RandomScene scene = random_scene(seed);
+    write_scene(scene, folder);
+    const std::string base = (folder / fmt::format("{}_{}", scene.name.substr(0, 5), seed)).string();
+    const std::string geometry = base + (seed % 2 == 0 ? ".blk" : ".geo");
+    const RandomScene replayed{scene.name, formats::load_case({geometry, base + ".ana"}).problem};
+    for (const char* profile : {"legacy", "standard"}) {
+      const SceneRun a = run_scene(scene, profile, constant_step());
+      const SceneRun b = run_scene(replayed, profile, constant_step());
+      EXPECT_EQ(a.passes, b.passes) << scene.name << ", " << profile;
+      EXPECT_EQ(a.residuals, b.residuals) << scene.name << ", " << profile;
+    }
+  }
+}
+
+}  // namespace keyblock
