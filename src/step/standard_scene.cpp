@@ -31,7 +31,7 @@ Point mass_centre_of(const StandardScene& scene) {
 }  // namespace
 
 StandardScene standard_scene(Model model, Settings settings) {
-  StandardScene scene{std::move(model), std::move(settings), {}, {}, {}, {}};
+  StandardScene scene{std::move(model), std::move(settings), {}, {}, {}, {}, 1};
   scene.reference = reference_of(scene.model, scene.settings);
   scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
   for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
@@ -58,6 +58,7 @@ Motion start_motion(const StandardScene& scene) {
     const Velocity& given = scene.model.material_of(element).initial_velocity;
     if (count > 0) v.head<3>() << given.x, given.y, given.rotation;
     motion.v.push_back(v);
+    motion.a.push_back(Unknowns::Zero(count));
   }
   return motion;
 }
@@ -76,6 +77,7 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
     const DisplacementOperator j = jacobian(*scene.model.elements[point.element].basis, q[point.element], offset);
     loads[point.element] += j.transpose() * Eigen::Vector2d(force.x, force.y);
   }
+  for (Unknowns& load : loads) load *= scene.load_share;
   return loads;
 }
 

@@ -17,7 +17,8 @@ struct StandardScene {
   Reference reference;
   Bodies bodies;
   Table<ElementIndex, ConvexPieces> pieces;
-  Point mass_centre;  ///< of the blocks that can move, at the start
+  Point mass_centre;      ///< of the blocks that can move, at the start
+  double load_share = 1;  ///< of all loads, while they are put on
 
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
@@ -33,13 +34,14 @@ std::string unsupported(const StandardScene& scene);
 struct Motion {
   UnknownsTable q;
   UnknownsTable v;
+  UnknownsTable a;
   ClosedContacts closed;
   Bonds bonds;
 };
 
 Motion start_motion(const StandardScene& scene);
 
-/// Weight, given acceleration and point loads on the unknowns, at `time` and in the configuration q.
+/// The scene's share of weight, given acceleration and point loads on the unknowns, at `time` and in the configuration q.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
 
 /// Largest force on a block, and largest acceleration it gives a free block.

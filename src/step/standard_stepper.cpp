@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "contact/gap.hpp"
+#include "step/acceleration.hpp"
 #include "step/compatible_start.hpp"
 #include "step/contact_laws.hpp"
 #include "step/settled_start.hpp"
@@ -73,6 +74,7 @@ StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(sce
   CompatibleStart first = first_motion(scene_);
   start_failure_ = std::move(first.failure);
   motion_ = start_failure_.empty() ? std::move(first.motion) : start_motion(scene_);
+  motion_.a = balanced_acceleration(scene_, motion_, 0);
   state_ = state_of(scene_, motion_);
   if (scene_.settings.ledger == Bookkeeping::on) ledger_ = ledger_row(scene_, motion_);
 }
