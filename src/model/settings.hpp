@@ -12,7 +12,8 @@
 
 namespace keyblock {
 
-enum class StepControl { constant, shi };
+/// error: by the error of the step, Dynamics::standard alone.
+enum class StepControl { constant, shi, error };
 enum class PenaltyControl { constant, adaptive };
 enum class Plane { stress, strain };
 enum class Bookkeeping { off, on };

@@ -26,16 +26,31 @@ enum class ImpactLaw { jump, springs };
 /// compatible: contact forces and strains in equilibrium with the first accelerations; sudden: loads on unstressed blocks.
 enum class StartRule { compatible, sudden };
 
+/// Which sums of increment, velocity and acceleration make a step: the two weights, or those of the named methods.
+enum class Integrator { weighted, newmark, generalized_alpha };
+
 /// critical: stiffness damping that keeps strain modes from fluttering under steady sliding; none: for wave studies.
 enum class StrainDamping { critical, none };
 
+/// dynamic: steps in time; equilibrium: each step is one of static equilibrium under the loads of its time; relaxation: the
+/// same equilibria, reached by a motion that is stopped at each peak of its kinetic energy.
+enum class MotionRule { dynamic, equilibrium, relaxation };
+
 struct StandardChoices {
+  MotionRule motion = MotionRule::dynamic;
+  int load_steps = 1;  ///< equilibria from no load to that of the start
   PerMaterial<BlockBasis> basis = BlockBasis::affine;             ///< by block material
   PerMaterial<Enforcement> enforcement = Enforcement::automatic;  ///< by joint material
   StartRule start = StartRule::compatible;
   StrainDamping strain_damping = StrainDamping::critical;
+  Integrator integrator = Integrator::weighted;
   double velocity_weight = 0.5;  ///< of the velocity at the end of the step in its displacement; 1/2 is second order
   double force_weight = 1;       ///< of the elastic force at the end of the step; Shi 1, average acceleration 1/2
+  double newmark_beta = 0.25;    ///< 1/4 and 1/2: average acceleration; 1/2 and 1: Shi
+  double newmark_gamma = 0.5;
+  double rho_infinity = 0.8;       ///< what generalised α leaves of the highest frequencies in a step
+  double step_tolerance = 1e-4;    ///< error of a step over block size that its size is chosen for
+  double least_step_share = 1e-4;  ///< of the time step, below which it is not cut
   SpringPoints spring_points = SpringPoints::ends;
   ImpactLaw impact = ImpactLaw::jump;
   PerMaterial<double> restitution = 0;  ///< rebound over approach speed of an impact; by joint material

@@ -64,8 +64,8 @@ ValueText<int> whole(int least) {
 }
 
 ValueText<std::string> any_text() {
-  return {[](const std::string& value) { return value; }, [](const std::string&, const std::string& text) { return text; },
-          false};
+  return {[](const std::string& value) { return value; },
+          [](const std::string&, const std::string& text) { return text; }, false};
 }
 
 ValueText<bool> off_or_on() {

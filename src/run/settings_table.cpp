@@ -21,19 +21,26 @@ constexpr Range kFromHalf{0.5, false, 1};
 
 template <class T>
 auto at(T Settings::*member) {
-  return [member](auto& s) -> auto& { return s.*member; };
+  return [member](auto& s) -> auto& {
+    return s.*member;
+  };
 }
 template <class T>
 auto at(T OpenCloseConstants::*member) {
-  return [member](auto& s) -> auto& { return s.open_close.*member; };
+  return [member](auto& s) -> auto& {
+    return s.open_close.*member;
+  };
 }
 template <class T>
 auto at(T StandardChoices::*member) {
-  return [member](auto& s) -> auto& { return s.standard.*member; };
+  return [member](auto& s) -> auto& {
+    return s.standard.*member;
+  };
 }
 
 SettingRow quirk(const std::string& name, const std::string& meaning, bool BerkeleyQuirks::*member) {
-  return row("quirk." + name, meaning, [member](auto& s) -> auto& { return s.quirks.*member; }, off_or_on());
+  return row(
+      "quirk." + name, meaning, [member](auto& s) -> auto& { return s.quirks.*member; }, off_or_on());
 }
 
 SettingRow downward_gravity() {
@@ -56,7 +63,7 @@ std::vector<SettingRow> rows_of_the_run() {
           "step size; under rule shi only the least one, a hundredth of it, and the step where nothing moves [time]",
           at(&Settings::time_step), real(kAboveZero)),
       row("step_control", "how the step size is chosen", at(&Settings::step_control),
-          one_of<StepControl>({"constant", "shi"})),
+          one_of<StepControl>({"constant", "shi", "error"})),
       row(Materials::of_blocks, "velocity_carry_over", "share of the velocity carried into a step: 0 static, 1 dynamic",
           at(&Settings::velocity_carry_over), real(kShare)),
       row("rotation", "how points move under a rotation", at(&Settings::rotation),
@@ -68,25 +75,30 @@ std::vector<SettingRow> rows_of_the_run() {
 std::vector<SettingRow> rows_of_loads_and_materials() {
   return {
       downward_gravity(),
-      row("gravity.x", "acceleration of gravity in x; unit weights of materials turn and grow with it [length/time^2]",
+      row(
+          "gravity.x", "acceleration of gravity in x; unit weights of materials turn and grow with it [length/time^2]",
           [](auto& s) -> auto& { return s.gravity.x; }, real(kAnyNumber)),
-      row("gravity.y", "acceleration of gravity in y, upward [length/time^2]",
+      row(
+          "gravity.y", "acceleration of gravity in y, upward [length/time^2]",
           [](auto& s) -> auto& { return s.gravity.y; }, real(kAnyNumber)),
-      row("body_acceleration.x", "constant force per mass on every block, in x [length/time^2]",
+      row(
+          "body_acceleration.x", "constant force per mass on every block, in x [length/time^2]",
           [](auto& s) -> auto& { return s.body_acceleration.constant.x; }, real(kAnyNumber)),
-      row("body_acceleration.y", "constant force per mass on every block, in y [length/time^2]",
+      row(
+          "body_acceleration.y", "constant force per mass on every block, in y [length/time^2]",
           [](auto& s) -> auto& { return s.body_acceleration.constant.y; }, real(kAnyNumber)),
-      row("body_acceleration_file",
+      row(
+          "body_acceleration_file",
           "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one",
           [](auto& s) -> auto& { return s.body_acceleration.file; }, any_text()),
-      row(Materials::of_blocks, "mass_damping",
-          "a of the damping matrix a M + b K; it slows rigid motion too [1/time]", at(&Settings::mass_damping),
-          real(kNotNegative)),
+      row(Materials::of_blocks, "mass_damping", "a of the damping matrix a M + b K; it slows rigid motion too [1/time]",
+          at(&Settings::mass_damping), real(kNotNegative)),
       row(Materials::of_blocks, "stiffness_damping",
           "b of the damping matrix a M + b K; where none is given, 0 under dynamics shi, else as strain_damping says "
           "[time]",
           at(&Settings::stiffness_damping), real_or_nothing(kNotNegative)),
-      row("joint_strength_factor", "factor on tan(friction angle), cohesion and tensile strength of all joint materials",
+      row("joint_strength_factor",
+          "factor on tan(friction angle), cohesion and tensile strength of all joint materials",
           at(&Settings::joint_strength_factor), real(kNotNegative)),
   };
 }
@@ -143,23 +155,40 @@ std::vector<SettingRow> rows_of_quirks() {
 std::vector<SettingRow> rows_of_standard() {
   using C = StandardChoices;
   return {
+      row("motion", "steps in time, of static equilibrium, or of equilibrium by dynamic relaxation", at(&C::motion),
+          one_of<MotionRule>({"dynamic", "static", "relaxation"})),
+      row("load_steps", "equilibria from no load to that of the start, in a run without dynamics", at(&C::load_steps),
+          whole(1)),
       row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 or 6", at(&C::basis),
           one_of<BlockBasis>({"rigid", "affine"})),
       row(Materials::of_joints, "enforcement",
-          "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing overlaps; "
+          "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
+          "overlaps; "
           "automatic: springs if the touching blocks form a ring, else multipliers",
           at(&C::enforcement), one_of<Enforcement>({"lagrange", "penalty", "augmented", "automatic"})),
       row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
           at(&C::spring_points), one_of<SpringPoints>({"ends", "lobatto"})),
       row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
           one_of<ImpactLaw>({"jump", "springs"})),
-      row("start", "strains and contact forces at the start", at(&C::start), one_of<StartRule>({"compatible", "sudden"})),
+      row("start", "strains and contact forces at the start", at(&C::start),
+          one_of<StartRule>({"compatible", "sudden"})),
       row("strain_damping", "stiffness damping of the strain modes", at(&C::strain_damping),
           one_of<StrainDamping>({"critical", "none"})),
-      row("velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order", at(&C::velocity_weight),
-          real(kFromHalf)),
+      row("integrator", "sums of a step: the two weights below, Newmark's, or generalised alpha's", at(&C::integrator),
+          one_of<Integrator>({"weighted", "newmark", "generalized_alpha"})),
+      row("velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order",
+          at(&C::velocity_weight), real(kFromHalf)),
       row("force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
           at(&C::force_weight), real(kFromHalf)),
+      row("newmark_beta", "beta of Newmark: 0.25 average acceleration, 0.5 Shi; unstable below half of gamma",
+          at(&C::newmark_beta), real({0, true, 1})),
+      row("newmark_gamma", "gamma of Newmark: 0.5 average acceleration, 1 Shi", at(&C::newmark_gamma), real(kFromHalf)),
+      row("rho_infinity", "what generalised alpha leaves of the highest frequencies in a step", at(&C::rho_infinity),
+          real(kShare)),
+      row("step_tolerance", "error of a step over block size, under step control error", at(&C::step_tolerance),
+          real(kAboveZero)),
+      row("least_step_share", "of the time step, below which controlled steps are not cut", at(&C::least_step_share),
+          real({0, true, 1})),
       row(Materials::of_joints, "restitution", "rebound over approach speed of an impact", at(&C::restitution),
           real(kShare)),
   };

@@ -42,20 +42,23 @@ double bolt_energy(const StandardScene& scene, const Motion& motion) {
   return energy;
 }
 
+Unknowns sum_of(const StepSum& sum, const Unknowns& increment, const Motion& start, ElementIndex e) {
+  return sum.increment * increment + sum.velocity * start.v[e] + sum.acceleration * start.a[e];
+}
+
 EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
-  const StandardChoices& choices = scene.settings.standard;
+  const StepRule& rule = trail.rule;
   EnergyFlow flow;
   for (ElementIndex e : indices(scene.bodies)) {
     const Body& body = scene.bodies[e];
     if (body.mass.rows() == 0) continue;
     const Unknowns dq = trail.smooth.q[e] - trail.start.q[e];
-    const Unknowns dv = trail.smooth.v[e] - trail.start.v[e];
-    const double stretched = dq.dot(body.stiffness * dq);
+    const Unknowns inertia = body.mass * sum_of(rule.inertia, dq, trail.start, e);
+    const double gained = half_square(body.mass, trail.smooth.v[e]) - half_square(body.mass, trail.start.v[e]);
     flow.external += (trail.loads[e] - body.weight).dot(dq);
     flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
-    flow.damping += dq.dot(body.damping * dq) / trail.dt;
-    flow.algorithmic += (choices.velocity_weight - 0.5) * dv.dot(body.mass * dv);
-    flow.algorithmic += (choices.force_weight - 0.5) * stretched;
+    flow.damping += dq.dot(body.damping * sum_of(rule.damping, dq, trail.start, e));
+    flow.algorithmic += dq.dot(inertia) - gained + (rule.stiffness - 0.5) * dq.dot(body.stiffness * dq);
   }
   return flow;
 }
@@ -223,7 +226,8 @@ LedgerRow ledger_row(const StandardScene& scene, const Motion& motion) {
 
 LedgerScope ledger_scope(const StandardScene& scene) {
   const bool has_supports = std::ranges::any_of(scene.bodies, [](const Body& body) { return body.mass.rows() == 0; });
-  return {true, has_supports, scene.mass_centre};
+  const bool is_dynamic = scene.settings.standard.motion == MotionRule::dynamic;
+  return {is_dynamic, has_supports, scene.mass_centre};
 }
 
 }  // namespace keyblock

@@ -18,6 +18,7 @@ struct StepTrail {
   const UnknownsTable& cleaned;  ///< velocities after the clean-up
   const Motion& end;             ///< after projection and jump
   double dt = 0;
+  const StepRule& rule;
 };
 
 /// What one step adds to the sums of the ledger.
@@ -28,8 +29,9 @@ struct StepAccount {
   StepAccount& operator+=(const StepAccount& other);
 };
 
-/// Closes to round-off because Δqᵀ times the equation of the step is, for the weights θv and θf (contact-notes 2),
-///     ΔT + ΔU + (θv−½) Δvᵀ M Δv + (θf−½) Δqᵀ K Δq + Δqᵀ C Δq/dt = F·Δq + λᵀ G Δq.
+/// Closes to round-off because Δqᵀ times the balance of the step, M inertia + C damping + K (q0 + κ Δq) = F + Gᵀ λ, is
+///     ΔT + ΔU + (Δqᵀ M inertia − ΔT) + (κ−½) Δqᵀ K Δq + Δqᵀ C damping = F·Δq + λᵀ G Δq,
+/// the brackets being the algorithmic loss; for the weights θv and θf they are (θv−½) Δvᵀ M Δv + (θf−½) Δqᵀ K Δq.
 /// A contact of compliance c (0 for multipliers) has, over the gap or slip y that its force works on,
 ///     −λ Δy = Δ(c λ²/2) + c (Δλ)²/2 − λ (Δy + c Δλ):
 /// stored, algorithmic, and what is left: closing of a gap, or friction. A point that stuck before and sticks still has no

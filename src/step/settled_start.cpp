@@ -60,7 +60,8 @@ class Settling {
   void step(const StandardScene& scene, const Touches& touches, double stiffness_over_inertia) {
     const ForceTolerance tolerance{kForceGoal * scales_.force, kForceAcceptable * scales_.force};
     const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene.normal_stiffness());
-    SmoothMotion made = smooth_solve(scene, motion_, loads_, touches, tolerance, 0, dt);
+    SmoothMotion made =
+        smooth_solve(scene, motion_, loads_, touches, tolerance, 0, dt, step_rule(scene.settings.standard, dt));
     if (!made.converged) return;
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);

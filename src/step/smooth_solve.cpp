@@ -32,12 +32,12 @@ constexpr double kBroken = 1e-11;
 class SmoothSolve {
  public:
   SmoothSolve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const Touches& touches,
-              const ForceTolerance& tolerance, double time, double dt)
+              const ForceTolerance& tolerance, double time, double dt, const StepRule& rule)
       : scene_(scene),
         start_(start),
         touches_(touches),
         dt_(dt),
-        rule_(step_rule(scene.settings.standard, dt)),
+        rule_(rule),
         start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
         bonds_(start.bonds),
         ties_(scene, start, time, dt) {
@@ -56,6 +56,7 @@ class SmoothSolve {
     } while (result_.converged && break_bonds());
     result_.q = plus(start_.q, 1, increments_);
     result_.v = plus(known_velocity_, rate(), increments_);
+    result_.a = plus(known_acceleration_, rule_.end_acceleration.increment, increments_);
     result_.bonds = bonds_;
     result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()));
     result_.rows = std::move(rows_);
@@ -82,10 +83,11 @@ class SmoothSolve {
   }
 
   void prepare(ElementIndex e, const Unknowns& load) {
-    StepEquations equations = step_equations(scene_.bodies[e], start_.q[e], start_.v[e], load, rule_);
+    StepEquations equations = step_equations(scene_.bodies[e], {start_.q[e], start_.v[e], start_.a[e]}, load, rule_);
     inverse_.push_back(std::move(equations.inverse));
     free_.push_back(std::move(equations.free));
     known_velocity_.push_back(std::move(equations.known_velocity));
+    known_acceleration_.push_back(std::move(equations.known_acceleration));
   }
 
   // Slip velocities are counted as increments: the displacement that alone would give them.
@@ -210,16 +212,18 @@ class SmoothSolve {
   UnknownsTable increments_;
   double size_ = 0;  ///< of the largest moving block
   Table<ElementIndex, UnknownBlock> inverse_;
-  UnknownsTable free_;            ///< increments without contact
-  UnknownsTable known_velocity_;  ///< what the increments leave of the velocities at the end
+  UnknownsTable free_;                ///< increments without contact
+  UnknownsTable known_velocity_;      ///< what the increments leave of the velocities at the end
+  UnknownsTable known_acceleration_;  ///< the same of the accelerations
   SmoothMotion result_;
 };
 
 }  // namespace
 
 SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
-                          const Touches& touches, const ForceTolerance& tolerance, double time, double dt) {
-  return SmoothSolve(scene, start, loads, touches, tolerance, time, dt).run();
+                          const Touches& touches, const ForceTolerance& tolerance, double time, double dt,
+                          const StepRule& rule) {
+  return SmoothSolve(scene, start, loads, touches, tolerance, time, dt, rule).run();
 }
 
 }  // namespace keyblock

@@ -5,6 +5,7 @@
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
 #include "step/contact_laws.hpp"
+#include "step/integrator.hpp"
 
 namespace keyblock {
 
@@ -17,6 +18,7 @@ struct ForceTolerance {
 struct SmoothMotion {
   UnknownsTable q;               ///< at the end of the step
   UnknownsTable v;               ///< at the end of the step
+  UnknownsTable a;               ///< at the end of the step
   Eigen::VectorXd forces;        ///< of the touches: 2i normal, 2i + 1 tangential
   ContactRows rows;              ///< that the forces act along, at mid-step
   std::vector<ContactLaw> laws;  ///< of the touches
@@ -34,6 +36,7 @@ struct SmoothMotion {
 /// The normal law is in positions at the end of the step, friction in velocities, G along the mid-step normal
 /// (Moreau 1988, Jean 1999); with springs, both have the compliance of the spring. Bolts and held points are part of it.
 SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
-                          const Touches& touches, const ForceTolerance& tolerance, double time, double dt);
+                          const Touches& touches, const ForceTolerance& tolerance, double time, double dt,
+                          const StepRule& rule);
 
 }  // namespace keyblock

@@ -9,6 +9,7 @@
 
 #include "material/elastic.hpp"
 #include "model/body_load.hpp"
+#include "step/integrator.hpp"
 #include "terms/inertia.hpp"
 
 namespace keyblock {
@@ -43,8 +44,10 @@ double slowest_frequency(const Body& body) {
 
 double least_stiffness_damping(const Body& body, const Settings& settings) {
   if (settings.standard.strain_damping == StrainDamping::none || body.mass.rows() <= kRigidUnknowns) return 0;
-  const double by_weight = (settings.standard.force_weight - 0.5) * settings.time_step;
-  return std::max(0.0, kDampingOverPeriod / slowest_frequency(body) - by_weight);
+  // Parts of a step may be as small as they like, and are not damped by their rule.
+  const bool constant = settings.step_control == StepControl::constant;
+  const double by_rule = constant ? damping_of_rule(settings.standard, settings.time_step) : 0;
+  return std::max(0.0, kDampingOverPeriod / slowest_frequency(body) - by_rule);
 }
 
 UnknownBlock damping_of(const Body& body, const Settings& settings, int material) {

@@ -33,7 +33,7 @@ Point mass_centre_of(const StandardScene& scene) {
 }  // namespace
 
 StandardScene standard_scene(Model model, Settings settings) {
-  StandardScene scene{std::move(model), {}, {}, {}, {}, {}, {}};
+  StandardScene scene{std::move(model), {}, {}, {}, {}, {}, {}, 1};
   scene.settings = with_enforcement_decided(std::move(settings), scene.model);
   scene.reference = reference_of(scene.model, scene.settings);
   scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
@@ -59,6 +59,7 @@ Motion start_motion(const StandardScene& scene) {
     const Velocity& given = scene.model.material_of(element).initial_velocity;
     if (count > 0) v.head<3>() << given.x, given.y, given.rotation;
     motion.v.push_back(v);
+    motion.a.push_back(Unknowns::Zero(count));
   }
   motion.ties = tie_start(scene);
   return motion;
@@ -78,6 +79,7 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
     const DisplacementOperator j = jacobian(*scene.model.elements[point.element].basis, q[point.element], offset);
     loads[point.element] += j.transpose() * Eigen::Vector2d(force.x, force.y);
   }
+  for (Unknowns& load : loads) load *= scene.load_share;
   return loads;
 }
 

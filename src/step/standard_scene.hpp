@@ -20,6 +20,7 @@ struct StandardScene {
   Table<ElementIndex, ConvexPieces> pieces;
   std::vector<CarriedPoint> held;  ///< fixed points of elements that have unknowns
   Point mass_centre;               ///< of the blocks that can move, at the start
+  double load_share = 1;           ///< of all loads, while they are put on
 
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
@@ -36,6 +37,7 @@ std::string unsupported(const StandardScene& scene);
 struct Motion {
   UnknownsTable q;
   UnknownsTable v;
+  UnknownsTable a;
   ClosedContacts closed;
   Bonds bonds;
   TieMemory ties;
@@ -43,7 +45,7 @@ struct Motion {
 
 Motion start_motion(const StandardScene& scene);
 
-/// Weight, given acceleration and point loads on the unknowns, at `time` and in the configuration q.
+/// The scene's share of weight, given acceleration and point loads on the unknowns, at `time` and in the configuration q.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
 
 /// Largest force on a block, and largest acceleration it gives a free block.

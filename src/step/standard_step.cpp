@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "contact/gap.hpp"
+#include "step/acceleration.hpp"
 #include "step/contact_laws.hpp"
 #include "step/impact.hpp"
+#include "step/integrator.hpp"
 #include "step/ledger.hpp"
 #include "step/smooth_solve.hpp"
 #include "step/touch_search.hpp"
@@ -54,7 +56,12 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
 class Attempt {
  public:
   Attempt(const StandardScene& scene, const Motion& start, double time, double dt)
-      : scene_(scene), start_(start), time_(time), dt_(dt), loads_(loads_at(scene, start.q, time + dt / 2)) {
+      : scene_(scene),
+        start_(start),
+        time_(time),
+        dt_(dt),
+        rule_(step_rule(scene.settings.standard, dt)),
+        loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
     scales_ = scales_of(scene, loads_, start.v);
     found_ = touches_of(scene, start, scales_, dt);
     least_force_ = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
@@ -71,6 +78,7 @@ class Attempt {
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
     step_.motion.v = smooth_.v;
+    step_.motion.a = smooth_.a;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.ties = smooth_.ties;
     step_.motion.v =
@@ -78,9 +86,11 @@ class Attempt {
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
+    if (!scene_.has_springs() && rule_.carries_acceleration())
+      step_.motion.a = with_closed_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
       step_.account = account_of(scene_, {start_, loads_, parts_.smooth, StepTies(scene_, start_, time_, dt_), smooth_,
-                                          cleaned, step_.motion, dt_});
+                                          cleaned, step_.motion, dt_, rule_});
     return std::move(step_);
   }
 
@@ -91,7 +101,7 @@ class Attempt {
         least_force_, std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
     for (int search = 0; search < kMostSearches; ++search) {
       parts_ = split(scene_, start_, found_.touches, slow_speed(scales_, start_.v, dt_));
-      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_);
+      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_);
       step_.solves += smooth_.solves;
       step_.fallbacks += smooth_.sweeps > 0 ? 1 : 0;
       if (!smooth_.converged) return;
@@ -154,6 +164,7 @@ class Attempt {
   const Motion& start_;
   double time_;
   double dt_;
+  StepRule rule_;
   UnknownsTable loads_;
   Scales scales_;
   FoundTouches found_;

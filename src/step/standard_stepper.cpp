@@ -8,10 +8,15 @@
 #include <stdexcept>
 
 #include "contact/gap.hpp"
+#include "step/acceleration.hpp"
 #include "step/compatible_start.hpp"
 #include "step/contact_laws.hpp"
 #include "step/enforcement.hpp"
+#include "step/equilibrium.hpp"
+#include "step/ledger.hpp"
+#include "step/relaxation.hpp"
 #include "step/settled_start.hpp"
+#include "step/static_step.hpp"
 #include "step/touch_search.hpp"
 
 namespace keyblock {
@@ -31,8 +36,9 @@ CompatibleStart first_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.v);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
-  if (scene.settings.standard.start == StartRule::sudden || has_initial_stress(scene))
-    return {std::move(motion), {}, 0};
+  const StandardChoices& choices = scene.settings.standard;
+  const bool as_drawn = choices.start == StartRule::sudden || choices.motion != MotionRule::dynamic;
+  if (as_drawn || has_initial_stress(scene)) return {std::move(motion), {}, 0};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
   if (is_jointed && touching.size() > kMostExact) return {settled(scene, std::move(motion)), {}, 0};
@@ -40,6 +46,19 @@ CompatibleStart first_motion(const StandardScene& scene) {
   if (is_jointed && (!start.failure.empty() || start.misfit > kMisfit))
     return {settled(scene, std::move(motion)), {}, 0};
   return start;
+}
+
+ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, StandardStep step, double dt) {
+  const double displacement =
+      step.converged && step.failure.empty() ? greatest_displacement(scene, from, step.motion.q) : 0;
+  return {std::move(step), dt, dt, displacement};
+}
+
+StandardStep unchanged(const StandardScene& scene, const Motion& motion, double time) {
+  StandardStep step;
+  step.motion = motion;
+  step.residual = balance_of(scene, motion, time).share;
+  return step;
 }
 
 std::vector<PointState> carried(const StandardScene& scene, const Motion& motion,
@@ -88,68 +107,92 @@ State state_of(const StandardScene& scene, const Motion& motion) {
 StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(scene.model, scene.settings)) {
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
+  const StandardChoices& choices = scene_.settings.standard;
+  if (choices.motion != MotionRule::dynamic && choices.load_steps > scene_.settings.step_count)
+    throw std::invalid_argument("setting load_steps: expected at most the number of steps");
   unloaded_ = state_of(scene_, start_motion(scene_));
   CompatibleStart first = first_motion(scene_);
   start_failure_ = std::move(first.failure);
   motion_ = start_failure_.empty() ? std::move(first.motion) : start_motion(scene_);
+  motion_.a = balanced_acceleration(scene_, motion_, 0);
   state_ = state_of(scene_, motion_);
   if (scene_.settings.ledger == Bookkeeping::on) ledger_ = ledger_row(scene_, motion_);
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
-  const double dt = scene_.settings.time_step;
-  Motion start = motion_;
-  for (ElementIndex e : indices(start.v))
-    start.v[e] *= scene_.settings.velocity_carry_over.of(scene_.model.elements[e].material);
-  StandardStep made = standard_step(scene_, start, state_.time, dt);
-  if (!made.converged) return failure_of(made);
-  const double not_carried = kinetic_energy(scene_, motion_.v) - kinetic_energy(scene_, start.v);
-  motion_ = made.motion;
-  const State before = std::move(state_);
+  ControlledStep made = make_step();
+  if (!made.step.converged || !made.step.failure.empty()) return failure_of(made.step);
+  motion_ = made.step.motion;
+  next_part_ = made.next;
+  const int step = state_.step + 1;
+  const double time = state_.time + scene_.settings.time_step;
   state_ = state_of(scene_, motion_);
-  state_.step = before.step + 1;
-  state_.time = before.time + dt;
-  state_.dt = dt;
-  if (scene_.settings.ledger == Bookkeeping::on) book(made, not_carried);
-  return report_of(made, before);
+  state_.step = step;
+  state_.time = time;
+  state_.dt = scene_.settings.time_step;
+  if (scene_.settings.ledger == Bookkeeping::on) book(made.step);
+  return report_of(made);
 }
 
-void StandardStepper::book(const StandardStep& step, double not_carried) {
-  const LedgerRow before = ledger_;
+ControlledStep StandardStepper::make_step() {
+  const Settings& settings = scene_.settings;
+  const double dt = settings.time_step;
+  if (settings.standard.motion != MotionRule::dynamic)
+    return whole(scene_, motion_.q, static_equilibrium(state_.time + dt), dt);
+  Motion start = motion_;
+  for (ElementIndex e : indices(start.v))
+    start.v[e] *= settings.velocity_carry_over.of(scene_.model.elements[e].material);
+  ControlledStep made = settings.step_control == StepControl::constant
+                            ? whole(scene_, motion_.q, standard_step(scene_, start, state_.time, dt), dt)
+                            : controlled_step(scene_, start, state_.time, dt, next_part_);
+  made.step.account.flow.damping += kinetic_energy(scene_, motion_.v) - kinetic_energy(scene_, start.v);
+  return made;
+}
+
+// Loads grow in equal shares over the first steps. Where nothing changed since the last step, its equilibrium holds.
+StandardStep StandardStepper::static_equilibrium(double time) {
+  const double share = std::min(1.0, (state_.step + 1.0) / scene_.settings.standard.load_steps);
+  const UnknownsTable last = loads_at(scene_, motion_.q, state_.time);
+  scene_.load_share = share;
+  if (state_.step > 0 && last == loads_at(scene_, motion_.q, time)) return unchanged(scene_, motion_, time);
+  return scene_.settings.standard.motion == MotionRule::equilibrium ? static_step(scene_, motion_, time)
+                                                                    : relaxation_step(scene_, motion_, time);
+}
+
+void StandardStepper::book(const StandardStep& step) {
+  const LedgerRow last = ledger_;
   ledger_ = ledger_row(scene_, motion_);
   ledger_.step = state_.step;
   ledger_.time = state_.time;
-  ledger_.flow = before.flow;
+  ledger_.flow = last.flow;
+  ledger_.impulse = last.impulse;
   ledger_.flow += step.account.flow;
-  ledger_.flow.damping += not_carried;
-  ledger_.impulse = before.impulse;
   ledger_.impulse += step.account.impulse;
 }
 
-StepReport StandardStepper::report_of(const StandardStep& step, const State& before) const {
+StepReport StandardStepper::report_of(const ControlledStep& made) const {
   StepReport report;
   report.step = state_.step;
   report.time = state_.time;
-  report.dt = state_.dt;
-  report.passes = step.solves;
-  report.redos = step.halvings;
-  report.fallbacks = step.fallbacks;
-  report.contacts = static_cast<int>(step.touches.size());
+  report.dt = made.least;
+  report.passes = made.step.solves;
+  report.redos = made.step.halvings;
+  report.fallbacks = made.step.fallbacks;
+  report.contacts = static_cast<int>(made.step.touches.size());
   report.closed = static_cast<int>(motion_.closed.size());
   report.matrix_blocks = static_cast<int>(scene_.bodies.size());
   report.penalty = scene_.has_springs() ? scene_.normal_stiffness() : 0;
-  report.residual = step.residual;
-  double greatest = 0;
-  for (VertexIndex v : indices(state_.vertices))
-    greatest = std::max(greatest, distance(state_.vertices[v], before.vertices[v]));
-  report.displacement_ratio = greatest / (scene_.settings.allowed_displacement_ratio * scene_.model.scale);
+  report.residual = made.step.residual;
+  report.displacement_ratio = made.displacement / (scene_.settings.allowed_displacement_ratio * scene_.model.scale);
   for (const auto& [touch, memory] : motion_.closed.all())
     report.greatest_penetration = std::max(report.greatest_penetration, -gap_of(touch, state_.vertices));
   return report;
 }
 
 StepFailure StandardStepper::failure_of(const StandardStep& step) const {
+  if (!step.failure.empty())
+    return {fmt::format("step {} (time {}): {}", state_.step + 1, state_.time, step.failure), {}};
   std::string names;
   for (std::size_t i : step.undecided) {
     const Touch& touch = step.touches[i];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "step/standard_step.hpp"
+#include "step/controlled_step.hpp"
 #include "step/stepper.hpp"
 
 namespace keyblock {
@@ -22,12 +22,15 @@ class StandardStepper : public Stepper {
   const Motion& motion() const { return motion_; }
 
  private:
-  void book(const StandardStep& step, double not_carried);
-  StepReport report_of(const StandardStep& step, const State& before) const;
+  ControlledStep make_step();
+  StandardStep static_equilibrium(double time);
+  void book(const StandardStep& step);
+  StepReport report_of(const ControlledStep& made) const;
   StepFailure failure_of(const StandardStep& step) const;
 
   StandardScene scene_;
   Motion motion_;
+  double next_part_ = 0;       ///< size of the first part of the coming step, under step control; 0: not chosen yet
   std::string start_failure_;  ///< said by the first step; empty for a start that was found
   State unloaded_;
   State state_;

@@ -1,4 +1,4 @@
-// Each integrator is one function from its parameters to a rule.
+// Puts the known parts of a rule on the right side and inverts the rest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/step_equations.hpp"
 
@@ -7,24 +7,18 @@
 namespace keyblock {
 namespace {
 
-StepRule weighted(double velocity_weight, double force_weight, double dt) {
-  const double mass = 1 / (velocity_weight * dt * dt);
-  const double rate = 1 / (velocity_weight * dt);
-  return {{mass, -mass * dt, 0}, {1 / dt, 0, 0}, force_weight, {rate, -(1 - velocity_weight) / velocity_weight, 0}};
+Unknowns known(const StepSum& sum, const BodyMotion& start) {
+  return sum.velocity * start.v + sum.acceleration * start.a;
 }
 
 }  // namespace
 
-StepRule step_rule(const StandardChoices& choices, double dt) {
-  return weighted(choices.velocity_weight, choices.force_weight, dt);
-}
-
-StepEquations step_equations(const Body& body, const Unknowns& q0, const Unknowns& v0, const Unknowns& load,
-                             const StepRule& rule) {
+StepEquations step_equations(const Body& body, const BodyMotion& start, const Unknowns& load, const StepRule& rule) {
   const UnknownBlock a =
       rule.inertia.increment * body.mass + rule.stiffness * body.stiffness + rule.damping.increment * body.damping;
-  const Unknowns r = load + body.initial_stress - body.stiffness * q0 - body.mass * (rule.inertia.velocity * v0);
-  StepEquations equations{a, {}, rule.end_velocity.velocity * v0};
+  const Unknowns r = load + body.initial_stress - body.stiffness * start.q - body.damping * known(rule.damping, start) -
+                     body.mass * known(rule.inertia, start);
+  StepEquations equations{a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
   if (a.rows() > 0) equations.inverse = a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()));
   equations.free = equations.inverse * r;
   return equations;

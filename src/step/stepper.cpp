@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/stepper.hpp"
 
+#include <stdexcept>
+
 #include "step/shi_ledger.hpp"
 #include "step/standard_stepper.hpp"
 
@@ -10,7 +12,10 @@ namespace {
 
 class ShiStepper : public Stepper {
  public:
-  explicit ShiStepper(const Scene& scene) : scene_(scene), stepping_(start(scene)), unloaded_(stepping_.state) {}
+  explicit ShiStepper(const Scene& scene) : scene_(scene), stepping_(start(scene)), unloaded_(stepping_.state) {
+    if (scene.settings.step_control == StepControl::error)
+      throw std::invalid_argument("setting step_control: error needs profile standard");
+  }
 
   const State& state() const override { return stepping_.state; }
   const State& unloaded() const override { return unloaded_; }

@@ -1,0 +1,72 @@
+// Both take the touches and forces that the motion remembers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/acceleration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/gap.hpp"
+#include "step/contact_laws.hpp"
+
+namespace keyblock {
+namespace {
+
+// A tangential force nearer than this share to the friction limit belongs to a slip.
+constexpr double kAtLimit = 1e-9;
+// Residual over the largest force; redundant touches may keep it out of reach, then a residual this much larger counts.
+constexpr double kTolerance = 1e-13;
+constexpr double kLooser = 1e4;
+constexpr double kSmallest = 1e-300;  // a tolerance is never zero
+
+Touches closed_of(const Motion& motion) {
+  Touches touches;
+  for (const auto& [touch, memory] : motion.closed.all()) touches.push_back(touch);
+  return touches;
+}
+
+Eigen::VectorXd forces_of(const Motion& motion) {
+  Eigen::VectorXd forces(static_cast<Eigen::Index>(2 * motion.closed.size()));
+  Eigen::Index i = 0;
+  for (const auto& [touch, memory] : motion.closed.all()) {
+    forces[i++] = memory.normal;
+    forces[i++] = memory.tangential;
+  }
+  return forces;
+}
+
+double largest_force(const StandardScene& scene, const UnknownsTable& a) {
+  double largest = 0;
+  for (ElementIndex e : indices(a))
+    if (a[e].size() > 0) largest = std::max(largest, (scene.bodies[e].mass * a[e]).head<2>().norm());
+  return largest;
+}
+
+}  // namespace
+
+UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& motion, double time) {
+  const ContactRows rows = contact_rows(scene.model, scene.reference, motion.q, closed_of(motion));
+  const UnknownsTable loads = loads_at(scene, motion.q, time);
+  UnknownsTable a = answer(rows, every(scene.bodies, &Body::mass_inverse), forces_of(motion));
+  for (ElementIndex e : indices(a)) {
+    const Body& body = scene.bodies[e];
+    const Unknowns stretched = motion.q[e] + body.damping * motion.v[e];
+    a[e] += body.mass_inverse * (loads[e] + body.initial_stress - body.stiffness * stretched);
+  }
+  return a;
+}
+
+UnknownsTable with_closed_at_ease(const StandardScene& scene, const Motion& motion) {
+  if (motion.closed.size() == 0) return motion.a;
+  const ContactRows rows = contact_rows(scene.model, scene.reference, motion.q, closed_of(motion));
+  const auto blocks = every(scene.bodies, &Body::mass_inverse);
+  const double goal = kTolerance * largest_force(scene, motion.a) + kSmallest;
+  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, motion.a), {}, goal, kLooser * goal, {}};
+  for (const auto& [touch, memory] : motion.closed.all()) {
+    const double limit = contact_law(scene, motion.bonds, touch).force.limit(memory.normal);
+    problem.laws.push_back(std::abs(memory.tangential) < (1 - kAtLimit) * limit ? kHeld : kTie);
+  }
+  const Eigen::VectorXd forces = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
+  return plus(motion.a, 1, answer(rows, blocks, forces));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,69 @@
+// Forces out of balance are what would accelerate a block: M times the balanced acceleration of a motion without velocity.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/equilibrium.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "step/acceleration.hpp"
+
+namespace keyblock {
+namespace {
+
+// Of the largest load: a hundred times what contact forces are solved to.
+constexpr double kBalanced = 1e-8;
+
+double size_of_force(const Unknowns& force, double size) {
+  if (force.size() == 0) return 0;
+  return std::max(force.head<2>().norm(), force.tail(force.size() - 2).cwiseAbs().maxCoeff() / size);
+}
+
+}  // namespace
+
+double largest_load(const StandardScene& scene, const UnknownsTable& loads) {
+  double largest = 0;
+  for (ElementIndex e : indices(loads)) {
+    const Body& body = scene.bodies[e];
+    largest = std::max({largest, size_of_force(loads[e], body.size), size_of_force(body.initial_stress, body.size)});
+  }
+  return largest;
+}
+
+Balance balance_of(const StandardScene& scene, const Motion& motion, double time) {
+  Motion still = motion;
+  for (Unknowns& v : still.v) v.setZero();
+  const UnknownsTable a = balanced_acceleration(scene, still, time);
+  const double load = largest_load(scene, loads_at(scene, motion.q, time));
+  Balance balance;
+  for (ElementIndex e : indices(a)) {
+    const double force = size_of_force(scene.bodies[e].mass * a[e], scene.bodies[e].size);
+    if (force > kBalanced * load) balance.blocks.push_back(e);
+    if (load > 0) balance.share = std::max(balance.share, force / load);
+  }
+  return balance;
+}
+
+Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to) {
+  const auto before = vertices_at(scene.model, scene.reference, from);
+  const auto after = vertices_at(scene.model, scene.reference, to);
+  Travel travel;
+  for (ElementIndex e : indices(scene.bodies)) {
+    double way = 0;
+    for (VertexIndex v : scene.model.elements[e].vertices()) way = std::max(way, distance(before[v], after[v]));
+    travel.share = std::max(travel.share, way / scene.bodies[e].size);
+    if (way > scene.bodies[e].size) travel.far.push_back(e);
+  }
+  return travel;
+}
+
+std::string no_equilibrium(const std::vector<ElementIndex>& blocks) {
+  std::vector<int> numbers;
+  for (ElementIndex e : blocks) numbers.push_back(e.value + 1);
+  const bool several = numbers.size() > 1;
+  return fmt::format("no equilibrium: block{} {} accelerate{}", several ? "s" : "", fmt::join(numbers, ", "),
+                     several ? "" : "s");
+}
+
+}  // namespace keyblock

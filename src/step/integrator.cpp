@@ -1,0 +1,88 @@
+// Each integrator is one function from its parameters to a rule.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/integrator.hpp"
+
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+StepRule weighted(const StandardChoices& choices, double dt) {
+  const double by = 1 / (choices.velocity_weight * dt);
+  const StepSum acceleration{by / dt, -by, 0};
+  return {.inertia = acceleration,
+          .damping = {1 / dt, 0, 0},
+          .stiffness = choices.force_weight,
+          .load_time = 0.5,
+          .end_velocity = {by, -(1 - choices.velocity_weight) / choices.velocity_weight, 0},
+          .end_acceleration = acceleration,
+          .error_of_change = 1.0 / 12 + (choices.force_weight - 0.5) / 2,
+          .error_of_acceleration = choices.velocity_weight - 0.5};
+}
+
+StepRule newmark(double beta, double gamma, double dt) {
+  const StepSum acceleration{1 / (beta * dt * dt), -1 / (beta * dt), -(0.5 - beta) / beta};
+  const StepSum velocity{gamma / (beta * dt), 1 - gamma / beta, (1 - gamma / (2 * beta)) * dt};
+  return {.inertia = acceleration,
+          .damping = velocity,
+          .end_velocity = velocity,
+          .end_acceleration = acceleration,
+          .error_of_change = std::abs(beta - 1.0 / 6)};
+}
+
+StepSum scaled(const StepSum& sum, double by) {
+  return {by * sum.increment, by * sum.velocity, by * sum.acceleration};
+}
+
+struct AlphaWeights {
+  double inertia, force;
+};
+
+AlphaWeights alpha_weights(double rho) {
+  return {(2 * rho - 1) / (rho + 1), rho / (rho + 1)};
+}
+
+StepRule generalized_alpha(double rho, double dt) {
+  const AlphaWeights alpha = alpha_weights(rho);
+  const double spread = alpha.force - alpha.inertia;
+  StepRule rule = newmark((1 + spread) * (1 + spread) / 4, 0.5 + spread, dt);
+  rule.inertia = scaled(rule.inertia, 1 - alpha.inertia);
+  rule.inertia.acceleration += alpha.inertia;
+  rule.damping = scaled(rule.damping, 1 - alpha.force);
+  rule.damping.velocity += alpha.force;
+  rule.stiffness = 1 - alpha.force;
+  rule.load_time = 1 - alpha.force;
+  return rule;
+}
+
+}  // namespace
+
+StepRule step_rule(const StandardChoices& choices, double dt) {
+  switch (choices.integrator) {
+    case Integrator::newmark:
+      return newmark(choices.newmark_beta, choices.newmark_gamma, dt);
+    case Integrator::generalized_alpha:
+      return generalized_alpha(choices.rho_infinity, dt);
+    case Integrator::weighted:
+      break;
+  }
+  return weighted(choices, dt);
+}
+
+StepRule resting_rule(double tau) {
+  return {.inertia = {1 / (tau * tau), 0, 0}, .damping = {}, .end_velocity = {1, 1, 0}, .end_acceleration = {}};
+}
+
+double damping_of_rule(const StandardChoices& choices, double dt) {
+  switch (choices.integrator) {
+    case Integrator::newmark:
+      return (choices.newmark_gamma - 0.5) * dt;
+    case Integrator::generalized_alpha:
+      return 0;
+    case Integrator::weighted:
+      break;
+  }
+  return (choices.force_weight - 0.5) * dt;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,49 @@
+// The integrators of Dynamics::standard: what each makes of inertia, damping, elastic force and the motion at the end of a step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/standard_choices.hpp"
+
+namespace keyblock {
+
+/// A combination of what a step knows: increment Δq + velocity v0 + acceleration a0.
+struct StepSum {
+  double increment = 0;
+  double velocity = 0;
+  double acceleration = 0;
+};
+
+/// The balance of a step of dt, and the motion at its end:
+///     M inertia + C damping + K (q0 + stiffness Δq) = F(t0 + load_time dt) + Gᵀ λ.
+struct StepRule {
+  StepSum inertia;
+  StepSum damping;
+  double stiffness = 1;
+  double load_time = 1;
+  StepSum end_velocity;
+  StepSum end_acceleration;
+  double error_of_change = 0;        ///< local error of the position over dt² (a1 − a0)
+  double error_of_acceleration = 0;  ///< and over dt² a: of first-order rules
+
+  bool carries_acceleration() const { return inertia.acceleration != 0 || end_velocity.acceleration != 0; }
+};
+
+/// The rule of the chosen integrator; contact forces act over the whole step in each.
+/// Weighted, with θv of the velocity and θf of the elastic force (contact-notes 2):
+///     M (Δq − dt v0)/(θv dt²) + C Δq/dt + K (q0 + θf Δq) = F(½),   v1 = (Δq/dt − (1−θv) v0)/θv,   a1 = (v1 − v0)/dt.
+/// Newmark 1959, with Δq = dt v0 + dt² ((½−β) a0 + β a1) and v1 = v0 + dt ((1−γ) a0 + γ a1):
+///     M a1 + C v1 + K q1 = F(1);   Shi's step is β = ½, γ = 1.
+/// Generalised α of Chung & Hulbert 1993, damping high frequencies down to ρ∞: Newmark's sums, and
+///     M ((1−αm) a1 + αm a0) + C ((1−αf) v1 + αf v0) + K (q0 + (1−αf) Δq) = F(1−αf),
+///     αm = (2ρ∞−1)/(ρ∞+1),  αf = ρ∞/(ρ∞+1),  γ = ½ − αm + αf,  β = (1 − αm + αf)²/4.
+/// Their local errors: Zienkiewicz & Xie 1991 for Newmark's sums, |β − 1/6| dt² (a1 − a0), and the same by Taylor for weights.
+StepRule step_rule(const StandardChoices& choices, double dt);
+
+/// From rest under loads that stay, with M/τ² for what holds a block that nothing else does; the velocity is the increment and
+/// the v0 given, over unit time.
+StepRule resting_rule(double tau);
+
+/// β of the stiffness damping β K that the rule makes of its own at low frequencies.
+double damping_of_rule(const StandardChoices& choices, double dt);
+
+}  // namespace keyblock

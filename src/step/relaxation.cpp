@@ -1,0 +1,99 @@
+// The steps are those of dynamics, of the file's size.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/relaxation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "step/acceleration.hpp"
+#include "step/equilibrium.hpp"
+#include "step/integrator.hpp"
+#include "step/ledger.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads
+constexpr int kMostSteps = 100000;
+
+class Relaxation {
+ public:
+  Relaxation(const StandardScene& scene, const Motion& start, double time)
+      : scene_(scene),
+        start_(start),
+        time_(time),
+        dt_(scene.settings.time_step),
+        before_step_(time - step_rule(scene.settings.standard, dt_).load_time * dt_) {
+    result_.motion = start;
+    stop();
+  }
+
+  StandardStep run() {
+    for (int step = 0; step < kMostSteps && result_.converged && result_.failure.empty(); ++step) {
+      if (is_at_rest()) return std::move(result_);
+      make_step();
+    }
+    if (result_.converged && result_.failure.empty())
+      result_.failure =
+          fmt::format("no rest found in {} steps of relaxation, forces out of balance by {:.1e} of the load",
+                      kMostSteps, result_.residual);
+    return std::move(result_);
+  }
+
+ private:
+  bool is_at_rest() {
+    if (kinetic_ > kAtRest * work_) return false;
+    const Balance balance = balance_of(scene_, result_.motion, time_);
+    result_.residual = balance.share;
+    if (balance.holds()) stop();
+    return balance.holds();
+  }
+
+  void make_step() {
+    const UnknownsTable from = result_.motion.q;
+    StandardStep made = standard_step(scene_, result_.motion, before_step_, dt_);
+    made.solves += result_.solves;
+    made.fallbacks += result_.fallbacks;
+    made.halvings += result_.halvings;
+    result_ = std::move(made);
+    if (!result_.converged) return;
+    add_work(from);
+    const double last = kinetic_;
+    kinetic_ = kinetic_energy(scene_, result_.motion.v);
+    const Travel travel = travel_of(scene_, start_.q, result_.motion.q);
+    if (!travel.far.empty()) result_.failure = no_equilibrium(travel.far);
+    if (kinetic_ < last) stop();
+  }
+
+  void stop() {
+    for (Unknowns& v : result_.motion.v) v.setZero();
+    result_.motion.a = balanced_acceleration(scene_, result_.motion, time_);
+    kinetic_ = 0;
+  }
+
+  void add_work(const UnknownsTable& from) {
+    const UnknownsTable loads = loads_at(scene_, from, time_);
+    double work = 0;
+    for (ElementIndex e : indices(loads)) work += loads[e].dot(result_.motion.q[e] - from[e]);
+    work_ += std::abs(work);
+  }
+
+  const StandardScene& scene_;
+  const Motion& start_;
+  double time_;
+  double dt_;
+  double before_step_;  ///< a step from here takes the loads at `time_`
+  double work_ = 0;
+  double kinetic_ = 0;
+  StandardStep result_;
+};
+
+}  // namespace
+
+StandardStep relaxation_step(const StandardScene& scene, const Motion& start, double time) {
+  return Relaxation(scene, start, time).run();
+}
+
+}  // namespace keyblock

@@ -1,0 +1,202 @@
+// Pseudo time grows with success and is cut where blocks move too far for one linearisation.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/static_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/gap.hpp"
+#include "step/contact_laws.hpp"
+#include "step/equilibrium.hpp"
+#include "step/integrator.hpp"
+#include "step/smooth_solve.hpp"
+#include "step/touch_search.hpp"
+
+namespace keyblock {
+namespace {
+
+// Residual of the contact forces over the largest load, to reach and to be content with at the end; on the way a share of what
+// is out of balance does, as for any inexact proximal point.
+constexpr double kForceGoal = 1e-10;
+constexpr double kForceAcceptable = 1e-7;
+constexpr double kForceOnTheWay = 1e-2;
+// Way of a vertex in one iteration over block size: gaps and loads are taken as linear in it.
+constexpr double kFarthest = 0.05;
+constexpr double kAimed = 0.5;  // share of it that τ is chosen for
+constexpr double kGrowth = 4;
+constexpr double kGrowthAfterCut = 1.2;  // once contact forces did not settle under a longer τ
+// Longest τ times the slowest frequency of a block: what is left of an elastic error after one iteration is its square
+// inverse; more would drown the elastic part of the contact matrix in the rigid one.
+constexpr double kLongest = 30;
+constexpr int kMostIterations = 2000;
+constexpr int kMostCuts = 20;     // one after another
+constexpr int kMostSearches = 4;  // each adds corners that the last solution made overlap
+// Touches nearer than this share of block size at the start of slip counting were closed then.
+constexpr double kClosedThen = 1e-6;
+
+class StaticSolve {
+ public:
+  StaticSolve(const StandardScene& scene, const Motion& start, double time)
+      : scene_(scene), start_(start), time_(time), slip_start_(start), closed_(start.closed) {
+    for (Unknowns& v : slip_start_.v) v.setZero();
+    now_ = slip_start_;
+  }
+
+  StandardStep run() {
+    if (!choose_scales()) return finished();
+    for (; iterations_ < kMostIterations && result_.failure.empty() && result_.converged; ++iterations_) {
+      if (!iterate()) continue;
+      const Balance balance = balance_of(scene_, now_, time_);
+      result_.residual = balance.share;
+      if (balance.holds() && contact_residual_ <= kForceAcceptable * load_) return finished();
+      result_.failure = why_far(balance);
+    }
+    if (result_.converged && result_.failure.empty())
+      result_.failure =
+          fmt::format("no equilibrium found in {} iterations, forces out of balance by {:.1e} of the load", iterations_,
+                      result_.residual);
+    return finished();
+  }
+
+ private:
+  StandardStep finished() {
+    result_.solves = iterations_ + 1;
+    result_.halvings = cuts_;
+    for (Unknowns& v : now_.v) v.setZero();
+    result_.motion = now_;
+    result_.motion.closed = closed_;
+    return std::move(result_);
+  }
+
+  // False where nothing is to be balanced.
+  bool choose_scales() {
+    const UnknownsTable loads = loads_at(scene_, now_.q, time_);
+    load_ = largest_load(scene_, loads);
+    if (load_ == 0) return false;
+    const Scales scales = scales_of(scene_, loads, now_.v);
+    double slowest = std::numeric_limits<double>::max();
+    double lightest = slowest;
+    for (const Body& body : scene_.bodies) {
+      const Eigen::Index last = body.mass.rows() - 1;
+      if (last < 0) continue;
+      lightest = std::min(lightest, body.mass(0, 0));
+      if (body.stiffness(last, last) > 0)
+        slowest = std::min(slowest, std::sqrt(body.stiffness(last, last) / body.mass(last, last)));
+      if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
+    }
+    tau_ = std::sqrt(kFarthest * scales.size * lightest / load_);
+    longest_ = slowest < std::numeric_limits<double>::max() ? kLongest / slowest : kLongest * tau_;
+    longest_ = std::max(longest_, tau_);
+    result_.residual = 1;  // all is out of balance
+    return true;
+  }
+
+  // True if the iteration stands; otherwise τ was cut.
+  bool iterate() {
+    const UnknownsTable loads = loads_at(scene_, now_.q, time_);
+    Motion still = now_;
+    for (Unknowns& v : still.v) v.setZero();
+    const Scales scales = scales_of(scene_, loads, still.v);
+    FoundTouches found = touches_of(scene_, still, scales, tau_);
+    const ForceTolerance tolerance{kForceGoal * load_,
+                                   std::max(kForceAcceptable, kForceOnTheWay * result_.residual) * load_};
+    SmoothMotion made;
+    for (int search = 0; search < kMostSearches; ++search) {
+      made = smooth_solve(scene_, now_, loads, found.touches, tolerance, time_ - 1, 1, resting_rule(tau_));
+      if (made.sweeps > 0) ++result_.fallbacks;
+      const auto end = vertices_at(scene_.model, scene_.reference, made.q);
+      const Touches fresh = made.converged ? newly_overlapping(scene_, still, end, found, scales) : Touches{};
+      if (fresh.empty()) break;
+      found.touches.insert(found.touches.end(), fresh.begin(), fresh.end());
+    }
+    const double moved = travel_of(scene_, now_.q, made.q).share;
+    if ((!made.converged || !(moved <= kFarthest)) && cut(made, found.touches)) return false;
+    if (!made.converged) return false;
+    accept(made, found.touches, tolerance.goal);
+    const double wanted = tau_ * std::clamp(std::sqrt(kAimed * kFarthest / moved), 1 / kGrowth, growth_);
+    tau_ = std::min(wanted, longest_);
+    cuts_in_row_ = 0;
+    return true;
+  }
+
+  bool cut(const SmoothMotion& made, const Touches& touches) {
+    if (++cuts_in_row_ > kMostCuts) {
+      result_.converged = made.converged;
+      result_.residual = made.residual / load_;
+      result_.touches = touches;
+      result_.undecided = made.undecided;
+      return false;
+    }
+    ++cuts_;
+    tau_ /= kGrowth;
+    if (!made.converged) growth_ = kGrowthAfterCut;
+    return true;
+  }
+
+  void accept(const SmoothMotion& made, const Touches& touches, double least_force) {
+    contact_residual_ = made.residual;
+    result_.touches = touches;
+    now_.q = made.q;
+    now_.bonds = made.bonds;
+    now_.ties = made.ties;
+    closed_ = {};
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const bool holds = std::abs(made.forces[n]) > least_force || made.laws[i].is_bonded;
+      if (holds) closed_.add(touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1]));
+    }
+    if (one_closed()) {
+      slip_start_ = now_;
+      slip_start_.closed = closed_;
+    }
+    now_.v = plus(now_.q, -1, slip_start_.q);
+    now_.closed = {};
+    for (auto [touch, memory] : closed_.all()) {
+      const ContactMemory* known = slip_start_.closed.of(touch);
+      memory.stretch = known ? known->stretch : 0;
+      now_.closed.add(touch, memory);
+    }
+  }
+
+  // A touch is closed that was open where slip is counted from.
+  bool one_closed() const {
+    const auto then = vertices_at(scene_.model, scene_.reference, slip_start_.q);
+    return std::ranges::any_of(closed_.all(), [&](const auto& entry) {
+      const double size = scene_.bodies[scene_.model.vertices[entry.first.vertex].element].size;
+      return gap_of(entry.first, then) > kClosedThen * size;
+    });
+  }
+
+  std::string why_far(const Balance& balance) const {
+    std::vector<ElementIndex> blocks;
+    std::ranges::set_intersection(travel_of(scene_, start_.q, now_.q).far, balance.blocks, std::back_inserter(blocks));
+    return blocks.empty() ? std::string() : no_equilibrium(blocks);
+  }
+
+  const StandardScene& scene_;
+  const Motion& start_;
+  double time_;
+  Motion slip_start_;  ///< slip and the stretch of springs are counted from here
+  Motion now_;         ///< v is the way since `slip_start_`, a velocity over unit time; springs are stretched as there
+  ClosedContacts closed_;  ///< with their present stretch
+  double load_ = 0;
+  double tau_ = 0;
+  double longest_ = 0;
+  double contact_residual_ = 0;
+  double growth_ = kGrowth;
+  int iterations_ = 0;
+  int cuts_ = 0;
+  int cuts_in_row_ = 0;
+  StandardStep result_;
+};
+
+}  // namespace
+
+StandardStep static_step(const StandardScene& scene, const Motion& start, double time) {
+  return StaticSolve(scene, start, time).run();
+}
+
+}  // namespace keyblock

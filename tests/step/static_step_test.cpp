@@ -1,0 +1,202 @@
+// Static equilibria, found directly and by dynamic relaxation: benchmark dda-30, blocks held by contact alone, and blocks
+// that nothing holds.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/static_step.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "step/equilibrium.hpp"
+#include "tests/support/standard_scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::block_on_slope;
+using testing::plain_analysis;
+using testing::radians;
+using testing::rectangle;
+using testing::standard_scene_of;
+using testing::standard_settings;
+
+constexpr double kGravity = 9.81;
+constexpr std::array<MotionRule, 2> kRules{MotionRule::equilibrium, MotionRule::relaxation};
+
+std::string name_of(MotionRule rule) {
+  return rule == MotionRule::equilibrium ? "static" : "relaxation";
+}
+
+struct Stack {
+  int count;
+  double height;  // of a block, one wide
+  double modulus;
+  double density;
+  double penalty;
+  double settlement_elastic, settlement;  // of the top, benchmark dda-30
+};
+
+constexpr std::array<Stack, 3> kStacks{{{10, 1, 1e9, 2500, 1e10, 0.00122625, 0.00129369},
+                                        {10, 1, 1e9, 2500, 1e12, 0.00122625, 0.00122692},
+                                        {5, 2, 5e9, 2700, 5e10, 0.00026487, 0.000272816}}};
+
+Scene scene_of_stack(const Stack& stack, MotionRule rule, Enforcement enforcement) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-2, -1}, {3, 0})};
+  for (int i = 0; i < stack.count; ++i)
+    blocks.blocks.push_back(rectangle({0, stack.height * i}, {1, stack.height * (i + 1)}));
+  blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
+  blocks.measured_points = {{{0.5, stack.height * stack.count}, stack.count, {}}};
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.velocity_carry_over = 0;
+  analysis.contact_penalty = stack.penalty;
+  analysis.block_materials[0].poissons_ratio = 0;
+  analysis.block_materials[0].youngs_modulus = stack.modulus;
+  analysis.block_materials[0].density = stack.density;
+  analysis.joint_materials[0].friction_angle_deg = 30;
+  Settings settings = standard_settings(analysis);
+  settings.standard.motion = rule;
+  settings.standard.enforcement = enforcement;
+  return standard_scene_of(blocks, analysis, settings);
+}
+
+// One step; what was wrong, or nothing.
+std::string step(StandardStepper& stepper) {
+  const auto made = stepper.advance();
+  const auto* failure = std::get_if<StepFailure>(&made);
+  return failure == nullptr ? std::string() : failure->reason;
+}
+
+Scene slope_scene(double slope_deg, double friction_deg, MotionRule rule, BlockBasis basis, Enforcement enforcement) {
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.velocity_carry_over = 0;
+  analysis.joint_materials[0].friction_angle_deg = friction_deg;
+  Settings settings = standard_settings(analysis);
+  settings.standard.motion = rule;
+  settings.standard.basis = basis;
+  settings.standard.enforcement = enforcement;
+  return standard_scene_of(block_on_slope(radians(slope_deg)), analysis, settings);
+}
+
+}  // namespace
+
+TEST(StaticStep, a_file_without_dynamics_is_solved_as_statics) {
+  Analysis analysis = plain_analysis(1e-3, 1);
+  EXPECT_EQ(standard_settings(analysis).standard.motion, MotionRule::dynamic);
+  analysis.velocity_carry_over = 0;
+  EXPECT_EQ(standard_settings(analysis).standard.motion, MotionRule::equilibrium);
+}
+
+// dda-30: ρ g (N h)²/(2 E) + Σ W_k/(2 p), the second part with springs alone; its table has six digits.
+TEST(StaticStep, stacks_settle_as_statics_says_by_either_way) {
+  for (MotionRule rule : kRules) {
+    for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
+      for (const Stack& stack : kStacks) {
+        const Scene scene = scene_of_stack(stack, rule, enforcement);
+        StandardStepper stepper(scene);
+        ASSERT_EQ(step(stepper), "") << name_of(rule);
+        const double found = -stepper.state().measured_points[0].displacement.y;
+        const bool springs = enforcement == Enforcement::penalty;
+        const double expected = springs ? stack.settlement : stack.settlement_elastic;
+        EXPECT_NEAR(found / expected, 1, 5e-6) << name_of(rule) << (springs ? ", springs" : ", multipliers");
+        RecordProperty(fmt::format("{} {} {}", name_of(rule), springs ? "springs" : "multipliers", stack.penalty),
+                       fmt::format("{:.7g}", found));
+      }
+    }
+  }
+}
+
+// Weight along and across the slope: forces of the two corners sum to W sin a and W cos a, and nothing slips.
+TEST(StaticStep, a_block_held_by_friction_alone_rests) {
+  for (MotionRule rule : kRules) {
+    for (BlockBasis basis : {BlockBasis::rigid, BlockBasis::affine}) {
+      for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
+        const Scene scene = slope_scene(20, 30, rule, basis, enforcement);
+        StandardStepper stepper(scene);
+        ASSERT_EQ(step(stepper), "") << name_of(rule);
+        double normal = 0;
+        double tangential = 0;
+        for (const auto& [touch, memory] : stepper.motion().closed.all()) {
+          normal += memory.normal;
+          tangential += std::abs(memory.tangential);
+        }
+        EXPECT_NEAR(normal / (2500 * kGravity * std::cos(radians(20))), 1, 1e-7) << name_of(rule);
+        EXPECT_NEAR(tangential / (2500 * kGravity * std::sin(radians(20))), 1, 1e-7) << name_of(rule);
+        // Settlement under its own weight is of the order W/E and W/p, 5e-6 m; a slip would have no bound.
+        EXPECT_LE(length(testing::travel(stepper, stepper.unloaded(), 1)), 2e-5) << name_of(rule);
+      }
+    }
+  }
+}
+
+TEST(StaticStep, a_block_that_friction_does_not_hold_is_named) {
+  for (MotionRule rule : kRules) {
+    const Scene scene = slope_scene(30, 20, rule, BlockBasis::affine, Enforcement::lagrange);
+    StandardStepper stepper(scene);
+    EXPECT_EQ(step(stepper), "step 1 (time 0): no equilibrium: block 2 accelerates");
+    EXPECT_EQ(stepper.state().step, 0);
+  }
+}
+
+TEST(StaticStep, a_free_block_is_named) {
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.velocity_carry_over = 0;
+  const Scene scene =
+      standard_scene_of({{rectangle({0, 10}, {1, 11})}, {}, {}, {}, {}, {}}, analysis, standard_settings(analysis));
+  StandardStepper stepper(scene);
+  EXPECT_EQ(step(stepper), "step 1 (time 0): no equilibrium: block 1 accelerates");
+}
+
+// A column falls over a toe that its weight passes outside of, and stands inside of it: b/h against tan(slope).
+TEST(StaticStep, a_column_beyond_its_limit_is_named_and_one_within_stands) {
+  const double slope = radians(20);
+  for (MotionRule rule : kRules) {
+    for (double ratio : {0.9, 1.1}) {
+      Blocks blocks = block_on_slope(slope);
+      const double h = 1 / (ratio * std::tan(slope));
+      blocks.blocks[1] = testing::turned_rectangle({8, 0}, {9, h}, -slope);
+      Analysis analysis = plain_analysis(1e-3, 1);
+      analysis.velocity_carry_over = 0;
+      analysis.joint_materials[0].friction_angle_deg = 50;
+      Settings settings = standard_settings(analysis);
+      settings.standard.motion = rule;
+      const Scene scene = standard_scene_of(blocks, analysis, settings);
+      StandardStepper stepper(scene);
+      EXPECT_EQ(step(stepper), ratio > 1 ? "" : "step 1 (time 0): no equilibrium: block 2 accelerates")
+          << name_of(rule) << ", ratio " << ratio;
+    }
+  }
+}
+
+// Elastic, sticking contact: the path of the load does not matter.
+TEST(StaticStep, loads_put_on_in_shares_end_at_the_same_equilibrium) {
+  Scene once = scene_of_stack(kStacks[0], MotionRule::equilibrium, Enforcement::lagrange);
+  Scene shares = once;
+  shares.settings.step_count = 4;
+  shares.settings.standard.load_steps = 4;
+  StandardStepper one(once);
+  StandardStepper four(shares);
+  ASSERT_EQ(step(one), "");
+  for (int i = 1; i <= 4; ++i) {
+    ASSERT_EQ(step(four), "");
+    const double share = four.state().measured_points[0].displacement.y / one.state().measured_points[0].displacement.y;
+    EXPECT_NEAR(share, i / 4.0, 1e-5) << i;
+  }
+}
+
+// Steps after the loads stand cost nothing and change nothing.
+TEST(StaticStep, an_equilibrium_stays_while_loads_do) {
+  Scene scene = scene_of_stack(kStacks[2], MotionRule::equilibrium, Enforcement::penalty);
+  scene.settings.step_count = 3;
+  StandardStepper stepper(scene);
+  ASSERT_EQ(step(stepper), "");
+  const State first = stepper.state();
+  const auto second = stepper.advance();
+  ASSERT_TRUE(std::holds_alternative<StepReport>(second));
+  EXPECT_EQ(std::get<StepReport>(second).passes, 0);
+  EXPECT_LE(std::get<StepReport>(second).residual, 1e-8);
+  for (VertexIndex v : indices(first.vertices)) EXPECT_EQ(distance(first.vertices[v], stepper.state().vertices[v]), 0);
+}
+
+}  // namespace keyblock
