@@ -18,6 +18,9 @@ class ActiveForces {
   /// `added` stands on the diagonal of W beside its own entries.
   ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips, const Eigen::VectorXd& added);
 
+  /// False where no factor was found: the active set leaves forces open.
+  bool is_regular() const { return !sparse_ || sparse_->info() == Eigen::Success; }
+
   /// The forces of all pairs for y = (W + added) λ + b.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 

@@ -43,7 +43,7 @@ class Newton {
   }
 
  private:
-  // Solves with the proximal term; false if the active sets go round in a cycle.
+  // Solves with the proximal term; false if the active sets go round in a cycle or leave forces open.
   bool settle(const Proximal& proximal) {
     const Eigen::VectorXd right = problem_.b - proximal.weights.cwiseProduct(proximal.reference);
     std::set<std::vector<Grip>> visited;
@@ -51,6 +51,7 @@ class Newton {
     for (int i = 0; i < kMostSets; ++i) {
       visited.insert(grips);
       factorise(grips);
+      if (!system_->is_regular()) return false;
       forces_ = system_->solve(right);
       keep_best();
       if (is_solved()) return true;

@@ -55,11 +55,4 @@ TEST(StandardRun, steps_report_their_touches_and_that_both_are_closed) {
   run(prepare(block_on_floor(), "standard", {}).scene, 1, observer);
 }
 
-TEST(StandardRun, a_scene_it_cannot_run_is_refused_with_the_reason) {
-  Problem hanging = block_on_floor();
-  std::get<Blocks>(hanging.geometry).fixed_points.push_back({{0.5, 0.5}, 1, {}});
-  EXPECT_THROW(prepare(hanging, "standard", {}), InputError);
-  EXPECT_NO_THROW(prepare(hanging, "legacy", {}));
-}
-
 }  // namespace keyblock
