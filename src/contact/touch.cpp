@@ -39,12 +39,14 @@ class PairTouches {
   void add_to(FoundTouches& found) const {
     const Leading& reference = a_leads_ ? of_a_ : of_b_;
     if (reference.separation > search_.reach || reference.edge.is_inner) return;
-    const CornerTie tie = tie_about(reference.separation);
+    const Edge facing = most_opposed(reference.edge, a_leads_ ? b_ : a_);
+    CornerTie tie = tie_of(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation));
+    if (tie.candidates.empty() && only_ends_meet(reference, facing)) tie = tie_at_corners();
     if (!tie.candidates.empty()) {
       found.ties.push_back(tie);
       return;
     }
-    const Touches touches = along_stretch(reference.edge, most_opposed(reference.edge, a_leads_ ? b_ : a_));
+    const Touches touches = along_stretch(reference.edge, facing);
     found.touches.insert(found.touches.end(), touches.begin(), touches.end());
   }
 
@@ -77,10 +79,8 @@ class PairTouches {
     return best;
   }
 
-  // Edges of either piece that lead as well as the best within round-off and slack, if two of them are not parallel.
-  CornerTie tie_about(double best) const {
-    std::vector<Edge> of_a = leading(a_, b_, best);
-    std::vector<Edge> of_b = leading(b_, a_, best);
+  // Edges of either piece that lead as well as the best, if two of them are not parallel.
+  CornerTie tie_of(const std::vector<Edge>& of_a, const std::vector<Edge>& of_b) const {
     if (of_a.size() + of_b.size() < 2) return {};
     const auto [p, q] = nearest_corners();
     CornerTie tie;
@@ -96,7 +96,24 @@ class PairTouches {
     return tie;
   }
 
-  // Pieces that touch or overlap within the slack count as just touching.
+  // Faces whose ends are in line may pass each other: a block that slides along the tops of a row of blocks comes up to the
+  // end face of each, which it will not hit.
+  CornerTie tie_at_corners() const {
+    const auto [p, q] = nearest_corners();
+    return tie_of(edges_at(p, a_), edges_at(q, b_));
+  }
+
+  static std::vector<Edge> edges_at(VertexIndex corner, const ConvexPiece& of) {
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < of.corners.size(); ++i) {
+      const Edge edge = edge_of(of, i);
+      if (!edge.is_inner && (edge.start == corner || edge.end == corner)) edges.push_back(edge);
+    }
+    return edges;
+  }
+
+  // Edges that lead as well as the best within round-off and slack; pieces that touch or overlap within the slack count as just
+  // touching.
   std::vector<Edge> leading(const ConvexPiece& of, const ConvexPiece& from, double best) const {
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < of.corners.size(); ++i) {
@@ -151,6 +168,16 @@ class PairTouches {
       }
     }
     return best;
+  }
+
+  // The stretch that two edges share is a point, within round-off, slack, and what an angle that is none to the eye makes of it
+  // over their distance.
+  bool only_ends_meet(const Leading& reference, Edge facing) const {
+    const double own_high = length(along(reference.edge));
+    const double low = std::max(0.0, station(reference.edge, facing.end));
+    const double high = std::min(own_high, station(reference.edge, facing.start));
+    const double doubt = kTie * own_high + search_.slack + kParallel * std::max(0.0, reference.separation);
+    return std::abs(high - low) <= doubt;
   }
 
   // Stretch along the line of reference: that of the line itself, and the facing edge, which runs against it.

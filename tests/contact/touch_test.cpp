@@ -14,14 +14,28 @@ namespace {
 
 using testing::rectangle;
 
-Touches touches_between(const BlockPolygon& a, const BlockPolygon& b, double reach = 0.1) {
+constexpr double kReach = 0.1;
+
+Model two_blocks(const BlockPolygon& a, const BlockPolygon& b) {
   Blocks blocks;
   blocks.blocks = {a, b};
-  const Model model = model_from_blocks(blocks, testing::plain_analysis(1, 1));
-  const Table<ElementIndex, ConvexPieces> pieces{convex_pieces(model, {0}), convex_pieces(model, {1})};
+  return model_from_blocks(blocks, testing::plain_analysis(1, 1));
+}
+
+Table<VertexIndex, Point> vertices_of(const Model& model) {
   Table<VertexIndex, Point> vertices;
   vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
-  Touches touches = find_touches({{{0}, {1}}}, pieces, vertices, {reach}).touches;
+  return vertices;
+}
+
+FoundTouches found_between(const BlockPolygon& a, const BlockPolygon& b) {
+  const Model model = two_blocks(a, b);
+  const Table<ElementIndex, ConvexPieces> pieces{convex_pieces(model, {0}), convex_pieces(model, {1})};
+  return find_touches({{{0}, {1}}}, pieces, vertices_of(model), {kReach});
+}
+
+Touches touches_between(const BlockPolygon& a, const BlockPolygon& b) {
+  Touches touches = found_between(a, b).touches;
   std::ranges::sort(touches);
   return touches;
 }
@@ -53,6 +67,23 @@ TEST(Touch, a_block_on_its_corner_meets_the_floor_with_that_corner) {
 TEST(Touch, blocks_out_of_reach_or_past_each_other_do_not_meet) {
   EXPECT_TRUE(touches_between(rectangle({0, -1}, {5, 0}), rectangle({1, 0.2}, {2, 1})).empty());
   EXPECT_TRUE(touches_between(rectangle({0, -1}, {5, 0}), rectangle({5.05, 0.01}, {6, 1})).empty());
+}
+
+// Where the tops of two floors are in line, a block that slides along the first comes up to the end face of the second. It
+// passes, or lands on the top; it does not hit the end.
+TEST(Touch, a_block_that_slides_on_to_the_next_floor_does_not_hit_its_end) {
+  const BlockPolygon floor = rectangle({4, -1}, {8, 0});
+  const BlockPolygon block = rectangle({2.95, 0}, {3.95, 1});
+  const FoundTouches found = found_between(floor, block);
+  EXPECT_TRUE(found.touches.empty());
+  ASSERT_EQ(found.ties.size(), 1U);
+  const auto before = vertices_of(two_blocks(floor, block));
+  const auto passed = vertices_of(two_blocks(floor, rectangle({3.15, 0}, {4.15, 1})));
+  EXPECT_EQ(touch_of(found.ties[0], before, passed, 1e-9), nullptr);
+  const auto sunk = vertices_of(two_blocks(floor, rectangle({3.15, -0.01}, {4.15, 0.99})));
+  const Touch* touch = touch_of(found.ties[0], before, sunk, 1e-9);
+  ASSERT_NE(touch, nullptr);
+  EXPECT_EQ(*touch, (Touch{{5}, {2}, {3}})) << "its lower right corner on the top of the floor";
 }
 
 // An L: floor and wall in one block, cut from its reflex corner (vertex 3). A block in the corner rests on both.
