@@ -61,8 +61,8 @@ def scene_of(psi1, psi2, d, h, length, toe):
     scene = Scene()
     scene.block([(-CHAMFER, CHAMFER * t1), (0, CHAMFER * t1 + 0.3), (0, h), (-d, d * t1)], 1, [1, 3, 1, 1])
     scene.block([(0, 0), (length, -length * t2), (length, toe), (0, h)], 2, [2, 2, 2, 3])
-    scene.fixed_block([(0, 0), (-d - 2, (d + 2) * t1), (-d - 4, -6), (0, -6)], 3, 1)
-    scene.fixed_block([(0, 0), (0, -6), (length + 10, -6), (length + 10, -(length + 10) * t2)], 3, 2)
+    left, right = d + 2, length + 10
+    scene.fixed_block([(-left, left * t1), (-left, -6), (right, -6), (right, -right * t2), (0, 0)], 3, [1, 1, 1, 2, 1])
     return scene
 
 
@@ -97,8 +97,7 @@ def wedge_pair(phi, time=0.8):
     scene = Scene()
     scene.block([(9, 1), (10, 1), (10, 3), (7, 3)])
     scene.block([(10, 0), (12, 0), (12, 3), (10, 3)])
-    scene.fixed_block([(10, 0), (0, 10), (0, -2), (10, -2)])
-    scene.fixed_block([(10, 0), (10, -2), (30, -2), (30, 0)])
+    scene.fixed_block([(0, 10), (0, -2), (30, -2), (30, 0), (10, 0)])
     a = acceleration(4 * 2.5 * G, 45, tangent(phi), 6 * 2.5 * G, 0, tangent(phi), tangent(phi))
     expected = [('dx', block, t, a[1] * t * t / 2, 1e-3 * a[1] * t * t / 2 + 1e-5, 'elastic strain of the blocks',
                  'two sliding blocks, horizontal acceleration %.6g of both' % a[1]) for block in (1, 2) for t in (time / 2, time)]
