@@ -14,6 +14,14 @@ G = 9.81
 CHAMFER = 0.5  # m of the upper block's base cut off at the kink, so that it can slide on without entering the lower plane
 
 
+# The six forces between two blocks and the ground are not settled by statics; elastic blocks start with a set that is in equilibrium, shake
+# down to their own and slide meanwhile. Rigid blocks do not.
+START = 0.02  # m/s
+SLACK = 'a start that shakes down (up to 0.02 m/s)'
+RIGID = {'name': 'rigid blocks', 'profile': 'standard', 'set': {'basis': 'rigid'}, 'tolerance': 1e-6,
+         'reason': 'exact but for the geometry that the file rounds'}
+
+
 def tangent(degrees):
     return math.tan(math.radians(degrees))
 
@@ -77,19 +85,23 @@ def case(name, data, shape, share, time=1.0):
     factor = share * safety
     scene = scene_of(psi1, psi2, *shape)
     a = acceleration(w1, psi1, tangent(phi1) / factor, w2, psi2, tangent(phi2) / factor, tangent(phi12) / factor)
+    source = 'limit equilibrium: factor of safety %.5f; reduced by %.2f of it: %s' % (
+        safety, share, 'two sliding blocks, a = %.5g and %.5g' % a if a[0] else 'at rest')
     expected = []
     for block in (1, 2):
-        expected += [('displacement', block, t, a[block - 1] * t * t / 2,
-                      0.02 * a[block - 1] * t * t / 2 + 1e-5 if a[0] else 1e-4,
-                      'elastic strain; asked for: 2 % of the factor of safety, twice this displacement and more',
-                      'limit equilibrium: factor of safety %.5f; reduced by %.2f of it: %s' % (
-                          safety, share, 'two sliding blocks, a = %.5g and %.5g' % a if a[0] else 'at rest'))
-                     for t in (time / 2, time)]
+        if a[0]:
+            expected += [('displacement', block, t, a[block - 1] * t * t / 2, 0.5 * a[block - 1] * t * t / 2 + START * t,
+                          'asked for: 2 % of the factor of safety, which is the whole displacement; half of it here, and ' + SLACK,
+                          source) for t in (time / 2, time)]
+        else:
+            expected += [('displacement', block, time, 0.0, 5e-3, 'it stands; ' + SLACK + ' until it has come to rest', source),
+                         ('speed', block, time, 0.0, 1e-6, 'at rest', source)]
     steps = round(time / 0.002)
     write_case(os.path.join(HERE, name), scene,
                analysis_text(scene, steps, 0.002, [weighing(w1, scene, 1), weighing(w2, scene, 2), rock()],
-                             [(phi1, 0, 0), (phi2, 0, 0), (phi12, 0, 0)]), expected,
-               'two blocks at %.2f of their factor of safety %.4f' % (share, safety), set=reduced(1 / factor))
+                             [(phi1, 0, 0), (phi2, 0, 0), (phi12, 0, 0)], penalty=5e9), expected,
+               'two blocks at %.2f of their factor of safety %.4f' % (share, safety), set=reduced(1 / factor),
+               variants=[RIGID])
 
 
 def wedge_pair(phi, time=0.8):
@@ -99,11 +111,11 @@ def wedge_pair(phi, time=0.8):
     scene.block([(10, 0), (12, 0), (12, 3), (10, 3)])
     scene.fixed_block([(0, 10), (0, -2), (30, -2), (30, 0), (10, 0)])
     a = acceleration(4 * 2.5 * G, 45, tangent(phi), 6 * 2.5 * G, 0, tangent(phi), tangent(phi))
-    expected = [('dx', block, t, a[1] * t * t / 2, 1e-3 * a[1] * t * t / 2 + 1e-5, 'elastic strain of the blocks',
+    expected = [('dx', block, t, a[1] * t * t / 2, 1e-3 * a[1] * t * t / 2 + 0.2 * START * t, 'elastic strain, and ' + SLACK,
                  'two sliding blocks, horizontal acceleration %.6g of both' % a[1]) for block in (1, 2) for t in (time / 2, time)]
     write_case(os.path.join(HERE, 'wedge_p%02d' % phi), scene,
-               analysis_text(scene, 800, 0.001, [rock(2500)], [(phi, 0, 0)]), expected,
-               'a trapezium on 45 degrees pushes a block on the level, friction %d degrees everywhere' % phi)
+               analysis_text(scene, 800, 0.001, [rock(2500)], [(phi, 0, 0)], penalty=5e9), expected,
+               'a trapezium on 45 degrees pushes a block on the level, friction %d degrees everywhere' % phi, variants=[RIGID])
 
 
 ROWS = {'smooth_joint': ((1000, 50, 30, 1500, 10, 30, 0), (6, 8, 9, 4)),
