@@ -25,8 +25,10 @@ constexpr double kLeverage = 10;
 constexpr double kForceTolerance = 1e-12;  // of the largest force on a block
 constexpr double kLooser = 1e6;            // what counts as solved where the goal is out of reach
 
-// Contact stiffness over the inertia that keeps rigid motion finite while forces are distributed.
-constexpr double kLong = 1e6;
+// Stiffness of the blocks over the inertia that keeps rigid motion finite while forces are distributed. Far above, and the
+// proximal rounds of the solution no longer see which of the redundant forces elasticity asks for; the rounds of the start
+// take away what it leaves of gaps.
+constexpr double kLong = 100;
 // Slip given to a sliding touch, over all others, so that it slides on.
 constexpr double kBeyond = 1e3;
 // A friction force this near to its limit slides.
@@ -93,7 +95,7 @@ class Settling {
     UnknownsTable increments;
     for (ElementIndex e : indices(scene_.bodies)) {
       const Body& body = scene_.bodies[e];
-      const UnknownBlock a = body.stiffness + body.mass * (scene_.normal_stiffness() / (kLong * heaviest_));
+      const UnknownBlock a = body.stiffness + body.mass * (softest() / (kLong * heaviest_));
       flexibility.push_back(a.rows() > 0 ? UnknownBlock(a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()))) : a);
       const Unknowns unbalanced =
           loads_[e] + body.initial_stress - body.stiffness * motion_.q[e] - body.mass * acceleration_[e];
@@ -118,6 +120,14 @@ class Settling {
     problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
     const FrictionalSolution elastic = solve(problem, forces_);
     if (elastic.converged) forces_ = elastic.forces;
+  }
+
+  // Of the stiffest block and, where contacts are springs, of these: force over length.
+  double softest() const {
+    double stiffest = 0;
+    for (const BlockMaterial& material : scene_.model.block_materials)
+      stiffest = std::max(stiffest, material.youngs_modulus);
+    return scene_.has_springs() ? std::min(stiffest, scene_.normal_stiffness()) : stiffest;
   }
 
   void strain() {
