@@ -28,14 +28,14 @@ Table<VertexIndex, Point> vertices_of(const Model& model) {
   return vertices;
 }
 
-FoundTouches found_between(const BlockPolygon& a, const BlockPolygon& b) {
+FoundTouches found_between(const BlockPolygon& a, const BlockPolygon& b, const TouchSearch& search = {kReach}) {
   const Model model = two_blocks(a, b);
   const Table<ElementIndex, ConvexPieces> pieces{convex_pieces(model, {0}), convex_pieces(model, {1})};
-  return find_touches({{{0}, {1}}}, pieces, vertices_of(model), {kReach});
+  return find_touches({{{0}, {1}}}, pieces, vertices_of(model), search);
 }
 
-Touches touches_between(const BlockPolygon& a, const BlockPolygon& b) {
-  Touches touches = found_between(a, b).touches;
+Touches touches_between(const BlockPolygon& a, const BlockPolygon& b, const TouchSearch& search = {kReach}) {
+  Touches touches = found_between(a, b, search).touches;
   std::ranges::sort(touches);
   return touches;
 }
@@ -84,6 +84,14 @@ TEST(Touch, a_block_that_slides_on_to_the_next_floor_does_not_hit_its_end) {
   const Touch* touch = touch_of(found.ties[0], before, sunk, 1e-9);
   ASSERT_NE(touch, nullptr);
   EXPECT_EQ(*touch, (Touch{{5}, {2}, {3}})) << "its lower right corner on the top of the floor";
+
+// Springs give by up to 2 mm; the block leans by 4e-4 and its corner hangs over the end of the floor by 1 mm.
+TEST(Touch, a_block_that_leans_on_its_springs_is_no_corner) {
+  BlockPolygon leaning = rectangle({1.001, 0}, {5.001, 8});
+  leaning.outer[0].position.y = -0.0002;
+  leaning.outer[1].position.y = -0.0018;
+  const Touches found = touches_between(rectangle({0, -1}, {5, 0}), leaning, {0.1, 0.004});
+  EXPECT_EQ(found, (Touches{{{2}, {4}, {5}}, {{4}, {2}, {3}}}));
 }
 
 // An L: floor and wall in one block, cut from its reflex corner (vertex 3). A block in the corner rests on both.
