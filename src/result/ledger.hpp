@@ -22,7 +22,7 @@ struct StoredEnergy {
 struct EnergyFlow {
   // Gains.
   double external = 0;    ///< work of all loads but weight
-  double projection = 0;  ///< work against gravity of moving overlapping blocks apart
+  double projection = 0;  ///< work against gravity of setting blocks that met to where the jump would have left them
   double geometric = 0;  ///< normal forces along mid-step rows for the true gaps: either sign, second order in the step
   double creep = 0;  ///< sticking points over the slip that their law lets pass: either sign, first order in the step
   // Losses.

@@ -86,7 +86,7 @@ class ContactFlow {
       const Touch& touch = trail_.touches[i];
       const Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], before_of(touch),
                           trail_.smooth.laws[i]};
-      if (forces.normal == 0 && forces.before.normal == 0) continue;
+      if (forces.is_none()) continue;
       add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
       add_tangential(forces, way[n + 1]);
       forgotten_ -= forces.before.energy();
@@ -117,6 +117,8 @@ class ContactFlow {
     double tangential = 0;
     ContactMemory before;
     const ContactLaw& law;
+
+    bool is_none() const { return normal == 0 && tangential == 0 && before.normal == 0 && before.tangential == 0; }
   };
 
   ContactMemory before_of(const Touch& touch) const {
