@@ -13,7 +13,7 @@ struct StoredEnergy {
   double kinetic = 0;
   double strain = 0;
   double gravity = 0;  ///< potential of the weights, 0 where the unloaded blocks lie
-  double contact = 0;  ///< in contact springs
+  double contact = 0;  ///< in contact springs and bolts
 
   double total() const { return kinetic + strain + gravity + contact; }
 };
@@ -31,10 +31,11 @@ struct EnergyFlow {
   double impact = 0;   ///< in jumps of velocity, friction included
   double closing = 0;  ///< normal forces times the gaps they closed; negative where they pushed an overlap apart
   double clean_up = 0;
+  double rupture = 0;      ///< what bolts held that broke
   double algorithmic = 0;  ///< of the integrator and of its rule for contact springs
 
   double gained() const { return external + projection + geometric + creep; }
-  double lost() const { return friction + damping + impact + closing + clean_up + algorithmic; }
+  double lost() const { return friction + damping + impact + closing + clean_up + rupture + algorithmic; }
   EnergyFlow& operator+=(const EnergyFlow& other);
 };
 

@@ -158,6 +158,20 @@ class Attempt {
       const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
       step_.motion.closed.add(parts_.smooth[i], memory_of(smooth_.laws[i], normal(i), tangential));
     }
+    if (scene_.settings.standard.impact == ImpactLaw::springs) remember_springs();
+  }
+
+  // Springs that stop an impact have their force at the middle of the step; at its end they have that of the gap.
+  void remember_springs() {
+    const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
+      const ContactLaw& law = smooth_.laws[i];
+      if (!is_closed(i) || law.normal_compliance == 0) continue;
+      ContactMemory memory = *step_.motion.closed.of(parts_.smooth[i]);
+      memory.normal_at_end =
+          std::max(law.force.least, (law.rest_gap - gap_of(parts_.smooth[i], vertices)) / law.normal_compliance);
+      step_.motion.closed.add(parts_.smooth[i], memory);
+    }
   }
 
   const StandardScene& scene_;
