@@ -24,6 +24,7 @@ const std::vector<Column> kFlows{{"contact", [](const LedgerRow& r) { return r.s
                                  {"impact", [](const LedgerRow& r) { return r.flow.impact; }},
                                  {"closing", [](const LedgerRow& r) { return r.flow.closing; }},
                                  {"clean_up", [](const LedgerRow& r) { return r.flow.clean_up; }},
+                                 {"rupture", [](const LedgerRow& r) { return r.flow.rupture; }},
                                  {"algorithmic", [](const LedgerRow& r) { return r.flow.algorithmic; }},
                                  {"projection", [](const LedgerRow& r) { return r.flow.projection; }},
                                  {"geometric", [](const LedgerRow& r) { return r.flow.geometric; }},

@@ -15,7 +15,7 @@ double largest_of(const StoredEnergy& e, const StoredEnergy& start) {
 double largest_of(const EnergyFlow& f) {
   double largest = 0;
   for (double flow : {f.external, f.projection, f.geometric, f.creep, f.friction, f.damping, f.impact, f.closing,
-                      f.clean_up, f.algorithmic})
+                      f.clean_up, f.rupture, f.algorithmic})
     largest = std::max(largest, std::abs(flow));
   return largest;
 }
@@ -36,6 +36,7 @@ EnergyFlow& EnergyFlow::operator+=(const EnergyFlow& other) {
   impact += other.impact;
   closing += other.closing;
   clean_up += other.clean_up;
+  rupture += other.rupture;
   algorithmic += other.algorithmic;
   return *this;
 }

@@ -13,7 +13,7 @@ struct StoredEnergy {
   double kinetic = 0;
   double strain = 0;
   double gravity = 0;  ///< potential of the weights, 0 where the unloaded blocks lie
-  double contact = 0;  ///< in contact springs
+  double contact = 0;  ///< in contact springs and bolts
 
   double total() const { return kinetic + strain + gravity + contact; }
 };
@@ -22,7 +22,7 @@ struct StoredEnergy {
 struct EnergyFlow {
   // Gains.
   double external = 0;    ///< work of all loads but weight
-  double projection = 0;  ///< work against gravity of moving overlapping blocks apart
+  double projection = 0;  ///< work against gravity of setting blocks that met to where the jump would have left them
   double geometric = 0;  ///< normal forces along mid-step rows for the true gaps: either sign, second order in the step
   double creep = 0;  ///< sticking points over the slip that their law lets pass: either sign, first order in the step
   // Losses.
@@ -31,10 +31,11 @@ struct EnergyFlow {
   double impact = 0;   ///< in jumps of velocity, friction included
   double closing = 0;  ///< normal forces times the gaps they closed; negative where they pushed an overlap apart
   double clean_up = 0;
+  double rupture = 0;      ///< what bolts held that broke
   double algorithmic = 0;  ///< of the integrator and of its rule for contact springs
 
   double gained() const { return external + projection + geometric + creep; }
-  double lost() const { return friction + damping + impact + closing + clean_up + algorithmic; }
+  double lost() const { return friction + damping + impact + closing + clean_up + rupture + algorithmic; }
   EnergyFlow& operator+=(const EnergyFlow& other);
 };
 

@@ -45,8 +45,8 @@ Touches without_springs(const StandardScene& scene, Touches touches) {
 }
 
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential) {
-  return {normal, tangential, -tangential * law.tangential_compliance, law.normal_compliance,
-          law.tangential_compliance};
+  return {normal, tangential, -tangential * law.tangential_compliance, law.normal_compliance, law.tangential_compliance,
+          normal};
 }
 
 ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch) {

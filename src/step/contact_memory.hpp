@@ -16,10 +16,12 @@ struct ContactMemory {
   double stretch = 0;            ///< elastic slip of the tangential spring (penalty)
   double normal_compliance = 0;  ///< of the spring, 0 of a multiplier
   double tangential_compliance = 0;
+  double normal_at_end =
+      0;  ///< of the spring at the end of the step: another than `normal` where that acts at its middle
 
   /// Held by the springs.
   double energy() const {
-    return (normal_compliance * normal * normal + tangential_compliance * tangential * tangential) / 2;
+    return (normal_compliance * normal_at_end * normal_at_end + tangential_compliance * tangential * tangential) / 2;
   }
 };
 

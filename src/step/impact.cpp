@@ -48,6 +48,36 @@ std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, 
   return gaps;
 }
 
+// Rows of a touch, with the arms that its forces had `time` ago: both centroids and the point of contact then lay back along
+// their velocities. The directions stay.
+void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& v, double time) {
+  const Unknowns& of_vertex = v[normal.vertex_element];
+  const Unknowns& of_edge = v[normal.edge_element];
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();
+  if (of_vertex.size() > 0)
+    point = normal.of_vertex.dot(of_vertex.transpose()) * normal.of_vertex.head<2>().transpose() +
+            tangential.of_vertex.dot(of_vertex.transpose()) * tangential.of_vertex.head<2>().transpose();
+  const auto turn = [&](ContactRow::Row& row, const Unknowns& body) {
+    if (body.size() == 0) return;
+    const Eigen::Vector2d arm = time * (body.head<2>() - point);
+    row[2] += arm.x() * row[1] - arm.y() * row[0];
+  };
+  for (ContactRow* row : {&normal, &tangential}) {
+    turn(row->of_vertex, of_vertex);
+    turn(row->of_edge, of_edge);
+  }
+}
+
+// Two entries a meeting. What answers them at once, closed touches and held points, takes the least of their times: more could
+// lift blocks out of reach of what they rest on.
+Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size) {
+  const double least = std::ranges::min_element(meetings, {}, &Meeting::since)->since;
+  Eigen::VectorXd times = Eigen::VectorXd::Constant(size, least);
+  for (std::size_t i = 0; i < meetings.size(); ++i)
+    times.segment<2>(static_cast<Eigen::Index>(2 * i)).setConstant(meetings[i].since);
+  return times;
+}
+
 }  // namespace
 
 UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts,
@@ -73,23 +103,28 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
   return q;
 }
 
-UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
-                         const std::vector<Party>& parties) {
+Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
+                const std::vector<Meeting>& meetings, const Touches& closed) {
   Touches touches;
-  for (const Party& party : parties) touches.push_back(party.touch);
-  const ContactRows rows = rows_with_points(scene, q, touches);
+  for (const Meeting& meeting : meetings) touches.push_back(meeting.touch);
+  touches = joined(touches, closed);
+  ContactRows rows = rows_with_points(scene, q, touches);
+  for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
   const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
   FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches) problem.laws.push_back({scene.model.joint_at(touch.end).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // held points move on as they do
-  for (std::size_t i = 0; i < parties.size(); ++i) {
+  for (std::size_t i = 0; i < meetings.size(); ++i) {
+    double& normal = problem.b[static_cast<Eigen::Index>(2 * i)];
+    const double approach = -normal - meetings[i].gained;
     const double restitution = restitution_of(scene.settings, scene.model.vertices[touches[i].end].joint_material);
-    problem.b[static_cast<Eigen::Index>(2 * i)] -= restitution * parties[i].approach;
+    if (approach > 0) normal = -(1 + restitution) * approach;
   }
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
-  return plus(v, 1, answer(rows, blocks, impulses));
+  const Eigen::VectorXd shifts = impulses.cwiseProduct(times_of(meetings, impulses.size()));
+  return {plus(q, 1, answer(rows, blocks, shifts)), plus(v, 1, answer(rows, blocks, impulses))};
 }
 
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,

@@ -6,10 +6,17 @@
 
 namespace keyblock {
 
-/// A touch that takes part in a jump; `approach` is its speed at the surface, 0 for one that was closed before.
-struct Party {
+/// A touch whose surfaces met during the step, before its end at which positions and velocities are known.
+struct Meeting {
   Touch touch;
-  double approach = 0;
+  double since = 0;   ///< time from the meeting to the end of the step
+  double gained = 0;  ///< approach speed that was gained in that time
+};
+
+/// A motion after a jump.
+struct Jump {
+  UnknownsTable q;
+  UnknownsTable v;
 };
 
 /// Moves blocks along the gap rows with the rigid inverse mass until no `impact` overlaps and no `closed` touch is
@@ -17,12 +24,14 @@ struct Party {
 UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts,
                               const Touches& closed);
 
-/// Newton's law with restitution e and Coulomb's cone on the impulses (Moreau 1988):
-///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + M_rigid⁻¹ Gᵀ p.
+/// Newton's law with restitution e and Coulomb's cone on the impulses (Moreau 1988), where and when the surfaces met:
+///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + M_rigid⁻¹ Gᵀ p,  q⁺ = q + M_rigid⁻¹ Gᵀ (since ∘ p).
+/// With the arms in G and the way since the meeting angular momentum is kept as linear is; a law at the end of the step loses
+/// it with the overlap. Closed touches take part without restitution.
 /// Strain rates do not jump: the corner of a deformable block sees a fraction of its mass, and the law at the corner
 /// would not give the body's restitution (contact-notes 4.4).
-UnknownsTable after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
-                         const std::vector<Party>& parties);
+Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
+                const std::vector<Meeting>& meetings, const Touches& closed);
 
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants, with the full mass: both
 /// are kept in positions, and without this their rates would change sign each step (contact-notes 3, step 8).

@@ -35,10 +35,24 @@ double spring_energy(const Motion& motion) {
   return energy;
 }
 
+double bolt_energy(const Bolt& bolt, double force) {
+  return force * force / (2 * bolt.stiffness);
+}
+
 double bolt_energy(const StandardScene& scene, const Motion& motion) {
   double energy = 0;
   for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)
-    energy += motion.ties.bolt_forces[i] * motion.ties.bolt_forces[i] / (2 * scene.model.bolts[i].stiffness);
+    energy += bolt_energy(scene.model.bolts[i], motion.ties.bolt_forces[i]);
+  return energy;
+}
+
+// What bolts held that broke in this step.
+double ruptured(const StandardScene& scene, const StepTrail& trail) {
+  double energy = 0;
+  for (std::size_t i = 0; i < scene.model.bolts.size(); ++i) {
+    const Bolt& bolt = scene.model.bolts[i];
+    if (trail.end.ties.broken[i] && !trail.start.ties.broken[i]) energy += bolt_energy(bolt, bolt.strength);
+  }
   return energy;
 }
 
@@ -84,9 +98,10 @@ class ContactFlow {
     for (std::size_t i = 0; i < trail_.touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const Touch& touch = trail_.touches[i];
-      const Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], before_of(touch),
-                          trail_.smooth.laws[i]};
-      if (forces.normal == 0 && forces.before.normal == 0) continue;
+      Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], memory_of(trail_.start, touch), 0,
+                    trail_.smooth.laws[i]};
+      forces.at_end = memory_of(trail_.end, touch).normal_at_end;
+      if (forces.is_none()) continue;
       add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
       add_tangential(forces, way[n + 1]);
       forgotten_ -= forces.before.energy();
@@ -108,7 +123,10 @@ class ContactFlow {
       }
       ContactLaw law;
       law.normal_compliance = trail_.ties.compliance(i);
-      add_normal({trail_.smooth.forces[n], 0, {before[own]}, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
+      ContactMemory memory;
+      memory.normal_at_end = before[own];
+      const double force = trail_.smooth.forces[n];
+      add_normal({force, 0, memory, force, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
     }
   }
 
@@ -116,19 +134,24 @@ class ContactFlow {
     double normal = 0;
     double tangential = 0;
     ContactMemory before;
+    double at_end = 0;  ///< of the normal spring
     const ContactLaw& law;
+
+    bool is_none() const { return normal == 0 && tangential == 0 && before.normal == 0 && before.tangential == 0; }
   };
 
-  ContactMemory before_of(const Touch& touch) const {
-    const ContactMemory* memory = trail_.start.closed.of(touch);
+  static ContactMemory memory_of(const Motion& motion, const Touch& touch) {
+    const ContactMemory* memory = motion.closed.of(touch);
     return memory ? *memory : ContactMemory{};
   }
 
   void add_normal(const Forces& forces, double opening, double way) {
-    const double change = forces.normal - forces.before.normal;
+    const double compliance = forces.law.normal_compliance;
+    const double change = forces.at_end - forces.before.normal_at_end;
+    const double mean = (forces.at_end + forces.before.normal_at_end) / 2;
     flow_.geometric += forces.normal * (way - opening);
-    flow_.closing -= forces.normal * (opening + forces.law.normal_compliance * change);
-    flow_.algorithmic += forces.law.normal_compliance * change * change / 2;
+    flow_.closing -= forces.normal * (opening + compliance * change);
+    flow_.algorithmic += compliance * (forces.normal - mean) * change;
   }
 
   void add_tangential(const Forces& forces, double slip) {
@@ -181,6 +204,7 @@ StepAccount& StepAccount::operator+=(const StepAccount& other) {
 StepAccount account_of(const StandardScene& scene, const StepTrail& trail) {
   StepAccount account{body_flow(scene, trail), load_impulse(scene, trail)};
   account.flow += ContactFlow(scene, trail).run();
+  account.flow.rupture += ruptured(scene, trail);
   const double smooth = kinetic_energy(scene, trail.smooth.v);
   const double cleaned = kinetic_energy(scene, trail.cleaned);
   account.flow.clean_up += smooth - cleaned;
@@ -227,7 +251,7 @@ LedgerRow ledger_row(const StandardScene& scene, const Motion& motion) {
 LedgerScope ledger_scope(const StandardScene& scene) {
   const bool has_supports = std::ranges::any_of(scene.bodies, [](const Body& body) { return body.mass.rows() == 0; });
   const bool is_dynamic = scene.settings.standard.motion == MotionRule::dynamic;
-  return {is_dynamic, has_supports, scene.mass_centre};
+  return {is_dynamic, has_supports || !scene.held.empty(), scene.mass_centre};
 }
 
 }  // namespace keyblock

@@ -26,7 +26,7 @@ constexpr double kForceAcceptable = 1e-6;
 // Where nothing loads the blocks, forces come from momentum alone: the same over momentum / dt.
 constexpr double kMomentumGoal = 1e-13;
 constexpr double kMomentumAcceptable = 1e-9;
-// Touches that overlapped take part in the jump, and those with a gap below this share of block size: the corners of a flat
+// Touches that overlap take part in the jump, and those with a gap below this share of block size: the corners of a flat
 // impact meet within round-off.
 constexpr double kMeeting = 1e-10;
 
@@ -127,29 +127,29 @@ class Attempt {
   }
 
   void strike(const Touches& closed) {
-    const auto before = vertices_at(scene_.model, scene_.reference, smooth_.q);
-    step_.motion.q = without_overlap(scene_, smooth_.q, parts_.impacts, closed);
-    const auto after = vertices_at(scene_.model, scene_.reference, step_.motion.q);
+    const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd speeds =
         rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), smooth_.v);
-    std::vector<Party> parties;
+    std::vector<Meeting> meetings;
     for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
-      const Touch& touch = parts_.impacts[i];
-      const double overshoot = std::max(0.0, -gap_of(touch, before));
-      if (overshoot == 0 && gap_of(touch, after) > kMeeting * scales_.size) continue;
-      parties.push_back(
-          {touch, surface_speed(parts_.impact_speeds[i], speeds[static_cast<Eigen::Index>(2 * i)], overshoot)});
+      const double gap = gap_of(parts_.impacts[i], vertices);
+      if (gap > kMeeting * scales_.size) continue;
+      meetings.push_back(meeting(parts_.impacts[i], parts_.impact_speeds[i], speeds[static_cast<Eigen::Index>(2 * i)],
+                                 std::max(0.0, -gap)));
     }
-    if (parties.empty()) return;
-    for (const Touch& touch : closed) parties.push_back({touch, 0});
-    step_.motion.v = after_jump(scene_, step_.motion.q, step_.motion.v, parties);
+    if (meetings.empty()) return;
+    Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, meetings, closed);
+    step_.motion.v = std::move(jump.v);
+    step_.motion.q = without_overlap(scene_, std::move(jump.q), parts_.impacts, closed);
   }
 
   // Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and d the
-  // overshoot (contact-notes 3, step 7).
-  double surface_speed(double at_start, double at_end, double overshoot) const {
+  // overshoot (contact-notes 3, step 7); d was covered at the mean of both speeds.
+  Meeting meeting(const Touch& touch, double at_start, double at_end, double overshoot) const {
+    if (at_end >= 0) return {touch, 0, 0};
     const double acceleration = (at_end - at_start) / dt_;
-    return at_end < 0 ? std::sqrt(std::max(0.0, at_end * at_end + 2 * acceleration * overshoot)) : 0;
+    const double at_surface = std::sqrt(std::max(0.0, at_end * at_end + 2 * acceleration * overshoot));
+    return {touch, std::min(dt_, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
   }
 
   void remember() {
@@ -157,6 +157,20 @@ class Attempt {
       if (!is_closed(i)) continue;
       const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
       step_.motion.closed.add(parts_.smooth[i], memory_of(smooth_.laws[i], normal(i), tangential));
+    }
+    if (scene_.settings.standard.impact == ImpactLaw::springs) remember_springs();
+  }
+
+  // Springs that stop an impact have their force at the middle of the step; at its end they have that of the gap.
+  void remember_springs() {
+    const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
+      const ContactLaw& law = smooth_.laws[i];
+      if (!is_closed(i) || law.normal_compliance == 0) continue;
+      ContactMemory memory = *step_.motion.closed.of(parts_.smooth[i]);
+      memory.normal_at_end =
+          std::max(law.force.least, (law.rest_gap - gap_of(parts_.smooth[i], vertices)) / law.normal_compliance);
+      step_.motion.closed.add(parts_.smooth[i], memory);
     }
   }
 
