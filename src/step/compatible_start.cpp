@@ -193,9 +193,15 @@ class Settling {
   void add_overlapping() {
     const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
     const Touches fresh = newly_overlapping(scene_, unshifted_, vertices, found_, scales_);
+    if (fresh.empty()) return;
+    const auto of_points = static_cast<Eigen::Index>(2 * scene_.held.size());
+    Eigen::VectorXd grown = Eigen::VectorXd::Zero(forces_.size() + static_cast<Eigen::Index>(2 * fresh.size()));
+    grown.head(forces_.size() - of_points) = forces_.head(forces_.size() - of_points);
+    grown.tail(of_points) = forces_.tail(of_points);
+    forces_ = grown;
+    elastic_.resize(0);
     found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
     touches_.insert(touches_.end(), fresh.begin(), fresh.end());
-    if (!fresh.empty()) elastic_.resize(0);
   }
 
   std::string too_far() const {

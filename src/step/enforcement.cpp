@@ -45,6 +45,13 @@ class Groups {
   std::vector<int> parent_;
 };
 
+// So few blocks are solved with multipliers though they stand in a ring.
+constexpr std::ptrdiff_t kFewBlocks = 8;
+
+std::ptrdiff_t moving_blocks(const Model& model) {
+  return std::ranges::count_if(model.elements, [](const Element& e) { return e.basis->unknown_count() > 0; });
+}
+
 bool is_automatic(Enforcement enforcement) {
   return enforcement == Enforcement::automatic;
 }
@@ -68,7 +75,7 @@ bool has_ring(const Model& model, const std::vector<ElementPair>& touching) {
   const auto node = [&](ElementIndex e) { return model.elements[e].basis->unknown_count() == 0 ? held : e.value; };
   std::set<std::pair<int, int>> joins;  // once, however many held blocks one block touches
   for (const ElementPair& pair : touching) {
-    const auto [lower, upper] = std::minmax(node(pair.lower), node(pair.upper));
+    const auto [lower, upper] = std::minmax({node(pair.lower), node(pair.upper)});
     if (lower != upper) joins.emplace(lower, upper);
   }
   Groups groups(model.elements.size() + 1);
@@ -80,7 +87,8 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
   const bool is_asked = is_automatic(common) ||
                         std::ranges::any_of(own, [](const auto& material) { return is_automatic(material.second); });
   if (!is_asked) return settings;
-  const Enforcement decided = has_ring(model, touching_pairs(model)) ? Enforcement::penalty : Enforcement::lagrange;
+  const bool is_jointed = moving_blocks(model) > kFewBlocks && has_ring(model, touching_pairs(model));
+  const Enforcement decided = is_jointed ? Enforcement::penalty : Enforcement::lagrange;
   if (is_automatic(common)) common = decided;
   for (auto& [material, enforcement] : own)
     if (is_automatic(enforcement)) enforcement = decided;

@@ -87,11 +87,19 @@ class StaticSolve {
         slowest = std::min(slowest, std::sqrt(body.stiffness(last, last) / body.mass(last, last)));
       if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
     }
+    for (const Bolt& bolt : scene_.model.bolts) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest()));
     tau_ = std::sqrt(kFarthest * scales.size * lightest / load_);
     longest_ = slowest < std::numeric_limits<double>::max() ? kLongest / slowest : kLongest * tau_;
     longest_ = std::max(longest_, tau_);
     result_.residual = 1;  // all is out of balance
     return true;
+  }
+
+  double heaviest() const {
+    double mass = 0;
+    for (const Body& body : scene_.bodies)
+      if (body.mass.rows() > 0) mass = std::max(mass, body.mass(0, 0));
+    return mass;
   }
 
   // True if the iteration stands; otherwise τ was cut.
