@@ -118,6 +118,14 @@ Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const A
             "step {}: cut from {:.6g} to {:.6g}, because blocks moved too far or contacts did not settle{}", s.step,
             settings.time_step, s.dt, settings.quirks.cut_step_stays ? "; the cut stays" : "");
       });
+  const bool is_moving = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::dynamic;
+  const auto moves_far = [&](const StepReport& s) { return is_moving && constant && s.displacement_ratio > 1; };
+  warn_first("step_moves_far", moves_far, [&](const StepReport& s) {
+    return fmt::format(
+        "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps; a smaller "
+        "time_step, or step_control = shi or error, resolves it",
+        s.step, s.displacement_ratio, std::ranges::count_if(record.steps, moves_far), record.steps.size());
+  });
   warn_first(
       "step_above_limit", [&](const StepReport& s) { return !constant && s.dt > settings.time_step; },
       [&](const StepReport& s) {

@@ -7,6 +7,7 @@
 
 #include "contact/gap.hpp"
 #include "step/contact_laws.hpp"
+#include "step/step_ties.hpp"
 
 namespace keyblock {
 namespace {
@@ -44,27 +45,35 @@ double largest_force(const StandardScene& scene, const UnknownsTable& a) {
 }  // namespace
 
 UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& motion, double time) {
-  const ContactRows rows = contact_rows(scene.model, scene.reference, motion.q, closed_of(motion));
+  const StepTies ties(scene, motion, time, 0);
+  ContactRows rows = contact_rows(scene.model, scene.reference, motion.q, closed_of(motion));
+  const ContactRows of_ties = ties.rows(motion.q);
+  rows.insert(rows.end(), of_ties.begin(), of_ties.end());
+  Eigen::VectorXd forces(static_cast<Eigen::Index>(rows.size()));
+  forces << forces_of(motion), ties.remembered();
   const UnknownsTable loads = loads_at(scene, motion.q, time);
-  UnknownsTable a = answer(rows, every(scene.bodies, &Body::mass_inverse), forces_of(motion));
+  UnknownsTable a = answer(rows, every(scene.bodies, &Body::mass_inverse), forces);
   for (ElementIndex e : indices(a)) {
     const Body& body = scene.bodies[e];
-    const Unknowns stretched = motion.q[e] + body.damping * motion.v[e];
-    a[e] += body.mass_inverse * (loads[e] + body.initial_stress - body.stiffness * stretched);
+    a[e] += body.mass_inverse *
+            (loads[e] + body.initial_stress - body.stiffness * motion.q[e] - body.damping * motion.v[e]);
   }
   return a;
 }
 
-UnknownsTable with_closed_at_ease(const StandardScene& scene, const Motion& motion) {
-  if (motion.closed.size() == 0) return motion.a;
-  const ContactRows rows = contact_rows(scene.model, scene.reference, motion.q, closed_of(motion));
+UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion) {
+  const Touches closed = without_springs(scene, closed_of(motion));
+  if (closed.empty() && scene.held.empty()) return motion.a;
+  const ContactRows rows = rows_with_points(scene, motion.q, closed);
   const auto blocks = every(scene.bodies, &Body::mass_inverse);
   const double goal = kTolerance * largest_force(scene, motion.a) + kSmallest;
   FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, motion.a), {}, goal, kLooser * goal, {}};
-  for (const auto& [touch, memory] : motion.closed.all()) {
+  for (const Touch& touch : closed) {
+    const ContactMemory& memory = *motion.closed.of(touch);
     const double limit = contact_law(scene, motion.bonds, touch).force.limit(memory.normal);
     problem.laws.push_back(std::abs(memory.tangential) < (1 - kAtLimit) * limit ? kHeld : kTie);
   }
+  problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   const Eigen::VectorXd forces = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   return plus(motion.a, 1, answer(rows, blocks, forces));
 }

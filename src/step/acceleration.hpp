@@ -6,12 +6,12 @@
 
 namespace keyblock {
 
-/// M⁻¹ (F + initial stress − K q − C v + Gᵀ λ), λ the remembered forces of closed touches.
+/// M⁻¹ (F + initial stress − K q − C v + Gᵀ λ), λ the remembered forces of closed touches, bolts and held points.
 UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& motion, double time);
 
-/// The accelerations of `motion` less what closed touches allow no more: along the normal, and along the edge of those that
-/// stick. A position kept by a multiplier leaves the acceleration of the step before with its sign turned, (β−½)/β of it,
+/// The accelerations of `motion` less what multipliers allow no more: of closed touches along the normal, of those that stick
+/// along the edge too, and of held points. A position kept by a multiplier leaves the acceleration of the step before with its sign turned, (β−½)/β of it,
 /// which the average acceleration would never lose.
-UnknownsTable with_closed_at_ease(const StandardScene& scene, const Motion& motion);
+UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion);
 
 }  // namespace keyblock

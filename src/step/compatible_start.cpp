@@ -21,6 +21,7 @@ namespace {
 // Three rounds suffice where statics gives the forces; then elasticity does, and each shrinks the misfit several times.
 constexpr int kStaticRounds = 3;
 constexpr int kMostRounds = 20;
+constexpr double kRoundOff = 1e-9;         // gaps over block size that the rounding of files leaves
 constexpr double kFits = 1e-9;             // misfit over the gaps that were to be closed
 constexpr double kShiftTolerance = 1e-13;  // of the gaps to be closed
 // A block that shifts by more than this times all gaps together is thrown about, not settled.
@@ -187,7 +188,10 @@ class Settling {
     return sum;
   }
 
-  double misfit() const { return asked_ > 0 ? missing() / asked_ : 0; }
+  double misfit() const {
+    const double left = missing();
+    return left > kRoundOff * scales_.size ? left / asked_ : 0;
+  }
 
   // Corners where no edge led, and that strains and shifts have pressed together.
   void add_overlapping() {

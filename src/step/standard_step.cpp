@@ -86,8 +86,7 @@ class Attempt {
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
-    if (!scene_.has_springs() && rule_.carries_acceleration())
-      step_.motion.a = with_closed_at_ease(scene_, step_.motion);
+    if (!scene_.has_springs() && rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
       step_.account = account_of(scene_, {start_, loads_, parts_.smooth, StepTies(scene_, start_, time_, dt_), smooth_,
                                           cleaned, step_.motion, dt_, rule_});

@@ -21,8 +21,8 @@ namespace {
 // Residual of the contact forces over the largest load, to reach and to be content with at the end; on the way a share of what
 // is out of balance does, as for any inexact proximal point.
 constexpr double kForceGoal = 1e-10;
-constexpr double kForceAcceptable = 1e-7;
-constexpr double kForceOnTheWay = 1e-2;
+constexpr double kForceAcceptable = 1e-9;
+constexpr double kForceOnTheWay = 1e-6;
 // Way of a vertex in one iteration over block size: gaps and loads are taken as linear in it.
 constexpr double kFarthest = 0.05;
 constexpr double kAimed = 0.5;  // share of it that τ is chosen for
@@ -31,6 +31,10 @@ constexpr double kGrowthAfterCut = 1.2;  // once contact forces did not settle u
 // Longest τ times the slowest frequency of a block: what is left of an elastic error after one iteration is its square
 // inverse; more would drown the elastic part of the contact matrix in the rigid one.
 constexpr double kLongest = 30;
+constexpr int kLook = 10;  // iterations between two looks at what is out of balance
+constexpr double kFalls = 0.5;
+constexpr double kLonger = 2;
+constexpr double kBalanceAcceptable = 1e-6;  // where no more can be had
 constexpr int kMostIterations = 2000;
 constexpr int kMostCuts = 20;     // one after another
 constexpr int kMostSearches = 4;  // each adds corners that the last solution made overlap
@@ -47,11 +51,15 @@ class StaticSolve {
 
   StandardStep run() {
     if (!choose_scales()) return finished();
+    const Balance at_start = balance_of(scene_, start_, time_);
+    result_.residual = at_start.share;
+    if (at_start.holds()) return finished();
+    result_.residual = 1;  // all is out of balance
     for (; iterations_ < kMostIterations && result_.failure.empty() && result_.converged; ++iterations_) {
       if (!iterate()) continue;
       const Balance balance = balance_of(scene_, now_, time_);
       result_.residual = balance.share;
-      if (balance.holds() && contact_residual_ <= kForceAcceptable * load_) return finished();
+      if (balance.holds() || settles_for_less()) return finished();
       result_.failure = why_far(balance);
     }
     if (result_.converged && result_.failure.empty())
@@ -63,7 +71,7 @@ class StaticSolve {
 
  private:
   StandardStep finished() {
-    result_.solves = iterations_ + 1;
+    result_.solves = solves_;
     result_.halvings = cuts_;
     for (Unknowns& v : now_.v) v.setZero();
     result_.motion = now_;
@@ -79,31 +87,38 @@ class StaticSolve {
     const Scales scales = scales_of(scene_, loads, now_.v);
     double slowest = std::numeric_limits<double>::max();
     double lightest = slowest;
+    double heaviest = 0;
     for (const Body& body : scene_.bodies) {
       const Eigen::Index last = body.mass.rows() - 1;
       if (last < 0) continue;
       lightest = std::min(lightest, body.mass(0, 0));
+      heaviest = std::max(heaviest, body.mass(0, 0));
       if (body.stiffness(last, last) > 0)
         slowest = std::min(slowest, std::sqrt(body.stiffness(last, last) / body.mass(last, last)));
       if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
     }
-    for (const Bolt& bolt : scene_.model.bolts) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest()));
+    for (const Bolt& bolt : scene_.model.bolts) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
     tau_ = std::sqrt(kFarthest * scales.size * lightest / load_);
     longest_ = slowest < std::numeric_limits<double>::max() ? kLongest / slowest : kLongest * tau_;
-    longest_ = std::max(longest_, tau_);
-    result_.residual = 1;  // all is out of balance
+    tau_ = std::min(tau_, longest_);
     return true;
   }
 
-  double heaviest() const {
-    double mass = 0;
-    for (const Body& body : scene_.bodies)
-      if (body.mass.rows() > 0) mass = std::max(mass, body.mass(0, 0));
-    return mass;
+  // Every few iterations: where forces out of balance fall no more, they may be as small as contact forces can be told; if not,
+  // a longer τ moves what is slow, or shows what accelerates.
+  bool settles_for_less() {
+    if (++since_look_ < kLook) return false;
+    since_look_ = 0;
+    const bool falls = result_.residual < kFalls * last_look_;
+    last_look_ = result_.residual;
+    if (falls) return false;
+    longest_ *= kLonger;
+    return result_.residual <= kBalanceAcceptable;
   }
 
   // True if the iteration stands; otherwise τ was cut.
   bool iterate() {
+    ++solves_;
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
     Motion still = now_;
     for (Unknowns& v : still.v) v.setZero();
@@ -112,8 +127,10 @@ class StaticSolve {
     const ForceTolerance tolerance{kForceGoal * load_,
                                    std::max(kForceAcceptable, kForceOnTheWay * result_.residual) * load_};
     SmoothMotion made;
+    Touches touches;
     for (int search = 0; search < kMostSearches; ++search) {
-      made = smooth_solve(scene_, now_, loads, found.touches, tolerance, time_ - 1, 1, resting_rule(tau_));
+      touches = found.touches;
+      made = smooth_solve(scene_, now_, loads, touches, tolerance, time_ - 1, 1, resting_rule(tau_));
       if (made.sweeps > 0) ++result_.fallbacks;
       const auto end = vertices_at(scene_.model, scene_.reference, made.q);
       const Touches fresh = made.converged ? newly_overlapping(scene_, still, end, found, scales) : Touches{};
@@ -121,9 +138,9 @@ class StaticSolve {
       found.touches.insert(found.touches.end(), fresh.begin(), fresh.end());
     }
     const double moved = travel_of(scene_, now_.q, made.q).share;
-    if ((!made.converged || !(moved <= kFarthest)) && cut(made, found.touches)) return false;
+    if ((!made.converged || !(moved <= kFarthest)) && cut(made, touches)) return false;
     if (!made.converged) return false;
-    accept(made, found.touches, tolerance.goal);
+    accept(made, touches, tolerance.goal);
     const double wanted = tau_ * std::clamp(std::sqrt(kAimed * kFarthest / moved), 1 / kGrowth, growth_);
     tau_ = std::min(wanted, longest_);
     cuts_in_row_ = 0;
@@ -145,7 +162,6 @@ class StaticSolve {
   }
 
   void accept(const SmoothMotion& made, const Touches& touches, double least_force) {
-    contact_residual_ = made.residual;
     result_.touches = touches;
     now_.q = made.q;
     now_.bonds = made.bonds;
@@ -193,9 +209,11 @@ class StaticSolve {
   double load_ = 0;
   double tau_ = 0;
   double longest_ = 0;
-  double contact_residual_ = 0;
   double growth_ = kGrowth;
+  int since_look_ = 0;                                          ///< iterations
+  double last_look_ = std::numeric_limits<double>::infinity();  ///< share out of balance then
   int iterations_ = 0;
+  int solves_ = 0;  ///< iterations, those thrown away included
   int cuts_ = 0;
   int cuts_in_row_ = 0;
   StandardStep result_;

@@ -84,6 +84,7 @@ TEST(Touch, a_block_that_slides_on_to_the_next_floor_does_not_hit_its_end) {
   const Touch* touch = touch_of(found.ties[0], before, sunk, 1e-9);
   ASSERT_NE(touch, nullptr);
   EXPECT_EQ(*touch, (Touch{{5}, {2}, {3}})) << "its lower right corner on the top of the floor";
+}
 
 // Springs give by up to 2 mm; the block leans by 4e-4 and its corner hangs over the end of the floor by 1 mm.
 TEST(Touch, a_block_that_leans_on_its_springs_is_no_corner) {
