@@ -16,6 +16,7 @@ StepRule weighted(const StandardChoices& choices, double dt) {
           .load_time = 0.5,
           .end_velocity = {by, -(1 - choices.velocity_weight) / choices.velocity_weight, 0},
           .end_acceleration = acceleration,
+          .velocity_lead = (choices.velocity_weight - 0.5) * dt,
           .error_of_change = 1.0 / 12 + (choices.force_weight - 0.5) / 2,
           .error_of_acceleration = choices.velocity_weight - 0.5};
 }
@@ -27,6 +28,8 @@ StepRule newmark(double beta, double gamma, double dt) {
           .damping = velocity,
           .end_velocity = velocity,
           .end_acceleration = acceleration,
+          .acceleration_lead = (beta - gamma / 2) * dt * dt,
+          .inertia_lead = 1 - gamma,
           .error_of_change = std::abs(beta - 1.0 / 6)};
 }
 
@@ -48,6 +51,7 @@ StepRule generalized_alpha(double rho, double dt) {
   StepRule rule = newmark((1 + spread) * (1 + spread) / 4, 0.5 + spread, dt);
   rule.inertia = scaled(rule.inertia, 1 - alpha.inertia);
   rule.inertia.acceleration += alpha.inertia;
+  rule.inertia_lead -= alpha.inertia;
   rule.damping = scaled(rule.damping, 1 - alpha.force);
   rule.damping.velocity += alpha.force;
   rule.stiffness = 1 - alpha.force;

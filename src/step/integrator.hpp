@@ -22,6 +22,11 @@ struct StepRule {
   double load_time = 1;
   StepSum end_velocity;
   StepSum end_acceleration;
+  /// What its sums amount to, for the ledger: Δq = dt (v0 + v1)/2 + velocity_lead Δv + acceleration_lead Δa and
+  /// inertia = Δv/dt + inertia_lead Δa.
+  double velocity_lead = 0;
+  double acceleration_lead = 0;
+  double inertia_lead = 0;
   double error_of_change = 0;        ///< local error of the position over dt² (a1 − a0)
   double error_of_acceleration = 0;  ///< and over dt² a: of first-order rules
 

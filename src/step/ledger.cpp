@@ -60,6 +60,17 @@ Unknowns sum_of(const StepSum& sum, const Unknowns& increment, const Motion& sta
   return sum.increment * increment + sum.velocity * start.v[e] + sum.acceleration * start.a[e];
 }
 
+// pᵀ M Δv/dt + (dt v̄ + p)ᵀ M r of `account_of`, from velocities and accelerations alone: that they fit the increments is what the
+// closure checks.
+double inertia_loss(const Body& body, const StepTrail& trail, ElementIndex e) {
+  const StepRule& rule = trail.rule;
+  const Unknowns dv = trail.smooth.v[e] - trail.start.v[e];
+  const Unknowns da = trail.smooth.a[e] - trail.start.a[e];
+  const Unknowns lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
+  const Unknowns way = trail.dt / 2 * (trail.start.v[e] + trail.smooth.v[e]) + lead;
+  return lead.dot(body.mass * dv) / trail.dt + rule.inertia_lead * way.dot(body.mass * da);
+}
+
 EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
   const StepRule& rule = trail.rule;
   EnergyFlow flow;
@@ -67,12 +78,10 @@ EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
     const Body& body = scene.bodies[e];
     if (body.mass.rows() == 0) continue;
     const Unknowns dq = trail.smooth.q[e] - trail.start.q[e];
-    const Unknowns inertia = body.mass * sum_of(rule.inertia, dq, trail.start, e);
-    const double gained = half_square(body.mass, trail.smooth.v[e]) - half_square(body.mass, trail.start.v[e]);
     flow.external += (trail.loads[e] - body.weight).dot(dq);
     flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
     flow.damping += dq.dot(body.damping * sum_of(rule.damping, dq, trail.start, e));
-    flow.algorithmic += dq.dot(inertia) - gained + (rule.stiffness - 0.5) * dq.dot(body.stiffness * dq);
+    flow.algorithmic += inertia_loss(body, trail, e) + (rule.stiffness - 0.5) * dq.dot(body.stiffness * dq);
   }
   return flow;
 }
