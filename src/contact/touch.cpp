@@ -126,8 +126,11 @@ class PairTouches {
     touch.other = met;
     return touch;
   }
+  // A face that rests on springs leans by their slack over its length; that makes no corner of it.
   bool parallel(const Touch& a, const Touch& b) const {
-    return std::abs(cross(direction({a.start, a.end}), direction({b.start, b.end}))) < kParallel;
+    const Edge first{a.start, a.end}, second{b.start, b.end};
+    const double shorter = std::min(length(along(first)), length(along(second)));
+    return std::abs(cross(direction(first), direction(second))) < kParallel + search_.slack / shorter;
   }
   static Touch bisector(const Touch& first, const Touch& second, bool of_two_elements) {
     Touch touch = first;

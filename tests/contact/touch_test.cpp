@@ -14,14 +14,14 @@ namespace {
 
 using testing::rectangle;
 
-Touches touches_between(const BlockPolygon& a, const BlockPolygon& b, double reach = 0.1) {
+Touches touches_between(const BlockPolygon& a, const BlockPolygon& b, const TouchSearch& search = {0.1}) {
   Blocks blocks;
   blocks.blocks = {a, b};
   const Model model = model_from_blocks(blocks, testing::plain_analysis(1, 1));
   const Table<ElementIndex, ConvexPieces> pieces{convex_pieces(model, {0}), convex_pieces(model, {1})};
   Table<VertexIndex, Point> vertices;
   vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
-  Touches touches = find_touches({{{0}, {1}}}, pieces, vertices, {reach}).touches;
+  Touches touches = find_touches({{{0}, {1}}}, pieces, vertices, search).touches;
   std::ranges::sort(touches);
   return touches;
 }
@@ -53,6 +53,15 @@ TEST(Touch, a_block_on_its_corner_meets_the_floor_with_that_corner) {
 TEST(Touch, blocks_out_of_reach_or_past_each_other_do_not_meet) {
   EXPECT_TRUE(touches_between(rectangle({0, -1}, {5, 0}), rectangle({1, 0.2}, {2, 1})).empty());
   EXPECT_TRUE(touches_between(rectangle({0, -1}, {5, 0}), rectangle({5.05, 0.01}, {6, 1})).empty());
+}
+
+// Springs give by up to 2 mm; the block leans by 4e-4 and its corner hangs over the end of the floor by 1 mm.
+TEST(Touch, a_block_that_leans_on_its_springs_is_no_corner) {
+  BlockPolygon leaning = rectangle({1.001, 0}, {5.001, 8});
+  leaning.outer[0].position.y = -0.0002;
+  leaning.outer[1].position.y = -0.0018;
+  const Touches found = touches_between(rectangle({0, -1}, {5, 0}), leaning, {0.1, 0.004});
+  EXPECT_EQ(found, (Touches{{{2}, {4}, {5}}, {{4}, {2}, {3}}}));
 }
 
 // An L: floor and wall in one block, cut from its reflex corner (vertex 3). A block in the corner rests on both.
