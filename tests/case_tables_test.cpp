@@ -73,7 +73,10 @@ TEST(CaseTables, no_tolerance_is_so_wide_that_standing_still_would_pass) {
     for (const CsvRow& row : table.rows) {
       const double value = csv_real(table, row, csv_column(table, "value"));
       if (value == 0) continue;
-      EXPECT_LT(csv_real(table, row, csv_column(table, "tolerance")), 0.1 * std::abs(value)) << file << ':' << row.line;
+      // A verdict asks only whether it fell or slid at all.
+      const bool is_verdict = row.cells[csv_column(table, "tolerance_reason")].starts_with("verdict: ");
+      const double share = is_verdict ? 1 : 0.1;
+      EXPECT_LT(csv_real(table, row, csv_column(table, "tolerance")), share * std::abs(value)) << file << ':' << row.line;
     }
   }
 }

@@ -19,7 +19,8 @@ double way_down(const char* profile, const char* factor) {
   double way = 0;
   Observer observer;
   observer.on_frame = [&](const Frame& frame) { way = length(frame.elements[1].displacement); };
-  EXPECT_EQ(run(prepared.scene, 500, observer).end, RunEnd::finished);
+  const RunOutcome outcome = run(prepared.scene, 500, observer);
+  EXPECT_EQ(outcome.end, RunEnd::finished) << outcome.reason;
   return way;
 }
 
