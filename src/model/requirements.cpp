@@ -62,13 +62,33 @@ std::string counted(std::size_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+bool is_in_time(const Settings& settings) {
+  return !is_standard(settings) || settings.standard.motion == MotionRule::dynamic;
+}
+
+bool is_equilibrium(const Settings& settings) {
+  return is_standard(settings) && settings.standard.motion == MotionRule::equilibrium;
+}
+
 Reason inertia(const Model& model, const Settings& settings) {
+  if (!is_in_time(settings)) return std::nullopt;
   if (is_static(settings, model)) return "static: mass steadies the step, velocity is zeroed each step";
   const bool differs = std::ranges::any_of(moving_materials(model), [&](int material) {
     return settings.velocity_carry_over.of(material) != settings.velocity_carry_over.common;
   });
   return differs ? "velocity is carried from step to step, by the share of each material"
                  : "dynamic: velocity is carried from step to step";
+}
+
+Reason statics(const Model&, const Settings& settings) {
+  if (is_in_time(settings)) return std::nullopt;
+  const std::string loading = settings.standard.load_steps > 1
+                                  ? fmt::format("; {} equilibria up to the first loads", settings.standard.load_steps)
+                                  : "";
+  return (is_equilibrium(settings)
+              ? "each step is an equilibrium under the loads of its time"
+              : "each step is an equilibrium, found by a motion stopped at peaks of kinetic energy") +
+         loading;
 }
 
 Reason elastic(const Model& model, const Settings&) {
@@ -87,6 +107,7 @@ Reason initial_stress(const Model& model, const Settings& settings) {
 }
 
 Reason damping(const Model& model, const Settings& settings) {
+  if (is_equilibrium(settings)) return std::nullopt;
   const std::set<int> materials = moving_materials(model);
   const auto some = [&](auto holds) { return std::ranges::any_of(materials, holds); };
   std::string reason;
@@ -134,12 +155,12 @@ Reason bolt(const Model& model, const Settings&) {
 }
 
 std::string enforcements(const Model& model, const Settings& settings) {
-  constexpr std::array<const char*, 4> kWords{
-      "multipliers", "springs of the contact stiffness", "springs of the contact stiffness until nothing overlaps",
-      "multipliers or springs"};
+  constexpr std::array<const char*, 4> kWords{"multipliers", "springs of the contact stiffness",
+                                              "springs of the contact stiffness until nothing overlaps",
+                                              "multipliers or springs"};
   std::string words;
-  for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty, Enforcement::augmented,
-                                  Enforcement::automatic}) {
+  for (Enforcement enforcement :
+       {Enforcement::lagrange, Enforcement::penalty, Enforcement::augmented, Enforcement::automatic}) {
     if (!has_enforcement(settings, model, enforcement)) continue;
     words += fmt::format("{}{}", words.empty() ? "" : " and ", kWords[static_cast<std::size_t>(enforcement)]);
   }
@@ -171,7 +192,8 @@ Reason bond(const Model& model, const Settings& settings) {
 }
 
 Reason impact(const Model& model, const Settings& settings) {
-  if (!is_standard(settings) || !can_touch(model) || is_static(settings, model)) return std::nullopt;
+  if (!is_standard(settings) || !can_touch(model) || !is_in_time(settings)) return std::nullopt;
+  if (is_static(settings, model)) return std::nullopt;
   if (settings.standard.impact == ImpactLaw::springs) return "blocks that meet fast are stopped by the contact springs";
   double least = settings.standard.restitution.common;
   double greatest = least;
@@ -184,7 +206,7 @@ Reason impact(const Model& model, const Settings& settings) {
 }
 
 Reason start(const Model& model, const Settings& settings) {
-  if (!is_standard(settings)) return std::nullopt;
+  if (!is_standard(settings) || !is_in_time(settings)) return std::nullopt;
   if (settings.standard.start == StartRule::sudden) return "sudden: loads meet unstressed blocks";
   if (initial_stress(model, settings)) return "by the stress of the file";
   return "compatible: contact forces and strains fit the first accelerations";
@@ -197,8 +219,9 @@ struct TermRow {
 };
 
 // In the order of the theory.
-constexpr std::array<TermRow, 14> kRows{{
+constexpr std::array<TermRow, 15> kRows{{
     {TermKind::inertia, "inertia", inertia},
+    {TermKind::statics, "statics", statics},
     {TermKind::elastic, "elastic", elastic},
     {TermKind::initial_stress, "initial_stress", initial_stress},
     {TermKind::damping, "damping", damping},

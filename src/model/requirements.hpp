@@ -13,6 +13,7 @@ namespace keyblock {
 
 enum class TermKind {
   inertia,
+  statics,
   elastic,
   initial_stress,
   damping,

@@ -14,6 +14,7 @@
 #include "model/joint_strength.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
+#include "step/enforcement.hpp"
 #include "step/standard_scene.hpp"
 
 namespace keyblock {
@@ -78,12 +79,9 @@ Plan standard_plan(Model model, const Settings& settings, const Place& place) {
   const StandardScene scene = standard_scene(with_bases(std::move(model), settings.standard.basis), settings);
   const std::string why = unsupported(scene);
   if (!why.empty()) throw InputError(place, why);
-  std::string why_enforcement;
-  if (settings.standard.enforcement.common == Enforcement::automatic)
-    why_enforcement = scene.settings.standard.enforcement.common == Enforcement::penalty
-                          ? "touching blocks stand in a ring"
-                          : "no touching blocks stand in a ring";
-  return {scene.model, requirements(scene.model, scene.settings, why_enforcement)};
+  const bool is_automatic = settings.standard.enforcement.common == Enforcement::automatic;
+  return {scene.model,
+          requirements(scene.model, scene.settings, is_automatic ? why_enforcement(scene.model) : std::string())};
 }
 
 Plan plan_of(Model model, const Settings& settings, const Place& place) {

@@ -73,15 +73,20 @@ struct SettingRow {
 /// `of` gives the member of the settings, constant or not.
 template <class T, class Of>
 SettingRow row(const std::string& name, const std::string& meaning, Of of, const ValueText<T>& text) {
-  return {name, meaning, text.is_number, [=](const Settings& s) { return text.write(of(s)); },
-          [=](Settings& s, const std::string& value) { of(s) = text.read(name, value); }, std::nullopt};
+  return {name,
+          meaning,
+          text.is_number,
+          [=](const Settings& s) { return text.write(of(s)); },
+          [=](Settings& s, const std::string& value) { of(s) = text.read(name, value); },
+          std::nullopt};
 }
 
 /// The same for a PerMaterial member: `name` sets the common value, `name.N` that of material N, counted from 1.
 template <class T, class Of>
 SettingRow row(Materials materials, const std::string& name, const std::string& meaning, Of of,
                const ValueText<T>& text) {
-  SettingRow common = row(name, meaning, [=](auto& s) -> auto& { return of(s).common; }, text);
+  SettingRow common = row(
+      name, meaning, [=](auto& s) -> auto& { return of(s).common; }, text);
   common.per_material = {materials,
                          [=](const Settings& s) {
                            std::vector<int> numbers;

@@ -163,8 +163,7 @@ std::vector<SettingRow> rows_of_standard() {
           one_of<BlockBasis>({"rigid", "affine"})),
       row(Materials::of_joints, "enforcement",
           "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
-          "overlaps; "
-          "automatic: springs if the touching blocks form a ring, else multipliers",
+          "overlaps; automatic: springs where more than a few blocks touch in a ring, else multipliers",
           at(&C::enforcement), one_of<Enforcement>({"lagrange", "penalty", "augmented", "automatic"})),
       row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
           at(&C::spring_points), one_of<SpringPoints>({"ends", "lobatto"})),

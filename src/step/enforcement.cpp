@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/enforcement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -48,8 +50,9 @@ class Groups {
 // So few blocks are solved with multipliers though they stand in a ring.
 constexpr std::ptrdiff_t kFewBlocks = 8;
 
-std::ptrdiff_t moving_blocks(const Model& model) {
-  return std::ranges::count_if(model.elements, [](const Element& e) { return e.basis->unknown_count() > 0; });
+bool has_few_blocks(const Model& model) {
+  const auto can_move = [](const Element& e) { return e.basis->unknown_count() > 0; };
+  return std::ranges::count_if(model.elements, can_move) <= kFewBlocks;
 }
 
 bool is_automatic(Enforcement enforcement) {
@@ -87,12 +90,18 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
   const bool is_asked = is_automatic(common) ||
                         std::ranges::any_of(own, [](const auto& material) { return is_automatic(material.second); });
   if (!is_asked) return settings;
-  const bool is_jointed = moving_blocks(model) > kFewBlocks && has_ring(model, touching_pairs(model));
-  const Enforcement decided = is_jointed ? Enforcement::penalty : Enforcement::lagrange;
+  const Enforcement decided =
+      !has_few_blocks(model) && has_ring(model, touching_pairs(model)) ? Enforcement::penalty : Enforcement::lagrange;
   if (is_automatic(common)) common = decided;
   for (auto& [material, enforcement] : own)
     if (is_automatic(enforcement)) enforcement = decided;
   return settings;
+}
+
+std::string why_enforcement(const Model& model) {
+  if (has_few_blocks(model)) return fmt::format("at most {} blocks can move", kFewBlocks);
+  return has_ring(model, touching_pairs(model)) ? "touching blocks stand in a ring"
+                                                : "no touching blocks stand in a ring";
 }
 
 }  // namespace keyblock

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "contact/candidates.hpp"
@@ -19,5 +20,8 @@ bool has_ring(const Model& model, const std::vector<ElementPair>& touching);
 /// `automatic` becomes penalty where more than a few blocks touch in a ring, lagrange elsewhere: in a ring forces are many times
 /// redundant, and multipliers took five times the solves of springs and left steps unfinished (contact-notes 3).
 Settings with_enforcement_decided(Settings settings, const Model& model);
+
+/// One clause: why `automatic` decides as it does.
+std::string why_enforcement(const Model& model);
 
 }  // namespace keyblock

@@ -38,6 +38,14 @@ TEST(ChooseBasis, blocks_held_at_two_places_are_fixed_and_the_others_are_as_aske
   EXPECT_TRUE(has_held_moving_element(with_bases(four_blocks(), BlockBasis::rigid)));
 }
 
+TEST(ChooseBasis, each_block_material_may_have_its_own) {
+  Model model = four_blocks();
+  model.elements[{1}].material = 1;
+  PerMaterial<BlockBasis> basis = BlockBasis::affine;
+  basis.own[1] = BlockBasis::rigid;
+  EXPECT_EQ(unknowns(with_bases(model, basis)), (std::vector<int>{0, 3, 6, 6}));
+}
+
 TEST(ChooseBasis, the_plan_counts_the_unknowns_and_names_the_bases) {
   const Requirements needs = requirements(with_bases(four_blocks(), BlockBasis::rigid), Settings{});
   EXPECT_EQ(needs.unknowns, 9);

@@ -13,15 +13,13 @@ namespace {
 double way_down(const char* profile, const char* factor) {
   Analysis analysis = testing::plain_analysis(1e-3, 500);
   analysis.joint_materials[0].friction_angle_deg = 35;
-  analysis.penalty_factor = 10;
-  analysis.allowed_displacement_ratio = 0.01;  // also what the old search for contacts reaches
+  analysis.allowed_displacement_ratio = 0.01;
   const Prepared prepared = prepare({testing::block_on_slope(testing::radians(30)), analysis}, profile,
                                     {{"joint_strength_factor", factor}, {"start", "compatible"}});
   double way = 0;
   Observer observer;
   observer.on_frame = [&](const Frame& frame) { way = length(frame.elements[1].displacement); };
-  const RunOutcome outcome = run(prepared.scene, 500, observer);
-  EXPECT_EQ(outcome.end, RunEnd::finished) << outcome.reason;
+  EXPECT_EQ(run(prepared.scene, 500, observer).end, RunEnd::finished);
   return way;
 }
 
@@ -38,10 +36,11 @@ TEST(JointStrengthRun, standard_slides_at_the_reduced_friction_and_holds_at_the_
   EXPECT_LT(way_down("standard", "1"), 5e-6);
 }
 
-// The old program's friction lags a pass behind: up to 8e-3 m of error in its own runs of this slope.
+// The old program's friction lags a step behind while the block settles under its sudden weight: speed off by at most
+// g cos α f tan φ dt, as in legacy_cases/sliding_block.
 TEST(JointStrengthRun, legacy_slides_at_the_reduced_friction) {
-  EXPECT_NEAR(way_down("legacy", "0.5"), expected_way(0.5), 8e-3);
-  EXPECT_LT(way_down("legacy", "1"), 8e-3);
+  const double lag = 9.81 * std::cos(testing::radians(30)) * 0.5 * std::tan(testing::radians(35)) * 1e-3 * 0.5;
+  EXPECT_NEAR(way_down("legacy", "0.5"), expected_way(0.5), lag);
 }
 
 }  // namespace keyblock

@@ -109,6 +109,14 @@ TEST(Prepare, legacy_says_that_it_breaks_no_bolt) {
             (std::vector<std::string>{"bolt_strength_without_effect"}));
 }
 
+TEST(Prepare, a_choice_for_a_material_that_is_not_there_is_refused) {
+  EXPECT_NO_THROW(prepare({one_block(), analysis_of_file()}, "standard", {{"restitution.1", "0.5"}}));
+  EXPECT_THROW(prepare({one_block(), analysis_of_file()}, "standard", {{"restitution.2", "0.5"}}),
+               std::invalid_argument);
+  EXPECT_THROW(prepare({one_block(), analysis_of_file()}, "legacy", {{"mass_damping.2", "0.5"}}),
+               std::invalid_argument);
+}
+
 TEST(Prepare, what_is_read_but_has_no_effect_is_warned_of) {
   EXPECT_TRUE(prepare({one_block(), analysis_of_file()}, "legacy", {}).warnings.empty());
   Analysis analysis = analysis_of_file();

@@ -15,6 +15,9 @@ TEST(SettingsTable, every_setting_reads_back_what_it_shows) {
   const Settings given = profile_settings("legacy", testing::plain_analysis(1e-3, 10));
   Settings copy;
   for (const SettingText& s : list(given)) set(copy, s.name, s.value);
+  set(copy, "gravity.x", "1");
+  set(copy, "gravity", "9.81");
+  EXPECT_EQ(copy.gravity, (Point{0, -9.81}));
   const std::vector<SettingText> expected = list(given);
   const std::vector<SettingText> found = list(copy);
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(found[i].value, expected[i].value) << expected[i].name;
@@ -34,6 +37,40 @@ TEST(SettingsTable, wrong_names_and_values_are_refused) {
                                                                   {"quirk.stale_contact_list", "true"},
                                                                   {"gravity", ""}})
     EXPECT_THROW(set(settings, name, value), std::invalid_argument) << name << "=" << value;
+}
+
+TEST(SettingsTable, materials_have_values_of_their_own_that_are_listed_where_given) {
+  Settings settings = profile_settings("standard", testing::plain_analysis(1e-3, 10));
+  const std::size_t rows = list(settings).size();
+  set(settings, "restitution", "0.5");
+  set(settings, "restitution.2", "0.25");
+  set(settings, "enforcement.1", "penalty");
+  set(settings, "stiffness_damping.3", "1e-4");
+  set(settings, "basis.1", "rigid");
+  EXPECT_EQ(settings.standard.restitution.of(0), 0.5);
+  EXPECT_EQ(settings.standard.restitution.of(1), 0.25);
+  EXPECT_EQ(settings.standard.enforcement.of(0), Enforcement::penalty);
+  EXPECT_EQ(settings.stiffness_damping.of(2), 1e-4);
+  EXPECT_EQ(settings.stiffness_damping.of(0), std::nullopt);
+  EXPECT_EQ(list(settings).size(), rows + 4);
+  Settings copy;
+  for (const SettingText& s : list(settings)) set(copy, s.name, s.value);
+  EXPECT_EQ(copy.standard.restitution.own, settings.standard.restitution.own);
+}
+
+TEST(SettingsTable, numbers_that_name_no_material_are_refused) {
+  Settings settings;
+  for (const char* name : {"restitution.0", "restitution.x", "restitution.", "restitution.-1", "steps.1", "gravity.z"})
+    EXPECT_THROW(set(settings, name, "1"), std::invalid_argument) << name;
+  EXPECT_THROW(set(settings, "restitution.1", "2"), std::invalid_argument);
+  set(settings, "mass_damping.3", "1");
+  EXPECT_NO_THROW(require_materials(settings, 3, 1));
+  try {
+    require_materials(settings, 2, 9);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "setting mass_damping.3: expected a block material from 1 to 2, found \"3\"");
+  }
 }
 
 }  // namespace keyblock

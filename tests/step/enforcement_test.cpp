@@ -1,0 +1,68 @@
+// Rings of touching blocks are found, and decide between multipliers and springs where neither is asked for.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/enforcement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/standard_scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::plain_analysis;
+using testing::rectangle;
+
+/// A held floor, two storeys of blocks side by side on it, and a lone block above.
+Model wall(int columns, int storeys) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-1, -1}, {9, 0}), rectangle({0, 20}, {1, 21})};
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < storeys; ++j)
+      blocks.blocks.push_back(rectangle({1.0 * i, 1.0 * j}, {1.0 * i + 1, 1.0 * j + 1}));
+  blocks.fixed_points = {{{0, -0.5}, 0, {}}, {{8, -0.5}, 0, {}}};
+  return with_bases(model_from_blocks(blocks, plain_analysis(1e-3, 1)), BlockBasis::affine);
+}
+
+}  // namespace
+
+TEST(Enforcement, blocks_touch_where_a_corner_lies_on_an_edge) {
+  EXPECT_EQ(touching_pairs(wall(1, 3)), (std::vector<ElementPair>{{{0}, {2}}, {{2}, {3}}, {{3}, {4}}}));
+  EXPECT_TRUE(touching_pairs(wall(0, 0)).empty());
+}
+
+TEST(Enforcement, a_stack_has_no_ring_and_two_columns_that_touch_have_one) {
+  EXPECT_FALSE(has_ring(wall(1, 5), touching_pairs(wall(1, 5))));
+  EXPECT_TRUE(has_ring(wall(2, 1), touching_pairs(wall(2, 1))));
+}
+
+// Two held floors side by side are one support: the block across them stands in no ring.
+TEST(Enforcement, held_blocks_count_as_one) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({0, -1}, {2, 0}), rectangle({2, -1}, {4, 0}), rectangle({1, 0}, {3, 1})};
+  blocks.fixed_points = {{{0.5, -0.5}, 0, {}}, {{1.5, -0.5}, 0, {}}, {{2.5, -0.5}, 1, {}}, {{3.5, -0.5}, 1, {}}};
+  const Analysis analysis = plain_analysis(1e-3, 1);
+  const Model model = with_bases(model_from_blocks(blocks, analysis), BlockBasis::affine);
+  EXPECT_EQ(touching_pairs(model).size(), 3U);
+  EXPECT_FALSE(has_ring(model, touching_pairs(model)));
+}
+
+TEST(Enforcement, automatic_is_decided_and_what_was_asked_for_stays) {
+  Settings settings;
+  settings.standard.enforcement = Enforcement::automatic;
+  EXPECT_EQ(with_enforcement_decided(settings, wall(2, 2)).standard.enforcement.common, Enforcement::lagrange);
+  EXPECT_EQ(with_enforcement_decided(settings, wall(1, 20)).standard.enforcement.common, Enforcement::lagrange);
+  EXPECT_EQ(with_enforcement_decided(settings, wall(5, 4)).standard.enforcement.common, Enforcement::penalty);
+  settings.standard.enforcement = Enforcement::lagrange;
+  settings.standard.enforcement.own[0] = Enforcement::automatic;
+  const PerMaterial<Enforcement> decided = with_enforcement_decided(settings, wall(5, 4)).standard.enforcement;
+  EXPECT_EQ(decided.common, Enforcement::lagrange);
+  EXPECT_EQ(decided.of(0), Enforcement::penalty);
+}
+
+TEST(Enforcement, the_reason_of_the_decision_is_said) {
+  EXPECT_EQ(why_enforcement(wall(2, 2)), "at most 8 blocks can move");
+  EXPECT_EQ(why_enforcement(wall(1, 20)), "no touching blocks stand in a ring");
+  EXPECT_EQ(why_enforcement(wall(5, 4)), "touching blocks stand in a ring");
+}
+
+}  // namespace keyblock
