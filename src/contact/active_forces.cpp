@@ -21,20 +21,22 @@ void ActiveForces::number(const std::vector<Grip>& grips) {
   for (std::size_t i = 0; i < grips.size(); ++i) {
     const ForceLaw& law = problem_.laws[i];
     const auto n = static_cast<Eigen::Index>(2 * i);
-    if (grips[i] == Grip::open) {
+    const auto unknown = static_cast<Eigen::Index>(rows_.size());
+    const auto add_unknown = [&](Eigen::Index force) {
+      columns_.push_back({static_cast<Eigen::Index>(rows_.size()), 1, 0});
+      rows_.push_back(force);
+    };
+    if (is_open(grips[i]))
       columns_.push_back({-1, 0, law.least});
+    else
+      add_unknown(n);
+    if (grips[i] == Grip::open) {
       columns_.push_back({});
-      continue;
-    }
-    const auto normal = static_cast<Eigen::Index>(rows_.size());
-    columns_.push_back({normal, 1, 0});
-    rows_.push_back(n);
-    if (grips[i] == Grip::stick) {
-      columns_.push_back({normal + 1, 1, 0});
-      rows_.push_back(n + 1);
+    } else if (grips[i] == Grip::stick || grips[i] == Grip::open_stick) {
+      add_unknown(n + 1);
     } else {
       const double sign = grips[i] == Grip::slip_forward ? 1 : -1;
-      columns_.push_back({normal, sign * law.friction, sign * law.cohesion});
+      columns_.push_back({unknown, sign * law.friction, sign * law.cohesion});
     }
   }
 }

@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// Open pairs have their least force, slipping ones λt = ± (cohesion + μ λn): what is left are one unknown a slipping pair and
+/// Open pairs have their least normal force, slipping ones λt = ± (cohesion + μ λn): what is left are one unknown a slipping pair and
 /// two a sticking one, with yn = 0 and, sticking, yt = 0. The slip makes the matrix nonsymmetric. It is factorised once
 /// and serves any right side.
 class ActiveForces {

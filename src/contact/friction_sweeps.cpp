@@ -23,7 +23,7 @@ void sweep_once(const FrictionalProblem& p, const Eigen::VectorXd& diagonal, Eig
     const double normal = forces[n] - row_times(p, n, forces) / diagonal[n];
     const bool open = normal <= p.laws[i].least;
     forces[n] = open ? p.laws[i].least : normal;
-    const double limit = open ? 0 : p.laws[i].limit(normal);
+    const double limit = open ? p.laws[i].limit_open() : p.laws[i].limit(normal);
     forces[t] = std::clamp(forces[t] - row_times(p, t, forces) / diagonal[t], -limit, limit);
   }
 }

@@ -32,12 +32,15 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
     const double wanted = forces[n] - y[n] / diagonal[n];
     const double tangential = forces[t] - y[t] / diagonal[t];
     const bool open = wanted <= law.least;
-    const double limit = open ? 0 : law.limit(wanted);
+    const double limit = open ? law.limit_open() : law.limit(wanted);
     map.forces[n] = open ? law.least : wanted;
     map.forces[t] = std::clamp(tangential, -limit, limit);
     const Grip sliding = tangential > 0 ? Grip::slip_forward : Grip::slip_backward;
     const bool holds = limit > 0 && std::abs(tangential) <= limit;
-    map.grips.push_back(open ? Grip::open : holds ? Grip::stick : sliding);
+    if (open)
+      map.grips.push_back(limit > 0 ? Grip::open_stick : Grip::open);
+    else
+      map.grips.push_back(holds ? Grip::stick : sliding);
   }
   return map;
 }
@@ -64,9 +67,11 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
   solution.converged = solution.residual <= problem.acceptable;
   // Round-off on an open touch would pass for a closed one.
   const NaturalMap map = natural_map(problem, solution.forces);
-  for (std::size_t i = 0; i < problem.count(); ++i)
-    if (map.grips[i] == Grip::open)
-      solution.forces.segment<2>(static_cast<Eigen::Index>(2 * i)) << problem.laws[i].least, 0;
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    if (is_open(map.grips[i])) solution.forces[n] = problem.laws[i].least;
+    if (map.grips[i] == Grip::open) solution.forces[n + 1] = 0;
+  }
   return solution;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -13,11 +14,14 @@ namespace keyblock {
 ///     λn ≥ least,   |λt| ≤ max(0, cohesion + friction λn).
 struct ForceLaw {
   double friction = 0;  ///< μ
-  double cohesion = 0;  ///< tangential force held without normal force; infinite where nothing slips
+  double cohesion = 0;  ///< tangential force held without normal force; infinite where nothing slips, open or not
   double least = 0;     ///< smallest normal force: 0 of a touch, −tensile strength of a bond, −∞ of a tie
 
   /// Largest tangential force under a normal force.
   double limit(double normal) const;
+
+  /// At the least normal force there is no tangential force, unless nothing slips at all.
+  double limit_open() const { return std::isinf(cohesion) ? cohesion : 0; }
 };
 
 /// Both forces take whatever value keeps y = 0: a held point.
@@ -43,8 +47,12 @@ struct FrictionalProblem {
   std::size_t count() const { return laws.size(); }
 };
 
-/// open: at the least normal force, which is none for a touch; slip_forward: λt = +limit.
-enum class Grip { open, stick, slip_forward, slip_backward };
+/// open: at the least normal force, which is none for a touch; open_stick: the same, yet yt = 0; slip_forward: λt = +limit.
+enum class Grip { open, open_stick, stick, slip_forward, slip_backward };
+
+inline bool is_open(Grip grip) {
+  return grip == Grip::open || grip == Grip::open_stick;
+}
 
 struct FrictionalSolution {
   Eigen::VectorXd forces;

@@ -17,6 +17,9 @@ constexpr double kParallel = 1e-4;
 // (contact-notes 6).
 constexpr double kLobattoEnd = 1.0 / 6;
 
+// A foot this share of the edge beyond its end lies at the end.
+constexpr double kAtEnd = 1e-9;
+
 struct Edge {
   VertexIndex start;
   VertexIndex end;
@@ -272,6 +275,13 @@ Point point_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
 double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
   const VertexIndex met = touch.kind == TouchKind::bisector ? touch.other : touch.start;
   return dot(normal_of(touch, vertices), point_of(touch, vertices) - vertices[met]);
+}
+
+bool lies_over_edge(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
+  if (touch.kind == TouchKind::bisector) return true;
+  const Point edge = vertices[touch.end] - vertices[touch.start];
+  const double station = dot(point_of(touch, vertices) - vertices[touch.start], edge) / dot(edge, edge);
+  return station >= -kAtEnd && station <= 1 + kAtEnd;
 }
 
 const Touch* touch_of(const CornerTie& tie, const Table<VertexIndex, Point>& before,

@@ -89,4 +89,7 @@ Point point_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 /// Distance of the point from the line of the edge, or from the corner along the bisector; positive outside.
 double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
+/// Whether the foot of the point on the line of the edge lies between the ends of the edge; always for a bisector.
+bool lies_over_edge(const Touch& touch, const Table<VertexIndex, Point>& vertices);
+
 }  // namespace keyblock

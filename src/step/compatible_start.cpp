@@ -21,7 +21,7 @@ namespace {
 // Three rounds suffice where statics gives the forces; then elasticity does, and each shrinks the misfit several times.
 constexpr int kStaticRounds = 3;
 constexpr int kMostRounds = 20;
-constexpr double kRoundOff = 1e-9;         // gaps over block size that the rounding of files leaves
+constexpr double kRoundOff = 1e-9;         // share of block size, or of acceleration, that the rounding of files leaves
 constexpr double kFits = 1e-9;             // misfit over the gaps that were to be closed
 constexpr double kShiftTolerance = 1e-13;  // of the gaps to be closed
 // A block that shifts by more than this times all gaps together is thrown about, not settled.
@@ -60,11 +60,8 @@ class Settling {
   CompatibleStart run() {
     if (tolerance_ == 0) return {std::move(motion_), {}};
     for (int round = 0; round < kStaticRounds || (round < kMostRounds && misfit() > kFits); ++round) {
-      rows_ = rows_with_points(scene_, motion_.q, touches_);
-      find_forces();
-      if (round >= kStaticRounds) distribute();
-      strain();
-      shift();
+      settle(round >= kStaticRounds);
+      while (break_open_bonds()) settle(round >= kStaticRounds);
       add_overlapping();
     }
     remember();
@@ -74,6 +71,16 @@ class Settling {
   }
 
  private:
+  void settle(bool by_elasticity) {
+    rows_ = rows_with_points(scene_, motion_.q, touches_);
+    do {
+      find_forces();
+    } while (break_sheared_bonds());
+    if (by_elasticity) distribute();
+    strain();
+    shift();
+  }
+
   // Velocities after one step of free acceleration stand for g̈, so that a block that slides already keeps its direction.
   void find_forces() {
     const double dt = scene_.settings.time_step;
@@ -92,6 +99,27 @@ class Settling {
       forces_ = solve(problem, forces_).forces;
     }
     acceleration_ = plus(product(rigid_, loads_), 1, answer(rows_, rigid_, forces_));
+  }
+
+  bool break_sheared_bonds() {
+    std::vector<ContactLaw> laws;
+    for (const Touch& touch : touches_) laws.push_back(contact_law(scene_, motion_.bonds, touch));
+    const std::vector<Facing> sheared = sheared_bonds(touches_, laws, forces_, kLooser * tolerance_);
+    for (const Facing& facing : sheared) motion_.bonds.erase(facing);
+    return !sheared.empty();
+  }
+
+  // A bond that carries its tensile strength while its faces part: once more than round-off of the acceleration.
+  bool break_open_bonds() {
+    const std::size_t before = motion_.bonds.size();
+    const Eigen::VectorXd opening = rates(rows_, acceleration_);
+    const double least = kRoundOff * rates(rows_, product(rigid_, loads_)).cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
+      if (law.is_bonded && normal(i) <= law.force.least && opening[tangential(i) - 1] > least)
+        motion_.bonds.erase(touches_[i].facing);
+    }
+    return motion_.bonds.size() < before;
   }
 
   // Forces of rigid blocks are not unique where more touches carry than statics needs. Those of elastic blocks are: the ones

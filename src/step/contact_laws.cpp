@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/contact_laws.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
 #include "model/material_choices.hpp"
 
@@ -57,10 +61,34 @@ ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Tou
   const auto bond = touch.facing.lower ? bonds.find(touch.facing) : bonds.end();
   if (bond == bonds.end()) return law;
   law.is_bonded = true;
-  law.force.cohesion = joint.cohesion * bond->second.length;
+  law.force.cohesion = std::numeric_limits<double>::infinity();
+  law.shear_strength = joint.cohesion * bond->second.length;
   law.force.least = -joint.tensile_strength * bond->second.length;
   law.rest_gap = bond->second.gap;
   return law;
+}
+
+std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
+                                  const Eigen::VectorXd& forces, double tolerance) {
+  struct Face {
+    double shear = 0;
+    double strength = 0;
+    std::vector<Facing> bonds;
+  };
+  std::map<std::pair<VertexIndex, VertexIndex>, Face> faces;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (!laws[i].is_bonded) continue;
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    Face& face = faces[{touches[i].facing.lower, touches[i].facing.upper}];
+    face.shear += forces[n + 1];
+    face.strength += laws[i].shear_strength + laws[i].force.friction * forces[n];
+    face.bonds.push_back(touches[i].facing);
+  }
+  std::vector<Facing> sheared;
+  for (const auto& [edges, face] : faces)
+    if (std::abs(face.shear) > std::max(0.0, face.strength) + tolerance)
+      sheared.insert(sheared.end(), face.bonds.begin(), face.bonds.end());
+  return sheared;
 }
 
 Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches& resting) {

@@ -14,7 +14,8 @@ struct ContactLaw {
   double tangential_compliance = 0;  ///< 1/p_t
   double normal_weight = 0;          ///< 1/p of the proximal term of an augmented Lagrangian
   double tangential_weight = 0;
-  double rest_gap = 0;  ///< of a bond: what was between its faces when it was made
+  double rest_gap = 0;        ///< of a bond: what was between its faces when it was made
+  double shear_strength = 0;  ///< of a bond: cohesion times its length
   bool is_bonded = false;
 };
 
@@ -24,10 +25,17 @@ Touches without_springs(const StandardScene& scene, Touches touches);
 /// What a touch with this law remembers of its forces.
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential);
 
-/// Mohr-Coulomb with tension cut-off for bonded touches, |λt| ≤ c l + λn tan φ and λn ≥ −T l with l the length that the touch
-/// stands for; Coulomb for the others. A spring stands for the share of its stretch: both ends of a stretch have the contact
+/// λn ≥ −T l and no slip for bonded touches, with l the length that the touch stands for; Coulomb for the others. The shear of
+/// bonds is judged by `sheared_bonds`. A spring stands for the share of its stretch: both ends of a stretch have the contact
 /// stiffness p each, three points 2p by Lobatto's weights (contact-notes 6).
 ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch);
+
+/// The bonds between edges whose shear is beyond Mohr and Coulomb's limit by more than `tolerance`,
+///     |Σ λt| > Σ (c l + λn tan φ),
+/// summed over the bonds of a pair of edges: how two elastic blocks share a force among the points of one face is no matter of
+/// the strength of that face (limit equilibrium of a joint, Hoek & Bray 1981).
+std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
+                                  const Eigen::VectorXd& forces, double tolerance);
 
 /// Bonds of resting touches whose joint material has strength.
 Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches& resting);

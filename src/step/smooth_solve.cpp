@@ -26,7 +26,7 @@ constexpr int kMostRows = 2;
 // Where every touch has a spring, the springs make the forces unique: the first proximal term is this share of their
 // compliance, which may be far below that of the blocks.
 constexpr double kWeakTerm = 1e-3;
-// A bond that moves by more than this share of block size in a step is broken; less is round-off of the solution.
+// A bond that opens by more than this share of block size in a step is broken; less is round-off of the solution.
 constexpr double kBroken = 1e-11;
 
 class SmoothSolve {
@@ -159,17 +159,19 @@ class SmoothSolve {
   // brings its point to rest, where the displacement of the step would turn the velocity over in each step.
   double of_stretch() const { return 1 / (rate() * dt_); }
 
-  // A bond that slips or opens is gone: its contact goes on without cohesion (brittle joint). One that carries all it can
-  // without moving, because its neighbour holds, stays.
+  // A bond that opens is gone, one that carries all it can without moving, because its neighbour holds, stays. Where none
+  // opens, faces sheared beyond their strength lose all theirs; contacts go on without cohesion (brittle joint).
   bool break_bonds() {
     const std::size_t before = bonds_.size();
     const NaturalMap map = natural_map(problem_, result_.forces);
     const Eigen::VectorXd y = problem_.w * result_.forces + problem_.b;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      if (!laws_[i].is_bonded || map.grips[i] == Grip::stick) continue;
-      const double moved = y.segment<2>(static_cast<Eigen::Index>(2 * i)).cwiseAbs().maxCoeff();
-      if (moved > kBroken * size_) bonds_.erase(touches_[i].facing);
+      if (!laws_[i].is_bonded || !is_open(map.grips[i])) continue;
+      if (y[static_cast<Eigen::Index>(2 * i)] > kBroken * size_) bonds_.erase(touches_[i].facing);
     }
+    if (bonds_.size() == before)
+      for (const Facing& facing : sheared_bonds(touches_, laws_, result_.forces, problem_.acceptable))
+        bonds_.erase(facing);
     return bonds_.size() < before;
   }
 

@@ -126,6 +126,7 @@ class Attempt {
   }
 
   void strike(const Touches& closed) {
+    drop_passed();
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd speeds =
         rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), smooth_.v);
@@ -140,6 +141,20 @@ class Attempt {
     Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, meetings, closed);
     step_.motion.v = std::move(jump.v);
     step_.motion.q = without_overlap(scene_, std::move(jump.q), parts_.impacts, closed);
+  }
+
+  // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that it left
+  // would push it in a direction in which there is no face.
+  void drop_passed() {
+    const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
+      if (!lies_over_edge(parts_.impacts[i], vertices)) continue;
+      parts_.impacts[kept] = parts_.impacts[i];
+      parts_.impact_speeds[kept++] = parts_.impact_speeds[i];
+    }
+    parts_.impacts.resize(kept);
+    parts_.impact_speeds.resize(kept);
   }
 
   // Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and d the
