@@ -111,6 +111,7 @@ class Settling {
 
   // A bond that carries its tensile strength while its faces part: once more than round-off of the acceleration.
   bool break_open_bonds() {
+    if (motion_.bonds.empty()) return false;
     const std::size_t before = motion_.bonds.size();
     const Eigen::VectorXd opening = rates(rows_, acceleration_);
     const double least = kRoundOff * rates(rows_, product(rigid_, loads_)).cwiseAbs().maxCoeff();

@@ -34,6 +34,7 @@ UnknownBlock rigid_inverse(const UnknownBlock& mass) {
 // ω₁ of the strain modes, rigid part free: K x = ω² (M_εε − M_εr M_rr⁻¹ M_rε) x.
 double slowest_frequency(const Body& body) {
   const Eigen::Index strains = body.mass.rows() - kRigidUnknowns;
+  if (strains <= 0) return 0;
   const Eigen::MatrixXd coupling = body.mass.bottomLeftCorner(strains, kRigidUnknowns);
   const Eigen::MatrixXd rigid = body.rigid_mass_inverse.topLeftCorner(kRigidUnknowns, kRigidUnknowns);
   const Eigen::MatrixXd mass = body.mass.bottomRightCorner(strains, strains) - coupling * rigid * coupling.transpose();
@@ -47,7 +48,7 @@ double least_stiffness_damping(const Body& body, const Settings& settings) {
   // Parts of a step may be as small as they like, and are not damped by their rule.
   const bool constant = settings.step_control == StepControl::constant;
   const double by_rule = constant ? damping_of_rule(settings.standard, settings.time_step) : 0;
-  return std::max(0.0, kDampingOverPeriod / slowest_frequency(body) - by_rule);
+  return std::max(0.0, kDampingOverPeriod / body.slowest_frequency - by_rule);
 }
 
 UnknownBlock damping_of(const Body& body, const Settings& settings, int material) {
@@ -78,6 +79,7 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
   body.stiffness = moments.area * (strain.transpose() * modulus_of(material, settings) * strain);
   body.initial_stress = -moments.area * (strain.transpose() * start_stress(material, reference.centroids[e].y));
   body.weight = basis.constant.transpose() * (moments.area * weight_per_area(material, settings));
+  body.slowest_frequency = slowest_frequency(body);
   body.damping = damping_of(body, settings, element.material);
   for (VertexIndex v : element.vertices()) body.size = std::max(body.size, length(reference.offsets[v]));
   return body;

@@ -22,6 +22,7 @@ struct Body {
   Unknowns weight;
   double size = 0;  ///< largest distance of a vertex from the centroid
   double area = 0;
+  double slowest_frequency = 0;  ///< ω₁ of the strain modes of the free block, 1 / time; 0 without strains
 };
 
 using Bodies = Table<ElementIndex, Body>;

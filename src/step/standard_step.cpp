@@ -30,6 +30,12 @@ constexpr double kMomentumAcceptable = 1e-9;
 // impact meet within round-off.
 constexpr double kMeeting = 1e-10;
 
+// A step that is longer than this over the frequency of an oscillation does not follow it: the rate at the end of a step of
+// the trapezoidal rule has the sign of the one before up to here (amplification (4 − ω²dt²)/(4 + ω²dt²)).
+constexpr double kFollowed = 2;
+// A velocity whose mean over the step is a smaller share of it than this has turned over; one that grows from rest has half.
+constexpr double kTurnedOver = 0.1;
+
 struct Split {
   Touches smooth;
   Touches impacts;
@@ -77,7 +83,7 @@ class Attempt {
     if (!step_.converged) return std::move(step_);
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
-    step_.motion.v = smooth_.v;
+    step_.motion.v = without_turning_over();
     step_.motion.a = smooth_.a;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.ties = smooth_.ties;
@@ -141,6 +147,27 @@ class Attempt {
     Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, meetings, closed);
     step_.motion.v = std::move(jump.v);
     step_.motion.q = without_overlap(scene_, std::move(jump.q), parts_.impacts, closed);
+  }
+
+  // The trapezoidal rule turns the rate of a strain over in each step that is too long to follow it, and the contacts of a block
+  // at rest turn the rest of its velocity with it: at the end it is as great as before, though nothing moved. Such a block has
+  // the mean velocity of the step, to which its contacts have agreed as well.
+  UnknownsTable without_turning_over() const {
+    UnknownsTable v = smooth_.v;
+    const bool is_asked = scene_.settings.standard.strain_damping != StrainDamping::none;
+    if (!is_asked || rule_.carries_acceleration()) return v;
+    for (ElementIndex e : indices(v)) {
+      const Body& body = scene_.bodies[e];
+      if (body.slowest_frequency * dt_ <= kFollowed) continue;
+      const Unknowns mean = (smooth_.q[e] - start_.q[e]) / dt_;
+      if (speed_of(mean, body.size) < kTurnedOver * speed_of(v[e], body.size)) v[e] = mean;
+    }
+    return v;
+  }
+
+  // Of the centroid or, by turning and straining, of a point as far from it as a vertex may be: the greatest.
+  static double speed_of(const Unknowns& v, double size) {
+    return std::max(v.head<2>().norm(), size * v.tail(v.size() - 2).cwiseAbs().maxCoeff());
   }
 
   // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that it left

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "contact/friction_newton.hpp"
 #include "contact/friction_sweeps.hpp"
 
@@ -70,6 +72,19 @@ TEST(FrictionalProblem, an_open_contact_has_no_force_at_all) {
   const Eigen::VectorXd forces = solve(problem, Eigen::Vector4d(10, -0.1, 1e-11, 0)).forces;
   EXPECT_EQ(forces[2], 0);
   EXPECT_EQ(forces[3], 0);
+}
+
+// The bond is torn off the ground and pushed aside: its shear holds on until it is taken away.
+TEST(FrictionalProblem, what_cannot_slip_keeps_its_shear_when_it_opens) {
+  const double never = std::numeric_limits<double>::infinity();
+  FrictionalProblem problem = one_contact(-10, 3, 0.5);
+  problem.laws = {{0.5, never, -4}};
+  for (const FrictionalSolution& solution :
+       {newton(problem, zeros(problem)),
+        sweep(problem, {zeros(problem), residual(problem, zeros(problem)), 0, 0, false, {}}, 100)}) {
+    EXPECT_NEAR(solution.forces[0], -4, 1e-12);
+    EXPECT_NEAR(solution.forces[1], -3, 1e-12);
+  }
 }
 
 TEST(FrictionalProblem, a_solution_at_the_start_costs_no_solve) {

@@ -69,6 +69,14 @@ TEST(Touch, blocks_out_of_reach_or_past_each_other_do_not_meet) {
   EXPECT_TRUE(touches_between(rectangle({0, -1}, {5, 0}), rectangle({5.05, 0.01}, {6, 1})).empty());
 }
 
+TEST(Touch, a_corner_past_the_end_of_the_floor_is_not_over_it) {
+  const Touch left_corner_on_floor{{4}, {2}, {3}};
+  for (const auto& [left, is_over] : {std::pair{4.9, true}, {5.0, true}, {5.1, false}, {-0.1, false}}) {
+    const Model model = two_blocks(rectangle({0, -1}, {5, 0}), rectangle({left, 0}, {left + 1, 1}));
+    EXPECT_EQ(lies_over_edge(left_corner_on_floor, vertices_of(model)), is_over) << left;
+  }
+}
+
 // Where the tops of two floors are in line, a block that slides along the first comes up to the end face of the second. It
 // passes, or lands on the top; it does not hit the end.
 TEST(Touch, a_block_that_slides_on_to_the_next_floor_does_not_hit_its_end) {

@@ -122,4 +122,18 @@ TEST(Damping, materials_are_damped_apart) {
   }
 }
 
+// A step of 20/ω₁ cannot follow the mode: with its rates at the end of a step they would turn over in each.
+TEST(Damping, a_strain_too_fast_for_the_step_comes_to_rest) {
+  const double dt = 20 / kFrequency;
+  Analysis analysis = plain_analysis(dt, 1);
+  analysis.gravity = 0;
+  analysis.block_materials[0].initial_stress = {kStress, 0, 0};
+  const Scene scene = testing::standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis,
+                                                 testing::standard_settings(analysis));
+  StandardStepper stepper(scene);
+  testing::run_to(stepper, 20 * dt);
+  const double rate_if_turned_over = kStress / kModulus / dt;
+  EXPECT_NEAR(stepper.state().elements[kBlock].velocity[3], 0, 1e-9 * rate_if_turned_over);
+}
+
 }  // namespace keyblock
