@@ -33,8 +33,9 @@ constexpr double kMeeting = 1e-10;
 // A step that is longer than this over the frequency of an oscillation does not follow it: the rate at the end of a step of
 // the trapezoidal rule has the sign of the one before up to here (amplification (4 − ω²dt²)/(4 + ω²dt²)).
 constexpr double kFollowed = 2;
-// A velocity whose mean over the step is a smaller share of it than this has turned over; one that grows from rest has half.
-constexpr double kTurnedOver = 0.1;
+// A velocity whose mean over the step is a smaller share of the rate of strain at its end than this has turned over with it; a
+// rate that grows from rest has half.
+constexpr double kTurnedOver = 0.4;
 
 struct Split {
   Touches smooth;
@@ -83,7 +84,7 @@ class Attempt {
     if (!step_.converged) return std::move(step_);
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
-    step_.motion.v = without_turning_over();
+    step_.motion.v = without_turning_over(closed);
     step_.motion.a = smooth_.a;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.ties = smooth_.ties;
@@ -152,22 +153,27 @@ class Attempt {
   // The trapezoidal rule turns the rate of a strain over in each step that is too long to follow it, and the contacts of a block
   // at rest turn the rest of its velocity with it: at the end it is as great as before, though nothing moved. Such a block has
   // the mean velocity of the step, to which its contacts have agreed as well.
-  UnknownsTable without_turning_over() const {
+  UnknownsTable without_turning_over(const Touches& closed) const {
     UnknownsTable v = smooth_.v;
     const bool is_asked = scene_.settings.standard.strain_damping != StrainDamping::none;
     if (!is_asked || rule_.carries_acceleration()) return v;
-    for (ElementIndex e : indices(v)) {
-      const Body& body = scene_.bodies[e];
-      if (body.slowest_frequency * dt_ <= kFollowed) continue;
-      const Unknowns mean = (smooth_.q[e] - start_.q[e]) / dt_;
-      if (speed_of(mean, body.size) < kTurnedOver * speed_of(v[e], body.size)) v[e] = mean;
-    }
+    for (const Touch& touch : closed)
+      for (const VertexIndex vertex : {touch.vertex, touch.end}) {
+        const ElementIndex e = scene_.model.vertices[vertex].element;
+        const Body& body = scene_.bodies[e];
+        if (body.slowest_frequency * dt_ <= kFollowed) continue;
+        const Unknowns mean = (smooth_.q[e] - start_.q[e]) / dt_;
+        if (speed_of(mean, body.size) < kTurnedOver * straining(smooth_.v[e], body.size)) v[e] = mean;
+      }
     return v;
   }
 
   // Of the centroid or, by turning and straining, of a point as far from it as a vertex may be: the greatest.
   static double speed_of(const Unknowns& v, double size) {
-    return std::max(v.head<2>().norm(), size * v.tail(v.size() - 2).cwiseAbs().maxCoeff());
+    return std::max({v.head<2>().norm(), size * std::abs(v[2]), straining(v, size)});
+  }
+  static double straining(const Unknowns& v, double size) {
+    return size * v.tail(v.size() - kRigidUnknowns).cwiseAbs().maxCoeff();
   }
 
   // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that it left
