@@ -22,23 +22,35 @@ double sine_of_turn(Point before, Point at, Point after) {
   return cross(arriving, leaving) / (length(arriving) * length(leaving));
 }
 
+// A tip, where the edge turns back, is none.
+bool is_straight(Point before, Point at, Point after) {
+  return std::abs(sine_of_turn(before, at, after)) <= kStraightSine && dot(at - before, after - at) > 0;
+}
+
 class Cutter {
  public:
   explicit Cutter(const Model& model) : model_(model) {}
 
   ConvexPieces run(const Element& element) {
+    const std::vector<VertexIndex> ring = distinct(element);
     ConvexPiece whole;
-    for (VertexIndex v : element.vertices()) {
-      const Vertex& vertex = model_.vertices[v];
-      if (std::abs(sine_of_turn(at(vertex.previous), at(v), at(vertex.next))) > kStraightSine)
-        whole.corners.push_back(v);
-    }
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (!is_straight(at(ring[(i + ring.size() - 1) % ring.size()]), at(ring[i]), at(ring[(i + 1) % ring.size()])))
+        whole.corners.push_back(ring[i]);
     whole.is_inner.assign(whole.corners.size(), false);
     cut(whole);
     return std::move(pieces_);
   }
 
  private:
+  // Vertices, those left out that lie where the one before lies.
+  std::vector<VertexIndex> distinct(const Element& element) const {
+    std::vector<VertexIndex> ring;
+    for (VertexIndex v : element.vertices())
+      if (at(v) != at(model_.vertices[v].previous)) ring.push_back(v);
+    return ring;
+  }
+
   Point at(VertexIndex v) const { return model_.start_vertices[static_cast<std::size_t>(v.value)]; }
   static std::size_t wrapped(const ConvexPiece& p, std::size_t i) { return i % p.corners.size(); }
   Point corner(const ConvexPiece& p, std::size_t i) const { return at(p.corners[wrapped(p, i)]); }

@@ -7,23 +7,22 @@
 namespace keyblock {
 namespace {
 
-bool is_pinned(const Model& model, ElementIndex e) {
-  std::vector<Point> places;
-  for (const CarriedPoint& point : model.fixed_points) {
-    if (point.element != e) continue;
-    if (!point.curve.times.empty()) return false;
-    if (std::ranges::find(places, point.start) == places.end()) places.push_back(point.start);
-  }
-  return places.size() >= 2;
+// Points of one element.
+bool pins(const std::vector<const CarriedPoint*>& points) {
+  const bool is_still = std::ranges::all_of(points, [](const CarriedPoint* p) { return p->curve.times.empty(); });
+  return is_still && std::ranges::any_of(points, [&](const CarriedPoint* p) { return p->start != points[0]->start; });
 }
 
 }  // namespace
 
 Model with_bases(Model model, const PerMaterial<BlockBasis>& basis) {
+  Table<ElementIndex, std::vector<const CarriedPoint*>> points;
+  points.resize(model.elements.size());
+  for (const CarriedPoint& point : model.fixed_points) points[point.element].push_back(&point);
   for (ElementIndex e : indices(model.elements)) {
     Element& element = model.elements[e];
     const Basis& moving = basis.of(element.material) == BlockBasis::rigid ? rigid_basis() : affine_basis();
-    element.basis = is_pinned(model, e) ? &fixed_basis() : &moving;
+    element.basis = pins(points[e]) ? &fixed_basis() : &moving;
   }
   return model;
 }

@@ -76,9 +76,8 @@ struct Model {
   double scale = 0;      ///< w0: half the greater of width and height of all vertices (Berkeley's rule)
 
   /// The joint material of the edge that arrives at `vertex`.
-  const JointMaterial& joint_at(VertexIndex vertex) const {
-    return joint_materials[static_cast<std::size_t>(vertices[vertex].joint_material)];
-  }
+  const JointMaterial& joint_at(VertexIndex vertex) const { return joint_material(vertices[vertex].joint_material); }
+  const JointMaterial& joint_material(int number) const { return joint_materials[static_cast<std::size_t>(number)]; }
   const BlockMaterial& material_of(const Element& element) const {
     return block_materials[static_cast<std::size_t>(element.material)];
   }

@@ -53,6 +53,7 @@ Settings legacy(const Analysis& analysis) {
 Settings standard(const Analysis& analysis) {
   Settings settings = legacy(analysis);
   settings.dynamics = Dynamics::standard;
+  settings.node_merging = NodeMerging::nearest_first;
   settings.step_control = StepControl::constant;
   settings.penalty_control = PenaltyControl::constant;
   settings.rotation = Rotation::exact;

@@ -19,7 +19,7 @@ double stiffness_share(const Touch& touch) {
 }
 
 Enforcement enforcement_at(const StandardScene& scene, const Touch& touch) {
-  return enforcement_of(scene.settings, scene.model.vertices[touch.end].joint_material);
+  return enforcement_of(scene.settings, touch.joint_material);
 }
 
 void add_springs(ContactLaw& law, const StandardScene& scene, const Touch& touch) {
@@ -54,7 +54,7 @@ ContactMemory memory_of(const ContactLaw& law, double normal, double tangential)
 }
 
 ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch) {
-  const JointMaterial& joint = scene.model.joint_at(touch.end);
+  const JointMaterial& joint = scene.model.joint_material(touch.joint_material);
   ContactLaw law;
   law.force.friction = joint.friction_tangent();
   add_springs(law, scene, touch);
@@ -95,7 +95,7 @@ Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches
   const auto vertices = vertices_at(scene.model, scene.reference, q);
   Bonds bonds;
   for (const Touch& touch : resting) {
-    const JointMaterial& joint = scene.model.joint_at(touch.end);
+    const JointMaterial& joint = scene.model.joint_material(touch.joint_material);
     const bool has_strength = joint.cohesion > 0 || joint.tensile_strength > 0;
     if (has_strength && touch.stretch > 0) bonds[touch.facing] = {gap_of(touch, vertices), touch.stretch * touch.share};
   }

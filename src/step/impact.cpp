@@ -113,13 +113,14 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
   FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
-  for (const Touch& touch : touches) problem.laws.push_back({scene.model.joint_at(touch.end).friction_tangent()});
+  for (const Touch& touch : touches)
+    problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // held points move on as they do
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     double& normal = problem.b[static_cast<Eigen::Index>(2 * i)];
     const double approach = -normal - meetings[i].gained;
-    const double restitution = restitution_of(scene.settings, scene.model.vertices[touches[i].end].joint_material);
+    const double restitution = restitution_of(scene.settings, touches[i].joint_material);
     if (approach > 0) normal = -(1 + restitution) * approach;
   }
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;

@@ -44,9 +44,13 @@ StandardScene standard_scene(Model model, Settings settings) {
 }
 
 std::string unsupported(const StandardScene& scene) {
-  for (ElementIndex e : indices(scene.pieces))
+  for (ElementIndex e : indices(scene.pieces)) {
     if (scene.pieces[e].empty())
-      return fmt::format("expected convex blocks without holes, found block {}: it needs profile legacy", e.value + 1);
+      return fmt::format("expected blocks without holes, found block {} with one: it needs profile legacy",
+                         e.value + 1);
+    if (std::ranges::any_of(scene.pieces[e], [](const ConvexPiece& piece) { return piece.corners.size() < 3; }))
+      return fmt::format("expected blocks with three corners at least, found block {} without area", e.value + 1);
+  }
   return {};
 }
 

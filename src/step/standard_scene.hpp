@@ -30,8 +30,7 @@ struct StandardScene {
 /// An enforcement that is `automatic` is decided here.
 StandardScene standard_scene(Model model, Settings settings);
 
-/// Why this scene cannot be run so, in one sentence; empty if it can. Blocks of more than one convex piece are refused: on the
-/// jointed slope of 45 blocks, whose base has a kink, some fell through it.
+/// Why this scene cannot be run so, in one sentence; empty if it can: blocks with holes have no convex pieces.
 std::string unsupported(const StandardScene& scene);
 
 struct Motion {

@@ -93,7 +93,7 @@ class Attempt {
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
-    if (!scene_.has_springs() && rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
+    if (rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
       step_.account = account_of(scene_, {start_, loads_, parts_.smooth, StepTies(scene_, start_, time_, dt_), smooth_,
                                           cleaned, step_.motion, dt_, rule_});
@@ -136,7 +136,7 @@ class Attempt {
     drop_passed();
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd speeds =
-        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), smooth_.v);
+        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), step_.motion.v);
     std::vector<Meeting> meetings;
     for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
       const double gap = gap_of(parts_.impacts[i], vertices);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "contact/gap.hpp"
 
@@ -35,10 +36,23 @@ double top_speed(const StandardScene& scene, const UnknownsTable& v) {
 // Compression of the springs of closed contacts is no overlap between corners; twice the greatest is on the safe side.
 TouchSearch search_of(const StandardScene& scene, const Motion& motion, double reach) {
   double greatest = 0;
-  for (const auto& [touch, memory] : motion.closed.all()) greatest = std::max(greatest, memory.normal);
-  const bool springs = scene.has_springs();
-  return {reach, springs ? 2 * greatest / scene.normal_stiffness() : 0,
-          springs && scene.settings.standard.spring_points == SpringPoints::lobatto};
+  for (const auto& [touch, memory] : motion.closed.all())
+    greatest = std::max(greatest, memory.normal * memory.normal_compliance);
+  return {reach, 2 * greatest, scene.has_springs() && scene.settings.standard.spring_points == SpringPoints::lobatto};
+}
+
+// Of the part of the edge where the foot of the point lies: vertices on a straight edge part it, and each part has its own.
+int joint_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices) {
+  VertexIndex part = model.vertices[touch.start].next;
+  const Point along = vertices[touch.end] - vertices[touch.start];
+  const double station = dot(point_of(touch, vertices) - vertices[touch.start], along);
+  while (part != touch.end && dot(vertices[part] - vertices[touch.start], along) < station)
+    part = model.vertices[part].next;
+  return model.vertices[part].joint_material;
+}
+
+void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, Point>& vertices) {
+  for (Touch& touch : touches) touch.joint_material = joint_under(touch, model, vertices);
 }
 
 FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, Point>& vertices,
@@ -49,7 +63,10 @@ FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, P
   std::erase_if(pairs, [&](const ElementPair& pair) {
     return scene.bodies[pair.lower].mass.rows() + scene.bodies[pair.upper].mass.rows() == 0;  // neither can move
   });
-  return find_touches(pairs, scene.pieces, vertices, search);
+  FoundTouches found = find_touches(pairs, scene.pieces, vertices, search);
+  name_joints(found.touches, scene.model, vertices);
+  for (CornerTie& tie : found.ties) name_joints(tie.candidates, scene.model, vertices);
+  return found;
 }
 
 }  // namespace
@@ -69,18 +86,17 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
 
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
                           const FoundTouches& known, const Scales& scales) {
-  const auto is_known = [&](const Touch& touch) {
-    return std::ranges::find(known.touches, touch) != known.touches.end();
-  };
+  std::set<Touch> names(known.touches.begin(), known.touches.end());
   const double overlap = kNewOverlap * scales.size;
   const TouchSearch search = search_of(scene, start, 0);
   Touches fresh;
   for (const Touch& touch : found_within(scene, vertices, search).touches)
-    if (!is_known(touch) && gap_of(touch, vertices) < -overlap - search.slack) fresh.push_back(touch);
+    if (gap_of(touch, vertices) < -overlap - search.slack && names.insert(touch).second) fresh.push_back(touch);
   const auto before = vertices_at(scene.model, scene.reference, start.q);
   for (const CornerTie& tie : known.ties) {
-    if (std::ranges::any_of(tie.candidates, is_known)) continue;
-    if (const Touch* touch = touch_of(tie, before, vertices, overlap)) fresh.push_back(*touch);
+    if (std::ranges::any_of(tie.candidates, [&](const Touch& touch) { return names.contains(touch); })) continue;
+    const Touch* touch = touch_of(tie, before, vertices, overlap);
+    if (touch && names.insert(*touch).second) fresh.push_back(*touch);
   }
   return fresh;
 }
