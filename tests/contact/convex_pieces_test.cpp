@@ -35,6 +35,12 @@ TEST(ConvexPieces, a_vertex_on_a_straight_edge_is_no_corner) {
   EXPECT_EQ(pieces[0].is_inner, (std::vector<bool>{false, false, false, false}));
 }
 
+TEST(ConvexPieces, a_tip_is_a_corner_and_a_repeated_vertex_is_one) {
+  EXPECT_EQ(pieces_of(loop_of({{0, 0}, {1, 0}, {0.5, 1e5}})).front().corners.size(), 3U);
+  const ConvexPieces square = pieces_of(loop_of({{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}}));
+  EXPECT_EQ(square.front().corners, (std::vector<VertexIndex>{{0}, {1}, {3}, {4}}));
+}
+
 TEST(ConvexPieces, a_block_with_a_hole_has_none) {
   const BlockLoop square = loop_of({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
   EXPECT_TRUE(pieces_of(square, {loop_of({{1, 1}, {1, 2}, {2, 2}, {2, 1}})}).empty());

@@ -197,4 +197,24 @@ TEST(StandardSlide, a_block_faster_than_friction_allows_stops_where_it_should_an
   }
 }
 
+// The upper side of one base is rough to the left and smooth to the right of a vertex in its middle.
+TEST(StandardSlide, each_part_of_a_straight_side_has_its_own_friction) {
+  const double slope = radians(30);
+  Blocks blocks = block_on_slope(slope);
+  BlockLoop& base = blocks.blocks[0].outer;
+  ASSERT_EQ(base.size(), 4U);
+  base.insert(base.begin() + 3, BlockVertex{turned(Point{10, 0}, -slope), 0});
+  base[4].joint_material = 1;
+  blocks.blocks.push_back(testing::turned_rectangle({12, 0}, {13, 1}, -slope));
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.joint_materials = {JointMaterial{}, JointMaterial{}};
+  analysis.joint_materials[1].friction_angle_deg = 40;
+  const Scene scene = standard_scene_of(blocks, analysis, standard_settings(analysis));
+  StandardStepper stepper(scene);
+  const State start = stepper.state();
+  run_to(stepper, 0.5);
+  EXPECT_NEAR(length(testing::travel(stepper, start, 1)), 0, 1e-6);
+  EXPECT_NEAR(length(testing::travel(stepper, start, 2)), 9.81 * std::sin(slope) / 2 * 0.25, 1e-6);
+}
+
 }  // namespace keyblock
