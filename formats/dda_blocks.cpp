@@ -56,9 +56,8 @@ bool ranges_follow(std::span<const double> numbers, const Head& head) {
   return expected_start == static_cast<double>(head.slots) + 1;
 }
 
-Recognition recognise(const Source& source) {
+Recognition recognise(const Tokens& tokens) {
   using Fit = Recognition::Fit;
-  const Tokens tokens = tokenise(source);
   const auto head = head_of(tokens.numbers);
   if (!head) return {};
   const auto size = point_size(*head, tokens.numbers.size());
@@ -313,6 +312,7 @@ std::string write(const Content& content) {
 
 }  // namespace
 
-constinit const Format kDdaBlocks{"dda-blocks", "native block file (blocks after cutting)", recognise, read, write};
+constinit const Format kDdaBlocks{"dda-blocks", "native block file (blocks after cutting)", nullptr, read, write,
+                                  recognise};
 
 }  // namespace keyblock::formats
