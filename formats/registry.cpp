@@ -12,10 +12,13 @@
 #include <fstream>
 #include <vector>
 
+#include "formats/berkeley_measured.hpp"
+#include "formats/berkeley_replay.hpp"
 #include "formats/dda_analysis.hpp"
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/motion.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
 #include "formats/recognised_only.hpp"
@@ -27,9 +30,11 @@ namespace {
 using Fit = Recognition::Fit;
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 9> kFormats{
-    &kDdaExtended,         &kDdaml,          &kNmmCover,    &kDdaBlocks, &kDdaGeometry,
-    &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis, &kDiskDda,
+constexpr std::array<const Format*, 14> kFormats{
+    &kDdaExtended,         &kDdaml,          &kNmmCover,         &kBerkeleyMeasured,
+    &kBerkeleyReplay,      &kDdaBlocks,      &kDdaBlocksOfThree, &kDdaGeometry,
+    &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis,      &kDiskDda,
+    &kMotionShake,         &kMotionMatlab,
 };
 
 [[noreturn]] void refuse(const Place& place, std::string_view found) {
@@ -124,6 +129,8 @@ Source load(const std::string& path) {
 }
 
 Choice recognise(const Source& source, GeometryKind geometry) {
+  if (Recognition measured = kBerkeleyMeasured.recognise(source); measured.fit == Fit::exact)
+    return {&kBerkeleyMeasured, std::move(measured)};  // it may hold zero bytes, which elsewhere mean a binary file
   refuse_other_files(source);
   const Tokens tokens = tokenise(source);
   const std::vector<Choice> found = choices(source, tokens);

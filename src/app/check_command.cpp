@@ -73,6 +73,9 @@ Json counts_of(const formats::Content& content) {
   if (content.drawing) counts.update(counts_of(*content.drawing));
   if (content.blocks) counts.update(counts_of(*content.blocks));
   if (content.cover) counts.update(counts_of(*content.cover));
+  if (!content.frames.empty()) counts["frames"] = content.frames.size();
+  if (!content.tracks.empty()) counts["measured_points"] = content.tracks.size();
+  if (content.motion) counts["accelerations"] = content.motion->times.size();
   if (content.analysis) counts.update(counts_of(*content.analysis));
   return counts;
 }

@@ -8,17 +8,19 @@
 #include "formats/case.hpp"
 #include "formats/dda_analysis.hpp"
 #include "formats/dda_geometry.hpp"
+#include "formats/ddaml.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
 #include "formats/tokens.hpp"
 #include "geometry/polygon.hpp"
 #include "tests/formats/reading.hpp"
+#include "tests/support/content_text.hpp"
 #include "tests/support/shared_folder.hpp"
 
 namespace keyblock::formats {
 namespace {
 
-class Samples : public testing::Test {
+class Samples : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(folder_))
@@ -63,6 +65,15 @@ TEST_F(Samples, circleslope_is_read_and_written_back_number_by_number) {
   const Reading controls = read(analysis);
   EXPECT_EQ(controls.content.analysis->joint_materials.size(), 3u);
   EXPECT_EQ(numbers_of(kDdaAnalysisBerkeley.write(controls.content)), numbers_of(analysis.text));
+}
+
+TEST_F(Samples, every_ddaml_sample_comes_back_from_its_text) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "ntdda")) {
+    if (!entry.is_regular_file() || entry.path().stem() == "circleslope") continue;
+    const Content content = read(load(entry.path())).content;
+    const Content again = read({"f", kDdaml.write(content)}).content;
+    EXPECT_EQ(keyblock::testing::content_text(again), keyblock::testing::content_text(content)) << entry.path();
+  }
 }
 
 TEST_F(Samples, pushblock_pairs_and_warns_of_its_missing_gravity_only) {
