@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "problem/analysis.hpp"
 #include "problem/blocks.hpp"
+#include "problem/cover.hpp"
 #include "problem/drawing.hpp"
 
 namespace keyblock {
@@ -16,7 +17,7 @@ namespace keyblock {
 /// What the files of a case say together. A geometry or an analysis alone is a problem too, though none to
 /// run.
 struct Problem {
-  std::variant<std::monostate, Drawing, Blocks> geometry;
+  std::variant<std::monostate, Drawing, Blocks, Cover> geometry;
   std::optional<Analysis> analysis;
 };
 
