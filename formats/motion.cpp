@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "formats/demands.hpp"
+#include "formats/numbers.hpp"
 #include "formats/tokens.hpp"
 
 namespace keyblock::formats {
@@ -17,29 +18,32 @@ std::size_t line_end(std::string_view text, std::size_t at) {
   return std::min(text.find('\n', at), text.size());
 }
 
-/// A piece of a text as tokens of their own.
-Tokens tokens_between(const std::shared_ptr<const TextMap>& map, std::string_view text, std::size_t first,
-                      std::size_t last) {
-  Tokens tokens{map, text, Syntax::native, {}, {}, last};
-  add_words(tokens, first, last - first);
-  return tokens;
-}
+/// Where a shake file's lines end, and its pieces as tokens of their own.
+class Shake {
+ public:
+  explicit Shake(const Source& source)
+      : text_(without_bom(source.text)),
+        first_(line_end(text_, 0)),
+        second_(line_end(text_, std::min(first_ + 1, text_.size()))),
+        map_(std::make_shared<const TextMap>(source.name, text_)) {}
 
-/// A shake file: its two header lines, and what stands behind them.
-struct Shake {
-  Tokens first_line;
-  Tokens second_line;
-  Tokens values;
+  /// The first line is a title; nothing in it is a comment.
+  Tokens title() const { return tokens_between(0, first_, Syntax::xml); }
+  Tokens second_line() const { return tokens_between(first_, second_, Syntax::native); }
+  Tokens values() const { return tokens_between(second_, text_.size(), Syntax::native); }
+
+ private:
+  Tokens tokens_between(std::size_t first, std::size_t last, Syntax syntax) const {
+    Tokens tokens{map_, text_, syntax, {}, {}, last};
+    add_words(tokens, first, last - first);
+    return tokens;
+  }
+
+  std::string_view text_;
+  std::size_t first_;
+  std::size_t second_;
+  std::shared_ptr<const TextMap> map_;
 };
-
-Shake shake_of(const Source& source) {
-  const std::string_view text = without_bom(source.text);
-  const auto map = std::make_shared<const TextMap>(source.name, text);
-  const std::size_t first = line_end(text, 0);
-  const std::size_t second = line_end(text, std::min(first + 1, text.size()));
-  return {tokens_between(map, text, 0, first), tokens_between(map, text, first, second),
-          tokens_between(map, text, second, text.size())};
-}
 
 bool holds_eight_a_line(const Tokens& values) {
   for (std::size_t i = 1; i < values.numbers.size(); ++i) {
@@ -52,12 +56,14 @@ bool holds_eight_a_line(const Tokens& values) {
 }
 
 Recognition recognise_shake(const Source& source) {
-  const Shake shake = shake_of(source);
-  const std::vector<double>& head = shake.second_line.numbers;
-  const std::size_t have = shake.values.numbers.size();
-  const bool fits = shake.first_line.junk() && !head.empty() && have > 0 && head[0] == static_cast<double>(have) &&
-                    !shake.values.junk() && holds_eight_a_line(shake.values);
-  if (!fits) return {};
+  const std::string_view text = without_bom(source.text);
+  if (parse_real(text.substr(0, text.find_first_of(" \t\r\n")))) return {};  // most files: spare the rest of a long one
+  const Shake shake(source);
+  const std::vector<double> head = shake.second_line().numbers;
+  if (!shake.title().junk() || head.empty()) return {};
+  const Tokens values = shake.values();
+  const std::size_t have = values.numbers.size();
+  if (have == 0 || head[0] != static_cast<double>(have) || values.junk() || !holds_eight_a_line(values)) return {};
   return {Recognition::Fit::exact, fmt::format("its second line announces the {} values that follow, 8 a line", have)};
 }
 
@@ -94,10 +100,11 @@ Reading reading_of(TimeCurve motion, const Cursor& cursor) {
 }
 
 Reading read_shake(const Source& source, const ReadHint&) {
-  const Shake shake = shake_of(source);
-  Cursor head(shake.second_line, "end of line");
-  const int count = head.next_integer("the number of values", kAtLeastOne);
-  Cursor cursor(shake.values);
+  const Shake shake(source);
+  const Tokens second_line = shake.second_line();
+  const Tokens values = shake.values();
+  const int count = Cursor(second_line, "end of line").next_integer("the number of values", kAtLeastOne);
+  Cursor cursor(values);
   return reading_of(next_values(cursor, count, kShakeTimeStep), cursor);
 }
 

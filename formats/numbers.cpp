@@ -28,12 +28,12 @@ std::string format_real(double value) {
 std::optional<double> parse_real(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   if (text.empty() || text.size() > 400 || text.starts_with('+')) return std::nullopt;
-  if (const std::size_t mark = text.find_first_of("dD"); mark != std::string_view::npos) {
-    std::string plain(text);
-    plain[mark] = 'e';
-    return plain_real(plain);
-  }
-  return plain_real(text);
+  if (const auto value = plain_real(text)) return value;
+  const std::size_t mark = text.find_first_of("dD");
+  if (mark == std::string_view::npos) return std::nullopt;
+  std::string plain(text);
+  plain[mark] = 'e';
+  return plain_real(plain);
 }
 
 }  // namespace keyblock::formats

@@ -21,6 +21,7 @@ TEST(Motion, shake_has_two_header_lines_and_a_fixed_time_step) {
   EXPECT_EQ(motion.times[9], 0.18);
   EXPECT_EQ(motion.values[9], (Point{-.9, 0}));
   EXPECT_EQ(motion.place.file, "f");
+  EXPECT_EQ(read({"f", "# " + kShake}).content.motion->times.size(), 10u);
 }
 
 TEST(Motion, matlab_states_its_time_step_before_the_values) {

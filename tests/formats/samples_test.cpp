@@ -61,6 +61,7 @@ TEST_F(Samples, circleslope_is_read_and_written_back_number_by_number) {
   EXPECT_EQ(drawing.content.drawing->joints.size(), 30u);
   EXPECT_EQ(drawing.content.drawing->fixed_lines.size(), 3u);
   EXPECT_EQ(numbers_of(kDdaGeometry.write(drawing.content)), numbers_of(geometry.text));
+  EXPECT_TRUE(whole_words_are_kept(geometry.text, kDdaGeometry.write(drawing.content)));
   const Source analysis = sample("ntdda/circleslope.ana");
   const Reading controls = read(analysis);
   EXPECT_EQ(controls.content.analysis->joint_materials.size(), 3u);
