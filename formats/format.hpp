@@ -13,6 +13,7 @@
 #include "problem/blocks.hpp"
 #include "problem/cover.hpp"
 #include "problem/drawing.hpp"
+#include "problem/run_choices.hpp"
 #include "result/frame.hpp"
 #include "result/measured_track.hpp"
 
@@ -34,6 +35,8 @@ struct Content {
   std::vector<Frame> frames = {};
   std::vector<MeasuredTrack> tracks = {};
   std::optional<TimeCurve> motion = std::nullopt;
+  std::optional<Units> units = std::nullopt;
+  std::optional<RunChoices> choices = std::nullopt;
 };
 
 /// What reading gives: the content and everything odd that was met on the way.

@@ -18,6 +18,7 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/keyblock_case.hpp"
 #include "formats/motion.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
@@ -30,11 +31,11 @@ namespace {
 using Fit = Recognition::Fit;
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 14> kFormats{
-    &kDdaExtended,         &kDdaml,          &kNmmCover,         &kBerkeleyMeasured,
-    &kBerkeleyReplay,      &kDdaBlocks,      &kDdaBlocksOfThree, &kDdaGeometry,
-    &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis,      &kDiskDda,
-    &kMotionShake,         &kMotionMatlab,
+constexpr std::array<const Format*, 15> kFormats{
+    &kKeyblockCase,     &kDdaExtended,         &kDdaml,          &kNmmCover,
+    &kBerkeleyMeasured, &kBerkeleyReplay,      &kDdaBlocks,      &kDdaBlocksOfThree,
+    &kDdaGeometry,      &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis,
+    &kDiskDda,          &kMotionShake,         &kMotionMatlab,
 };
 
 [[noreturn]] void refuse(const Place& place, std::string_view found) {

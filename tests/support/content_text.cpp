@@ -25,6 +25,10 @@ class Lister {
     for (const auto& block : blocks.blocks) {
       line("block {}", block.material);
       for (const auto& v : block.outer) line("vertex {} {}", text(v.position), v.joint_material);
+      for (const auto& hole : block.holes) {
+        line("hole");
+        for (const auto& v : hole) line("vertex {} {}", text(v.position), v.joint_material);
+      }
     }
     for (const auto& b : blocks.bolts)
       line("bolt {} {} {} {:a} {:a} {:a}", text(b.segment), b.first_block, b.second_block, b.stiffness, b.strength,
@@ -64,7 +68,15 @@ class Lister {
     for (const auto& b : a.bolt_properties) line("bolts {:a} {:a} {:a}", b.stiffness, b.strength, b.pretension);
     for (const auto& curve : a.fixed_point_motions) list("motion", curve);
     for (const auto& curve : a.point_loads) list("load", curve);
+    list("body acceleration", a.body_acceleration);
   }
+
+  void list(const Units& units) { line("units {} {} {}", units.length, units.mass, units.time); }
+  void list(const RunChoices& choices) {
+    line("profile {}", choices.profile);
+    for (const auto& [name, value] : choices.settings) line("set {} {}", name, value);
+  }
+  void list(const TimeCurve& motion) { list("motion of the ground", motion); }
 
   std::string text_;
 
@@ -101,6 +113,9 @@ std::string content_text(const formats::Content& content) {
   if (content.blocks) lister.list(*content.blocks);
   if (content.cover) lister.list(*content.cover);
   if (content.analysis) lister.list(*content.analysis);
+  if (content.units) lister.list(*content.units);
+  if (content.motion) lister.list(*content.motion);
+  if (content.choices) lister.list(*content.choices);
   return lister.text_;
 }
 

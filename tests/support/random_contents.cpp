@@ -13,6 +13,7 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
 #include "formats/registry.hpp"
@@ -294,6 +295,30 @@ Content ddaml(Dice& dice) {
   return content;
 }
 
+/// Whatever a Problem can hold, what no old format holds included.
+Content anything(Dice& dice) {
+  constexpr std::array<Content (*)(Dice&), 3> kGeometries{native_drawing, blocks, cover};
+  constexpr std::array<Content (*)(Dice&), 4> kAnalyses{berkeley_analysis, shi_analysis, manifold_analysis,
+                                                        [](Dice& one) {
+                                                          return Content{{}, {}, ddaml_controls(one)};
+                                                        }};
+  Content content;
+  if (dice.happens(0.8)) content = kGeometries[static_cast<std::size_t>(dice.below(3))](dice);
+  if (content.blocks && dice.happens(0.5)) {
+    BlockLoop hole;
+    for (const Point& point : polygon(dice)) hole.push_back({point, dice.below(6)});
+    content.blocks->blocks.front().holes = {hole};
+  }
+  if (dice.happens(0.8)) {
+    content.analysis = kAnalyses[static_cast<std::size_t>(dice.below(4))](dice).analysis;
+    content.analysis->body_acceleration = curve_or_none(dice);
+  }
+  if (dice.happens(0.5)) content.units = Units{"m", "t", "ms"};
+  if (dice.happens(0.3)) content.motion = curve(dice);
+  if (dice.happens(0.5)) content.choices = RunChoices{"standard", {{"motion", "static"}, {"odd \"name\"", "5"}}};
+  return content;
+}
+
 ReadHint no_hint(const Content&) {
   return {};
 }
@@ -325,6 +350,7 @@ std::vector<ContentKind> content_kinds() {
           {&formats::kDdaAnalysisShi, shi_analysis, points_of_blocks},
           {&formats::kDdaml, ddaml, no_hint},
           {&formats::kNmmCover, cover, no_hint},
+          {&formats::kKeyblockCase, anything, no_hint},
           {&formats::kNmmAnalysis, manifold_analysis, points_of_cover}};
 }
 
