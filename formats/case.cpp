@@ -97,6 +97,8 @@ Problem with_content(Problem problem, const Content& content) {
     if (problem.analysis) refuse_second(content.analysis->place, problem.analysis->place, "analysis");
     problem.analysis = content.analysis;
   }
+  if (content.units) problem.units = *content.units;
+  if (content.choices) problem.choices = *content.choices;
   return problem;
 }
 

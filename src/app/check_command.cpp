@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 struct CheckOptions {
   std::vector<std::string> files;
-  std::string profile = "legacy";
+  std::string profile;  ///< empty: that of the case file, or the default
   bool as_json = false;
 };
 
@@ -154,7 +154,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     const bool is_whole = checked.problem.analysis &&
                           (std::holds_alternative<Drawing>(geometry) || std::holds_alternative<Blocks>(geometry));
     if (!is_whole || !report.errors.empty()) return report;
-    const Prepared prepared = prepare(checked.problem, profile, {});
+    const Prepared prepared = prepare(checked.problem, profile_of(checked.problem, profile), {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
     return report;
@@ -190,9 +190,10 @@ ExitCode check_files(const CheckOptions& options) {
 Action configure_check(CLI::App& options) {
   const auto chosen = std::make_shared<CheckOptions>();
   options.add_option("files", chosen->files, "geometry and analysis files, in any order")->required();
-  options.add_option("--profile", chosen->profile, "preset of all choices that a run would take")
-      ->check(CLI::IsMember(profile_names()))
-      ->capture_default_str();
+  options
+      .add_option("--profile", chosen->profile,
+                  "preset of all choices that a run would take (default: standard, or what a case file says)")
+      ->check(CLI::IsMember(profile_names()));
   options.add_flag("--json", chosen->as_json, "print the report as JSON");
   return [chosen] { return check_files(*chosen); };
 }

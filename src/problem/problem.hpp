@@ -11,6 +11,7 @@
 #include "problem/blocks.hpp"
 #include "problem/cover.hpp"
 #include "problem/drawing.hpp"
+#include "problem/run_choices.hpp"
 
 namespace keyblock {
 
@@ -19,6 +20,8 @@ namespace keyblock {
 struct Problem {
   std::variant<std::monostate, Drawing, Blocks, Cover> geometry;
   std::optional<Analysis> analysis;
+  Units units = {};         ///< as a case file names them
+  RunChoices choices = {};  ///< of a case file
 };
 
 /// A problem made sound, and what was said about it: warnings for what was mended, errors for what cannot be.

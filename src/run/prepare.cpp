@@ -113,13 +113,20 @@ Place place_of(const Problem& problem) {
 
 }  // namespace
 
+std::string profile_of(const Problem& problem, const std::string& asked) {
+  if (!asked.empty()) return asked;
+  return problem.choices.profile.empty() ? "standard" : problem.choices.profile;
+}
+
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (const auto* cover = std::get_if<Cover>(&problem.geometry))
     throw InputError(cover->place, "expected a drawing or blocks to run, found a manifold cover: read, not yet run");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
-  const Settings settings = settings_of(*problem.analysis, profile, overrides);
+  std::vector<Override> all = problem.choices.settings;
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  const Settings settings = settings_of(*problem.analysis, profile, all);
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
