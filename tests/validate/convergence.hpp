@@ -49,7 +49,7 @@ std::vector<Override> constant_step();
 SceneRun run_scene(const RandomScene& scene, const std::string& profile, const std::vector<Override>& overrides);
 
 /// Scenes of the seeds first … first + count - 1 under both profiles, legacy before standard, in the order of the seeds
-/// whatever the number of threads.
-std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads);
+/// whatever the number of threads. `steps` of each; 0: as drawn.
+std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads, int steps = 0);
 
 }  // namespace keyblock

@@ -103,6 +103,18 @@ std::string ended_csv(const std::vector<SceneRun>& runs) {
   return table;
 }
 
+std::string runs_csv(const std::vector<SceneRun>& runs) {
+  std::string table =
+      "scene,profile,blocks,dt,steps_made,by_newton_alone,with_fallback,cut,passes,greatest_residual,energy_gain,"
+      "kinetic_above_released,rise,area_change,seconds\n";
+  for (const SceneRun& run : runs)
+    table += fmt::format("{},{},{},{},{},{},{},{},{},{:.1e},{:.1e},{:.1e},{:.1e},{:.1e},{:.2f}\n", run.scene,
+                         run.profile, run.blocks, run.time_step, run.made, run.plain, run.with_fallback, run.cut,
+                         run.passes, run.residuals.empty() ? 0 : std::ranges::max(run.residuals), run.energy_gain,
+                         run.energy_excess, run.rise, run.area_change, run.seconds);
+  return table;
+}
+
 std::vector<std::string> misses_of_standard(const std::vector<Share>& shares) {
   std::vector<std::string> misses;
   const auto ask = [&](const Share& s, const char* what, double got, double most) {

@@ -47,6 +47,9 @@ std::string shares_csv(const std::vector<Share>& shares);
 /// The runs that did not finish: scene, profile, blocks, step, steps made, end, reason.
 std::string ended_csv(const std::vector<SceneRun>& runs);
 
+/// One line a run: what shares_csv sums, by scene.
+std::string runs_csv(const std::vector<SceneRun>& runs);
+
 /// What is asked of profile `standard`, and what of it is not so: one sentence each.
 std::vector<std::string> misses_of_standard(const std::vector<Share>& shares);
 
