@@ -85,6 +85,17 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   return fresh;
 }
 
+void leave_overlaps(const StandardScene& scene, const Motion& start, const Scales& scales, Touches& touches) {
+  if (scene.settings.standard.impact == ImpactLaw::springs) return;
+  const auto vertices = vertices_at(scene.model, scene.reference, start.q);
+  for (Touch& touch : touches) {
+    const ContactMemory* memory = start.closed.of(touch);
+    const double compressed = memory ? memory->normal_compliance * memory->normal_at_end : 0;
+    const double gap = gap_of(touch, vertices) + compressed;
+    touch.rest_gap = gap < -kNewOverlap * scales.size ? gap : 0;
+  }
+}
+
 Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {
   const double dt = scene.settings.time_step;
   const Touches all = touches_of(scene, motion, scales, dt).touches;
