@@ -33,11 +33,12 @@ struct SceneRun {
   int passes = 0;                 ///< solves of all steps
   std::vector<double> residuals;  ///< one a step
   double seconds = 0;             ///< of processor time
-  double energy_excess = 0;       ///< MotionWatch, as are the next four
+  double energy_excess = 0;       ///< MotionWatch, as are the next five
   double energy_gain = 0;
   double energy_ratio = 0;
   double rise = 0;
   double area_change = 0;
+  double false_area_change = 0;
   bool all_finite = true;
 
   int converged() const { return plain + with_fallback; }

@@ -36,7 +36,8 @@ int measure(const Options& options) {
   const std::vector<Share> shares = shares_of(runs);
   double seconds = 0;
   for (const Share& share : shares) seconds += share.kind == "all" ? share.seconds : 0;
-  fmt::print("{}\n{}\n{:.0f} s of processor time\n", shares_csv(shares), ended_csv(runs), seconds);
+  fmt::print("{}\n{}\n{}\n{:.0f} s of processor time\n", shares_csv(shares), reasons_csv(runs), ended_csv(runs),
+             seconds);
   if (!options.folder.empty()) {
     write(std::filesystem::path(options.folder) / "shares.csv", shares_csv(shares));
     write(std::filesystem::path(options.folder) / "ended.csv", ended_csv(runs));
