@@ -19,11 +19,13 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 4> kCommands{{
+constexpr std::array<Command, 6> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
     {"cut", "cuts a drawing into blocks", configure_cut},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
+    {"convert", "writes a case in another format and names what that cannot hold", configure_convert},
+    {"formats", "lists the file formats and how well each is known", configure_formats},
 }};
 
 int run_program(int argc, char** argv) {
