@@ -9,7 +9,7 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::array<Knowledge, 15> kTable{{
+constexpr std::array<Knowledge, 17> kTable{{
     {"keyblock-case", "documented here: formats/keyblock_case.hpp, `keyblock formats --schema`",
      R"({
  "keyblock": 1,
@@ -68,6 +68,8 @@ constexpr std::array<Knowledge, 15> kTable{{
     {"disk-dda", "inferred", ""},
     {"motion-shake", "public source; no real file seen", "a quake\n3\n.1 .2 .3\n"},
     {"motion-matlab", "public source; no real file seen", ".01 3\n.1\n.2\n.3\n"},
+    {"vtk", "documented by VTK; written for viewers, not read", ""},
+    {"csv", "documented here: formats/views.hpp; not read", ""},
 }};
 
 }  // namespace

@@ -24,6 +24,7 @@
 #include "formats/nmm_cover.hpp"
 #include "formats/recognised_only.hpp"
 #include "formats/tokens.hpp"
+#include "formats/views.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -31,11 +32,24 @@ namespace {
 using Fit = Recognition::Fit;
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 15> kFormats{
-    &kKeyblockCase,     &kDdaExtended,         &kDdaml,          &kNmmCover,
-    &kBerkeleyMeasured, &kBerkeleyReplay,      &kDdaBlocks,      &kDdaBlocksOfThree,
-    &kDdaGeometry,      &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis,
-    &kDiskDda,          &kMotionShake,         &kMotionMatlab,
+constexpr std::array<const Format*, 17> kFormats{
+    &kKeyblockCase,
+    &kDdaExtended,
+    &kDdaml,
+    &kNmmCover,
+    &kBerkeleyMeasured,
+    &kBerkeleyReplay,
+    &kDdaBlocks,
+    &kDdaBlocksOfThree,
+    &kDdaGeometry,
+    &kDdaAnalysisBerkeley,
+    &kDdaAnalysisShi,
+    &kNmmAnalysis,
+    &kDiskDda,
+    &kMotionShake,
+    &kMotionMatlab,
+    &kVtk,
+    &kCsv,
 };
 
 [[noreturn]] void refuse(const Place& place, std::string_view found) {

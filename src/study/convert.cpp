@@ -13,6 +13,7 @@
 #include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
+#include "formats/views.hpp"
 #include "study/derived_geometry.hpp"
 
 namespace keyblock::study {
@@ -39,6 +40,7 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.blocks, content.blocks, file, "set of blocks");
   put(all.cover, content.cover, file, "cover");
   put(all.analysis, content.analysis, file, "analysis");
+  all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
   put(all.motion, content.motion, file, "motion");
   put(all.units, content.units, file, "set of units");
   put(all.choices, content.choices, file, "run");
@@ -166,6 +168,8 @@ const std::vector<Target>& targets() {
       {"dda-analysis-shi", "analysis file, Shi", {{&kDdaAnalysisShi, ".df"}}},
       {"nmm-cover", "cover of the manifold program", {{&kNmmCover, ".cv"}}},
       {"nmm-analysis", "analysis of the manifold program", {{&kNmmAnalysis, ".mf"}}},
+      {"vtk", "for ParaView", {{&kVtk, ".vtu"}}},
+      {"csv", "a table of corners and marks, or of frames", {{&kCsv, ".csv"}}},
       {"berkeley",
        "lines and analysis, as Berkeley's program takes them",
        {{&kDdaGeometry, ".geo"}, {&kDdaAnalysisBerkeley, ".ana"}}},
@@ -196,12 +200,13 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   for (const Target::Part& part : target.parts) {
     std::string text = written(*part.format, content);
     if (text.empty()) continue;
-    add_to(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
+    if (part.format->read) add_to(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
     const std::string* same = unchanged(files, *part.format, text);
     conversion.files.push_back({part.format, part.ending, same ? *same : std::move(text)});
   }
   if (conversion.files.empty())
     throw InputError({files.front().path}, fmt::format("expected something that {} holds, found none", target.name));
+  if (!target.parts.front().format->read) return conversion;  // a view: nothing is meant to come back
   for (Loss& loss : losses(content, back)) conversion.losses.push_back(std::move(loss));
   return conversion;
 }
