@@ -8,6 +8,7 @@
 #include "contact/gap.hpp"
 #include "step/acceleration.hpp"
 #include "step/contact_laws.hpp"
+#include "step/equilibrium.hpp"
 #include "step/impact.hpp"
 #include "step/integrator.hpp"
 #include "step/ledger.hpp"
@@ -70,6 +71,7 @@ class Attempt {
         rule_(step_rule(scene.settings.standard, dt)),
         loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
     scales_ = scales_of(scene, loads_, start.v);
+    scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
     found_ = touches_of(scene, start, scales_, dt);
     least_force_ = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
   }

@@ -150,12 +150,15 @@ ControlledStep StandardStepper::make_step() {
   return made;
 }
 
-// Loads grow in equal shares over the first steps. Where nothing changed since the last step, its equilibrium holds.
+// Loads grow in equal shares over the first steps. Where neither they nor held points changed since the last step, its
+// equilibrium holds.
 StandardStep StandardStepper::static_equilibrium(double time) {
   const double share = std::min(1.0, (state_.step + 1.0) / scene_.settings.standard.load_steps);
   const UnknownsTable last = loads_at(scene_, motion_.q, state_.time);
   scene_.load_share = share;
-  if (state_.step > 0 && last == loads_at(scene_, motion_.q, time)) return unchanged(scene_, motion_, time);
+  const auto stays = [&](const CarriedPoint& point) { return point.curve.at(state_.time) == point.curve.at(time); };
+  if (state_.step > 0 && last == loads_at(scene_, motion_.q, time) && std::ranges::all_of(scene_.held, stays))
+    return unchanged(scene_, motion_, time);
   return scene_.settings.standard.motion == MotionRule::equilibrium ? static_step(scene_, motion_, time)
                                                                     : relaxation_step(scene_, motion_, time);
 }
