@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/worse.hpp"
 #include "contact/ties.hpp"
 #include "step/acceleration.hpp"
 
@@ -20,7 +21,7 @@ constexpr double kInPlace = 1e-9;
 
 double size_of_force(const Unknowns& force, double size) {
   if (force.size() == 0) return 0;
-  return std::max(force.head<2>().norm(), force.tail(force.size() - 2).cwiseAbs().maxCoeff() / size);
+  return worse(force.head<2>().norm(), force.tail(force.size() - 2).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / size);
 }
 
 // Of each held point, from where it is wanted.
@@ -61,8 +62,8 @@ Balance balance_of(const StandardScene& scene, const Motion& motion, double time
   balance.holds_points = driving_force(scene, motion, time, 1) == 0;
   for (ElementIndex e : indices(a)) {
     const double force = size_of_force(scene.bodies[e].mass * a[e], scene.bodies[e].size);
-    if (force > kBalanced * load) balance.blocks.push_back(e);
-    if (load > 0) balance.share = std::max(balance.share, force / load);
+    if (!(force <= kBalanced * load)) balance.blocks.push_back(e);
+    if (load > 0) balance.share = worse(balance.share, force / load);
   }
   return balance;
 }
@@ -73,9 +74,9 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
   Travel travel;
   for (ElementIndex e : indices(scene.bodies)) {
     double way = 0;
-    for (VertexIndex v : scene.model.elements[e].vertices()) way = std::max(way, distance(before[v], after[v]));
-    travel.share = std::max(travel.share, way / scene.bodies[e].size);
-    if (way > scene.bodies[e].size) travel.far.push_back(e);
+    for (VertexIndex v : scene.model.elements[e].vertices()) way = worse(way, distance(before[v], after[v]));
+    travel.share = worse(travel.share, way / scene.bodies[e].size);
+    if (!(way <= scene.bodies[e].size)) travel.far.push_back(e);
   }
   return travel;
 }
