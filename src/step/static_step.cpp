@@ -97,7 +97,8 @@ class StaticSolve {
         slowest = std::min(slowest, std::sqrt(body.stiffness(last, last) / body.mass(last, last)));
       if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
     }
-    for (const Bolt& bolt : scene_.model.bolts) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
+    for (const Bolt& bolt : scene_.model.bolts)
+      if (bolt.is_spring()) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
     tau_ = std::sqrt(kFarthest * scales.size * lightest / load_);
     longest_ = slowest < std::numeric_limits<double>::max() ? kLongest / slowest : kLongest * tau_;
     tau_ = std::min(tau_, longest_);
