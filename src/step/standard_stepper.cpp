@@ -107,9 +107,6 @@ State state_of(const StandardScene& scene, const Motion& motion) {
 StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(scene.model, scene.settings)) {
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
-  const StandardChoices& choices = scene_.settings.standard;
-  if (choices.motion != MotionRule::dynamic && choices.load_steps > scene_.settings.step_count)
-    throw std::invalid_argument("setting load_steps: expected at most the number of steps");
   unloaded_ = state_of(scene_, start_motion(scene_));
   CompatibleStart first = first_motion(scene_);
   start_failure_ = std::move(first.failure);
@@ -123,14 +120,15 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   ControlledStep made = make_step();
   if (!made.step.converged || !made.step.failure.empty()) return failure_of(made.step);
+  State end = state_of(scene_, made.step.motion);
+  made.step.failure = impossible(end);
+  if (!made.step.failure.empty()) return failure_of(made.step);
+  end.step = state_.step + 1;
+  end.time = state_.time + scene_.settings.time_step;
+  end.dt = scene_.settings.time_step;
   motion_ = made.step.motion;
   next_part_ = made.next;
-  const int step = state_.step + 1;
-  const double time = state_.time + scene_.settings.time_step;
-  state_ = state_of(scene_, motion_);
-  state_.step = step;
-  state_.time = time;
-  state_.dt = scene_.settings.time_step;
+  state_ = std::move(end);
   if (scene_.settings.ledger == Bookkeeping::on) book(made.step);
   return report_of(made);
 }
