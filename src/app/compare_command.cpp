@@ -111,8 +111,8 @@ struct Comparison {
       }
       if (folder.has_expected) cases.push_back(study::compare_in(folder, options.profiles()));
       if (folder.has_trace) traces.push_back(study::follow_trace(folder));
-    } catch (const InputError& error) {
-      spdlog::error("{}", error.what());
+    } catch (const std::exception& error) {
+      spdlog::error("{}: {}", folder.name, error.what());
       refused.push_back(folder.name);
     }
   }

@@ -129,7 +129,12 @@ ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
     v.tolerance = *variant.tolerance;
     v.tolerance_reason = variant.reason;
   }
-  return compared_with(loaded, std::move(compared), loaded.file.overrides(variant));
+  try {
+    return compared_with(loaded, compared, loaded.file.overrides(variant));
+  } catch (const InputError& error) {  // the other runs of the case go on
+    compared.not_run = error.what();
+    return compared;
+  }
 }
 
 }  // namespace

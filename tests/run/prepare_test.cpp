@@ -126,4 +126,34 @@ TEST(Prepare, what_is_read_but_has_no_effect_is_warned_of) {
             (std::vector<std::string>{"contact_damping_without_effect", "damping_without_effect"}));
 }
 
+TEST(Prepare, settings_that_do_not_go_together_are_refused) {
+  const auto refused = [](const std::string& profile, const std::vector<Override>& overrides) {
+    try {
+      prepare({one_block(), analysis_of_file()}, profile, overrides);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("legacy", {{"step_control", "error"}}),
+            "setting step_control: expected constant or shi under dynamics shi, found \"error\"");
+  EXPECT_EQ(refused("standard", {{"step_control", "error"}}), "");
+  EXPECT_EQ(refused("standard", {{"motion", "static"}, {"load_steps", "11"}}),
+            "setting load_steps: expected at most the number of steps, 10, found \"11\"");
+  EXPECT_EQ(refused("standard", {{"motion", "static"}, {"load_steps", "10"}}), "");
+  EXPECT_EQ(refused("standard", {{"impact", "springs"}}), "");
+  EXPECT_EQ(refused("standard", {{"impact", "springs"}, {"enforcement", "penalty"}}), "");
+  for (const char* other : {"lagrange", "augmented"})
+    EXPECT_EQ(refused("standard", {{"impact", "springs"}, {"enforcement.1", other}}),
+              "setting impact: expected jump, or enforcement = penalty with springs, found \"springs\"");
+}
+
+TEST(Prepare, mistakes_of_the_old_step_do_not_belong_to_another_one) {
+  const Settings mixed =
+      prepare({one_block(), analysis_of_file()}, "legacy", {{"dynamics", "standard"}}).scene.settings;
+  EXPECT_FALSE(mixed.quirks.velocity_from_coming_step);
+  EXPECT_FALSE(mixed.quirks.step_rule_by_time);
+  EXPECT_TRUE(mixed.quirks.weight_of_first_material);
+}
+
 }  // namespace keyblock

@@ -152,6 +152,16 @@ TEST(Compare, a_variant_is_held_against_the_same_values_with_its_own_settings) {
   EXPECT_FALSE(fall.holds());
 }
 
+TEST(Compare, a_variant_with_a_setting_that_is_none_leaves_the_other_runs) {
+  const CaseComparison fall = judged(kRight + "both\n", R"({"variants": [
+      {"name": "bad", "profile": "standard", "set": {"motion": "static", "load_steps": "900"}},
+      {"name": "10 ms", "profile": "standard", "set": {"time_step": "0.01", "steps": "200"}}]})");
+  EXPECT_TRUE(fall.plain[0].holds());
+  EXPECT_NE(fall.variants[0].not_run.find("load_steps"), std::string::npos);
+  EXPECT_FALSE(fall.variants[0].holds());
+  EXPECT_TRUE(fall.variants[1].holds());
+}
+
 TEST(Compare, variants_of_a_profile_that_is_not_asked_for_are_not_run) {
   const CaseFolder folder =
       free_fall("quantity,block,time,value,tolerance,tolerance_reason,source\ndy,2,1,-4.905,1e-9,r,s\n");
