@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/compare.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,6 +90,13 @@ TEST(Compare, momentum_and_kinetic_energy_of_free_fall) {
       "{}");
   for (const ComparedCase& run : fall.plain)
     for (const ComparedValue& v : run.values) EXPECT_FALSE(v.is_missed()) << v.quantity << ' ' << *v.computed;
+}
+
+// Free fall in steps of 5 ms: half-way between two of them the chord lies g dt²/8 above the parabola.
+TEST(Compare, between_two_frames_values_are_linear) {
+  const double at = 0.5025;
+  const double chord = -9.81 * at * at / 2 - 9.81 * 0.005 * 0.005 / 8;
+  EXPECT_TRUE(compared(fmt::format("dy,2,{},{},1e-9,r,s\n", at, chord)).holds());
 }
 
 TEST(Compare, a_time_that_the_run_does_not_reach_does_not_hold) {
