@@ -60,6 +60,18 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   return warnings;
 }
 
+Warnings without_effect(const std::vector<Override>& overrides, const Settings& settings, const Place& place) {
+  Warnings warnings;
+  for (const auto& [name, value] : overrides) {
+    const std::optional<Dynamics> dynamics = dynamics_of(name);
+    if (!dynamics || *dynamics == settings.dynamics) continue;
+    warnings.push_back({"setting_without_effect", place,
+                        fmt::format("setting {} is read by dynamics {} alone and has no effect here", name,
+                                    *dynamics == Dynamics::shi ? "shi" : "standard")});
+  }
+  return warnings;
+}
+
 // Motions belong to points by their order: a point lost in cutting would give its motion to another.
 void require_points(const Blocks& blocks, const Analysis& analysis) {
   if (blocks.blocks.empty()) throw InputError(blocks.place, "expected at least one block, found none");
@@ -145,6 +157,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
+  cut.warnings = joined(std::move(cut.warnings), without_effect(overrides, settings, problem.analysis->place));
   auto [model, needs] =
       plan_of(with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor),
               settings, cut.blocks.place);

@@ -156,4 +156,15 @@ TEST(Prepare, mistakes_of_the_old_step_do_not_belong_to_another_one) {
   EXPECT_TRUE(mixed.quirks.weight_of_first_material);
 }
 
+TEST(Prepare, a_setting_that_the_chosen_dynamics_do_not_read_is_warned_of) {
+  const auto told = [](const std::string& profile, const std::vector<Override>& overrides) {
+    return names(prepare({one_block(), analysis_of_file()}, profile, overrides).warnings);
+  };
+  const std::vector<std::string> warned{"setting_without_effect"};
+  EXPECT_EQ(told("legacy", {{"restitution.1", "0.5"}}), warned);
+  EXPECT_EQ(told("standard", {{"pass_limit", "5"}}), warned);
+  EXPECT_TRUE(told("standard", {{"restitution.1", "0.5"}, {"steps", "3"}}).empty());
+  EXPECT_TRUE(told("legacy", {{"restitution.1", "0.5"}, {"dynamics", "standard"}}).empty());
+}
+
 }  // namespace keyblock
