@@ -17,7 +17,7 @@
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
 #include "run/profile.hpp"
-#include "run/settings_table.hpp"
+#include "run/settings_guide.hpp"
 #include "study/named_files.hpp"
 
 namespace keyblock {
@@ -30,6 +30,10 @@ constexpr int kMostFrames = 100;
 constexpr double kDeepPenetrations = 10;
 // A sound system is solved to 1e-12 or better; beyond this a penalty is too great for double precision.
 constexpr double kLargeResidual = 1e-9;
+// Contact forces of dynamics `standard` are solved to this share of the load at least.
+constexpr double kLargeImbalance = 1e-6;
+// A start that leaves more of its gaps than this is not the one asked for.
+constexpr double kLargeMisfit = 1e-6;
 
 std::atomic<bool> stop_asked = false;
 
@@ -142,11 +146,30 @@ Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const A
             "what follows",
             s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / deep);
       });
+  const bool is_standard = settings.dynamics == Dynamics::standard;
   warn_first(
-      "large_residual", [](const StepReport& s) { return s.residual > kLargeResidual; },
-      [](const StepReport& s) {
-        return fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual);
+      "large_residual",
+      [&](const StepReport& s) { return s.residual > (is_standard ? kLargeImbalance : kLargeResidual); },
+      [&](const StepReport& s) {
+        return is_standard ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
+                           : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only",
+                                         s.step, s.residual);
       });
+  const auto is_unresolved = [](const StepReport& s) { return s.unresolved_parts > 0; };
+  warn_first("step_unresolved", is_unresolved, [&](const StepReport& s) {
+    return fmt::format(
+        "step {}: {} of its parts are of the least size (least_step_share) and still move or err more than asked for, "
+        "as in "
+        "{} of {} steps",
+        s.step, s.unresolved_parts, std::ranges::count_if(record.steps, is_unresolved), record.steps.size());
+  });
+  const StartReport& start = record.outcome.start;
+  if (!start.why.empty() || start.misfit > kLargeMisfit || start.unsolved_steps > 0)
+    warnings.push_back(
+        {"start_not_as_asked", analysis.place,
+         fmt::format("the start is {}{}{}; it leaves {:.1e} of its gaps, and {} of its steps found no forces",
+                     start.made, start.why.empty() ? "" : ", because ", start.why, start.misfit,
+                     start.unsolved_steps)});
   const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
     if (curve.times.empty() || curve.times.back() >= record.outcome.time || curve.values.back() == Point{}) return;
     warnings.push_back({name, curve.place,
@@ -190,7 +213,7 @@ ExitCode exit_code(RunEnd end) {
 }
 
 ExitCode list_settings() {
-  for (const SettingText& setting : list(Settings{})) fmt::print("{:32} {}\n", setting.name, setting.meaning);
+  fmt::print("{}", settings_guide());
   return ExitCode::ok;
 }
 

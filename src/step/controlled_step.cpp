@@ -113,10 +113,11 @@ class Parts {
       result_.next = verdict.next;
       return;
     }
+    if (made.converged && !verdict.accepted) ++result_.unresolved;
     made.account += result_.step.account;
     made.residual = std::max(made.residual, result_.step.residual);
     if (made.converged) result_.displacement = std::max(result_.displacement, moved(made.motion));
-    result_.least = std::min(result_.least, dt);
+    result_.least = std::min(result_.least, made.least);
     result_.next = verdict.next;
     result_.step = std::move(made);
     time_ += dt;

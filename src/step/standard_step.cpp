@@ -239,6 +239,7 @@ class Attempt {
 
 StandardStep in_parts(const StandardScene& scene, const Motion& start, double time, double dt, int halvings_left) {
   StandardStep whole = Attempt(scene, start, time, dt).run();
+  whole.least = dt;
   if (whole.converged || halvings_left == 0) return whole;
   StandardStep first = in_parts(scene, start, time, dt / 2, halvings_left - 1);
   if (!first.converged) return first;
@@ -248,6 +249,7 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
   second.halvings += first.halvings + 1;
   second.account += first.account;
   second.residual = std::max(first.residual, second.residual);
+  second.least = std::min(first.least, second.least);
   return second;
 }
 

@@ -32,26 +32,42 @@ constexpr double kMisfit = 1e-6;
 // Jointed masses of more touching pairs than this are settled at once: multipliers between rigid blocks seldom settle there.
 constexpr std::size_t kMostExact = 40;
 
-CompatibleStart first_motion(const StandardScene& scene) {
+struct First {
+  Motion motion;
+  std::string failure;
+  StartReport report;
+};
+
+First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {
+  Settled made = settled(scene, std::move(motion));
+  return {std::move(made.motion), {}, {"settled in glued and softening contact", why, 0, made.unsolved_steps}};
+}
+
+First first_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.v);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
   const StandardChoices& choices = scene.settings.standard;
   const bool as_drawn = choices.start == StartRule::sudden || choices.motion != MotionRule::dynamic;
-  if (as_drawn || has_initial_stress(scene)) return {std::move(motion), {}, 0};
+  if (as_drawn || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
-  if (is_jointed && touching.size() > kMostExact) return {settled(scene, std::move(motion)), {}, 0};
+  if (is_jointed && touching.size() > kMostExact)
+    return settled_first(scene, std::move(motion),
+                         fmt::format("blocks touch in rings in more than {} places", kMostExact));
   CompatibleStart start = compatible(scene, motion);
-  if (is_jointed && (!start.failure.empty() || start.misfit > kMisfit))
-    return {settled(scene, std::move(motion)), {}, 0};
-  return start;
+  if (is_jointed && !start.failure.empty()) return settled_first(scene, std::move(motion), start.failure);
+  if (is_jointed && start.misfit > kMisfit)
+    return settled_first(scene, std::move(motion),
+                         fmt::format("shifts leave {:.1e} of the gaps of the compatible start", start.misfit));
+  return {std::move(start.motion), std::move(start.failure), {"compatible", {}, start.misfit, 0}};
 }
 
 ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, StandardStep step, double dt) {
   const double displacement =
       step.converged && step.failure.empty() ? greatest_displacement(scene, from, step.motion.q) : 0;
-  return {std::move(step), dt, dt, displacement};
+  const double least = step.least > 0 ? step.least : dt;
+  return {std::move(step), dt, least, displacement};
 }
 
 StandardStep unchanged(const StandardScene& scene, const Motion& motion, double time) {
@@ -108,7 +124,8 @@ StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(sce
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
   unloaded_ = state_of(scene_, start_motion(scene_));
-  CompatibleStart first = first_motion(scene_);
+  First first = first_motion(scene_);
+  start_report_ = std::move(first.report);
   start_failure_ = std::move(first.failure);
   motion_ = start_failure_.empty() ? std::move(first.motion) : start_motion(scene_);
   motion_.a = balanced_acceleration(scene_, motion_, 0);
@@ -179,6 +196,7 @@ StepReport StandardStepper::report_of(const ControlledStep& made) const {
   report.dt = made.least;
   report.passes = made.step.solves;
   report.redos = made.step.halvings;
+  report.unresolved_parts = made.unresolved;
   report.fallbacks = made.step.fallbacks;
   report.contacts = static_cast<int>(made.step.touches.size());
   report.closed = static_cast<int>(motion_.closed.size());
