@@ -100,6 +100,17 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
   return std::max(problem.analysis->save_interval.value_or(1), thinned);
 }
 
+std::vector<std::string> start_complaints(const StartReport& start) {
+  std::vector<std::string> sentences;
+  if (!start.why.empty()) sentences.push_back(fmt::format("the start is {}, because {}", start.made, start.why));
+  if (start.misfit > kLargeMisfit)
+    sentences.push_back(fmt::format("the start leaves {:.1e} of the gaps that it was to close", start.misfit));
+  if (start.unsolved_steps > 0)
+    sentences.push_back(fmt::format("{} of the settling of the start found no forces",
+                                    counted(static_cast<std::size_t>(start.unsolved_steps), "step")));
+  return sentences;
+}
+
 // What a reader of the results must know and would not see: said once, with the first step concerned.
 Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const Analysis& analysis) {
   Warnings warnings;
@@ -163,13 +174,8 @@ Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const A
         "{} of {} steps",
         s.step, s.unresolved_parts, std::ranges::count_if(record.steps, is_unresolved), record.steps.size());
   });
-  const StartReport& start = record.outcome.start;
-  if (!start.why.empty() || start.misfit > kLargeMisfit || start.unsolved_steps > 0)
-    warnings.push_back(
-        {"start_not_as_asked", analysis.place,
-         fmt::format("the start is {}{}{}; it leaves {:.1e} of its gaps, and {} of its steps found no forces",
-                     start.made, start.why.empty() ? "" : ", because ", start.why, start.misfit,
-                     start.unsolved_steps)});
+  for (const std::string& sentence : start_complaints(record.outcome.start))
+    warnings.push_back({"start_not_as_asked", analysis.place, sentence});
   const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
     if (curve.times.empty() || curve.times.back() >= record.outcome.time || curve.values.back() == Point{}) return;
     warnings.push_back({name, curve.place,

@@ -54,7 +54,7 @@ First first_motion(const StandardScene& scene) {
   const bool is_jointed = has_ring(scene.model, touching);
   if (is_jointed && touching.size() > kMostExact)
     return settled_first(scene, std::move(motion),
-                         fmt::format("blocks touch in rings in more than {} places", kMostExact));
+                         fmt::format("more than {} pairs of blocks touch, some in rings", kMostExact));
   CompatibleStart start = compatible(scene, motion);
   if (is_jointed && !start.failure.empty()) return settled_first(scene, std::move(motion), start.failure);
   if (is_jointed && start.misfit > kMisfit)
