@@ -8,6 +8,7 @@
 #include "contact/gap.hpp"
 #include "step/acceleration.hpp"
 #include "step/contact_laws.hpp"
+#include "step/equilibrium.hpp"
 #include "step/impact.hpp"
 #include "step/integrator.hpp"
 #include "step/ledger.hpp"
@@ -70,6 +71,7 @@ class Attempt {
         rule_(step_rule(scene.settings.standard, dt)),
         loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
     scales_ = scales_of(scene, loads_, start.v);
+    scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
     found_ = touches_of(scene, start, scales_, dt);
     leave_overlaps(scene, start, scales_, found_.touches);
     least_force_ = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
@@ -239,6 +241,7 @@ class Attempt {
 
 StandardStep in_parts(const StandardScene& scene, const Motion& start, double time, double dt, int halvings_left) {
   StandardStep whole = Attempt(scene, start, time, dt).run();
+  whole.least = dt;
   if (whole.converged || halvings_left == 0) return whole;
   StandardStep first = in_parts(scene, start, time, dt / 2, halvings_left - 1);
   if (!first.converged) return first;
@@ -248,6 +251,7 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
   second.halvings += first.halvings + 1;
   second.account += first.account;
   second.residual = std::max(first.residual, second.residual);
+  second.least = std::min(first.least, second.least);
   return second;
 }
 
