@@ -17,6 +17,7 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/dxf.hpp"
 #include "formats/recognised_only.hpp"
 #include "formats/tokens.hpp"
 
@@ -26,8 +27,8 @@ namespace {
 using Fit = Recognition::Fit;
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 9> kFormats{
-    &kDdaExtended,         &kDdaml,          &kNmmCover,    &kDdaBlocks, &kDdaGeometry,
+constexpr std::array<const Format*, 10> kFormats{
+    &kDdaExtended,         &kDdaml,          &kDxf,         &kNmmCover, &kDdaBlocks, &kDdaGeometry,
     &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis, &kDiskDda,
 };
 
@@ -59,6 +60,7 @@ void refuse_other_files(const Source& source) {
   const std::string_view text = without_bom(source.text);
   if (text.empty()) refuse({source.name}, "an empty file");
   if (is_blank(text)) refuse({source.name}, "nothing but white space");
+  if (const std::string_view name = drawing_program_binary(text); !name.empty()) refuse({source.name}, name);
   if (const std::size_t at = find_binary(text); at != std::string_view::npos)
     refuse(TextMap(source.name, text).place(at), "a binary file");
   const std::size_t first = text.find_first_not_of(" \t\r\n\f\v");

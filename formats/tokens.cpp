@@ -42,7 +42,8 @@ std::size_t word_end(std::string_view text, std::size_t at, Syntax syntax) {
   return at;
 }
 
-/// The word as it may stand in a message: short, and printable whatever the file holds.
+}  // namespace
+
 std::string quoted(std::string_view word) {
   std::string text = "\"";
   for (const char c : word.substr(0, kLongestQuote)) {
@@ -51,8 +52,6 @@ std::string quoted(std::string_view word) {
   }
   return text + (word.size() > kLongestQuote ? "…\"" : "\"");
 }
-
-}  // namespace
 
 TextMap::TextMap(std::string file, std::string_view text) : file_(std::move(file)), size_(text.size()) {
   line_starts_.push_back(0);

@@ -29,6 +29,9 @@ class TextMap {
 /// The text without its UTF-8 byte order mark.
 std::string_view without_bom(std::string_view text);
 
+/// The word in quotes as it may stand in a message: short, and printable whatever the file holds.
+std::string quoted(std::string_view word);
+
 /// A run of characters between separators. Views the text it was cut from.
 struct Word {
   std::string_view text;

@@ -9,6 +9,7 @@
 #include "formats/case.hpp"
 #include "formats/dda_blocks.hpp"
 #include "formats/registry.hpp"
+#include "tests/formats/dxf_samples.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -28,7 +29,7 @@ std::string block_file() {
 
 /// One sound file of each kind.
 std::vector<std::string> sound_files() {
-  std::vector<std::string> texts{block_file(),
+  std::vector<std::string> texts{block_file(), kDxfSample,
                                  "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 "
                                  "0 0 0 0 0 0 0\n30 0 0\n1.5\n"};
   for (const char* name : {"00_control_xml.geo", "00_control_xml.ana", "00_control_orig.geo", "00_control_orig.ana"})
