@@ -27,7 +27,7 @@ double edge_node_ratio(const DxfDocument& document, const Place& file, Warnings&
     const auto ratio = parse_real(text);
     if (!ratio || !kEdgeNodeRatio.holds(*ratio))
       throw InputError(document.place(comment), fmt::format("expected the edge-node ratio ({}) behind \"{}\", found {}",
-                                                            kEdgeNodeRatio.wording, kDxfRatioComment, quoted(text)));
+                                                            kEdgeNodeRatio.wording, kDxfRatioComment, in_quotes(text)));
     return *ratio;
   }
   warnings.push_back({"default_edge_node_ratio", file,

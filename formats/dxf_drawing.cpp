@@ -81,9 +81,9 @@ class DrawingMaker {
     for (const DxfShape& shape : shapes_.shapes) {
       if (const auto layer = layer_of(shape.layer)) {
         if (layer->number_is_too_long)
-          throw InputError(
-              shape.place,
-              fmt::format("expected a number up to 2147483647 at the end of the layer, found {}", quoted(shape.layer)));
+          throw InputError(shape.place,
+                           fmt::format("expected a number up to 2147483647 at the end of the layer, found {}",
+                                       in_quotes(shape.layer)));
         if (layer->role == DxfRole::joint || layer->role == DxfRole::boundary) taken.insert(layer->index);
         layers_[shape.layer] = *layer;
       } else if (!shape.is_point) {
@@ -100,13 +100,13 @@ class DrawingMaker {
           {"dxf_layer_as_joints", layer.first,
            fmt::format("layer {} names no part of a drawing; what it holds ({} × LINE and the like) is joints of joint "
                        "material {}",
-                       quoted(layer.name), layer.entities, index + 1)});
+                       in_quotes(layer.name), layer.entities, index + 1)});
       ++index;
     }
   }
 
   void skip(const DxfShape& shape) {
-    shapes_.skipped.add(fmt::format("{} on layer {}", shape.type, quoted(shape.layer)), shape.place);
+    shapes_.skipped.add(fmt::format("{} on layer {}", shape.type, in_quotes(shape.layer)), shape.place);
   }
 
   void add(const DxfShape& shape) {

@@ -59,7 +59,7 @@ class EntityReader {
 
   static std::string shown(std::string_view type) {
     const bool is_plain = std::ranges::all_of(type, [](char c) { return c > ' ' && c <= 'Z'; });
-    return is_plain && type.size() < 40 ? std::string(type) : quoted(type);
+    return is_plain && type.size() < 40 ? std::string(type) : in_quotes(type);
   }
 
   void skip(std::string_view kind, const DxfRecord& record) { result_.skipped.add(kind, document_.place(record.head)); }
@@ -153,7 +153,7 @@ class EntityReader {
     if (value > 0) return value;
     throw InputError(document_.place(*record.find(40)),
                      fmt::format("expected the radius (group 40, greater than 0) of {}, found {}", record.head.value,
-                                 quoted(record.find(40)->value)));
+                                 in_quotes(record.find(40)->value)));
   }
 
   void read_circle(const DxfRecord& record) {
@@ -231,7 +231,7 @@ class EntityReader {
     const DxfGroup& head = section_.records[end].head;
     if (head.value != "SEQEND")
       throw InputError(document_.place(head),
-                       fmt::format("expected VERTEX or SEQEND of POLYLINE, found {}", quoted(head.value)));
+                       fmt::format("expected VERTEX or SEQEND of POLYLINE, found {}", in_quotes(head.value)));
     ++at_;
     return std::span<const DxfRecord>(section_.records).subspan(first, end - first);
   }

@@ -86,7 +86,7 @@ void DxfDocument::split(std::string_view text) {
     if (!code || *code < kLeastCode || *code > kGreatestCode)
       throw InputError(map_.place(first.offset),
                        fmt::format("expected a DXF group code (a whole number from {} to {}), found {}", kLeastCode,
-                                   kGreatestCode, quoted(first.text)));
+                                   kGreatestCode, in_quotes(first.text)));
     if (first.next >= text.size())
       throw InputError(map_.place(text.size()),
                        fmt::format("expected the value of group {}, found end of file", *code));
@@ -99,7 +99,7 @@ void DxfDocument::split(std::string_view text) {
 void DxfDocument::fail(std::size_t at, std::string_view expected) const {
   if (at >= groups_.size()) throw InputError(map_.place(end_), fmt::format("expected {}, found end of file", expected));
   throw InputError(place(groups_[at]), fmt::format("expected {}, found group {} with {}", expected, groups_[at].code,
-                                                   quoted(groups_[at].value)));
+                                                   in_quotes(groups_[at].value)));
 }
 
 std::size_t DxfDocument::read_section(std::size_t at) {
@@ -109,10 +109,10 @@ std::size_t DxfDocument::read_section(std::size_t at) {
   std::size_t end = at + 2;
   while (end < groups_.size() && !is_head(groups_[end], "ENDSEC")) {
     if (is_head(groups_[end], "SECTION") || is_head(groups_[end], "EOF"))
-      fail(end, fmt::format("ENDSEC of the section {}", quoted(name)));
+      fail(end, fmt::format("ENDSEC of the section {}", in_quotes(name)));
     ++end;
   }
-  if (end == groups_.size()) fail(end, fmt::format("ENDSEC of the section {}", quoted(name)));
+  if (end == groups_.size()) fail(end, fmt::format("ENDSEC of the section {}", in_quotes(name)));
   const auto inside = std::span<const DxfGroup>(groups_).subspan(at + 2, end - at - 2);
   sections_.push_back({groups_[at], name, inside, records_of(inside)});
   return end + 1;
@@ -127,14 +127,14 @@ void DxfDocument::sort_into_sections() {
 
 double DxfDocument::real(const DxfGroup& group, std::string_view name, std::string_view owner) const {
   if (const auto value = parse_real(group.value)) return *value;
-  throw InputError(place(group),
-                   fmt::format("expected {} (group {}) of {}, found {}", name, group.code, owner, quoted(group.value)));
+  throw InputError(place(group), fmt::format("expected {} (group {}) of {}, found {}", name, group.code, owner,
+                                             in_quotes(group.value)));
 }
 
 int DxfDocument::integer(const DxfGroup& group, std::string_view name, std::string_view owner) const {
   if (const auto value = whole(group.value)) return *value;
   throw InputError(place(group), fmt::format("expected {} (group {}, a whole number) of {}, found {}", name, group.code,
-                                             owner, quoted(group.value)));
+                                             owner, in_quotes(group.value)));
 }
 
 bool opens_as_dxf(std::string_view text) {

@@ -44,7 +44,7 @@ std::size_t word_end(std::string_view text, std::size_t at, Syntax syntax) {
 
 }  // namespace
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   std::string text = "\"";
   for (const char c : word.substr(0, kLongestQuote)) {
     const auto byte = static_cast<unsigned char>(c);
@@ -124,7 +124,7 @@ std::string Cursor::full_name(std::string_view name) const {
 }
 
 std::string Cursor::found() const {
-  return at_end() ? std::string(end_name_) : quoted(tokens_.words[position_].text);
+  return at_end() ? std::string(end_name_) : in_quotes(tokens_.words[position_].text);
 }
 
 void Cursor::fail(std::string_view expected) const {
@@ -183,7 +183,7 @@ Warnings Cursor::remainder() const {
         {"surplus_numbers", place(), fmt::format("{} numbers behind the last record are ignored", numbers_left())});
   if (const auto junk = tokens_.junk())
     warnings.push_back({"trailing_text", tokens_.place_of(tokens_.numbers.size()),
-                        fmt::format("text from {} on is ignored", quoted(junk->text))});
+                        fmt::format("text from {} on is ignored", in_quotes(junk->text))});
   return warnings;
 }
 

@@ -30,7 +30,7 @@ class TextMap {
 std::string_view without_bom(std::string_view text);
 
 /// The word in quotes as it may stand in a message: short, and printable whatever the file holds.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 /// A run of characters between separators. Views the text it was cut from.
 struct Word {
