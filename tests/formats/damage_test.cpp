@@ -8,6 +8,7 @@
 
 #include "formats/case.hpp"
 #include "formats/dda_blocks.hpp"
+#include "formats/joint_spec.hpp"
 #include "formats/registry.hpp"
 #include "tests/formats/dxf_samples.hpp"
 
@@ -90,6 +91,24 @@ TEST(Damage, files_changed_at_random_are_read_or_refused) {
       const std::string changed = mutated(text, random);
       ASSERT_NO_THROW(read_and_check(changed)) << changed;
     }
+}
+
+TEST(Damage, specifications_of_joint_sets_changed_at_random_are_read_or_refused) {
+  const std::string sound =
+      R"({"slope": {"height": 8, "angle": 70}, "tunnels": [{"shape": "d", "width": 3, "x": 5, "y": -2}],
+          "sets": [{"dip": 30, "spacing": 1, "trace": 6, "scatter": 0.2, "distribution": "normal"}],
+          "seed": 7, "fixed": [[0, 1, 2, 3]]})";
+  ASSERT_NO_THROW(joint_scene_of(read_json({"f", sound})));
+  std::mt19937 random(20010520);
+  for (int i = 0; i < kMutationsAFile; ++i) {
+    const std::string changed = mutated(sound, random);
+    try {
+      joint_scene_of(read_json({"f", changed}));
+    } catch (const InputError&) {
+    } catch (...) {
+      FAIL() << changed;
+    }
+  }
 }
 
 TEST(Damage, every_reader_stands_every_file_of_every_kind) {

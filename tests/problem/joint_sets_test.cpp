@@ -75,7 +75,7 @@ TEST(JointSets, spacing_length_and_gap_have_the_means_and_scatters_asked_for) {
     set.gap = {2, c.scatter, c.law};
     std::vector<double> spacings, lengths, gaps;
     double last = NAN;
-    for (const auto& [offset, traces] : rows_of(traces(set, {10, -4}, 500), 60)) {
+    for (const auto& [offset, traces] : rows_of(traces(set, {10, -4}, 200), 60)) {
       if (!std::isnan(last)) spacings.push_back(offset - last);
       last = offset;
       for (std::size_t i = 0; i < traces.size(); ++i) {
