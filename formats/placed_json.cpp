@@ -113,7 +113,8 @@ class TreeBuilder {
   bool open(Kind kind, std::string text) {
     if (open_.size() == kDeepestJson)
       throw InputError(map_.place(taken_), fmt::format("expected JSON of {} levels at most, found more", kDeepestJson));
-    open_.push_back({kind, std::move(text), 0, {}, {}, place_});
+    const bool has_key = !open_.empty() && open_.back().kind == Kind::object;
+    open_.push_back({kind, std::move(text), 0, {}, {}, has_key ? place_ : map_.place(taken_ - 1)});
     return true;
   }
 

@@ -10,7 +10,8 @@
 
 namespace keyblock::formats {
 
-/// A value and where its key stands (an item of a list: the key of the list).
+/// A value and where its key stands; an object or list without a key: where it opens; another item of a list: where the
+/// last key before it stands.
 struct PlacedJson {
   enum class Kind { null, flag, number, text, list, object };
   Kind kind = Kind::null;

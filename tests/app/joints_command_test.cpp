@@ -70,6 +70,19 @@ TEST(JointsCommand, a_file_says_the_same_as_options) {
   EXPECT_EQ(read_text(folder + "/a.geo"), read_text(folder + "/b.geo"));
 }
 
+TEST(JointsCommand, the_example_of_the_formats_page_cuts) {
+  const std::string folder = fresh_folder("joints_example");
+  const std::string page = read_text(KEYBLOCK_SOURCE_DIR "/formats/README.md");
+  const std::size_t begin = page.find("{\"slope\"");
+  ASSERT_NE(begin, std::string::npos);
+  testing::write_text(folder + "/spec.json", page.substr(begin, page.find("\n\n", begin) - begin));
+  const auto run = run_keyblock({"joints", folder + "/spec.json", "-o", folder + "/a.geo"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const auto cut = run_keyblock({"cut", folder + "/a.geo", "--json"});
+  EXPECT_EQ(cut.exit_code, 0) << cut.messages;
+  EXPECT_FALSE(contains(cut.output, "no_fixed_points") || contains(cut.output, "point_outside_blocks")) << cut.output;
+}
+
 TEST(JointsCommand, overwrites_only_when_told_to) {
   const std::string folder = fresh_folder("joints_force");
   testing::write_text(folder + "/old.geo", "precious");

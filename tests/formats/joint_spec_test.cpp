@@ -75,15 +75,17 @@ TEST(JointSpec, faults_are_named_at_the_line_of_their_key) {
   EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1,\n  \"spacing\": 0}]"),
             "f:3:3: error: expected spacing of joint set 1 (greater than 0), found 0");
   EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1}]"),
-            "f:2:1: error: expected spacing of joint set 1 (greater than 0), found none");
+            "f:2:10: error: expected spacing of joint set 1 (greater than 0), found none");
   EXPECT_EQ(
       fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1, \"distribution\": \"cauchy\"}]"),
       "f:2:35: error: expected distribution of joint set 1 (one of normal, lognormal, exponential), found \"cauchy\"");
   EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1, \"gap\": 1}]"),
-            "f:2:1: error: expected trace beside gap in joint set 1, found none");
+            "f:2:10: error: expected trace beside gap in joint set 1, found none");
   EXPECT_EQ(fault(kBox + ", \"slope\": {\"height\": 1, \"angle\": 45}"),
-            "f: error: expected one outline, rectangle or slope, found both");
-  EXPECT_EQ(fault(""), "f: error: expected one outline, rectangle or slope, found none");
+            "f:1:1: error: expected one outline, rectangle or slope, found both");
+  EXPECT_EQ(fault(""), "f:1:1: error: expected one outline, rectangle or slope, found none");
+  EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1},\n {\"dip\": 1}]"),
+            "f:3:2: error: expected spacing of joint set 2 (greater than 0), found none");
   EXPECT_NE(fault("\"slope\": {\"height\": 1, \"angle\": 91}"), "");
   EXPECT_NE(fault(kBox + ", \"fixed\": [[1, 2, 3]]"), "");
   EXPECT_NE(fault(kBox + ", \"tunnels\": [{\"width\": 1, \"x\": 1, \"y\": 1}]"), "");
