@@ -300,23 +300,6 @@ class EntityReader {
 
 }  // namespace
 
-void DxfSkipped::add(std::string_view kind, const Place& place) {
-  const auto found = positions_.find(kind);
-  if (found != positions_.end()) {
-    ++kinds_[found->second].count;
-  } else {
-    positions_.emplace(kind, kinds_.size());
-    kinds_.push_back({std::string(kind), place, 1});
-  }
-}
-
-Warnings DxfSkipped::warnings() const {
-  Warnings all;
-  for (const Kind& kind : kinds_)
-    all.push_back({"dxf_skipped", kind.first, fmt::format("skipped: {} × {}", kind.count, kind.name)});
-  return all;
-}
-
 DxfShapes read_entities(const DxfDocument& document, const DxfSection& entities) {
   return EntityReader(document, entities).read();
 }

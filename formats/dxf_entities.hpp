@@ -1,16 +1,14 @@
-// The entities of a DXF file as chains of points, and the list of what is skipped.
+// The entities of a DXF file as chains of points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
-#include <functional>
-#include <map>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "formats/dxf_groups.hpp"
+#include "formats/dxf_skipped.hpp"
 #include "geometry/point.hpp"
 
 namespace keyblock::formats {
@@ -25,22 +23,6 @@ struct DxfShape {
   std::vector<Point> points;                  ///< curves as chords
   std::vector<std::string_view> side_layers;  ///< POLYLINE: layer of the VERTEX at which each side begins
   std::optional<std::array<double, 3>> bolt;  ///< extended data: stiffness, strength, pre-tension
-};
-
-/// Entities left out, by kind, in the order in which the kinds are met.
-class DxfSkipped {
- public:
-  void add(std::string_view kind, const Place& place);
-  Warnings warnings() const;
-
- private:
-  struct Kind {
-    std::string name;
-    Place first;
-    std::size_t count = 0;
-  };
-  std::vector<Kind> kinds_;
-  std::map<std::string, std::size_t, std::less<>> positions_;
 };
 
 /// How many curves became how many chords.
