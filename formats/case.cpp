@@ -8,15 +8,27 @@
 #include <utility>
 
 #include "formats/dda_analysis.hpp"
+#include "formats/nmm_analysis.hpp"
 
 namespace keyblock::formats {
 namespace {
+
+/// What the file is, with the geometry beside it if known.
+void choose(FileReading& file, GeometryKind geometry) {
+  file.choice.reset();
+  file.error.reset();
+  try {
+    file.choice = recognise(file.source, geometry);
+  } catch (const InputError& error) {
+    file.error = error;
+  }
+}
 
 FileReading open(const std::string& path) {
   FileReading file{path, {}, {}, {}, {}};
   try {
     file.source = load(path);
-    file.choice = recognise(file.source);
+    choose(file, GeometryKind::unknown);
   } catch (const InputError& error) {
     file.error = error;
   }
@@ -31,28 +43,33 @@ void read_into(FileReading& file, const ReadHint& hint) {
   }
 }
 
+/// Whether the file is, or may be, an analysis that cannot be told or read without the geometry.
 bool needs_geometry(const FileReading& file) {
-  return file.choice && file.choice->format == &kDdaAnalysisShi;
+  if (!file.choice) return !file.source.text.empty();
+  const Format* format = file.choice->format;
+  const bool is_poor_analysis =
+      format == &kDdaAnalysisBerkeley && file.choice->recognition.fit != Recognition::Fit::exact;
+  return format == &kDdaAnalysisShi || format == &kNmmAnalysis || is_poor_analysis;
 }
 
 bool is_one_point(const FixedLine& line) {
   return line.segment.start == line.segment.end;
 }
 
-/// Nothing where fixed points were dropped: the analysis file still has their flags.
+/// The numbers stay unknown where points were dropped: the analysis file still has their flags.
 ReadHint hint_of(const Reading& reading) {
   const Content& content = reading.content;
   const auto is_dropped_point = [](const Warning& warning) { return warning.name == "point_outside_blocks"; };
-  if (std::ranges::any_of(reading.warnings, is_dropped_point)) return {};
+  const bool lacks_points = std::ranges::any_of(reading.warnings, is_dropped_point);
+  const auto count = [](const auto& points) { return static_cast<int>(points.size()); };
+  if (content.cover) return {std::nullopt, count(content.cover->loading_points), GeometryKind::cover};
+  if (content.blocks && lacks_points) return {std::nullopt, std::nullopt, GeometryKind::blocks};
   if (content.blocks)
-    return {static_cast<int>(content.blocks->fixed_points.size()),
-            static_cast<int>(content.blocks->loading_points.size())};
+    return {count(content.blocks->fixed_points), count(content.blocks->loading_points), GeometryKind::blocks};
   if (!content.drawing) return {};
   const Drawing& drawing = *content.drawing;
-  ReadHint hint;
-  hint.loading_points = static_cast<int>(drawing.loading_points.size());
-  if (std::ranges::all_of(drawing.fixed_lines, is_one_point))
-    hint.fixed_points = static_cast<int>(drawing.fixed_lines.size());
+  ReadHint hint{std::nullopt, count(drawing.loading_points), GeometryKind::drawing};
+  if (std::ranges::all_of(drawing.fixed_lines, is_one_point)) hint.fixed_points = count(drawing.fixed_lines);
   return hint;
 }
 
@@ -60,29 +77,28 @@ ReadHint hint_of(const Reading& reading) {
   throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file));
 }
 
-Place geometry_place(const Problem& problem) {
-  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return drawing->place;
-  if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->place;
-  return {};
+template <typename Geometry>
+void put_geometry(Problem& problem, const std::optional<Geometry>& geometry) {
+  if (!geometry) return;
+  const auto place_of = [](const auto& first) {
+    if constexpr (requires { first.place; }) return first.place;
+    return Place{};
+  };
+  if (!std::holds_alternative<std::monostate>(problem.geometry))
+    refuse_second(geometry->place, std::visit(place_of, problem.geometry), "geometry");
+  problem.geometry = *geometry;
 }
 
 Problem with_content(Problem problem, const Content& content) {
-  const bool has_geometry = !std::holds_alternative<std::monostate>(problem.geometry);
-  const auto refuse_second_geometry = [&](const Place& second) {
-    if (has_geometry) refuse_second(second, geometry_place(problem), "geometry");
-  };
-  if (content.drawing) {
-    refuse_second_geometry(content.drawing->place);
-    problem.geometry = *content.drawing;
-  }
-  if (content.blocks) {
-    refuse_second_geometry(content.blocks->place);
-    problem.geometry = *content.blocks;
-  }
+  put_geometry(problem, content.drawing);
+  put_geometry(problem, content.blocks);
+  put_geometry(problem, content.cover);
   if (content.analysis) {
     if (problem.analysis) refuse_second(content.analysis->place, problem.analysis->place, "analysis");
     problem.analysis = content.analysis;
   }
+  if (content.units) problem.units = *content.units;
+  if (content.choices) problem.choices = *content.choices;
   return problem;
 }
 
@@ -95,10 +111,13 @@ std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
   for (FileReading& file : files) {
     if (!file.choice || needs_geometry(file)) continue;
     read_into(file, {});
-    if (file.reading && !hint.loading_points) hint = hint_of(*file.reading);
+    if (file.reading && hint.geometry == GeometryKind::unknown) hint = hint_of(*file.reading);
   }
-  for (FileReading& file : files)
-    if (needs_geometry(file)) read_into(file, hint);
+  for (FileReading& file : files) {
+    if (!needs_geometry(file)) continue;
+    choose(file, hint.geometry);
+    if (file.choice) read_into(file, hint);
+  }
   return files;
 }
 

@@ -1,4 +1,4 @@
-// Reads Berkeley's and Shi's native analysis files, writes Berkeley's; layout in the header.
+// Reads and writes Berkeley's and Shi's native analysis files; layout in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dda_analysis.hpp"
 
@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "formats/analysis_parts.hpp"
 #include "formats/demands.hpp"
 #include "formats/numbers.hpp"
 #include "formats/tokens.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::int64_t kBlockMaterialSize = 13;
 constexpr std::int64_t kJointMaterialSize = 3;
+constexpr double kEndOfTime = 100000;  // of the rows that the old program inserts itself
 constexpr Demand kRowCount{[](double v) { return is_whole(v) && (v == 0 || v >= 2); }, "0, or 2 and more"};
 
 /// Numbers taken by the materials a head announces; nothing where the head cannot be one.
@@ -50,9 +52,8 @@ bool is_like_shi(std::span<const double> numbers, const Materials& materials) {
   return have > 6 + materials.size() && !block_materials_at(numbers, 6, materials.blocks);
 }
 
-Recognition recognise_berkeley(const Source& source) {
+Recognition recognise_berkeley(const Tokens& tokens) {
   using Fit = Recognition::Fit;
-  const Tokens tokens = tokenise(source);
   const auto have = static_cast<std::int64_t>(tokens.numbers.size());
   if (tokens.numbers.empty() || !kShare.holds(tokens.numbers[0])) return {};
   if (const auto materials = materials_of(tokens.numbers)) {
@@ -100,8 +101,7 @@ std::vector<int> possible_point_counts(std::span<const double> numbers) {
   return counts;
 }
 
-Recognition recognise_shi(const Source& source) {
-  const Tokens tokens = tokenise(source);
+Recognition recognise_shi(const Tokens& tokens) {
   const std::vector<int> counts = possible_point_counts(tokens.numbers);
   const auto materials = materials_of(tokens.numbers);
   if (counts.empty() && materials && kShare.holds(tokens.numbers[0]) && is_like_shi(tokens.numbers, *materials))
@@ -110,39 +110,6 @@ Recognition recognise_shi(const Source& source) {
   if (counts.empty()) return {};
   return {Recognition::Fit::exact, fmt::format("7-number head, {} points and the materials give the file's {} numbers",
                                                fmt::join(counts, " or "), tokens.numbers.size())};
-}
-
-Analysis next_head(Cursor& cursor) {
-  Analysis analysis;
-  analysis.velocity_carry_over = cursor.next_real("the velocity carry-over (0 static, 1 dynamic)", kShare);
-  analysis.step_count = cursor.next_integer("the number of time steps", kStepCount);
-  return analysis;
-}
-
-struct MaterialCounts {
-  int blocks = 0;
-  int joints = 0;
-};
-
-MaterialCounts next_material_counts(Cursor& cursor) {
-  MaterialCounts counts;
-  const auto next = [&](std::string_view name) {
-    const Place place = cursor.place();
-    const int count = cursor.next_count(name);
-    if (count == 0) throw InputError(place, fmt::format("expected {} (1 or more), found \"0\"", name));
-    return count;
-  };
-  counts.blocks = next("the number of block materials");
-  counts.joints = next("the number of joint materials");
-  return counts;
-}
-
-Stress next_stress(Cursor& cursor, std::string_view xx, std::string_view yy, std::string_view xy) {
-  Stress stress;
-  stress.xx = cursor.next_real(xx);
-  stress.yy = cursor.next_real(yy);
-  stress.xy = cursor.next_real(xy);
-  return stress;
 }
 
 BlockMaterial next_block_material(Cursor& cursor) {
@@ -156,18 +123,7 @@ BlockMaterial next_block_material(Cursor& cursor) {
       next_stress(cursor, "the initial stress xx", "the initial stress yy", "the initial stress xy");
   material.stress_gradient =
       next_stress(cursor, "the stress gradient xx", "the stress gradient yy", "the stress gradient xy");
-  material.initial_velocity.x = cursor.next_real("the initial velocity in x");
-  material.initial_velocity.y = cursor.next_real("the initial velocity in y");
-  material.initial_velocity.rotation = cursor.next_real("the initial rotation rate");
-  return material;
-}
-
-JointMaterial next_joint_material(Cursor& cursor) {
-  JointMaterial material;
-  material.place = cursor.place();
-  material.friction_angle_deg = cursor.next_real("the friction angle", kFrictionAngle);
-  material.cohesion = cursor.next_real("the cohesion", kNotNegative);
-  material.tensile_strength = cursor.next_real("the tensile strength", kNotNegative);
+  material.initial_velocity = next_velocity(cursor);
   return material;
 }
 
@@ -181,35 +137,13 @@ std::vector<BlockMaterial> next_block_materials(Cursor& cursor, int count) {
   return materials;
 }
 
-std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count) {
-  std::vector<JointMaterial> materials;
-  for (int i = 0; i < count; ++i) {
-    cursor.enter({"joint material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
-    materials.push_back(next_joint_material(cursor));
-  }
-  cursor.leave();
-  return materials;
-}
-
-Analysis with_native_choices(Analysis analysis, AnalysisDialect dialect, const Source& source) {
-  analysis.dialect = dialect;
-  analysis.automatic_time_step = true;
-  analysis.automatic_penalty = true;
-  analysis.penalty_factor = 50;
-  analysis.place = {source.name};
-  return analysis;
-}
-
 Reading read_berkeley(const Source& source, const ReadHint&) {
   const Tokens tokens = tokenise(source);
   Cursor cursor(tokens);
-  Analysis analysis = next_head(cursor);
-  const MaterialCounts counts = next_material_counts(cursor);
-  analysis.allowed_displacement_ratio = cursor.next_real("the allowed displacement ratio", kPositive);
-  analysis.time_step = cursor.next_real("the upper limit of the time step", kPositive);
+  auto [analysis, counts] = next_controls(cursor, AnalysisDialect::berkeley);
   analysis.block_materials = next_block_materials(cursor, counts.blocks);
   analysis.joint_materials = next_joint_materials(cursor, counts.joints);
-  return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::berkeley, source)}, cursor.remainder()};
+  return {{{}, {}, std::move(analysis)}, cursor.remainder()};
 }
 
 /// How many of the points with a flag are fixed and how many carry loads.
@@ -275,56 +209,84 @@ Analysis with_curves(Analysis analysis, const std::vector<TimeCurve>& curves, co
 Reading read_shi(const Source& source, const ReadHint& hint) {
   const Tokens tokens = tokenise(source);
   Cursor cursor(tokens);
-  Warnings warnings;
-  Analysis analysis = next_head(cursor);
-  const MaterialCounts materials = next_material_counts(cursor);
-  analysis.allowed_displacement_ratio = cursor.next_real("the allowed displacement ratio", kPositive);
-  analysis.time_step = cursor.next_real("the upper limit of the time step", kPositive);
-  const Place penalty_place = cursor.place();
-  const double penalty = cursor.next_real("the contact stiffness", kNotNegative);
-  if (penalty > 0) analysis.contact_penalty = penalty;
-  if (penalty == 0)
-    warnings.push_back({"contact_stiffness_zero", penalty_place,
-                        "contact stiffness 0 taken as \"program chooses\": 50 × the largest Young's modulus"});
+  auto [analysis, materials] = next_controls(cursor, AnalysisDialect::shi);
+  Warnings warnings = next_contact_stiffness(cursor, analysis);
   const CurveCounts counts = curve_counts(tokens, hint);
   analysis = with_curves(std::move(analysis), next_curves(cursor, counts.points), counts);
   analysis.block_materials = next_block_materials(cursor, materials.blocks);
   analysis.joint_materials = next_joint_materials(cursor, materials.joints);
   if (cursor.numbers_left() > 0) analysis.over_relaxation = cursor.next_real("the over-relaxation factor");
   warnings = joined(std::move(warnings), cursor.remainder());
-  return {{{}, {}, with_native_choices(std::move(analysis), AnalysisDialect::shi, source)}, std::move(warnings)};
+  return {{{}, {}, std::move(analysis)}, std::move(warnings)};
 }
 
-std::string text_of(const Stress& stress) {
-  return fmt::format("{} {} {}\n", format_real(stress.xx), format_real(stress.yy), format_real(stress.xy));
-}
-
-std::string text_of(const BlockMaterial& material) {
-  const Velocity& velocity = material.initial_velocity;
+std::string block_material_text(const BlockMaterial& material) {
   return fmt::format("{} {} {} {}\n", format_real(material.density), format_real(material.unit_weight),
                      format_real(material.youngs_modulus), format_real(material.poissons_ratio)) +
-         text_of(material.initial_stress) + text_of(material.stress_gradient) +
-         fmt::format("{} {} {}\n", format_real(velocity.x), format_real(velocity.y), format_real(velocity.rotation));
+         text_of(material.initial_stress) + text_of(material.stress_gradient) + text_of(material.initial_velocity);
+}
+
+const Analysis& analysis_of(const Content& content) {
+  if (!content.analysis) throw std::invalid_argument("an analysis file needs an analysis");
+  return *content.analysis;
+}
+
+std::string materials_text(const Analysis& analysis) {
+  std::string text;
+  for (const BlockMaterial& material : analysis.block_materials) text += block_material_text(material);
+  return text + text_of(analysis.joint_materials);
 }
 
 std::string write_berkeley(const Content& content) {
-  if (!content.analysis) throw std::invalid_argument("an analysis file needs an analysis");
-  const Analysis& analysis = *content.analysis;
-  std::string text = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", format_real(analysis.velocity_carry_over),
-                                 analysis.step_count, analysis.block_materials.size(), analysis.joint_materials.size(),
-                                 format_real(analysis.allowed_displacement_ratio), format_real(analysis.time_step));
-  for (const BlockMaterial& material : analysis.block_materials) text += text_of(material);
-  for (const JointMaterial& material : analysis.joint_materials)
-    text += fmt::format("{} {} {}\n", format_real(material.friction_angle_deg), format_real(material.cohesion),
-                        format_real(material.tensile_strength));
+  const Analysis& analysis = analysis_of(content);
+  return controls_text(analysis) + materials_text(analysis);
+}
+
+/// The curves as the file has room for them: one a point of the blocks where these are known; a curve of one row holds
+/// its value to the end of the old program's time.
+std::vector<TimeCurve> curves_to_write(std::vector<TimeCurve> curves, std::optional<std::size_t> points) {
+  if (points) curves.resize(*points);
+  for (TimeCurve& curve : curves)
+    if (curve.times.size() == 1) {
+      curve.times.push_back(curve.times.front() + kEndOfTime);
+      curve.values.push_back(curve.values.front());
+    }
+  return curves;
+}
+
+std::string rows_text(const std::vector<TimeCurve>& curves) {
+  std::string text;
+  for (const TimeCurve& curve : curves)
+    for (std::size_t row = 0; row < curve.times.size(); ++row)
+      text += fmt::format("{} {} {}\n", format_real(curve.times[row]), format_real(curve.values[row].x),
+                          format_real(curve.values[row].y));
+  return text;
+}
+
+std::string write_shi(const Content& content) {
+  const Analysis& analysis = analysis_of(content);
+  std::optional<std::size_t> fixed, loading;
+  if (content.blocks) {
+    fixed = content.blocks->fixed_points.size();
+    loading = content.blocks->loading_points.size();
+  } else if (content.drawing) {
+    loading = content.drawing->loading_points.size();
+  }
+  std::vector<TimeCurve> curves = curves_to_write(analysis.fixed_point_motions, fixed);
+  for (TimeCurve& curve : curves_to_write(analysis.point_loads, loading)) curves.push_back(std::move(curve));
+  std::string text = controls_text(analysis) + contact_stiffness_text(analysis);
+  for (const TimeCurve& curve : curves) text += fmt::format("{}\n", curve.times.size());
+  text += rows_text(curves) + materials_text(analysis);
+  if (analysis.over_relaxation) text += format_real(*analysis.over_relaxation) + '\n';
   return text;
 }
 
 }  // namespace
 
-constinit const Format kDdaAnalysisBerkeley{"dda-analysis-berkeley", "native DDA analysis, Berkeley dialect",
-                                            recognise_berkeley, read_berkeley, write_berkeley};
-constinit const Format kDdaAnalysisShi{"dda-analysis-shi", "native DDA analysis, Shi's dialect", recognise_shi,
-                                       read_shi, nullptr};
+constinit const Format kDdaAnalysisBerkeley{
+    "dda-analysis-berkeley", "native DDA analysis, Berkeley dialect", nullptr, read_berkeley, write_berkeley,
+    recognise_berkeley};
+constinit const Format kDdaAnalysisShi{
+    "dda-analysis-shi", "native DDA analysis, Shi's dialect", nullptr, read_shi, write_shi, recognise_shi};
 
 }  // namespace keyblock::formats

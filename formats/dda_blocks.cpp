@@ -56,9 +56,8 @@ bool ranges_follow(std::span<const double> numbers, const Head& head) {
   return expected_start == static_cast<double>(head.slots) + 1;
 }
 
-Recognition recognise(const Source& source) {
+Recognition recognise(const Tokens& tokens) {
   using Fit = Recognition::Fit;
-  const Tokens tokens = tokenise(source);
   const auto head = head_of(tokens.numbers);
   if (!head) return {};
   const auto size = point_size(*head, tokens.numbers.size());
@@ -283,15 +282,18 @@ std::string bolt_text(const BlockBolt& bolt) {
                      format_real(bolt.stiffness), format_real(bolt.strength), format_real(bolt.pretension));
 }
 
-std::string points_text(const std::vector<BlockPoint>& points, int type) {
+/// `type` absent: points of 3 numbers.
+std::string points_text(const std::vector<BlockPoint>& points, std::optional<int> type) {
   std::string text;
-  for (const BlockPoint& point : points)
-    text += fmt::format("{} {} {} {}\n", type, format_real(point.position.x), format_real(point.position.y),
-                        point.block + 1);
+  for (const BlockPoint& point : points) {
+    if (type) text += fmt::format("{} ", *type);
+    text += fmt::format("{} {} {}\n", format_real(point.position.x), format_real(point.position.y), point.block + 1);
+  }
   return text;
 }
 
-std::string write(const Content& content) {
+/// Everything but the points.
+std::string text_before_points(const Content& content) {
   if (!content.blocks) throw std::invalid_argument("a block file needs blocks");
   const Blocks& blocks = *content.blocks;
   std::size_t slots = 0;
@@ -307,12 +309,29 @@ std::string write(const Content& content) {
   text += ranges;
   for (const BlockPolygon& block : blocks.blocks) text += slots_text(block.outer);
   for (const BlockBolt& bolt : blocks.bolts) text += bolt_text(bolt);
+  return text;
+}
+
+std::string write(const Content& content) {
+  const std::string text = text_before_points(content);
+  const Blocks& blocks = *content.blocks;
   return text + points_text(blocks.fixed_points, 0) + points_text(blocks.loading_points, 2) +
          points_text(blocks.measured_points, 1);
 }
 
+std::string write_points_of_three(const Content& content) {
+  std::string text = text_before_points(content);
+  const Blocks& blocks = *content.blocks;
+  for (const auto* points : {&blocks.fixed_points, &blocks.loading_points, &blocks.measured_points})
+    text += points_text(*points, std::nullopt);
+  return text;
+}
+
 }  // namespace
 
-constinit const Format kDdaBlocks{"dda-blocks", "native block file (blocks after cutting)", recognise, read, write};
+constinit const Format kDdaBlocks{"dda-blocks", "native block file (blocks after cutting)", nullptr, read, write,
+                                  recognise};
+constinit const Format kDdaBlocksOfThree{
+    "dda-blocks-3", "native block file with points of 3 numbers", nullptr, read, write_points_of_three, nullptr};
 
 }  // namespace keyblock::formats

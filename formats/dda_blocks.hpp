@@ -20,6 +20,7 @@
 
 namespace keyblock::formats {
 
-extern const Format kDdaBlocks;
+extern const Format kDdaBlocks;         ///< reads both kinds of points, writes those of 4 numbers
+extern const Format kDdaBlocksOfThree;  ///< never chosen for a file: to write points of 3 numbers
 
 }  // namespace keyblock::formats

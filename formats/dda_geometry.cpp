@@ -99,9 +99,8 @@ Recognition recognise_damaged(const Tokens& tokens) {
                       format_real(tokens.numbers[0]))};
 }
 
-Recognition recognise(const Source& source) {
+Recognition recognise(const Tokens& tokens) {
   using Fit = Recognition::Fit;
-  const Tokens tokens = tokenise(source);
   const auto have = static_cast<std::int64_t>(tokens.numbers.size());
   const auto head = head_of(tokens.numbers, 9);
   if (head && head->total({}) == have && materials_are_whole(tokens.numbers, *head, {}))
@@ -311,7 +310,7 @@ std::string write(const Content& content) {
 
 }  // namespace
 
-constinit const Format kDdaGeometry{"dda-geometry", "native DDA geometry (lines to cut blocks from)", recognise, read,
-                                    write};
+constinit const Format kDdaGeometry{
+    "dda-geometry", "native DDA geometry (lines to cut blocks from)", nullptr, read, write, recognise};
 
 }  // namespace keyblock::formats

@@ -1,4 +1,4 @@
-// Finds the geometry and the analysis of a DDAML document and has each read.
+// Finds the geometry and the analysis of a DDAML document and has each read; has both written.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/ddaml.hpp"
 
@@ -7,6 +7,7 @@
 #include "formats/ddaml_analysis.hpp"
 #include "formats/ddaml_document.hpp"
 #include "formats/ddaml_geometry.hpp"
+#include "formats/ddaml_text.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -69,6 +70,7 @@ Reading read(const Source& source, const ReadHint&) {
 
 }  // namespace
 
-constinit const Format kDdaml{"ddaml", "DDAML (XML geometry and analysis of Berkeley's DDA)", recognise, read, nullptr};
+constinit const Format kDdaml{"ddaml", "DDAML (XML geometry and analysis of Berkeley's DDA)", recognise, read,
+                              ddaml_text};
 
 }  // namespace keyblock::formats

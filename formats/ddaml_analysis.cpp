@@ -176,8 +176,7 @@ class AnalysisReader {
   }
 
   void read_save_interval(const Element& element) {
-    const auto step = element.attribute("step");
-    const bool empty = !step || split_words(step->value, Syntax::xml).empty();
+    const bool empty = !element.attribute("step") || element.attribute_tokens("step").starts.empty();
     const int interval = empty ? 0 : attribute_integer(element, "step", kNotNegative);
     analysis_.save_interval = interval == 0 ? 10 : interval;
   }

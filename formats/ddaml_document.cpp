@@ -67,28 +67,28 @@ std::optional<Attribute> Element::attribute(std::string_view name) const {
 }
 
 Tokens Element::tokens() const {
-  std::vector<Word> words;
-  std::size_t end = text_->offset_of(node_.name()).value_or(0);
+  Tokens tokens{text_->map, text_->buffer, Syntax::xml, {}, {}, text_->offset_of(node_.name()).value_or(0)};
   pugi::xml_node node = node_.first_child();
   while (node) {
     const std::string_view value = node.value();
     if (const auto offset = text_->offset_of(node.value()); offset && node.type() != pugi::node_element) {
-      const std::vector<Word> more = split_words(value, Syntax::xml, *offset);
-      words.insert(words.end(), more.begin(), more.end());
-      end = *offset + value.size();
+      add_words(tokens, *offset, value.size());
+      tokens.end = *offset + value.size();
     }
     pugi::xml_node next = node.first_child();
     for (; !next && node != node_; node = node.parent()) next = node.next_sibling();
     node = next;
   }
-  return tokenise_words(text_->map, std::move(words), end);
+  return tokens;
 }
 
 Tokens Element::attribute_tokens(std::string_view name) const {
   const auto found = attribute(name);
   if (!found) throw InputError(place(), fmt::format("expected the attribute {} of {}, found none", name, this->name()));
   const std::size_t offset = text_->offset_of(found->value.data()).value_or(0);
-  return tokenise_words(text_->map, split_words(found->value, Syntax::xml, offset), offset + found->value.size());
+  Tokens tokens{text_->map, text_->buffer, Syntax::xml, {}, {}, offset + found->value.size()};
+  add_words(tokens, offset, found->value.size());
+  return tokens;
 }
 
 Warning ignored(const Element& element) {

@@ -105,7 +105,8 @@ class GeometryReader {
 
   void read_boundary(const Element& item, const Record& record) {
     if (!is_named(item, "Line")) return;
-    boundaries_.push_back({segment_of(item, record), 0, item.place()});
+    const int material = item.attribute("type") ? type_of(item, "the joint material (attribute type)", record) : 0;
+    boundaries_.push_back({segment_of(item, record), material, item.place()});
   }
 
   void read_fixed(const Element& item, const Record& record) {

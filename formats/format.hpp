@@ -11,7 +11,11 @@
 #include "base/error.hpp"
 #include "problem/analysis.hpp"
 #include "problem/blocks.hpp"
+#include "problem/cover.hpp"
 #include "problem/drawing.hpp"
+#include "problem/run_choices.hpp"
+#include "result/frame.hpp"
+#include "result/measured_track.hpp"
 
 namespace keyblock::formats {
 
@@ -21,11 +25,18 @@ struct Source {
   std::string text;
 };
 
-/// What a file can hold. DDAML may hold a drawing and an analysis in one file.
+/// What a file can hold. DDAML may hold a drawing and an analysis in one file. `motion` is a horizontal acceleration as
+/// a multiple of gravity.
 struct Content {
   std::optional<Drawing> drawing;
   std::optional<Blocks> blocks;
   std::optional<Analysis> analysis;
+  std::optional<Cover> cover = std::nullopt;
+  std::vector<Frame> frames = {};
+  std::vector<MeasuredTrack> tracks = {};
+  std::optional<TimeCurve> motion = std::nullopt;
+  std::optional<Units> units = std::nullopt;
+  std::optional<RunChoices> choices = std::nullopt;
 };
 
 /// What reading gives: the content and everything odd that was met on the way.
@@ -34,12 +45,15 @@ struct Reading {
   Warnings warnings;
 };
 
+enum class GeometryKind { unknown, drawing, blocks, cover };
+
 /// What the geometry says that an analysis file cannot be read without: Shi's holds a flag and a curve for
-/// each fixed and each loading point, but neither number. A drawing knows its fixed points only after
-/// cutting.
+/// each fixed and each loading point, but neither number, the manifold program's a load for each loading point. A
+/// drawing knows its fixed points only after cutting.
 struct ReadHint {
   std::optional<int> fixed_points;
   std::optional<int> loading_points;
+  GeometryKind geometry = GeometryKind::unknown;
 };
 
 /// How sure a format is that a file is its own, and from what it concludes so (one sentence for the user).
@@ -51,7 +65,10 @@ struct Recognition {
   std::string evidence;
 };
 
-/// One format. A missing function means "cannot". `read` throws InputError; `write` throws
+struct Tokens;
+
+/// One format. A missing function means "cannot"; a format is recognised by a mark in its text or by its numbers, of
+/// which the registry makes one list for all formats. `read` throws InputError; `write` throws
 /// std::invalid_argument where the content lacks the part it writes.
 struct Format {
   std::string_view name;   ///< stable identifier, e.g. "dda-geometry"
@@ -59,6 +76,7 @@ struct Format {
   Recognition (*recognise)(const Source&) = nullptr;
   Reading (*read)(const Source&, const ReadHint&) = nullptr;
   std::string (*write)(const Content&) = nullptr;
+  Recognition (*recognise_numbers)(const Tokens&) = nullptr;
 };
 
 }  // namespace keyblock::formats

@@ -2,12 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/numbers.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
 namespace keyblock::formats {
+
+namespace {
+
+std::optional<double> plain_real(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
 
 std::string format_real(double value) {
   std::array<char, 32> text;
@@ -18,13 +28,12 @@ std::string format_real(double value) {
 std::optional<double> parse_real(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   if (text.empty() || text.size() > 400 || text.starts_with('+')) return std::nullopt;
+  if (const auto value = plain_real(text)) return value;
+  const std::size_t mark = text.find_first_of("dD");
+  if (mark == std::string_view::npos) return std::nullopt;
   std::string plain(text);
-  std::ranges::replace_if(
-      plain, [](char c) { return c == 'd' || c == 'D'; }, 'e');
-  double value = 0;
-  const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-  if (error != std::errc{} || end != plain.data() + plain.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  plain[mark] = 'e';
+  return plain_real(plain);
 }
 
 }  // namespace keyblock::formats

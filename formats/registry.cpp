@@ -10,14 +10,19 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
+#include "formats/berkeley_measured.hpp"
+#include "formats/berkeley_replay.hpp"
 #include "formats/dda_analysis.hpp"
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
 #include "formats/dxf.hpp"
+#include "formats/keyblock_case.hpp"
+#include "formats/motion.hpp"
+#include "formats/nmm_analysis.hpp"
+#include "formats/nmm_cover.hpp"
 #include "formats/recognised_only.hpp"
 #include "formats/tokens.hpp"
 
@@ -27,9 +32,23 @@ namespace {
 using Fit = Recognition::Fit;
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 10> kFormats{
-    &kDdaExtended,         &kDdaml,          &kDxf,         &kNmmCover, &kDdaBlocks, &kDdaGeometry,
-    &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis, &kDiskDda,
+constexpr std::array<const Format*, 16> kFormats{
+    &kKeyblockCase,
+    &kDdaExtended,
+    &kDdaml,
+    &kDxf,
+    &kNmmCover,
+    &kBerkeleyMeasured,
+    &kBerkeleyReplay,
+    &kDdaBlocks,
+    &kDdaBlocksOfThree,
+    &kDdaGeometry,
+    &kDdaAnalysisBerkeley,
+    &kDdaAnalysisShi,
+    &kNmmAnalysis,
+    &kDiskDda,
+    &kMotionShake,
+    &kMotionMatlab,
 };
 
 [[noreturn]] void refuse(const Place& place, std::string_view found) {
@@ -67,10 +86,15 @@ void refuse_other_files(const Source& source) {
   if (text[first] == '<' && is_html(text)) refuse(TextMap(source.name, text).place(first), "an HTML page");
 }
 
-std::vector<Choice> choices(const Source& source) {
+Recognition recognition_of(const Format& format, const Source& source, const Tokens& tokens) {
+  if (format.recognise) return format.recognise(source);
+  return format.recognise_numbers ? format.recognise_numbers(tokens) : Recognition{};
+}
+
+std::vector<Choice> choices(const Source& source, const Tokens& tokens) {
   std::vector<Choice> found;
   for (const Format* format : kFormats) {
-    Recognition recognition = format->recognise(source);
+    Recognition recognition = recognition_of(*format, source, tokens);
     if (recognition.fit != Fit::none) found.push_back({format, std::move(recognition)});
   }
   return found;
@@ -80,9 +104,14 @@ std::string describe(const Choice& choice) {
   return fmt::format("{} ({})", choice.format->title, choice.recognition.evidence);
 }
 
-[[noreturn]] void refuse_nothing_fits(const Source& source) {
-  const Tokens tokens = tokenise(source);
-  if (tokens.words.empty()) refuse({source.name}, "nothing but comments");
+/// An analysis that no dialect of DDA accounts for to the last number.
+bool is_poor_dda_analysis(const Choice& choice) {
+  const bool is_dda = choice.format == &kDdaAnalysisBerkeley || choice.format == &kDdaAnalysisShi;
+  return is_dda && choice.recognition.fit != Fit::exact;
+}
+
+[[noreturn]] void refuse_nothing_fits(const Source& source, const Tokens& tokens) {
+  if (tokens.starts.empty()) refuse({source.name}, "nothing but comments");
   Cursor(tokens).fail("a DDA geometry, block or analysis file");
 }
 
@@ -104,30 +133,40 @@ Source load(const std::string& path) {
   if (std::filesystem::is_directory(status)) throw InputError({path}, "expected a file, found a directory");
   if (!std::filesystem::is_regular_file(status))
     throw InputError({path}, "expected a regular file, found a device or pipe");
-  std::ifstream stream(path, std::ios::binary);
+  std::ifstream stream(path, std::ios::binary | std::ios::ate);
   if (!stream) throw InputError({path}, "expected a readable file, found one that cannot be opened");
-  std::string text(std::istreambuf_iterator<char>(stream), {});
+  std::string text(static_cast<std::size_t>(stream.tellg()), '\0');
+  stream.seekg(0);
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (stream.bad()) throw InputError({path}, "expected a readable file, found one that breaks off");
   return {path, std::move(text)};
 }
 
-Choice recognise(const Source& source) {
+Choice recognise(const Source& source, GeometryKind geometry) {
+  if (Recognition measured = kBerkeleyMeasured.recognise(source); measured.fit == Fit::exact)
+    return {&kBerkeleyMeasured, std::move(measured)};  // it may hold zero bytes, which elsewhere mean a binary file
   refuse_other_files(source);
-  const std::vector<Choice> found = choices(source);
-  if (found.empty()) refuse_nothing_fits(source);
+  const Tokens tokens = tokenise(source);
+  const std::vector<Choice> found = choices(source, tokens);
+  if (found.empty()) refuse_nothing_fits(source, tokens);
   const auto fit = [](const Choice& choice) { return choice.recognition.fit; };
   const auto best = std::ranges::max_element(found, {}, fit);  // the first of equals: order of trial
-  if (fit(*best) != Fit::exact) return *best;
+  if (geometry == GeometryKind::cover && is_poor_dda_analysis(*best))
+    return {&kNmmAnalysis, {Fit::damaged, "it begins like an analysis and a cover lies beside it"}};
   const auto is_rival = [](const Choice& c) { return c.format == &kNmmAnalysis && c.recognition.fit == Fit::exact; };
   const auto rival = std::ranges::find_if(found, is_rival);
-  if (best->format == &kDdaAnalysisShi && rival != found.end())
-    throw InputError({source.name}, fmt::format("expected a file of one format, found one that fits two: {} and {}",
-                                                describe(*best), describe(*rival)));
-  return *best;
+  if (best->format != &kDdaAnalysisShi || fit(*best) != Fit::exact || rival == found.end()) return *best;
+  if (geometry == GeometryKind::unknown)
+    throw InputError(
+        {source.name},
+        fmt::format("expected the geometry beside this file, which fits two formats: {} and {}; found none",
+                    describe(*best), describe(*rival)));
+  return geometry == GeometryKind::cover ? *rival : *best;
 }
 
 Reading read(const Source& source, const ReadHint& hint) {
-  return read_as(recognise(source), source, hint);
+  return read_as(recognise(source, hint.geometry), source, hint);
 }
 
 Reading read_as(const Choice& choice, const Source& source, const ReadHint& hint) {

@@ -26,8 +26,8 @@ struct Choice {
 /// An exact fit wins, then a variant, then surplus numbers, then what the file begins like; among equals the
 /// order of trial, which is that of strength. Throws InputError for an empty, binary or HTML file, for one
 /// that fits nothing, and for an analysis file that fits Shi's dialect and the NMM one alike, whose equations
-/// are equally weak.
-Choice recognise(const Source& source);
+/// are equally weak, where the geometry beside it is not known to decide.
+Choice recognise(const Source& source, GeometryKind geometry = GeometryKind::unknown);
 
 /// Reads by `recognise`. Throws InputError, also for formats that are recognised only.
 Reading read(const Source& source, const ReadHint& hint = {});

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -22,25 +23,62 @@ bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }
 
-bool is_separator(char c, Syntax syntax) {
-  return c == ' ' || c == '\t' || c == ',' || c == kDosEndOfFile || c == '\v' || c == '\f' || is_line_end(c) ||
-         (syntax == Syntax::xml && c == ';');
+/// What a character does between words. A slash is ordinary but where a second follows.
+enum class Role : unsigned char { ordinary, separator, comment, slash };
+using Roles = std::array<Role, 256>;
+
+constexpr Roles roles_of(Syntax syntax) {
+  Roles roles{};
+  const auto set = [&](std::string_view characters, Role role) {
+    for (const char c : characters) roles[static_cast<unsigned char>(c)] = role;
+  };
+  set(" \t,\v\f\n\r", Role::separator);
+  roles[kDosEndOfFile] = Role::separator;
+  if (syntax == Syntax::xml) {
+    set(";", Role::separator);
+    roles[0] = Role::separator;  // the XML reader ends each piece so, in place
+  } else {
+    set("#%!;", Role::comment);
+    set("/", Role::slash);
+  }
+  return roles;
 }
 
-bool starts_comment(std::string_view rest, Syntax syntax) {
-  if (syntax == Syntax::xml) return false;
-  return std::string_view("#%!;").find(rest.front()) != std::string_view::npos || rest.starts_with("//");
-}
+constexpr Roles kNativeRoles = roles_of(Syntax::native);
+constexpr Roles kXmlRoles = roles_of(Syntax::xml);
 
-std::size_t skip_line(std::string_view text, std::size_t at) {
-  while (at < text.size() && !is_line_end(text[at])) ++at;
-  return at;
-}
+/// Finds the words of a text one after another.
+class Splitter {
+ public:
+  Splitter(std::string_view text, Syntax syntax)
+      : text_(text), roles_(syntax == Syntax::xml ? kXmlRoles : kNativeRoles) {}
 
-std::size_t word_end(std::string_view text, std::size_t at, Syntax syntax) {
-  while (at < text.size() && !is_separator(text[at], syntax) && !starts_comment(text.substr(at), syntax)) ++at;
-  return at;
-}
+  /// The start of the first word from `at` on; the end of the text where there is none.
+  std::size_t word_start(std::size_t at) const {
+    for (; at < text_.size(); ++at) {
+      const Role role = role_at(at);
+      if (role == Role::ordinary) return at;
+      if (role != Role::comment) continue;
+      while (at + 1 < text_.size() && !is_line_end(text_[at + 1])) ++at;
+    }
+    return at;
+  }
+
+  std::size_t word_end(std::size_t at) const {
+    while (at < text_.size() && role_at(at) == Role::ordinary) ++at;
+    return at;
+  }
+
+ private:
+  Role role_at(std::size_t at) const {
+    const Role role = roles_[static_cast<unsigned char>(text_[at])];
+    if (role != Role::slash) return role;
+    return at + 1 < text_.size() && text_[at + 1] == '/' ? Role::comment : Role::ordinary;
+  }
+
+  std::string_view text_;
+  const Roles& roles_;
+};
 
 }  // namespace
 
@@ -72,45 +110,38 @@ std::string_view without_bom(std::string_view text) {
   return text;
 }
 
-std::vector<Word> split_words(std::string_view text, Syntax syntax, std::size_t first_offset) {
-  std::vector<Word> words;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    if (is_separator(text[at], syntax)) {
-      ++at;
-    } else if (starts_comment(text.substr(at), syntax)) {
-      at = skip_line(text, at);
-    } else {
-      const std::size_t end = word_end(text, at, syntax);
-      words.push_back({text.substr(at, end - at), first_offset + at});
-      at = end;
-    }
-  }
-  return words;
+std::string_view Tokens::word(std::size_t index) const {
+  const std::size_t start = starts[index];
+  return text.substr(start, Splitter(text, syntax).word_end(start) - start);
 }
 
-std::optional<Word> Tokens::junk() const {
-  if (numbers.size() == words.size()) return std::nullopt;
-  return words[numbers.size()];
+std::optional<std::string_view> Tokens::junk() const {
+  if (numbers.size() == starts.size()) return std::nullopt;
+  return word(numbers.size());
 }
 
 Place Tokens::place_of(std::size_t index) const {
-  return map->place(index < words.size() ? words[index].offset : end);
+  return map->place(index < starts.size() ? starts[index] : end);
 }
 
 Tokens tokenise(const Source& source) {
   const std::string_view text = without_bom(source.text);
-  return tokenise_words(std::make_shared<TextMap>(source.name, text), split_words(text, Syntax::native), text.size());
+  Tokens tokens{std::make_shared<TextMap>(source.name, text), text, Syntax::native, {}, {}, text.size()};
+  add_words(tokens, 0, text.size());
+  return tokens;
 }
 
-Tokens tokenise_words(std::shared_ptr<const TextMap> map, std::vector<Word> words, std::size_t end) {
-  Tokens tokens{std::move(map), std::move(words), {}, end};
-  for (const Word& word : tokens.words) {
-    const std::optional<double> value = parse_real(word.text);
-    if (!value) break;
-    tokens.numbers.push_back(*value);
+void add_words(Tokens& tokens, std::size_t first, std::size_t size) {
+  const std::string_view text = tokens.text.substr(0, first + size);
+  const Splitter splitter(text, tokens.syntax);
+  for (std::size_t at = splitter.word_start(first); at < text.size();) {
+    const std::size_t end = splitter.word_end(at);
+    const bool is_behind_numbers_only = tokens.numbers.size() == tokens.starts.size();
+    tokens.starts.push_back(at);
+    if (is_behind_numbers_only)
+      if (const auto value = parse_real(text.substr(at, end - at))) tokens.numbers.push_back(*value);
+    at = splitter.word_start(end);
   }
-  return tokens;
 }
 
 bool is_whole(double value) {
@@ -124,7 +155,7 @@ std::string Cursor::full_name(std::string_view name) const {
 }
 
 std::string Cursor::found() const {
-  return at_end() ? std::string(end_name_) : in_quotes(tokens_.words[position_].text);
+  return at_end() ? std::string(end_name_) : in_quotes(tokens_.word(position_));
 }
 
 void Cursor::fail(std::string_view expected) const {
@@ -160,10 +191,17 @@ int Cursor::next_integer(std::string_view name, const Demand& demand) {
   return next_integer(name);
 }
 
+int Cursor::next_integer_between(int least, int most, std::string_view name) {
+  const bool is_within = numbers_left() > 0 && is_whole(tokens_.numbers[position_]) &&
+                         tokens_.numbers[position_] >= least && tokens_.numbers[position_] <= most;
+  if (!is_within) fail(fmt::format("{} (a whole number from {} to {})", full_name(name), least, most));
+  return next_integer(name);
+}
+
 int Cursor::next_count(std::string_view name) {
   if (numbers_left() == 0) fail(full_name(name));
   const double value = tokens_.numbers[position_];
-  const std::size_t following = tokens_.words.size() - position_ - 1;
+  const std::size_t following = tokens_.starts.size() - position_ - 1;
   if (!is_whole(value) || value < 0) fail(fmt::format("{} (a whole number, 0 or more)", full_name(name)));
   if (value > static_cast<double>(following))
     fail(fmt::format("{} (at most {}: so many values follow)", full_name(name), following));
@@ -183,7 +221,7 @@ Warnings Cursor::remainder() const {
         {"surplus_numbers", place(), fmt::format("{} numbers behind the last record are ignored", numbers_left())});
   if (const auto junk = tokens_.junk())
     warnings.push_back({"trailing_text", tokens_.place_of(tokens_.numbers.size()),
-                        fmt::format("text from {} on is ignored", in_quotes(junk->text))});
+                        fmt::format("text from {} on is ignored", in_quotes(*junk))});
   return warnings;
 }
 

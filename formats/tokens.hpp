@@ -32,34 +32,30 @@ std::string_view without_bom(std::string_view text);
 /// The word in quotes as it may stand in a message: short, and printable whatever the file holds.
 std::string in_quotes(std::string_view word);
 
-/// A run of characters between separators. Views the text it was cut from.
-struct Word {
-  std::string_view text;
-  std::size_t offset = 0;
-};
-
 enum class Syntax {
   native,  ///< white space and commas separate; `#` `%` `!` `;` `//` start a comment to the end of the line
   xml,     ///< white space, commas and semicolons separate; no comments (the XML reader has dropped them)
 };
 
-/// Words of `text`, their offsets counted from `first_offset`.
-std::vector<Word> split_words(std::string_view text, Syntax syntax, std::size_t first_offset = 0);
-
-/// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive.
+/// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive. Two words of
+/// memory a token, because files of a hundred megabytes are read through it.
 struct Tokens {
   std::shared_ptr<const TextMap> map;
-  std::vector<Word> words;      ///< all of them
-  std::vector<double> numbers;  ///< the leading words that are finite numbers
-  std::size_t end = 0;          ///< offset at which the text ends
+  std::string_view text;
+  Syntax syntax = Syntax::native;
+  std::vector<std::size_t> starts;  ///< offset of every word: a run of characters between separators
+  std::vector<double> numbers;      ///< the leading words that are finite numbers
+  std::size_t end = 0;              ///< offset at which the text ends
 
+  std::string_view word(std::size_t index) const;
   /// First word that is no number; `pen=0.1*g0` in mf13, `nan` anywhere.
-  std::optional<Word> junk() const;
+  std::optional<std::string_view> junk() const;
   Place place_of(std::size_t index) const;
 };
 
 Tokens tokenise(const Source& source);
-Tokens tokenise_words(std::shared_ptr<const TextMap> map, std::vector<Word> words, std::size_t end);
+/// Adds the words of a piece of `tokens.text`, which lies behind those that are there.
+void add_words(Tokens& tokens, std::size_t first, std::size_t size);
 
 /// What a number must satisfy, and the words by which a message says so.
 struct Demand {
@@ -89,6 +85,7 @@ class Cursor {
   double next_real_above(double limit, std::string_view name);
   int next_integer(std::string_view name);
   int next_integer(std::string_view name, const Demand& demand);
+  int next_integer_between(int least, int most, std::string_view name);
   /// An integer ≥ 0 that announces as many records; refused where fewer words than that follow, so that
   /// nothing is ever allocated for records that cannot exist.
   int next_count(std::string_view name);
@@ -100,7 +97,7 @@ class Cursor {
 
   std::size_t position() const { return position_; }
   std::size_t numbers_left() const { return tokens_.numbers.size() - position_; }
-  bool at_end() const { return position_ == tokens_.words.size(); }
+  bool at_end() const { return position_ == tokens_.starts.size(); }
   Place place() const { return tokens_.place_of(position_); }
   /// Throws InputError at the next token.
   [[noreturn]] void fail(std::string_view expected) const;

@@ -125,8 +125,8 @@ TEST(Commands, results_of_an_earlier_run_are_not_overwritten_unless_told_to) {
 
 TEST(Commands, a_run_that_cannot_go_on_says_why_saves_its_state_and_exits_4) {
   const std::string out = fresh_folder("failure") + "/out";
-  const ProgramRun run =
-      run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--set", "allowed_displacement_ratio=1e-9"});
+  const ProgramRun run = run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--profile", "legacy",
+                                       "--set", "allowed_displacement_ratio=1e-9"});
   EXPECT_EQ(run.exit_code, 4);
   EXPECT_TRUE(contains(run.messages, "move too far")) << run.messages;
   const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
@@ -157,7 +157,7 @@ TEST(Commands, a_cut_block_file_runs_like_its_drawing) {
 }
 
 TEST(Commands, check_names_dialect_evidence_counts_and_plan) {
-  const ProgramRun check = run_keyblock({"check", kSlide + ".geo", kSlide + ".ana"});
+  const ProgramRun check = run_keyblock({"check", kSlide + ".geo", kSlide + ".ana", "--profile", "legacy"});
   EXPECT_EQ(check.exit_code, 0);
   for (const char* part : {"[ddaml]", "7 lines", "1000 steps", "12 unknowns", "inertia", "contact"})
     EXPECT_TRUE(contains(check.output, part)) << part;

@@ -97,7 +97,7 @@ TEST(Malformed, every_input_gets_the_answer_of_the_table_quickly_and_in_little_m
     const std::string folder = testing::fresh_folder("malformed") + "/out";
     const std::string input = kFolder + row.input;
     const testing::ProgramRun run =
-        testing::run_keyblock({"run", input + ".geo", input + ".ana", "-o", folder, "--json"});
+        testing::run_keyblock({"run", input + ".geo", input + ".ana", "-o", folder, "--profile", "legacy", "--json"});
     EXPECT_LT(run.cpu_seconds, kMostSeconds);
     EXPECT_LT(run.peak_megabytes, kMostMegabytes);
     if (row.outcome == "error") {

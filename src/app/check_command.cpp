@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 struct CheckOptions {
   std::vector<std::string> files;
-  std::string profile = "legacy";
+  std::string profile;  ///< empty: that of the case file, or the default
   bool as_json = false;
 };
 
@@ -51,6 +51,15 @@ Json counts_of(const Blocks& blocks) {
           {"measured_points", blocks.measured_points.size()}};
 }
 
+Json counts_of(const Cover& cover) {
+  return {{"elements", cover.elements.size()},
+          {"covers", cover.nodes.size()},
+          {"loops", cover.loops.size()},
+          {"fixed_points", cover.fixed_points.size()},
+          {"loading_points", cover.loading_points.size()},
+          {"measured_points", cover.measured_points.size()}};
+}
+
 Json counts_of(const Analysis& analysis) {
   return {{"steps", analysis.step_count},
           {"block_materials", analysis.block_materials.size()},
@@ -63,6 +72,10 @@ Json counts_of(const formats::Content& content) {
   Json counts = Json::object();
   if (content.drawing) counts.update(counts_of(*content.drawing));
   if (content.blocks) counts.update(counts_of(*content.blocks));
+  if (content.cover) counts.update(counts_of(*content.cover));
+  if (!content.frames.empty()) counts["frames"] = content.frames.size();
+  if (!content.tracks.empty()) counts["measured_points"] = content.tracks.size();
+  if (content.motion) counts["accelerations"] = content.motion->times.size();
   if (content.analysis) counts.update(counts_of(*content.analysis));
   return counts;
 }
@@ -122,7 +135,8 @@ void print(const CaseReport& report) {
 
 /// Several geometries or analyses are no one case: each file is looked at alone.
 bool holds_several_cases(const std::vector<formats::Content>& contents) {
-  const auto geometries = std::ranges::count_if(contents, [](const auto& c) { return c.drawing || c.blocks; });
+  const auto geometries =
+      std::ranges::count_if(contents, [](const auto& c) { return c.drawing || c.blocks || c.cover; });
   const auto analyses = std::ranges::count_if(contents, [](const auto& c) { return c.analysis.has_value(); });
   return geometries > 1 || analyses > 1;
 }
@@ -136,9 +150,11 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     const Checked checked = check(formats::pair(contents));
     CaseReport report{checked.warnings, {}, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
-    const bool is_whole = checked.problem.analysis && !std::holds_alternative<std::monostate>(checked.problem.geometry);
+    const auto& geometry = checked.problem.geometry;
+    const bool is_whole = checked.problem.analysis &&
+                          (std::holds_alternative<Drawing>(geometry) || std::holds_alternative<Blocks>(geometry));
     if (!is_whole || !report.errors.empty()) return report;
-    const Prepared prepared = prepare(checked.problem, profile, {});
+    const Prepared prepared = prepare(checked.problem, profile_of(checked.problem, profile), {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
     return report;
@@ -174,9 +190,10 @@ ExitCode check_files(const CheckOptions& options) {
 Action configure_check(CLI::App& options) {
   const auto chosen = std::make_shared<CheckOptions>();
   options.add_option("files", chosen->files, "geometry and analysis files, in any order")->required();
-  options.add_option("--profile", chosen->profile, "preset of all choices that a run would take")
-      ->check(CLI::IsMember(profile_names()))
-      ->capture_default_str();
+  options
+      .add_option("--profile", chosen->profile,
+                  "preset of all choices that a run would take (default: standard, or what a case file says)")
+      ->check(CLI::IsMember(profile_names()));
   options.add_flag("--json", chosen->as_json, "print the report as JSON");
   return [chosen] { return check_files(*chosen); };
 }

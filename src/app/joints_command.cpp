@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/command.hpp"
@@ -14,7 +15,6 @@
 #include "formats/dxf.hpp"
 #include "formats/joint_spec.hpp"
 #include "formats/registry.hpp"
-#include "formats/tokens.hpp"
 
 namespace keyblock {
 namespace {
@@ -47,8 +47,11 @@ PlacedJson rows_of(const std::string& option, const std::vector<std::string>& te
   std::vector<PlacedJson> rows;
   for (const std::string& text : texts) {
     std::vector<PlacedJson> numbers;
-    for (const formats::Word& word : formats::split_words(text, formats::Syntax::native))
-      numbers.push_back(formats::json_of_word(option, word.text));
+    for (std::string_view rest = text; !rest.empty();) {
+      const std::string_view word = rest.substr(0, rest.find(','));
+      numbers.push_back(formats::json_of_word(option, word));
+      rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    }
     rows.push_back(list_of(option, std::move(numbers)));
   }
   return list_of(option, std::move(rows));

@@ -39,7 +39,7 @@ extern "C" void ask_to_stop(int) {
 
 struct RunOptions {
   std::vector<std::string> files;
-  std::string profile = "legacy";
+  std::string profile;  ///< empty: that of the case file, or the default
   std::string folder;
   std::vector<std::string> sets;
   int record_every = 0;
@@ -76,7 +76,7 @@ std::vector<Override> overrides_of(const std::vector<std::string>& sets) {
 Prepared prepare_as_asked(const Problem& problem, const RunOptions& options) {
   try {
     const std::vector<Override> overrides = overrides_of(options.sets);
-    return prepare(study::with_named_files(problem, overrides, {}), options.profile, overrides);
+    return prepare(study::with_named_files(problem, overrides, {}), profile_of(problem, options.profile), overrides);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -200,8 +200,8 @@ ExitCode run_files(const RunOptions& options) {
   if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
   Stopwatch watch;
   RunRecord record;
-  record.profile = options.profile;
   const formats::Case loaded = formats::load_case(options.files);
+  record.profile = profile_of(loaded.problem, options.profile);
   record.inputs = input_records(loaded.files);
   record.timings.read = watch.lap();
   const Prepared prepared = prepare_as_asked(loaded.problem, options);
@@ -232,7 +232,7 @@ ExitCode run_files(const RunOptions& options) {
   record.warnings = joined(record.warnings, run_warnings(prepared, record, *loaded.problem.analysis));
 
   const std::string title =
-      fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), options.profile);
+      fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);
   folder.finish(title, history, record.steps, record.ledger);
   record.outputs = folder.outputs();
   const std::string json =
@@ -248,9 +248,9 @@ ExitCode run_files(const RunOptions& options) {
 Action configure_run(CLI::App& options) {
   const auto chosen = std::make_shared<RunOptions>();
   options.add_option("files", chosen->files, "geometry (or blocks) and analysis file, or one DDAML file with both");
-  options.add_option("--profile", chosen->profile, "preset of all choices")
-      ->check(CLI::IsMember(profile_names()))
-      ->capture_default_str();
+  options
+      .add_option("--profile", chosen->profile, "preset of all choices (default: standard, or what a case file says)")
+      ->check(CLI::IsMember(profile_names()));
   options.add_option("-o,--output", chosen->folder, "folder for the results");
   options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
       ->take_all();

@@ -42,6 +42,7 @@ struct BlockMaterial {
   Stress stress_gradient;                  ///< change of the initial stress per unit of y (native tokens 8-10)
   Velocity initial_velocity;               ///< native tokens 11-13; DDAML `Ivelocity`
   std::array<double, 3> initial_strain{};  ///< DDAML `Istrain`
+  double horizontal_force = 0;             ///< force / area in x; manifold files only
   Place place;
 };
 
@@ -72,7 +73,7 @@ struct OpenCloseConstants {
   double normal_to_shear_stiffness = 2.5;  ///< h2
 };
 
-enum class AnalysisDialect { berkeley, shi, ddaml };
+enum class AnalysisDialect { berkeley, shi, ddaml, manifold };
 enum class Rotation { first_order, exact };
 
 /// An analysis file. Quantities in the file's own consistent unit set, indices from 0.
@@ -84,7 +85,7 @@ struct Analysis {
   double time_step = 0;                   ///< g1: step, or its upper limit with the automatic step, > 0
   bool automatic_time_step = false;
   bool automatic_penalty = false;
-  std::optional<double> contact_penalty;  ///< g0 of Shi's dialect, force / length; absent: penalty_factor × largest E
+  std::optional<double> contact_penalty;  ///< g0 of Shi's files, force / length; absent: penalty_factor × largest E
   double penalty_factor = 50;             ///< pfactor
   bool plane_strain = false;
   Rotation rotation = Rotation::first_order;
@@ -92,7 +93,7 @@ struct Analysis {
   int open_close_limit = 8;       ///< passes of the open-close iteration
   OpenCloseConstants open_close;
   double contact_damping = 0;             ///< DDAML `ContactDamping`
-  std::optional<double> over_relaxation;  ///< SOR factor of Shi's dialect
+  std::optional<double> over_relaxation;  ///< SOR factor of Shi's files
   std::optional<int> save_interval;       ///< DDAML `Saveinterval`, steps
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;

@@ -102,6 +102,16 @@ std::vector<InputError> impossible_blocks(const Blocks& blocks) {
   return errors;
 }
 
+std::vector<InputError> impossible_elements(const Cover& cover) {
+  std::vector<InputError> errors;
+  for (std::size_t i = 0; i < cover.elements.size(); ++i)
+    if (const double size = area(cover.polygon(cover.elements[i])); !(size > 0))
+      errors.emplace_back(cover.place,
+                          fmt::format("expected element {} of {} counter-clockwise with an area, found area {}", i + 1,
+                                      cover.elements.size(), size));
+  return errors;
+}
+
 /// Holds the problem while it is looked at and mended.
 class Checker {
  public:
@@ -138,6 +148,14 @@ class Checker {
     warn(curves_and_points(*checked_.problem.analysis, blocks.loading_points.size(), blocks.place));
   }
 
+  void look_at(Cover& cover) {
+    warn(no_fixed_points(cover.fixed_points.size(), cover.place));
+    for (InputError& error : impossible_elements(cover)) checked_.errors.push_back(std::move(error));
+    if (!checked_.problem.analysis) return;
+    clamp_materials(cover, *checked_.problem.analysis);
+    warn(curves_and_points(*checked_.problem.analysis, cover.loading_points.size(), cover.place));
+  }
+
   void warn(const Warnings& more) { checked_.warnings.insert(checked_.warnings.end(), more.begin(), more.end()); }
 
   void drop_zero_length_lines(Drawing& drawing) {
@@ -168,6 +186,15 @@ class Checker {
     }
     warn(joint.warnings("joint_material_clamped", "edges"));
     warn(material.warnings("block_material_clamped", "blocks"));
+  }
+
+  void clamp_materials(Cover& cover, const Analysis& analysis) {
+    Clamp joint("joint material", analysis.joint_materials.size());
+    Clamp material("block material", analysis.block_materials.size());
+    for (CoverElement& element : cover.elements) element.material = material(element.material, cover.place);
+    for (LoopVertex& vertex : cover.loop_vertices) vertex.joint_material = joint(vertex.joint_material, cover.place);
+    warn(joint.warnings("joint_material_clamped", "edges"));
+    warn(material.warnings("block_material_clamped", "elements"));
   }
 
   /// By the type of the bolt. One whose drawing states its properties (native files) keeps them.

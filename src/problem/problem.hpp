@@ -9,15 +9,19 @@
 #include "base/error.hpp"
 #include "problem/analysis.hpp"
 #include "problem/blocks.hpp"
+#include "problem/cover.hpp"
 #include "problem/drawing.hpp"
+#include "problem/run_choices.hpp"
 
 namespace keyblock {
 
 /// What the files of a case say together. A geometry or an analysis alone is a problem too, though none to
 /// run.
 struct Problem {
-  std::variant<std::monostate, Drawing, Blocks> geometry;
+  std::variant<std::monostate, Drawing, Blocks, Cover> geometry;
   std::optional<Analysis> analysis;
+  Units units = {};         ///< as a case file names them
+  RunChoices choices = {};  ///< of a case file
 };
 
 /// A problem made sound, and what was said about it: warnings for what was mended, errors for what cannot be.

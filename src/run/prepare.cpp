@@ -54,6 +54,9 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   const auto is_strained = [](const BlockMaterial& m) { return m.initial_strain != std::array<double, 3>{}; };
   if (std::ranges::any_of(analysis.block_materials, is_strained))
     warn("initial_strain_without_effect", "initial strains are read, but move nothing, as in the old program");
+  const auto is_pushed = [](const BlockMaterial& m) { return m.horizontal_force != 0; };
+  if (std::ranges::any_of(analysis.block_materials, is_pushed))
+    warn("horizontal_force_without_effect", "horizontal body forces are read, but act on elements of a cover only");
   if (analysis.over_relaxation)
     warn("over_relaxation_without_effect", "the over-relaxation factor is read; the equations are solved directly");
   return warnings;
@@ -110,11 +113,20 @@ Place place_of(const Problem& problem) {
 
 }  // namespace
 
+std::string profile_of(const Problem& problem, const std::string& asked) {
+  if (!asked.empty()) return asked;
+  return problem.choices.profile.empty() ? "standard" : problem.choices.profile;
+}
+
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry))
+    throw InputError(cover->place, "expected a drawing or blocks to run, found a manifold cover: read, not yet run");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
-  const Settings settings = settings_of(*problem.analysis, profile, overrides);
+  std::vector<Override> all = problem.choices.settings;
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  const Settings settings = settings_of(*problem.analysis, profile, all);
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));

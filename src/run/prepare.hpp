@@ -27,8 +27,12 @@ struct Prepared {
   Scene scene;
 };
 
+/// The profile asked for; where none is, that of the case file; where that names none, `standard`.
+std::string profile_of(const Problem& problem, const std::string& asked);
+
 /// The scene of a problem with geometry and analysis. Throws InputError where one is missing, lines close no block, or
 /// motions do not fit the points; std::invalid_argument for a profile, setting or value that is none.
+/// Settings of a case file count below the overrides.
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 }  // namespace keyblock

@@ -43,8 +43,9 @@ Settings legacy(const Analysis& analysis) {
   settings.allowed_displacement_ratio = analysis.allowed_displacement_ratio;
   settings.pass_limit = analysis.open_close_limit;
   settings.open_close = analysis.open_close;
-  settings.quirks.start_velocity_slots = analysis.dialect != AnalysisDialect::shi;
-  settings.quirks.weight_of_first_material = analysis.dialect != AnalysisDialect::shi;
+  const bool is_berkeleys = analysis.dialect == AnalysisDialect::berkeley || analysis.dialect == AnalysisDialect::ddaml;
+  settings.quirks.start_velocity_slots = is_berkeleys;
+  settings.quirks.weight_of_first_material = is_berkeleys;
   return settings;
 }
 

@@ -45,7 +45,7 @@ struct Split {
 
 Split split(const StandardScene& scene, const Motion& start, const Touches& touches, double slow) {
   const ContactRows rows = contact_rows(scene.model, scene.reference, start.q, touches);
-  const Eigen::VectorXd speeds = rates(rows, start.v);
+  const Eigen::VectorXd speeds = rates(rows, rigid_part(start.v));
   const bool springs_stop = scene.settings.standard.impact == ImpactLaw::springs;
   Split parts;
   for (std::size_t i = 0; i < touches.size(); ++i) {
@@ -71,6 +71,7 @@ class Attempt {
         loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
     scales_ = scales_of(scene, loads_, start.v);
     found_ = touches_of(scene, start, scales_, dt);
+    leave_overlaps(scene, start, scales_, found_.touches);
     least_force_ = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
   }
 
@@ -112,8 +113,9 @@ class Attempt {
       step_.fallbacks += smooth_.sweeps > 0 ? 1 : 0;
       if (!smooth_.converged) return;
       const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
-      const Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_);
+      Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_);
       if (fresh.empty()) return;
+      leave_overlaps(scene_, start_, scales_, fresh);
       found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
     }
   }
@@ -136,10 +138,10 @@ class Attempt {
     drop_passed();
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd speeds =
-        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), step_.motion.v);
+        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), rigid_part(step_.motion.v));
     std::vector<Meeting> meetings;
     for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
-      const double gap = gap_of(parts_.impacts[i], vertices);
+      const double gap = gap_of(parts_.impacts[i], vertices) - parts_.impacts[i].rest_gap;
       if (gap > kMeeting * scales_.size) continue;
       meetings.push_back(meeting(parts_.impacts[i], parts_.impact_speeds[i], speeds[static_cast<Eigen::Index>(2 * i)],
                                  std::max(0.0, -gap)));

@@ -11,6 +11,7 @@
 #include "formats/joint_spec.hpp"
 #include "formats/registry.hpp"
 #include "tests/formats/dxf_samples.hpp"
+#include "tests/support/two_triangles.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -30,9 +31,18 @@ std::string block_file() {
 
 /// One sound file of each kind.
 std::vector<std::string> sound_files() {
-  std::vector<std::string> texts{block_file(), kDxfSample,
-                                 "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 "
-                                 "0 0 0 0 0 0 0\n30 0 0\n1.5\n"};
+  std::vector<std::string> texts{
+      block_file(),
+      kDxfSample,
+      "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 "
+      "0 0 0 0 0 0 0\n30 0 0\n1.5\n",
+      testing::kTwoTrianglesFile,
+      "1 1 1 7\n1 0 0\n0 0 0\n1 1 3\n9 9 9\n1 0 0\n1 1 0\n1 0 1\n1 0 0\n0 0 0\n0 0 0\n0 0 0\n"
+      "0 0 1 0 1 1 5 6 7\n0 0 0 0\n0 .1 .1 1\n",
+      "measpoint1=[\n1 .1 .1 5 6 0 0 0 0\n];\n",
+      "a quake\n3\n.1 .2 .3\n",
+      ".01 3\n.1\n.2\n.3\n",
+      "1 5 1 1 .01 .1 50\n2 -3\n.1 0 -1 10 .2  0 0 0 0 0 0 0 0 0\n30 0 0\n1.5 0 0 0\n"};
   for (const char* name : {"00_control_xml.geo", "00_control_xml.ana", "00_control_orig.geo", "00_control_orig.ana"})
     texts.push_back(load(kFolder + name).text);
   return texts;

@@ -72,6 +72,17 @@ TEST(DdaAnalysis, shi_curves_go_to_fixed_and_loading_points) {
   EXPECT_EQ(analysis.block_materials.at(0).density, 5);
 }
 
+TEST(DdaAnalysis, shi_text_has_a_flag_for_every_point_of_the_blocks_and_two_rows_for_a_constant) {
+  Content content = read({"f", shi("0 2 3\n0 0 0 5 .1 .2\n0 10 20 1 30 40 2 0 0")}, {2, 1}).content;
+  content.analysis->point_loads = {{{0}, {{7, 8}}, {}}};
+  content.blocks.emplace();
+  content.blocks->fixed_points.resize(3);
+  content.blocks->loading_points.resize(2);
+  const std::string text = kDdaAnalysisShi.write(content);
+  EXPECT_NE(text.find("1e+07\n0\n2\n0\n2\n0\n0 0 0\n5 0.1 0.2\n0 7 8\n1e+05 7 8\n5 161 "), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with("\n1.5\n"));
+}
+
 TEST(DdaAnalysis, shi_file_without_curves_is_read_without_geometry) {
   const Reading reading = read({"f", shi("0 0 0")});
   EXPECT_EQ(reading.content.analysis->dialect, AnalysisDialect::shi);

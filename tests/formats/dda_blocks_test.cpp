@@ -57,6 +57,12 @@ TEST(DdaBlocks, points_of_three_numbers_are_recognised_by_the_total) {
   EXPECT_EQ(reading.content.blocks->loading_points.at(0).block, 1);
 }
 
+TEST(DdaBlocks, points_of_three_numbers_are_written_on_request) {
+  const std::string three = kDdaBlocksOfThree.write({{}, two_squares(), {}});
+  EXPECT_TRUE(three.ends_with("\n0.5 0.1 1\n1.5 0.9 2\n1.5 0.5 2\n0.5 0.5 1\n"));
+  EXPECT_EQ(kDdaBlocks.write(read({"f", three}).content), kDdaBlocks.write({{}, two_squares(), {}}));
+}
+
 TEST(DdaBlocks, materials_of_leaving_edges_are_found_out_and_moved) {
   const Reading reading = read({"f", kRanges + kLeavingSlots + "0 .5 .1 1\n2 1.5 .9 2\n1 1.5 .5 2\n"});
   EXPECT_EQ(names(reading.warnings), std::vector<std::string>{"leaving_edge_materials"});

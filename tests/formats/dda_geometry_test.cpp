@@ -8,6 +8,7 @@
 
 #include "formats/registry.hpp"
 #include "tests/formats/reading.hpp"
+#include "tests/support/content_text.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -78,6 +79,16 @@ TEST(DdaGeometry, bolts_of_none_four_seven_and_nine_numbers_are_read) {
   EXPECT_EQ(names(nine.warnings), std::vector<std::string>{"bolts_with_block_numbers"});
   EXPECT_EQ(nine.content.drawing->bolts.at(1).pretension, 5);
   EXPECT_EQ(nine.content.drawing->fixed_lines.at(0).segment.start, (Point{.5, .1}));
+}
+
+TEST(DdaGeometry, bolts_of_every_variant_are_written_with_seven_numbers_and_read_back) {
+  const std::string head = "0.01 3 0 0 2 1 0 0 0\n" + kLines;
+  for (const std::string bolt : {"", ".1 .1 .9 .1\n", ".1 .1 .9 .1 1e6 0 5\n", ".1 .1 .9 .1 1 2 1e6 0 5\n"}) {
+    const Content content = read({"f", head + bolt + bolt + ".5 .1 .5 .1\n"}).content;
+    const Reading again = read({"f", kDdaGeometry.write(content)});
+    EXPECT_EQ(again.warnings, Warnings{}) << bolt;
+    EXPECT_EQ(keyblock::testing::content_text(again.content), keyblock::testing::content_text(content)) << bolt;
+  }
 }
 
 TEST(DdaGeometry, head_without_hole_count_is_a_named_variant) {

@@ -201,4 +201,40 @@ TEST(Ddaml, a_million_nested_elements_do_no_harm) {
   EXPECT_NE(error_of(geometry("<Jointlist><Joint type='1'>" + open + close + "</Joint></Jointlist>")), "");
 }
 
+TEST(Ddaml, boundary_lines_may_state_a_joint_material) {
+  const Drawing drawing =
+      *read({"f", geometry("<Boundlist><Line>0 0 1 0</Line><Line type='3'>1 0 1 1</Line></Boundlist>")})
+           .content.drawing;
+  ASSERT_EQ(drawing.boundary_count, 2u);
+  EXPECT_EQ(drawing.joints[0].joint_material, 0);
+  EXPECT_EQ(drawing.joints[1].joint_material, 2);
+}
+
+TEST(Ddaml, text_written_of_both_parts_is_read_without_a_warning_and_written_again_the_same) {
+  const Content content =
+      read({"f", document(kGeometry + "<Analysis>" + kControls + kBlockMaterial + kJointMaterial + "</Analysis>")})
+          .content;
+  const std::string text = kDdaml.write(content);
+  const Reading again = read({"f", text});
+  EXPECT_EQ(again.warnings, Warnings{});
+  EXPECT_EQ(kDdaml.write(again.content), text);
+}
+
+TEST(Ddaml, what_native_files_say_in_other_words_is_turned_into_those_of_ddaml) {
+  Content content = read({"f", "0.01 1 0 0 2 0 0 0 0\n0 0 1 0 1\n0 0 1 0 1e6 2e3 50\n0 1 1 1 1e6 2e3 50\n"}).content;
+  EXPECT_THROW(kDdaml.write(content), std::invalid_argument);  // properties of bolts stand in the analysis
+  content.analysis = read({"f", "1 20 1 1 .006 .01 3e7\n0\n5 160 1e6 .25\n0 0 0\n0 0 0\n0 0 0\n30 0 0\n"},
+                          {0, 1, GeometryKind::blocks})
+                         .content.analysis;
+  const Content read_back = read({"f", kDdaml.write(content)}).content;
+  EXPECT_EQ(read_back.analysis->penalty_factor, 30);  // 3e7 over the modulus of 1e6
+  EXPECT_EQ(read_back.analysis->gravity, 32);         // 160 over 5
+  EXPECT_EQ(read_back.analysis->point_loads.at(0).at(1), (Point{0, 0}));
+  ASSERT_EQ(read_back.analysis->bolt_properties.size(), 1u);
+  EXPECT_EQ(read_back.analysis->bolt_properties[0].strength, 2e3);
+  EXPECT_EQ(read_back.drawing->bolts.at(1).type, 0);
+  content.analysis->velocity_carry_over = 0.5;
+  EXPECT_THROW(kDdaml.write(content), std::invalid_argument);
+}
+
 }  // namespace keyblock::formats

@@ -59,8 +59,6 @@ TEST(Registry, relatives_that_are_not_read_yet_are_named) {
   EXPECT_EQ(recognised("#!0xDDA-v1.5\n1 2 3"), "dda-extended");
   EXPECT_NE(error_of("#!0xDDA-v1.5").find("recognised, not yet read"), std::string::npos);
   EXPECT_EQ(recognised("1 0.25 0.5 100"), "disk-dda");
-  EXPECT_EQ(recognised("1 0 0 0 4 3 1 4 1 4 1  0 0 1 0 0 1 0 0  0 0 2 0 0 2  1 2 3  1 3  1 1 2 1 3 1 1 1"),
-            "nmm-cover");
   EXPECT_EQ(recognised("0.7 10 1 1 .01 .1 500  .1 0 -1 10 .2  0 0 0 0 0 0 0 0 0  30 0 0  1.5 0 0 0\npen=1"),
             "nmm-analysis");
 }

@@ -45,7 +45,7 @@ TEST(Tokens, byte_order_mark_is_no_column) {
 TEST(Tokens, what_follows_the_leading_numbers_is_junk_with_its_place) {
   const Tokens tokens = tokens_of("1 2\npen=0.1*g0;%contact force penalty");
   ASSERT_TRUE(tokens.junk());
-  EXPECT_EQ(tokens.junk()->text, "pen=0.1*g0");
+  EXPECT_EQ(*tokens.junk(), "pen=0.1*g0");
   EXPECT_EQ(tokens.place_of(2), (Place{"f", 2, 1}));
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/support/scenes.hpp"
+#include "tests/support/two_triangles.hpp"
 
 namespace keyblock {
 namespace {
@@ -124,6 +125,19 @@ TEST(Prepare, what_is_read_but_has_no_effect_is_warned_of) {
   analysis.block_materials[0].damping = 0.1;
   EXPECT_EQ(names(prepare({one_block(), analysis}, "legacy", {}).warnings),
             (std::vector<std::string>{"contact_damping_without_effect", "damping_without_effect"}));
+}
+
+TEST(Prepare, horizontal_body_forces_are_warned_of_beside_blocks) {
+  Analysis analysis = analysis_of_file();
+  analysis.block_materials[0].horizontal_force = 1;
+  EXPECT_EQ(names(prepare({one_block(), analysis}, "legacy", {}).warnings),
+            (std::vector<std::string>{"horizontal_force_without_effect"}));
+}
+
+TEST(Prepare, a_cover_is_refused_by_name) {
+  Cover cover = testing::two_triangles();
+  cover.place = {"cv01", 0, 0};
+  expect_contains(complaint({cover, analysis_of_file()}), "cv01: error: expected a drawing or blocks to run");
 }
 
 }  // namespace keyblock

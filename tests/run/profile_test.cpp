@@ -26,14 +26,16 @@ TEST(Profile, gravity_of_native_files_is_that_of_the_first_material) {
   EXPECT_DOUBLE_EQ(-profile_settings("legacy", analysis).gravity.y, 9.81);
 }
 
-// Shi's dialect names start velocity and stress gradient apart and weighs each material by itself.
-TEST(Profile, quirks_of_berkeley_material_slots_are_off_in_shis_dialect) {
+// Shi's dialects name start velocity and stress gradient apart and weigh each material by itself.
+TEST(Profile, quirks_of_berkeley_material_slots_are_off_in_shis_dialects) {
   Analysis analysis = testing::plain_analysis(1e-3, 1);
   EXPECT_TRUE(profile_settings("legacy", analysis).quirks.start_velocity_slots);
   EXPECT_TRUE(profile_settings("legacy", analysis).quirks.weight_of_first_material);
-  analysis.dialect = AnalysisDialect::shi;
-  EXPECT_FALSE(profile_settings("legacy", analysis).quirks.start_velocity_slots);
-  EXPECT_FALSE(profile_settings("legacy", analysis).quirks.weight_of_first_material);
+  for (const AnalysisDialect dialect : {AnalysisDialect::shi, AnalysisDialect::manifold}) {
+    analysis.dialect = dialect;
+    EXPECT_FALSE(profile_settings("legacy", analysis).quirks.start_velocity_slots);
+    EXPECT_FALSE(profile_settings("legacy", analysis).quirks.weight_of_first_material);
+  }
 }
 
 TEST(Profile, a_name_that_is_none_is_refused) {

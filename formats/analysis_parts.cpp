@@ -1,0 +1,124 @@
+// Reads and writes the parts that native analysis files share.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/analysis_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/demands.hpp"
+#include "formats/numbers.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+constexpr double kPenaltyFactor = 50;  // of the old programs, over the largest Young's modulus
+
+int next_material_count(Cursor& cursor, std::string_view name) {
+  const Place place = cursor.place();
+  const int count = cursor.next_count(name);
+  if (count == 0) throw InputError(place, fmt::format("expected {} (1 or more), found \"0\"", name));
+  return count;
+}
+
+JointMaterial next_joint_material(Cursor& cursor) {
+  JointMaterial material;
+  material.place = cursor.place();
+  material.friction_angle_deg = cursor.next_real("the friction angle", kFrictionAngle);
+  material.cohesion = cursor.next_real("the cohesion", kNotNegative);
+  material.tensile_strength = cursor.next_real("the tensile strength", kNotNegative);
+  return material;
+}
+
+std::string line(double a, double b, double c) {
+  return fmt::format("{} {} {}\n", format_real(a), format_real(b), format_real(c));
+}
+
+double largest_modulus(const Analysis& analysis) {
+  double largest = 0;
+  for (const BlockMaterial& material : analysis.block_materials) largest = std::max(largest, material.youngs_modulus);
+  return largest;
+}
+
+}  // namespace
+
+std::pair<Analysis, MaterialCounts> next_controls(Cursor& cursor, AnalysisDialect dialect) {
+  Analysis analysis;
+  analysis.dialect = dialect;
+  analysis.automatic_time_step = true;
+  analysis.automatic_penalty = true;
+  analysis.penalty_factor = kPenaltyFactor;
+  analysis.place = {cursor.place().file};
+  analysis.velocity_carry_over = cursor.next_real("the velocity carry-over (0 static, 1 dynamic)", kShare);
+  analysis.step_count = cursor.next_integer("the number of time steps", kStepCount);
+  MaterialCounts counts;
+  counts.blocks = next_material_count(cursor, "the number of block materials");
+  counts.joints = next_material_count(cursor, "the number of joint materials");
+  analysis.allowed_displacement_ratio = cursor.next_real("the allowed displacement ratio", kPositive);
+  analysis.time_step = cursor.next_real("the upper limit of the time step", kPositive);
+  return {std::move(analysis), counts};
+}
+
+Warnings next_contact_stiffness(Cursor& cursor, Analysis& analysis) {
+  const Place place = cursor.place();
+  const double stiffness = cursor.next_real("the contact stiffness", kNotNegative);
+  if (stiffness > 0) analysis.contact_penalty = stiffness;
+  if (stiffness > 0) return {};
+  return {{"contact_stiffness_zero", place,
+           "contact stiffness 0 taken as \"program chooses\": 50 × the largest Young's modulus"}};
+}
+
+Stress next_stress(Cursor& cursor, std::string_view xx, std::string_view yy, std::string_view xy) {
+  Stress stress;
+  stress.xx = cursor.next_real(xx);
+  stress.yy = cursor.next_real(yy);
+  stress.xy = cursor.next_real(xy);
+  return stress;
+}
+
+Velocity next_velocity(Cursor& cursor) {
+  Velocity velocity;
+  velocity.x = cursor.next_real("the initial velocity in x");
+  velocity.y = cursor.next_real("the initial velocity in y");
+  velocity.rotation = cursor.next_real("the initial rotation rate");
+  return velocity;
+}
+
+std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count) {
+  std::vector<JointMaterial> materials;
+  for (int i = 0; i < count; ++i) {
+    cursor.enter({"joint material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
+    materials.push_back(next_joint_material(cursor));
+  }
+  cursor.leave();
+  return materials;
+}
+
+std::string controls_text(const Analysis& analysis) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", format_real(analysis.velocity_carry_over), analysis.step_count,
+                     analysis.block_materials.size(), analysis.joint_materials.size(),
+                     format_real(analysis.allowed_displacement_ratio), format_real(analysis.time_step));
+}
+
+std::string contact_stiffness_text(const Analysis& analysis) {
+  const bool program_chooses = !analysis.contact_penalty && analysis.penalty_factor == kPenaltyFactor;
+  const double by_factor = program_chooses ? 0 : analysis.penalty_factor * largest_modulus(analysis);
+  return format_real(analysis.contact_penalty.value_or(by_factor)) + '\n';
+}
+
+std::string text_of(const Stress& stress) {
+  return line(stress.xx, stress.yy, stress.xy);
+}
+
+std::string text_of(const Velocity& velocity) {
+  return line(velocity.x, velocity.y, velocity.rotation);
+}
+
+std::string text_of(const std::vector<JointMaterial>& materials) {
+  std::string text;
+  for (const JointMaterial& material : materials)
+    text += line(material.friction_angle_deg, material.cohesion, material.tensile_strength);
+  return text;
+}
+
+}  // namespace keyblock::formats

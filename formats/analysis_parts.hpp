@@ -1,0 +1,36 @@
+// What the native analysis files of the DDA and the manifold programs have in common: controls, joint materials, stiffness.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formats/tokens.hpp"
+#include "problem/analysis.hpp"
+
+namespace keyblock::formats {
+
+struct MaterialCounts {
+  int blocks = 0;
+  int joints = 0;
+};
+
+/// The head `k01 n5 nb nj g2 g1`, and the choices Berkeley's reader makes for what no native file says.
+std::pair<Analysis, MaterialCounts> next_controls(Cursor& cursor, AnalysisDialect dialect);
+
+/// `g0` into the analysis; 0 means the program chooses, with a warning.
+Warnings next_contact_stiffness(Cursor& cursor, Analysis& analysis);
+
+Stress next_stress(Cursor& cursor, std::string_view xx, std::string_view yy, std::string_view xy);
+Velocity next_velocity(Cursor& cursor);
+std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count);
+
+/// The same parts as text; the stiffness is 0 where the program chooses as it does by itself.
+std::string controls_text(const Analysis& analysis);
+std::string contact_stiffness_text(const Analysis& analysis);
+std::string text_of(const Stress& stress);
+std::string text_of(const Velocity& velocity);
+std::string text_of(const std::vector<JointMaterial>& materials);
+
+}  // namespace keyblock::formats

@@ -1,0 +1,141 @@
+// Reads, checks references of, and writes the case file; keys in case_fields.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/keyblock_case.hpp"
+
+#include "formats/case_fields.hpp"
+#include "formats/case_reading.hpp"
+#include "formats/case_writing.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+constexpr std::string_view kMark = "\"keyblock\"";
+constexpr Demand kVersion{[](double v) { return v == kCaseVersion; }, "version 1"};
+constexpr std::size_t kFewestCorners = 3;
+
+Recognition recognise(const Source& source) {
+  using Fit = Recognition::Fit;
+  const std::string_view text = without_bom(source.text);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos ||
+      (text[first] != '{' && text.substr(first, 2) != "//" && text.substr(first, 2) != "/*"))
+    return {};
+  if (text.find(kMark) == std::string_view::npos)
+    return {Fit::damaged, "it begins like JSON, without the key \"keyblock\""};
+  return {Fit::exact, "JSON with the key \"keyblock\""};
+}
+
+[[noreturn]] void fail(const Place& place, std::string_view expected, long long found) {
+  throw InputError(place, fmt::format("expected {}, found {}", expected, found));
+}
+
+// A number, from 0, of one of `count` things.
+void require_one_of(int index, std::size_t count, std::string_view noun, const Place& place) {
+  if (index < 0 || static_cast<std::size_t>(index) >= count)
+    fail(place, fmt::format("the number of a {}, 1 to {}", noun, count), static_cast<long long>(index) + 1);
+}
+
+void check(const Drawing& drawing) {
+  if (drawing.boundary_count > drawing.joints.size())
+    fail(drawing.place, fmt::format("a boundary_count of at most {}, the number of joints", drawing.joints.size()),
+         static_cast<long long>(drawing.boundary_count));
+}
+
+void check(const Blocks& blocks) {
+  const std::size_t count = blocks.blocks.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const BlockPolygon& block = blocks.blocks[i];
+    const auto require_corners = [&](const BlockLoop& loop) {
+      if (loop.size() < kFewestCorners)
+        fail(blocks.place, fmt::format("{} corners at least in each loop of block {}", kFewestCorners, i + 1),
+             static_cast<long long>(loop.size()));
+    };
+    require_corners(block.outer);
+    for (const BlockLoop& hole : block.holes) require_corners(hole);
+  }
+  for (const auto* points : {&blocks.fixed_points, &blocks.loading_points, &blocks.measured_points})
+    for (const BlockPoint& point : *points) require_one_of(point.block, count, "block", point.place);
+  for (const BlockBolt& bolt : blocks.bolts)
+    for (const int block : {bolt.first_block, bolt.second_block}) require_one_of(block, count, "block", blocks.place);
+}
+
+// The first slot stands again behind the last one.
+void require_slots(const SlotRange& range, std::size_t count, std::string_view noun, const Place& place) {
+  require_one_of(range.first, count, noun, place);
+  if (range.size < static_cast<int>(kFewestCorners) ||
+      static_cast<std::size_t>(range.first) + static_cast<std::size_t>(range.size) >= count)
+    fail(place, fmt::format("a range of {}s that ends before number {}", noun, count),
+         static_cast<long long>(range.first) + range.size + 1);
+}
+
+void check(const Cover& cover) {
+  for (const CoverElement& element : cover.elements) {
+    require_slots(element.vertices, cover.vertices.size(), "vertex slot", cover.place);
+    for (const int node : element.covers) require_one_of(node, cover.nodes.size(), "physical cover", cover.place);
+  }
+  for (const SlotRange& loop : cover.loops) require_slots(loop, cover.loop_vertices.size(), "loop vertex", cover.place);
+  for (const LoopVertex& vertex : cover.loop_vertices)
+    require_one_of(vertex.slot, cover.vertices.size(), "vertex slot", cover.place);
+  for (const auto* points : {&cover.fixed_points, &cover.loading_points, &cover.measured_points})
+    for (const CoverPoint& point : *points)
+      require_one_of(point.element, cover.elements.size(), "element", point.place);
+}
+
+void check(const Analysis& analysis) {
+  if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
+  if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
+  if (!analysis.plane_strain) return;
+  for (const BlockMaterial& material : analysis.block_materials)
+    if (!kPoissonPlaneStrain.holds(material.poissons_ratio))
+      throw InputError(material.place, fmt::format("expected poissons_ratio {}, found {}", kPoissonPlaneStrain.wording,
+                                                   material.poissons_ratio));
+}
+
+template <class Part>
+void check(std::optional<Part>& part) {
+  if (part) check(*part);
+}
+
+template <class Part>
+void name_file(std::optional<Part>& part, const std::string& file) {
+  if (part) part->place = {file};
+}
+
+Reading read(const Source& source, const ReadHint&) {
+  const JsonText text(source);
+  if (text.root().kind() != JsonKind::object) text.root().fail("an object");
+  Reading reading;
+  Content& content = reading.content;
+  CaseReading fields(text.root(), "the case file");
+  int version = 0;
+  fields.integer("keyblock", version, kVersion);
+  describe(fields, content);
+  fields.finish();
+  const int geometries = (content.drawing ? 1 : 0) + (content.blocks ? 1 : 0) + (content.cover ? 1 : 0);
+  if (geometries > 1) text.root().fail("one of drawing, blocks and cover");
+  check(content.drawing);
+  check(content.blocks);
+  check(content.cover);
+  check(content.analysis);
+  name_file(content.drawing, source.name);
+  name_file(content.blocks, source.name);
+  name_file(content.cover, source.name);
+  name_file(content.analysis, source.name);
+  return reading;
+}
+
+std::string write(const Content& content) {
+  std::string text;
+  CaseWriting fields(text, CaseWriting::Shape::object, 0);
+  fields.integer("keyblock", kCaseVersion, {});
+  describe(fields, content);
+  fields.finish();
+  text += '\n';
+  return text;
+}
+
+}  // namespace
+
+const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read, write};
+
+}  // namespace keyblock::formats

@@ -1,0 +1,28 @@
+// Keyblock's own case file: one JSON text that holds whatever Keyblock models.
+//
+// An object; comments as in C++ are allowed. Numbers of blocks, materials, slots … count from 1. Angles in degrees, all else in
+// one consistent set of units, which the file names. Keys, in any order; what is absent keeps its default:
+//   keyblock   1, the version of the layout: needed
+//   units      length, mass, time: names of the base units
+//   drawing | blocks | cover    the geometry: lines that are cut to blocks, blocks, or elements on covers; lists of rows
+//   analysis   controls, materials, loads in time
+//   motion     rows time, x, y: acceleration over gravity
+//   run        profile, and `set`: settings as `keyblock run --set` takes them
+// `case_fields.hpp` names every key; `keyblock formats --schema` prints them as JSON Schema.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "formats/format.hpp"
+
+namespace keyblock::formats {
+
+inline constexpr int kCaseVersion = 1;
+
+extern const Format kKeyblockCase;
+
+/// The layout as JSON Schema (draft 2020-12).
+std::string case_schema();
+
+}  // namespace keyblock::formats

@@ -1,0 +1,80 @@
+// The case file: what it holds lands in its place, and what it must not hold is named where it stands.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/keyblock_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/formats/reading.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+const std::string kSquare = R"({
+ "keyblock": 1, // the version
+ "units": {"length": "m", "mass": "kg", "time": "s"},
+ "blocks": {
+  "blocks": [{"material": 1, "outer": [[0, 0, 1], [1, 0, 2], [1, 1, 1]]}],
+  "fixed_points": [[0.25, 0.125, 1]]
+ },
+ "analysis": {
+  "step_count": 10, "time_step": 0.01, "allowed_displacement_ratio": 0.1,
+  "block_materials": [{"density": 2500, "youngs_modulus": 5e9, "initial_stress": [1, 2, 3]}],
+  "joint_materials": [{"friction_angle_deg": 30}]
+ },
+ "run": {"profile": "standard", "set": {"motion": "static"}}
+})";
+
+std::string with(const std::string& old_text, const std::string& new_text) {
+  std::string text = kSquare;
+  return text.replace(text.find(old_text), old_text.size(), new_text);
+}
+
+}  // namespace
+
+TEST(KeyblockCase, what_it_holds_lands_in_its_place) {
+  const Reading reading = read({"f", kSquare});
+  const Content& content = reading.content;
+  EXPECT_EQ(content.units, (Units{"m", "kg", "s"}));
+  const BlockPolygon& block = content.blocks->blocks.at(0);
+  EXPECT_EQ(block.material, 0);
+  EXPECT_EQ(block.outer.at(1), (BlockVertex{{1, 0}, 1}));
+  EXPECT_EQ(content.blocks->fixed_points.at(0).position, (Point{0.25, 0.125}));
+  EXPECT_EQ(content.blocks->fixed_points.at(0).place, (Place{"f", 6, 20}));
+  EXPECT_EQ(content.analysis->step_count, 10);
+  EXPECT_EQ(content.analysis->block_materials.at(0).initial_stress, (Stress{1, 2, 3}));
+  EXPECT_EQ(content.analysis->penalty_factor, Analysis{}.penalty_factor);
+  EXPECT_EQ(content.choices, (RunChoices{"standard", {{"motion", "static"}}}));
+}
+
+TEST(KeyblockCase, faults_are_named_where_they_stand) {
+  EXPECT_EQ(error_of(with("\"keyblock\": 1", "\"keyblock\": 2")),
+            "f:2:14: error: expected keyblock of the case file: version 1, found 2");
+  EXPECT_EQ(error_of(with("friction_angle_deg", "phi")),
+            "f:11:24: error: expected a key of joint_materials: friction_angle_deg, cohesion, tensile_strength, found "
+            "\"phi\"");
+  EXPECT_EQ(
+      error_of(with("30", "\"30\"")),
+      "f:11:46: error: expected friction_angle_deg of joint_materials: at least 0 and below 90 degrees, found \"30\"");
+  EXPECT_EQ(error_of(with("[1, 0, 2]", "[1, 0]")), "f:5:51: error: expected joint_material of outer, found an array");
+  EXPECT_EQ(error_of(with("[1, 0, 2]", "[1, 0, 2, 3]")),
+            "f:5:61: error: expected the end of outer: x, y, joint_material, found 3");
+  EXPECT_EQ(error_of(with("0.125, 1]", "0.125, 2]")), "f:6:20: error: expected the number of a block, 1 to 1, found 2");
+  EXPECT_EQ(
+      error_of(with("\"step_count\": 10, ", "")),
+      "f:8:14: error: expected the key step_count of analysis: a whole number from 1 to 100000000, found an object");
+  EXPECT_EQ(error_of(with("\"run\"", "\"units\"")),
+            "f:13:2: error: expected each key of the case file once, found \"units\"");
+}
+
+TEST(KeyblockCase, the_schema_knows_the_keys_of_the_file) {
+  const auto schema = nlohmann::json::parse(case_schema());
+  const auto file = nlohmann::json::parse(kSquare, nullptr, true, true);
+  for (const auto& [key, value] : file.items()) EXPECT_TRUE(schema["properties"].contains(key)) << key;
+  const auto& analysis = schema["properties"]["analysis"]["properties"];
+  for (const auto& [key, value] : file["analysis"].items()) EXPECT_TRUE(analysis.contains(key)) << key;
+  EXPECT_EQ(schema["properties"]["blocks"]["properties"]["fixed_points"]["items"]["prefixItems"].size(), 3U);
+}
+
+}  // namespace keyblock::formats

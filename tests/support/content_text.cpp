@@ -1,0 +1,122 @@
+// Lists drawings, blocks, covers and analyses field by field.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/content_text.hpp"
+
+#include <fmt/format.h>
+
+namespace keyblock::testing {
+namespace {
+
+class Lister {
+ public:
+  void list(const Drawing& d) {
+    line("drawing {:a} {}", d.edge_node_ratio, d.boundary_count);
+    for (const auto& j : d.joints) line("joint {} {}", text(j.segment), j.joint_material);
+    for (const auto& m : d.material_lines) line("material line {} {}", text(m.segment), m.block_material);
+    for (const auto& b : d.bolts)
+      line("bolt {} {:a} {:a} {:a} {}", text(b.segment), b.stiffness, b.strength, b.pretension, b.type);
+    for (const auto& f : d.fixed_lines) line("fixed {}", text(f.segment));
+    for (const auto& p : d.loading_points) line("loading {}", text(p.position));
+    for (const auto& p : d.measured_points) line("measured {}", text(p.position));
+    for (const auto& p : d.hole_points) line("hole {}", text(p.position));
+  }
+
+  void list(const Blocks& blocks) {
+    for (const auto& block : blocks.blocks) {
+      line("block {}", block.material);
+      for (const auto& v : block.outer) line("vertex {} {}", text(v.position), v.joint_material);
+      for (const auto& hole : block.holes) {
+        line("hole");
+        for (const auto& v : hole) line("vertex {} {}", text(v.position), v.joint_material);
+      }
+    }
+    for (const auto& b : blocks.bolts)
+      line("bolt {} {} {} {:a} {:a} {:a}", text(b.segment), b.first_block, b.second_block, b.stiffness, b.strength,
+           b.pretension);
+    for (const auto* points : {&blocks.fixed_points, &blocks.loading_points, &blocks.measured_points}) {
+      line("points");
+      for (const auto& p : *points) line("{} {}", text(p.position), p.block);
+    }
+  }
+
+  void list(const Cover& cover) {
+    for (const auto& e : cover.elements)
+      line("element {} {} {} {} {} {}", e.vertices.first, e.vertices.size, e.material, e.covers[0], e.covers[1],
+           e.covers[2]);
+    for (const auto& p : cover.vertices) line("vertex {}", text(p));
+    for (const auto& p : cover.nodes) line("node {}", text(p));
+    for (const auto& l : cover.loops) line("loop {} {}", l.first, l.size);
+    for (const auto& v : cover.loop_vertices) line("loop vertex {} {}", v.slot, v.joint_material);
+    for (const auto* points : {&cover.fixed_points, &cover.loading_points, &cover.measured_points}) {
+      line("points");
+      for (const auto& p : *points) line("{} {}", text(p.position), p.element);
+    }
+  }
+
+  void list(const Analysis& a) {
+    line("analysis {} {:a} {} {:a} {:a} {} {}", static_cast<int>(a.dialect), a.velocity_carry_over, a.step_count,
+         a.allowed_displacement_ratio, a.time_step, a.automatic_time_step, a.automatic_penalty);
+    line("{} {:a} {} {} {} {} {:a} {} {}", text(a.contact_penalty), a.penalty_factor, a.plane_strain,
+         static_cast<int>(a.rotation), text(a.gravity), a.open_close_limit, a.contact_damping, text(a.over_relaxation),
+         a.save_interval.value_or(-1));
+    const OpenCloseConstants& c = a.open_close;
+    line("{:a} {:a} {:a} {:a} {:a}", c.closing_ratio, c.opening_ratio, c.allowed_penetration, c.angle_overlap_deg,
+         c.normal_to_shear_stiffness);
+    for (const auto& m : a.block_materials) list(m);
+    for (const auto& j : a.joint_materials)
+      line("joint material {:a} {:a} {:a}", j.friction_angle_deg, j.cohesion, j.tensile_strength);
+    for (const auto& b : a.bolt_properties) line("bolts {:a} {:a} {:a}", b.stiffness, b.strength, b.pretension);
+    for (const auto& curve : a.fixed_point_motions) list("motion", curve);
+    for (const auto& curve : a.point_loads) list("load", curve);
+    list("body acceleration", a.body_acceleration);
+  }
+
+  void list(const Units& units) { line("units {} {} {}", units.length, units.mass, units.time); }
+  void list(const RunChoices& choices) {
+    line("profile {}", choices.profile);
+    for (const auto& [name, value] : choices.settings) line("set {} {}", name, value);
+  }
+  void list(const TimeCurve& motion) { list("motion of the ground", motion); }
+
+  std::string text_;
+
+ private:
+  void list(const BlockMaterial& m) {
+    line("block material {:a} {:a} {:a} {:a} {:a} {:a}", m.density, m.unit_weight, m.youngs_modulus, m.poissons_ratio,
+         m.damping, m.horizontal_force);
+    line("{:a} {:a} {:a}", m.initial_stress.xx, m.initial_stress.yy, m.initial_stress.xy);
+    line("{:a} {:a} {:a}", m.stress_gradient.xx, m.stress_gradient.yy, m.stress_gradient.xy);
+    line("{:a} {:a} {:a}", m.initial_velocity.x, m.initial_velocity.y, m.initial_velocity.rotation);
+    line("{:a} {:a} {:a}", m.initial_strain[0], m.initial_strain[1], m.initial_strain[2]);
+  }
+
+  void list(const char* noun, const TimeCurve& curve) {
+    line("{}", noun);
+    for (std::size_t i = 0; i < curve.times.size(); ++i) line("{:a} {}", curve.times[i], text(curve.values[i]));
+  }
+
+  static std::string text(Point p) { return fmt::format("{:a} {:a}", p.x, p.y); }
+  static std::string text(const Segment& s) { return text(s.start) + ' ' + text(s.end); }
+  static std::string text(const std::optional<double>& v) { return v ? fmt::format("{:a}", *v) : "-"; }
+
+  template <typename... Values>
+  void line(fmt::format_string<Values...> format, Values&&... values) {
+    text_ += fmt::format(format, std::forward<Values>(values)...) + '\n';
+  }
+};
+
+}  // namespace
+
+std::string content_text(const formats::Content& content) {
+  Lister lister;
+  if (content.drawing) lister.list(*content.drawing);
+  if (content.blocks) lister.list(*content.blocks);
+  if (content.cover) lister.list(*content.cover);
+  if (content.analysis) lister.list(*content.analysis);
+  if (content.units) lister.list(*content.units);
+  if (content.motion) lister.list(*content.motion);
+  if (content.choices) lister.list(*content.choices);
+  return lister.text_;
+}
+
+}  // namespace keyblock::testing

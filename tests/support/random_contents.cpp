@@ -1,0 +1,376 @@
+// Draws contents, and holds what came back against what was drawn.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/random_contents.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "formats/dda_analysis.hpp"
+#include "formats/dda_blocks.hpp"
+#include "formats/dda_geometry.hpp"
+#include "formats/ddaml.hpp"
+#include "formats/dxf.hpp"
+#include "formats/keyblock_case.hpp"
+#include "formats/nmm_analysis.hpp"
+#include "formats/nmm_cover.hpp"
+#include "formats/registry.hpp"
+#include "tests/support/content_text.hpp"
+
+namespace keyblock::testing {
+namespace {
+
+using formats::Content;
+using formats::GeometryKind;
+using formats::ReadHint;
+
+/// All orders of magnitude, both signs, and now and then 0 or a whole number.
+double any_real(Dice& dice) {
+  if (dice.happens(0.1)) return 0;
+  const double size = dice.happens(0.2) ? dice.below(1000) + 1 : dice.magnitude_between(1e-150, 1e150);
+  return dice.happens(0.5) ? size : 0.0 - size;
+}
+
+double positive_real(Dice& dice) {
+  return dice.magnitude_between(1e-150, 1e150);
+}
+
+double coordinate(Dice& dice) {
+  return dice.happens(0.5) ? dice.below(20) - 10 : dice.between(-1e4, 1e4);
+}
+
+Point any_point(Dice& dice) {
+  const double x = coordinate(dice);
+  return {x, coordinate(dice)};
+}
+
+Segment any_segment(Dice& dice) {
+  const Point start = any_point(dice);
+  return {start, dice.happens(0.1) ? start : any_point(dice)};
+}
+
+template <typename Draw>
+auto some(Dice& dice, int most, Draw draw) {
+  std::vector<decltype(draw(dice))> items;
+  for (int left = dice.below(most + 1); left > 0; --left) items.push_back(draw(dice));
+  return items;
+}
+
+MarkedPoint mark(Dice& dice) {
+  return {any_point(dice), {}};
+}
+
+Drawing drawing(Dice& dice) {
+  Drawing d;
+  d.edge_node_ratio = dice.between(0.0001, 0.4);
+  d.joints = some(dice, 9, [](Dice& one) { return JointLine{any_segment(one), one.below(12), {}}; });
+  d.boundary_count = static_cast<std::size_t>(dice.below(static_cast<int>(d.joints.size()) + 1));
+  d.material_lines = some(dice, 3, [](Dice& one) { return MaterialLine{any_segment(one), one.below(5), {}}; });
+  d.fixed_lines = some(dice, 4, [](Dice& one) { return FixedLine{any_segment(one), {}}; });
+  d.loading_points = some(dice, 3, mark);
+  d.measured_points = some(dice, 3, mark);
+  d.hole_points = some(dice, 3, mark);
+  return d;
+}
+
+Content native_drawing(Dice& dice) {
+  Content content;
+  content.drawing = drawing(dice);
+  content.drawing->bolts = some(dice, 3, [](Dice& one) {
+    const Segment ends = any_segment(one);
+    const double stiffness = positive_real(one), strength = any_real(one);
+    return BoltLine{ends, stiffness, strength, any_real(one), 0, {}};
+  });
+  return content;
+}
+
+/// A polygon of 3 to 9 corners about a place of its own, counter-clockwise.
+std::vector<Point> polygon(Dice& dice) {
+  const Point centre = any_point(dice);
+  const int corners = 3 + dice.below(7);
+  std::vector<Point> points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + dice.between(0, 0.9)) / corners;
+    points.push_back(centre + dice.between(0.5, 2) * Point{std::cos(angle), std::sin(angle)});
+  }
+  return points;
+}
+
+BlockPolygon block(Dice& dice) {
+  BlockPolygon block;
+  block.material = dice.below(4);
+  for (const Point& point : polygon(dice)) block.outer.push_back({point, dice.below(6)});
+  return block;
+}
+
+Content blocks(Dice& dice) {
+  Content content;
+  content.blocks.emplace();
+  std::vector<BlockPolygon>& all = content.blocks->blocks;
+  all = some(dice, 6, block);
+  all.push_back(block(dice));
+  const int count = static_cast<int>(all.size());
+  const auto carried = [&](Dice& one) {
+    const Point position = any_point(one);
+    return BlockPoint{position, one.below(count), {}};
+  };
+  content.blocks->bolts = some(dice, 2, [&](Dice& one) {
+    BlockBolt bolt{any_segment(one), one.below(count), 0, 0, 0, 0};
+    bolt.second_block = one.below(count);
+    bolt.stiffness = positive_real(one);
+    bolt.strength = any_real(one);
+    bolt.pretension = any_real(one);
+    return bolt;
+  });
+  content.blocks->fixed_points = some(dice, 4, carried);
+  content.blocks->loading_points = some(dice, 3, carried);
+  content.blocks->measured_points = some(dice, 3, carried);
+  return content;
+}
+
+/// Elements over slots in an order of their own; loops run around elements drawn at random.
+Content cover(Dice& dice) {
+  Content content;
+  Cover& cover = content.cover.emplace();
+  cover.nodes = some(dice, 9, any_point);
+  while (cover.nodes.size() < 3) cover.nodes.push_back(any_point(dice));
+  const int count = 1 + dice.below(8);
+  for (int i = 0; i < count; ++i) {
+    CoverElement element{};
+    const std::vector<Point> corners = polygon(dice);
+    element.vertices = {static_cast<int>(cover.vertices.size()), static_cast<int>(corners.size())};
+    element.material = dice.below(5) - 1;
+    for (int& node : element.covers) node = dice.below(static_cast<int>(cover.nodes.size()));
+    cover.vertices.insert(cover.vertices.end(), corners.begin(), corners.end());
+    cover.vertices.push_back(corners.front());
+    cover.elements.push_back(element);
+  }
+  std::rotate(cover.elements.begin(), cover.elements.begin() + dice.below(count), cover.elements.end());
+  for (int loops = dice.below(4); loops > 0; --loops) {
+    const SlotRange around = cover.elements[static_cast<std::size_t>(dice.below(count))].vertices;
+    cover.loops.push_back({static_cast<int>(cover.loop_vertices.size()), around.size});
+    for (int i = 0; i <= around.size; ++i)
+      cover.loop_vertices.push_back({around.first + i % around.size, dice.below(4)});
+  }
+  const auto carried = [&](Dice& one) {
+    const Point position = any_point(one);
+    return CoverPoint{position, one.below(count), {}};
+  };
+  cover.fixed_points = some(dice, 4, carried);
+  cover.loading_points = some(dice, 3, carried);
+  cover.measured_points = some(dice, 3, carried);
+  return content;
+}
+
+Stress any_stress(Dice& dice) {
+  const double xx = any_real(dice), yy = any_real(dice);
+  return {xx, yy, any_real(dice)};
+}
+
+Velocity any_velocity(Dice& dice) {
+  const double x = any_real(dice), y = any_real(dice);
+  return {x, y, any_real(dice)};
+}
+
+BlockMaterial block_material(Dice& dice) {
+  BlockMaterial material;
+  material.density = positive_real(dice);
+  material.unit_weight = any_real(dice);
+  material.youngs_modulus = positive_real(dice);
+  material.poissons_ratio = dice.between(0, 0.49);
+  material.initial_stress = any_stress(dice);
+  material.initial_velocity = any_velocity(dice);
+  return material;
+}
+
+JointMaterial joint_material(Dice& dice) {
+  JointMaterial material;
+  material.friction_angle_deg = dice.between(0, 89);
+  material.cohesion = dice.happens(0.5) ? 0 : positive_real(dice);
+  material.tensile_strength = dice.happens(0.5) ? 0 : positive_real(dice);
+  return material;
+}
+
+Analysis controls(Dice& dice, AnalysisDialect dialect) {
+  Analysis a;
+  a.dialect = dialect;
+  a.step_count = 1 + dice.below(100000);
+  a.allowed_displacement_ratio = positive_real(dice);
+  a.time_step = positive_real(dice);
+  a.velocity_carry_over = dice.below(2);
+  a.block_materials = some(dice, 3, block_material);
+  a.block_materials.push_back(block_material(dice));
+  a.joint_materials = some(dice, 3, joint_material);
+  a.joint_materials.push_back(joint_material(dice));
+  return a;
+}
+
+Analysis native_controls(Dice& dice, AnalysisDialect dialect) {
+  Analysis a = controls(dice, dialect);
+  a.velocity_carry_over = dice.happens(0.5) ? a.velocity_carry_over : dice.between(0, 1);
+  a.automatic_time_step = true;
+  a.automatic_penalty = true;
+  for (BlockMaterial& material : a.block_materials) material.stress_gradient = any_stress(dice);
+  return a;
+}
+
+TimeCurve curve(Dice& dice) {
+  TimeCurve rows;
+  const int count = 2 + dice.below(4);
+  double time = dice.between(-1, 1);
+  for (int i = 0; i < count; ++i) {
+    rows.times.push_back(time);
+    rows.values.push_back(any_point(dice));
+    time += dice.between(0.001, 3);
+  }
+  return rows;
+}
+
+TimeCurve curve_or_none(Dice& dice) {
+  return dice.happens(0.5) ? TimeCurve{} : curve(dice);
+}
+
+Content berkeley_analysis(Dice& dice) {
+  Content content;
+  content.analysis = native_controls(dice, AnalysisDialect::berkeley);
+  return content;
+}
+
+Content shi_analysis(Dice& dice) {
+  Content content;
+  Analysis& a = content.analysis.emplace(native_controls(dice, AnalysisDialect::shi));
+  if (dice.happens(0.8)) a.contact_penalty = positive_real(dice);
+  if (dice.happens(0.5)) a.over_relaxation = dice.between(1, 2);
+  a.fixed_point_motions = some(dice, 4, curve_or_none);
+  a.point_loads = some(dice, 3, curve_or_none);
+  return content;
+}
+
+Content manifold_analysis(Dice& dice) {
+  Content content;
+  Analysis& a = content.analysis.emplace(native_controls(dice, AnalysisDialect::manifold));
+  if (dice.happens(0.8)) a.contact_penalty = positive_real(dice);
+  a.over_relaxation = dice.between(1, 2);
+  for (BlockMaterial& material : a.block_materials) material.horizontal_force = any_real(dice);
+  a.point_loads = some(dice, 3, [](Dice& one) { return TimeCurve{{0}, {any_point(one)}, {}}; });
+  return content;
+}
+
+Analysis ddaml_controls(Dice& dice) {
+  Analysis a = controls(dice, AnalysisDialect::ddaml);
+  a.automatic_time_step = dice.happens(0.5);
+  a.automatic_penalty = dice.happens(0.5);
+  a.penalty_factor = positive_real(dice);
+  a.plane_strain = dice.happens(0.5);
+  a.rotation = dice.happens(0.5) ? Rotation::exact : Rotation::first_order;
+  a.gravity = any_real(dice);
+  a.open_close_limit = 1 + dice.below(20);
+  a.contact_damping = dice.happens(0.5) ? 0 : positive_real(dice);
+  if (dice.happens(0.5)) a.save_interval = 1 + dice.below(50);
+  a.open_close = {positive_real(dice), positive_real(dice), positive_real(dice), positive_real(dice),
+                  positive_real(dice)};
+  for (BlockMaterial& material : a.block_materials) {
+    material.damping = dice.happens(0.5) ? 0 : positive_real(dice);
+    for (double& strain : material.initial_strain) strain = any_real(dice);
+  }
+  a.bolt_properties = some(dice, 3, [](Dice& one) {
+    const double stiffness = positive_real(one), strength = any_real(one);
+    return BoltProperties{stiffness, strength, any_real(one)};
+  });
+  a.point_loads = some(dice, 3, curve);
+  return a;
+}
+
+Content ddaml(Dice& dice) {
+  Content content;
+  const int parts = dice.below(3);
+  if (parts != 1) {
+    content.drawing = drawing(dice);
+    content.drawing->bolts =
+        some(dice, 3, [](Dice& one) { return BoltLine{any_segment(one), 0, 0, 0, one.below(4), {}}; });
+  }
+  if (parts != 0) content.analysis = ddaml_controls(dice);
+  return content;
+}
+
+/// Whatever a Problem can hold, what no old format holds included.
+Content anything(Dice& dice) {
+  constexpr std::array<Content (*)(Dice&), 3> kGeometries{native_drawing, blocks, cover};
+  constexpr std::array<Content (*)(Dice&), 4> kAnalyses{berkeley_analysis, shi_analysis, manifold_analysis,
+                                                        [](Dice& one) {
+                                                          return Content{{}, {}, ddaml_controls(one)};
+                                                        }};
+  Content content;
+  if (dice.happens(0.8)) content = kGeometries[static_cast<std::size_t>(dice.below(3))](dice);
+  if (content.blocks && dice.happens(0.5)) {
+    BlockLoop hole;
+    for (const Point& point : polygon(dice)) hole.push_back({point, dice.below(6)});
+    content.blocks->blocks.front().holes = {hole};
+  }
+  if (dice.happens(0.8)) {
+    content.analysis = kAnalyses[static_cast<std::size_t>(dice.below(4))](dice).analysis;
+    content.analysis->body_acceleration = curve_or_none(dice);
+  }
+  if (dice.happens(0.5)) content.units = Units{"m", "t", "ms"};
+  if (dice.happens(0.3)) content.motion = curve(dice);
+  if (dice.happens(0.5)) content.choices = RunChoices{"standard", {{"motion", "static"}, {"odd \"name\"", "5"}}};
+  return content;
+}
+
+ReadHint no_hint(const Content&) {
+  return {};
+}
+
+ReadHint points_of_blocks(const Content& content) {
+  return {static_cast<int>(content.analysis->fixed_point_motions.size()),
+          static_cast<int>(content.analysis->point_loads.size()), GeometryKind::blocks};
+}
+
+ReadHint points_of_cover(const Content& content) {
+  return {std::nullopt, static_cast<int>(content.analysis->point_loads.size()), GeometryKind::cover};
+}
+
+/// The surroundings of the first character that differs.
+std::string first_difference(const std::string& drawn, const std::string& read) {
+  const auto [a, b] = std::mismatch(drawn.begin(), drawn.end(), read.begin(), read.end());
+  const auto at = static_cast<std::size_t>(a - drawn.begin());
+  const std::size_t from = at < 40 ? 0 : at - 40;
+  return fmt::format("drawn …{}…, read …{}…", drawn.substr(from, 120), read.substr(std::min(from, read.size()), 120));
+}
+
+}  // namespace
+
+std::vector<ContentKind> content_kinds() {
+  return {{&formats::kDdaGeometry, native_drawing, no_hint},
+          {&formats::kDdaBlocks, blocks, no_hint},
+          {&formats::kDdaBlocksOfThree, blocks, no_hint},
+          {&formats::kDdaAnalysisBerkeley, berkeley_analysis, no_hint},
+          {&formats::kDdaAnalysisShi, shi_analysis, points_of_blocks},
+          {&formats::kDdaml, ddaml, no_hint},
+          {&formats::kDxf, native_drawing, no_hint},
+          {&formats::kNmmCover, cover, no_hint},
+          {&formats::kKeyblockCase, anything, no_hint},
+          {&formats::kNmmAnalysis, manifold_analysis, points_of_cover}};
+}
+
+std::string round_trip_fault(const ContentKind& kind, const Content& content) {
+  const std::string text = kind.format->write(content);
+  try {
+    const formats::Choice choice = formats::recognise({"drawn", text}, kind.hint(content).geometry);
+    const bool is_own = choice.format == kind.format || choice.format->read == kind.format->read;
+    if (!is_own)
+      return fmt::format("recognised as {} ({})\n{}", choice.format->name, choice.recognition.evidence, text);
+    const formats::Reading reading = kind.format->read({"drawn", text}, kind.hint(content));
+    const std::string drawn = content_text(content), read = content_text(reading.content);
+    if (drawn != read) return first_difference(drawn, read);
+    if (kind.format->write(reading.content) != text) return "the second text differs from the first";
+    return {};
+  } catch (const InputError& error) {
+    return fmt::format("{}\n{}", error.what(), text);
+  }
+}
+
+}  // namespace keyblock::testing
