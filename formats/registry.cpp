@@ -18,6 +18,7 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/dxf.hpp"
 #include "formats/keyblock_case.hpp"
 #include "formats/motion.hpp"
 #include "formats/nmm_analysis.hpp"
@@ -32,10 +33,11 @@ namespace {
 using Fit = Recognition::Fit;
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 17> kFormats{
+constexpr std::array<const Format*, 18> kFormats{
     &kKeyblockCase,
     &kDdaExtended,
     &kDdaml,
+    &kDxf,
     &kNmmCover,
     &kBerkeleyMeasured,
     &kBerkeleyReplay,
@@ -80,6 +82,7 @@ void refuse_other_files(const Source& source) {
   const std::string_view text = without_bom(source.text);
   if (text.empty()) refuse({source.name}, "an empty file");
   if (is_blank(text)) refuse({source.name}, "nothing but white space");
+  if (const std::string_view name = drawing_program_binary(text); !name.empty()) refuse({source.name}, name);
   if (const std::size_t at = find_binary(text); at != std::string_view::npos)
     refuse(TextMap(source.name, text).place(at), "a binary file");
   const std::size_t first = text.find_first_not_of(" \t\r\n\f\v");

@@ -19,9 +19,10 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 6> kCommands{{
+constexpr std::array<Command, 7> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
     {"cut", "cuts a drawing into blocks", configure_cut},
+    {"joints", "draws joint sets from statistics into an outline", configure_joints},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
     {"convert", "writes a case in another format and names what that cannot hold", configure_convert},

@@ -10,6 +10,7 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/dxf.hpp"
 #include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
@@ -161,6 +162,7 @@ const std::vector<Target>& targets() {
   static const std::vector<Target> all{
       {"keyblock-case", "Keyblock case file", {{&kKeyblockCase, ".json"}}},
       {"ddaml", "Berkeley XML, geometry and analysis in one file", {{&kDdaml, ".xml"}}},
+      {"dxf", "DXF drawing R12, lines by layer, in metres", {{&kDxf, ".dxf"}}},
       {"dda-geometry", "geometry (lines) of the old cutting program", {{&kDdaGeometry, ".geo"}}},
       {"dda-blocks", "block file, points of 4 numbers", {{&kDdaBlocks, ".blk"}}},
       {"dda-blocks-3", "block file, points of 3 numbers", {{&kDdaBlocksOfThree, ".blk"}}},
