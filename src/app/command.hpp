@@ -24,5 +24,6 @@ Action configure_check(CLI::App& options);    ///< check_command.cpp
 Action configure_cut(CLI::App& options);      ///< cut_command.cpp
 Action configure_run(CLI::App& options);      ///< run_command.cpp
 Action configure_compare(CLI::App& options);  ///< compare_command.cpp
+Action configure_batch(CLI::App& options);    ///< batch_command.cpp
 
 }  // namespace keyblock

@@ -19,11 +19,12 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 4> kCommands{{
+constexpr std::array<Command, 5> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
     {"cut", "cuts a drawing into blocks", configure_cut},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
+    {"batch", "checks, runs or converts every case of an archive, and writes a catalogue", configure_batch},
 }};
 
 int run_program(int argc, char** argv) {
