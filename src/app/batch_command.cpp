@@ -194,7 +194,7 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
     throw UsageError(fmt::format("{} holds something; --resume goes on with a batch, --force begins it again",
                                  plan.folder.string()));
   }
-  if (journal.task.empty()) journal.lines = study::journal_head(task);
+  if (journal.task.empty()) journal.add(study::journal_head(task));
   write_file(file, journal.lines);
   return journal;
 }

@@ -135,6 +135,8 @@ BatchFile look_at(const formats::Source& source, const std::string& path) {
   if (!choice) return {path, role_by_name(path), {}, std::nullopt};
   BatchFile file{path, role_by_format(choice->format->name), std::string(choice->format->name), std::nullopt};
   if (file.role == FileRole::side_file) return file;
+  if (file.role == FileRole::unreadable && choice->recognition.fit == formats::Recognition::Fit::damaged)
+    return {path, role_by_name(path), {}, std::nullopt};  // JSON or XML of some kind, without our mark
   const auto content = content_of(*choice, source);
   if (!content) return file;
   if (file.role == FileRole::unreadable) file.role = role_by_content(*content);
