@@ -7,8 +7,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 
 #include "tests/support/text_files.hpp"
 
@@ -46,7 +48,13 @@ std::string fresh_folder(const std::string& name) {
 
 namespace {
 
-ProgramRun run_program(const std::vector<std::string>& arguments, const std::string& interrupt_at) {
+/// A signal to the program, sent when something is seen.
+struct Signal {
+  int number = 0;
+  std::function<bool()> is_due;
+};
+
+ProgramRun run_program(const std::vector<std::string>& arguments, const Signal& signal) {
   std::vector<std::string> words{KEYBLOCK_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const fs::path folder = fs::temp_directory_path() / ("keyblock_test_" + std::to_string(getpid()));
@@ -55,10 +63,10 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::str
   const std::string messages = (folder / "stderr").string();
   const pid_t child = fork();
   if (child == 0) become(words, output, messages);
-  if (!interrupt_at.empty()) {
+  if (signal.number != 0) {
     constexpr useconds_t kMicrosecondsBetweenLooks = 10000;
-    while (!fs::exists(interrupt_at) && waitpid(child, nullptr, WNOHANG) == 0) usleep(kMicrosecondsBetweenLooks);
-    kill(child, SIGINT);
+    while (!signal.is_due() && waitpid(child, nullptr, WNOHANG) == 0) usleep(kMicrosecondsBetweenLooks);
+    kill(child, signal.number);
   }
   int status = 0;
   rusage usage{};
@@ -70,11 +78,15 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::str
 }  // namespace
 
 ProgramRun run_keyblock(const std::vector<std::string>& arguments) {
-  return run_program(arguments, "");
+  return run_program(arguments, {});
 }
 
 ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file) {
-  return run_program(arguments, file);
+  return run_program(arguments, {SIGINT, [&] { return fs::exists(file); }});
+}
+
+ProgramRun kill_keyblock(const std::vector<std::string>& arguments, const std::string& file, int lines) {
+  return run_program(arguments, {SIGKILL, [&] { return std::ranges::count(read_text(file), '\n') >= lines; }});
 }
 
 }  // namespace keyblock::testing

@@ -1,0 +1,308 @@
+// `keyblock batch`: every case of an archive checked, run or converted, with a journal to go on from and a catalogue.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "app/batch_work.hpp"
+#include "app/command.hpp"
+#include "app/files.hpp"
+#include "app/run_report.hpp"
+#include "app/usage_error.hpp"
+#include "formats/registry.hpp"
+#include "run/profile.hpp"
+#include "study/batch_catalogue.hpp"
+#include "study/batch_check.hpp"
+#include "study/batch_journal.hpp"
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using report::CatalogueFile;
+using report::CatalogueRow;
+
+constexpr auto kBetweenReports = std::chrono::seconds(5);
+
+std::atomic<bool> stop_asked = false;
+
+// The second Ctrl-C ends at once: whatever the journal holds by then can be resumed.
+extern "C" void stop_after_running_jobs(int signal) {
+  stop_asked = true;
+  std::signal(signal, SIG_DFL);
+}
+
+struct BatchOptions {
+  std::string root;
+  std::string folder;
+  bool is_check = false;
+  bool is_run = false;
+  std::string format;  ///< to convert to; empty: none
+  std::string profile;
+  int threads = 0;  ///< 0: as many as cores
+  int largest_mebibytes = 64;
+  ChildLimits limits;
+  bool may_overwrite = false;
+  bool is_resumed = false;
+};
+
+BatchPlan plan_of(const BatchOptions& options) {
+  if ((options.is_check ? 1 : 0) + (options.is_run ? 1 : 0) + (options.format.empty() ? 0 : 1) != 1)
+    throw UsageError("batch: expected one of --check, --run and --convert FORMAT");
+  if (options.folder.empty()) throw UsageError("batch: expected -o OUT for the catalogue and the results");
+  const BatchTask task = options.is_check ? BatchTask::check : options.is_run ? BatchTask::run : BatchTask::convert;
+  return {task, fs::path(options.root), options.folder, options.profile, options.format, options.limits};
+}
+
+int thread_count(const BatchOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Does `work` for 0 … count - 1 on several threads, each taking the next, until done or stopped. Rethrows the first exception.
+void for_each_in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr first_error;
+  std::mutex guard;
+  const auto work_on = [&] {
+    for (std::size_t i = next++; i < count && !stop_asked; i = next++) try {
+        work(i);
+      } catch (...) {
+        const std::scoped_lock lock(guard);
+        if (!first_error) first_error = std::current_exception();
+        next = count;
+      }
+  };
+  {
+    std::vector<std::jthread> pool;
+    for (int i = 0; i < threads; ++i) pool.emplace_back(work_on);
+  }
+  if (first_error) std::rethrow_exception(first_error);
+}
+
+/// A file of the archive as seen before any job.
+struct SeenFile {
+  study::BatchFile file;
+  CatalogueFile record;
+  std::string problem;  ///< why its content was not looked at
+};
+
+SeenFile see(const fs::path& root, const std::string& path, int largest_mebibytes) {
+  SeenFile seen{{path, study::FileRole::unreadable, {}, std::nullopt}, {path, {}, {}}, {}};
+  const fs::path file = root / path;
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  if (!error && size > static_cast<std::uintmax_t>(largest_mebibytes) << 20U) {
+    seen.problem = fmt::format("{}: error: expected at most {} MiB (--largest-file), found {} bytes", path,
+                               largest_mebibytes, size);
+    return seen;
+  }
+  try {
+    const formats::Source source = formats::load(file.string());
+    seen.record.sha256 = sha256(source.text);
+    seen.file = study::look_at(source, path);
+    seen.record.format = seen.file.format;
+  } catch (const InputError& input_error) {
+    seen.problem = fmt::format("{}: error: {}", path, input_error.sentence());
+  }
+  return seen;
+}
+
+/// All that is known before the jobs begin.
+struct Archive {
+  std::map<std::string, SeenFile> files;
+  std::vector<study::BatchJob> jobs;
+
+  /// What a job depends on: its files, and the expected values beside a case.
+  std::vector<CatalogueFile> files_of(const study::BatchJob& job) const {
+    std::vector<CatalogueFile> records;
+    for (const std::string& path : job.files) records.push_back(files.at(path).record);
+    const auto expected = files.find((fs::path(job.files.front()).parent_path() / "expected.csv").generic_string());
+    if (job.kind == study::JobKind::whole && expected != files.end()) records.push_back(expected->second.record);
+    return records;
+  }
+
+  /// Why a job cannot even be looked at; empty where it can.
+  std::string problem_of(const study::BatchJob& job) const {
+    for (const std::string& path : job.files)
+      if (!files.at(path).problem.empty()) return files.at(path).problem;
+    return {};
+  }
+};
+
+Archive survey(const BatchOptions& options, const BatchPlan& plan) {
+  const std::vector<std::string> paths = study::files_below(plan.root, plan.folder);
+  std::vector<SeenFile> seen(paths.size());
+  for_each_in_parallel(paths.size(), thread_count(options),
+                       [&](std::size_t i) { seen[i] = see(plan.root, paths[i], options.largest_mebibytes); });
+  Archive archive;
+  std::vector<study::BatchFile> files;
+  for (SeenFile& file : seen) {
+    files.push_back(file.file);
+    archive.files.emplace(file.record.path, std::move(file));
+  }
+  if (stop_asked) return archive;
+  archive.jobs = study::pair_files(files, [&](const study::BatchFile& geometry, const study::BatchFile& analysis) {
+    return study::fit_together(plan.root, geometry, analysis);
+  });
+  return archive;
+}
+
+/// journal.jsonl, open at its end; a line is written by one call, so that a sudden end leaves at most the last one torn.
+class JournalFile {
+ public:
+  explicit JournalFile(const fs::path& file) : name_(file.string()) {
+    descriptor_ = open(name_.c_str(), O_WRONLY | O_APPEND);
+    if (descriptor_ < 0) throw OutputError(fmt::format("cannot write {}", name_));
+  }
+  ~JournalFile() { close(descriptor_); }
+  JournalFile(const JournalFile&) = delete;
+  JournalFile& operator=(const JournalFile&) = delete;
+
+  void add(const std::string& line) const {
+    if (write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
+      throw OutputError(fmt::format("cannot write {}", name_));
+  }
+
+ private:
+  std::string name_;
+  int descriptor_;
+};
+
+/// What an earlier batch of the same task left, where this one resumes it. Leaves a journal of whole lines on the disk.
+study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan) {
+  const fs::path file = plan.folder / "journal.jsonl";
+  const std::string task = plan.task_text();
+  study::Journal journal;
+  if (options.is_resumed && fs::exists(file)) {
+    journal = study::read_journal(formats::load(file.string()).text);
+    if (!journal.task.empty() && journal.task != task)
+      throw UsageError(
+          fmt::format("{} is of another task ({}, now {}); give another folder", file.string(), journal.task, task));
+  } else if (!options.may_overwrite && fs::exists(plan.folder) && !fs::is_empty(plan.folder)) {
+    throw UsageError(fmt::format("{} holds something; --resume goes on with a batch, --force begins it again",
+                                 plan.folder.string()));
+  }
+  if (journal.task.empty()) journal.add(study::journal_head(task));
+  write_file(file, journal.lines);
+  return journal;
+}
+
+/// Says now and then how far the batch is.
+class Reports {
+ public:
+  explicit Reports(std::size_t jobs) : jobs_(jobs) {}
+  void add_one() {
+    ++done_;
+    if (Clock::now() - shown_ < kBetweenReports) return;
+    shown_ = Clock::now();
+    spdlog::info("{} of {} jobs done", done_, jobs_);
+  }
+
+ private:
+  std::size_t jobs_;
+  std::size_t done_ = 0;
+  Clock::time_point shown_ = Clock::now();
+};
+
+/// Does what the journal does not hold yet, and writes it there.
+void do_jobs(const BatchOptions& options, const BatchPlan& plan, const Archive& archive, study::Journal& journal) {
+  std::vector<const study::BatchJob*> open_jobs;
+  for (const study::BatchJob& job : archive.jobs)
+    if (journal.find(job.name, archive.files_of(job)) == nullptr) open_jobs.push_back(&job);
+  if (options.is_resumed)
+    spdlog::info("{} done before, {} to do", counted(archive.jobs.size() - open_jobs.size(), "job"), open_jobs.size());
+  const JournalFile file(plan.folder / "journal.jsonl");
+  Reports reports(open_jobs.size());
+  std::mutex guard;
+  for_each_in_parallel(open_jobs.size(), thread_count(options), [&](std::size_t i) {
+    const study::BatchJob& job = *open_jobs[i];
+    const Clock::time_point start = Clock::now();
+    const std::string problem = archive.problem_of(job);
+    const CatalogueRow row = problem.empty() ? do_job(plan, job, archive.files_of(job))
+                                             : study::row_without_check(job, archive.files_of(job), "failed", problem);
+    const std::string line = study::journal_line(row, std::chrono::duration<double>(Clock::now() - start).count());
+    const std::scoped_lock lock(guard);
+    file.add(line);
+    journal.add(line);
+    reports.add_one();
+  });
+}
+
+// Rows come from the journal's lines, done now or before, so that both give the same bytes.
+std::vector<CatalogueRow> rows_of(const Archive& archive, const study::Journal& journal) {
+  std::vector<CatalogueRow> rows;
+  for (const study::BatchJob& job : archive.jobs)
+    if (const CatalogueRow* row = journal.find(job.name, archive.files_of(job))) rows.push_back(*row);
+  return rows;
+}
+
+void write_catalogue(const BatchPlan& plan, const std::vector<CatalogueRow>& rows) {
+  write_file(plan.folder / "catalogue.csv", study::catalogue_csv(rows));
+  write_file(plan.folder / "catalogue.json", study::catalogue_json(rows));
+  const std::string title =
+      fmt::format("Catalogue of {}", fs::absolute(plan.root / "").parent_path().filename().string());
+  write_file(plan.folder / "catalogue.html", report::catalogue_page(title, rows));
+}
+
+ExitCode run_batch(const BatchOptions& options) {
+  const BatchPlan plan = plan_of(options);
+  std::signal(SIGINT, stop_after_running_jobs);
+  std::signal(SIGTERM, stop_after_running_jobs);
+  const Archive archive = survey(options, plan);
+  study::Journal journal = begun_journal(options, plan);
+  do_jobs(options, plan, archive, journal);
+  if (stop_asked) {
+    spdlog::warn("stopped by request; --resume goes on");
+    return ExitCode::stopped;
+  }
+  const std::vector<CatalogueRow> rows = rows_of(archive, journal);
+  write_catalogue(plan, rows);
+  const auto count = [&](std::string_view outcome) {
+    return std::ranges::count(rows, outcome, &CatalogueRow::outcome);
+  };
+  spdlog::info("{} in {}: {} ok, {} with warnings, {} failed, {} only listed; catalogue in {}",
+               counted(archive.files.size(), "file"), counted(rows.size(), "job"), count("ok"), count("warnings"),
+               count("failed"), count("listed"), options.folder);
+  return count("failed") == 0 ? ExitCode::ok : ExitCode::check_failed;
+}
+
+}  // namespace
+
+Action configure_batch(CLI::App& app) {
+  const auto options = std::make_shared<BatchOptions>();
+  app.add_option("DIR", options->root, "the folder of the archive")->required();
+  app.add_option("-o,--output", options->folder,
+                 "folder for catalogue.csv, .json and .html, journal.jsonl and results");
+  app.add_flag("--check", options->is_check, "read every case and say what it holds and what is wrong with it");
+  app.add_flag("--run", options->is_run, "run every case under the profiles legacy and standard, and compare them");
+  app.add_option("--convert", options->format, "convert every case to this format, as `keyblock convert --to`");
+  app.add_option("--profile", options->profile, "only this preset of all choices")
+      ->check(CLI::IsMember(profile_names()));
+  app.add_option("--jobs", options->threads, "jobs at a time (default: as many as cores)")->check(CLI::PositiveNumber);
+  app.add_option("--time-limit", options->limits.cpu_seconds,
+                 "seconds of processor time for each process of --run and --convert (default: none)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--memory-limit", options->limits.memory_mebibytes,
+                 "MiB of address space for each of them (default: none)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--largest-file", options->largest_mebibytes, "larger files, in MiB, are named, not read")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--resume", options->is_resumed, "go on with the batch in OUT; jobs whose files changed are done again");
+  app.add_flag("--force", options->may_overwrite, "begin again in a folder that holds something");
+  return [options] { return run_batch(*options); };
+}
+
+}  // namespace keyblock

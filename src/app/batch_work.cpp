@@ -1,0 +1,157 @@
+// Carries out jobs; results of a run or conversion go to jobs/NAME in the results' folder, what an earlier try left is removed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch_work.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/usage_error.hpp"
+#include "formats/registry.hpp"
+#include "run/profile.hpp"
+#include "study/batch_answers.hpp"
+#include "study/batch_check.hpp"
+#include "study/cases.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using report::CatalogueAnswer;
+using report::CatalogueRow;
+
+std::vector<std::string> profiles_of(const BatchPlan& plan) {
+  return plan.profile.empty() ? std::vector<std::string>{"legacy", "standard"} : std::vector{plan.profile};
+}
+
+void fail(CatalogueRow& row, const std::string& message) {
+  if (row.outcome != "failed") row.message = message;
+  row.outcome = "failed";
+}
+
+/// The last line of the log that speaks of an error.
+std::string error_in(const fs::path& log) {
+  std::istringstream lines(formats::load(log.string()).text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("error:") != std::string::npos) last = line;
+  return last;
+}
+
+std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
+  if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
+  const std::string error = error_in(log);
+  return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
+}
+
+fs::path empty_folder_for(const BatchPlan& plan, const study::BatchJob& job) {
+  const fs::path folder = plan.folder / "jobs" / job.name;
+  std::error_code error;
+  fs::remove_all(folder, error);
+  if (!error) fs::create_directories(folder, error);
+  if (error) throw OutputError(fmt::format("cannot make {}", folder.string()));
+  return folder;
+}
+
+std::vector<std::string> with_inputs(const std::string& verb, const BatchPlan& plan, const study::BatchJob& job) {
+  std::vector<std::string> arguments{verb};
+  for (const std::string& file : job.files) arguments.push_back((plan.root / file).string());
+  return arguments;
+}
+
+/// A child with what it prints beside its results.
+ChildEnd run_logged(const BatchPlan& plan, const fs::path& folder, const std::string& name,
+                    const std::vector<std::string>& arguments) {
+  return run_child(arguments, plan.limits, folder / (name + ".out"), folder / (name + ".log"));
+}
+
+CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder,
+                       const std::string& profile, CatalogueRow& row) {
+  std::vector<std::string> arguments = with_inputs("run", plan, job);
+  arguments.insert(arguments.end(), {"-o", (folder / profile).string(), "--profile", profile});
+  const ChildEnd end = run_logged(plan, folder, profile, arguments);
+  if (end.exit_code == 0) return study::answer_in(folder / profile, profile);
+  const std::string why = why_it_ended(end, plan.limits, folder / (profile + ".log"));
+  fail(row, fmt::format("{}: {}", profile, why));
+  // How far a run came before a limit stopped it is chance.
+  if (end.exit_code > 128) return {profile, why, 0, 0, {}, 0, 0};
+  CatalogueAnswer answer = study::answer_in(folder / profile, profile);
+  if (answer.end == "no result") answer.end = why;
+  return answer;
+}
+
+// Expected values speak of the case that bears its folder's name.
+bool is_the_case_of_its_folder(const BatchPlan& plan, const study::BatchJob& job) {
+  const fs::path folder = (plan.root / job.files.front()).parent_path();
+  if (!fs::exists(folder / "expected.csv")) return false;
+  const std::vector<std::string> inputs = study::CaseFolder{folder, {}, true, false}.inputs();
+  return std::ranges::equal(inputs, job.files, [&](const std::string& input, const std::string& file) {
+    return fs::path(input) == plan.root / file;
+  });
+}
+
+std::string compare_with_expected(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder) {
+  if (!is_the_case_of_its_folder(plan, job)) return {};
+  std::vector<std::string> arguments{"compare", (plan.root / job.files.front()).parent_path().string(), "--json",
+                                     "--all"};
+  if (!plan.profile.empty()) arguments.insert(arguments.end(), {"--profile", plan.profile});
+  const ChildEnd end = run_logged(plan, folder, "compare", arguments);
+  return end.ran_out_of_time ? "not compared: the limit of processor time was reached"
+                             : study::verdict_of(formats::load((folder / "compare.out").string()).text);
+}
+
+void run_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& row) {
+  const fs::path folder = empty_folder_for(plan, job);
+  for (const std::string& profile : profiles_of(plan)) {
+    row.answers.push_back(run_in(plan, job, folder, profile, row));
+    row.outputs.push_back((fs::path("jobs") / job.name / profile).generic_string());
+  }
+  row.difference = study::difference_of(row.answers);
+  row.expected = compare_with_expected(plan, job, folder);
+}
+
+void convert_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& row) {
+  const fs::path folder = empty_folder_for(plan, job);
+  const std::string stem = fs::path(job.files.front()).stem().string();
+  std::vector<std::string> arguments = with_inputs("convert", plan, job);
+  arguments.insert(arguments.end(),
+                   {"-o", (folder / (stem + "." + plan.format)).string(), "--to", plan.format, "--json"});
+  const ChildEnd end = run_logged(plan, folder, "convert", arguments);
+  if (end.exit_code != 0) return fail(row, why_it_ended(end, plan.limits, folder / "convert.log"));
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (!entry.path().filename().string().starts_with("convert."))
+      row.outputs.push_back(entry.path().lexically_relative(plan.folder).generic_string());
+  std::ranges::sort(row.outputs);
+}
+
+}  // namespace
+
+std::string BatchPlan::task_text() const {
+  const std::string with_limits = fmt::format(", {} s, {} MiB", limits.cpu_seconds, limits.memory_mebibytes);
+  switch (task) {
+    case BatchTask::check:
+      return fmt::format("keyblock {} check {}", KEYBLOCK_VERSION, profile);
+    case BatchTask::run:
+      return fmt::format("keyblock {} run {}{}", KEYBLOCK_VERSION, fmt::join(profiles_of(*this), " "), with_limits);
+    case BatchTask::convert:
+      return fmt::format("keyblock {} convert {}{}", KEYBLOCK_VERSION, format, with_limits);
+  }
+  return {};
+}
+
+CatalogueRow do_job(const BatchPlan& plan, const study::BatchJob& job,
+                    const std::vector<report::CatalogueFile>& files) {
+  if (job.kind == study::JobKind::listed) return study::row_without_check(job, files, "listed", "");
+  const auto depth = plan.task == BatchTask::check ? study::CheckDepth::plan : study::CheckDepth::scene;
+  CatalogueRow row = study::check_job(plan.root, job, files, depth, plan.profile);
+  const bool is_runnable = job.kind == study::JobKind::whole && row.outcome != "failed";
+  if (plan.task == BatchTask::run && is_runnable) run_job(plan, job, row);
+  if (plan.task == BatchTask::convert && row.outcome != "failed") convert_job(plan, job, row);
+  return row;
+}
+
+}  // namespace keyblock

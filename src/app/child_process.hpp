@@ -1,0 +1,26 @@
+// Another run of this program, with limits, its output in files.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+struct ChildLimits {
+  int cpu_seconds = 0;       ///< 0: none
+  int memory_mebibytes = 0;  ///< of address space; 0: none
+};
+
+struct ChildEnd {
+  int exit_code = 0;  ///< 128 + the signal where one ended it
+  bool ran_out_of_time = false;
+};
+
+/// This program with those arguments, until it ends. It stands in a process group of its own, so that Ctrl-C at the terminal
+/// does not reach it, and ends when the calling thread does. Throws OutputError where it cannot be started.
+ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
+                   const std::filesystem::path& output, const std::filesystem::path& messages);
+
+}  // namespace keyblock

@@ -1,0 +1,113 @@
+// Writes the page: a style, a table, and the few lines of script that sort and sift it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/catalogue_page.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "report/svg.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr std::string_view kStyle = R"(
+body { font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; margin: 1.5em; color: #222 }
+table { border-collapse: collapse }
+th, td { border-bottom: 1px solid #ddd; padding: 4px 8px; text-align: left; vertical-align: top }
+th { background: #f4f4f4; cursor: pointer; position: sticky; top: 0 }
+td.number { text-align: right; font-variant-numeric: tabular-nums }
+code { font-size: 11px; color: #666; overflow-wrap: anywhere }
+svg { display: block }
+tr.failed td.outcome { color: #b03060; font-weight: bold }
+tr.warnings td.outcome { color: #a06000 }
+tr.listed { color: #777 }
+)";
+
+// Numbers sort as numbers, everything else as text; a second click turns the order round.
+constexpr std::string_view kScript = R"(
+const body = document.querySelector("tbody");
+const sift = document.querySelector("#sift");
+const value = (row, column) => row.cells[column].dataset.value ?? row.cells[column].textContent;
+document.querySelectorAll("th").forEach((heading, column) => heading.onclick = () => {
+  const turn = heading.dataset.turn = heading.dataset.turn === "1" ? -1 : 1;
+  const compare = (a, b) => {
+    const x = value(a, column), y = value(b, column);
+    return turn * (x !== "" && y !== "" && !isNaN(x) && !isNaN(y) ? x - y : x < y ? -1 : x > y ? 1 : 0);
+  };
+  body.append(...[...body.rows].sort(compare));
+});
+sift.oninput = () => {
+  for (const row of body.rows) row.hidden = !row.textContent.toLowerCase().includes(sift.value.toLowerCase());
+};
+)";
+
+std::string number_cell(std::optional<int> number) {
+  return fmt::format("<td class=\"number\">{}</td>", number ? fmt::format("{}", *number) : "");
+}
+
+std::string files_cell(const CatalogueRow& row) {
+  std::string text;
+  for (const CatalogueFile& file : row.files)
+    text += fmt::format("{}{}<br><code>{}</code>", text.empty() ? "" : "<br>", escape_xml(file.path), file.sha256);
+  return fmt::format("<td>{}</td>", text);
+}
+
+std::string answers_cell(const CatalogueRow& row) {
+  std::string text;
+  for (const CatalogueAnswer& answer : row.answers)
+    text +=
+        fmt::format("{}{}: {}", text.empty() ? "" : "<br>", escape_xml(answer.profile), escape_xml(text_of(answer)));
+  if (!row.expected.empty()) text += fmt::format("<br>expected values: {}", escape_xml(row.expected));
+  return fmt::format("<td>{}</td>", text);
+}
+
+std::string row_of(const CatalogueRow& row) {
+  return fmt::format(
+      "<tr class=\"{0}\"><td>{1}</td><td>{2}</td>{3}<td>{4}</td><td>{5}</td>{6}{7}{8}<td class=\"outcome\">{0}</td>"
+      "<td>{9}</td>{10}<td class=\"number\">{11}</td></tr>\n",
+      row.outcome, row.thumbnail, escape_xml(row.name), files_cell(row), escape_xml(row.formats()),
+      escape_xml(row.paired_by), number_cell(row.blocks), number_cell(row.elements), number_cell(row.steps),
+      escape_xml(row.message), answers_cell(row), row.difference ? fmt::format("{:.6g}", *row.difference) : "");
+}
+
+std::string summary_of(const std::vector<CatalogueRow>& rows) {
+  std::map<std::string, int> counts;
+  for (const CatalogueRow& row : rows) ++counts[row.outcome];
+  std::string text = fmt::format("{} job{}", rows.size(), rows.size() == 1 ? "" : "s");
+  for (const auto& [outcome, count] : counts) text += fmt::format(", {} {}", count, outcome);
+  return text;
+}
+
+}  // namespace
+
+std::string CatalogueRow::formats() const {
+  std::string text;
+  for (const CatalogueFile& file : files)
+    if (!file.format.empty()) text += (text.empty() ? "" : " + ") + file.format;
+  return text;
+}
+
+std::string text_of(const CatalogueAnswer& answer) {
+  const std::string end = fmt::format("{}, {} steps", answer.end, answer.steps);
+  if (answer.of_what.empty()) return end;
+  return fmt::format("{} moved by ({:.6g}, {:.6g}), {:.6g}, at time {:.6g}; {}", answer.of_what, answer.dx, answer.dy,
+                     std::hypot(answer.dx, answer.dy), answer.time, end);
+}
+
+std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows) {
+  std::string body;
+  for (const CatalogueRow& row : rows) body += row_of(row);
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>\n"
+      "<body><h1>{0}</h1><p>{2}. A click on a heading sorts; rows with "
+      "<input id=\"sift\" placeholder=\"any text\"> only.</p>\n"
+      "<table><thead><tr><th></th><th>job</th><th>files, SHA-256</th><th>dialect</th><th>paired by</th><th>blocks</th>"
+      "<th>elements</th><th>steps</th><th>outcome</th><th>message</th><th>answers</th><th>difference</th></tr></"
+      "thead>\n"
+      "<tbody>\n{3}</tbody></table>\n<script>{4}</script></body></html>\n",
+      escape_xml(title), kStyle, summary_of(rows), body, kScript);
+}
+
+}  // namespace keyblock::report

@@ -1,0 +1,53 @@
+// The catalogue of an archive: a row a job, and the page that shows them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keyblock::report {
+
+struct CatalogueFile {
+  std::string path;    ///< below the folder of the archive
+  std::string format;  ///< empty where none fits
+  std::string sha256;  ///< empty where the file was too large to be read
+};
+
+/// What a run came to.
+struct CatalogueAnswer {
+  std::string profile;
+  std::string end;      ///< "finished", or why there is no more
+  int steps = 0;        ///< accepted
+  double time = 0;      ///< reached
+  std::string of_what;  ///< "measured point 2", "centroid of block 3"; empty where nothing was reached
+  double dx = 0;        ///< its displacement since the start, in the file's unit
+  double dy = 0;
+};
+
+struct CatalogueRow {
+  std::string name;
+  std::vector<CatalogueFile> files;  ///< geometry first
+  std::string paired_by;
+  std::optional<int> blocks;    ///< as given or as cut
+  std::optional<int> elements;  ///< of a cover
+  std::optional<int> steps;     ///< as the analysis asks for
+  std::string outcome;          ///< "ok", "warnings", "failed" or "listed"
+  int warnings = 0;
+  std::string message;  ///< the first error, else the first warning
+  std::vector<CatalogueAnswer> answers;
+  std::optional<double> difference;  ///< distance of the last answer from the first
+  std::string expected;              ///< verdict over the values of expected.csv beside the files; empty without any
+  std::vector<std::string> outputs;  ///< files written, below the results' folder
+  std::string thumbnail;             ///< an SVG element; empty where there is no geometry
+
+  std::string formats() const;  ///< of all files, joined by " + "
+};
+
+/// A displacement as text: its components and its length.
+std::string text_of(const CatalogueAnswer& answer);
+
+/// One HTML document that needs nothing beside it; a click on a heading sorts.
+std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows);
+
+}  // namespace keyblock::report

@@ -1,0 +1,92 @@
+// Draws what can be seen at the size of a stamp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/thumbnail.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geometry/polygon.hpp"
+#include "report/colours.hpp"
+#include "report/svg.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr Point kSize{132, 84};
+constexpr double kMargin = 2;
+
+/// Loops filled together, the inner ones as holes.
+struct Shape {
+  std::vector<std::vector<Point>> loops;
+  int material = 0;
+  double size = 0;  ///< by which the shapes worth drawing are chosen
+};
+
+PageMap map_of(const Box& box) {
+  return {box, {kMargin, kMargin}, {kSize.x - 2 * kMargin, kSize.y - 2 * kMargin}};
+}
+
+// Without the head of a document of its own.
+std::string element_of(const SvgPage& page) {
+  const std::string document = page.str();
+  return document.substr(document.find("<svg"));
+}
+
+std::string drawn(std::vector<Shape> shapes) {
+  Box box;
+  for (const Shape& shape : shapes)
+    for (Point p : shape.loops.front()) box.include(p);
+  std::ranges::stable_sort(shapes, std::greater<>{}, &Shape::size);
+  if (shapes.size() > kThumbnailShapes) shapes.resize(kThumbnailShapes);
+  const PageMap map = map_of(box);
+  SvgPage page(kSize.x, kSize.y);
+  for (const Shape& shape : shapes)
+    page.polygon(map(shape.loops), {.fill = area_colour(shape.material), .stroke = "#444444", .stroke_width = 0.4});
+  return element_of(page);
+}
+
+}  // namespace
+
+std::string thumbnail(const Blocks& blocks) {
+  std::vector<Shape> shapes;
+  for (const BlockPolygon& block : blocks.blocks) {
+    Shape shape{{points_of(block.outer)}, block.material, std::abs(area(points_of(block.outer)))};
+    for (const BlockLoop& hole : block.holes) shape.loops.push_back(points_of(hole));
+    shapes.push_back(std::move(shape));
+  }
+  return drawn(std::move(shapes));
+}
+
+std::string thumbnail(const Cover& cover) {
+  std::vector<std::vector<Point>> loops;  // filled together: a hole is a loop of its own
+  for (const SlotRange& loop : cover.loops) loops.push_back(cover.corners(loop));
+  std::ranges::stable_sort(loops, std::greater<>{}, [](const auto& loop) { return std::abs(area(loop)); });
+  if (loops.size() > kThumbnailShapes) loops.resize(kThumbnailShapes);
+  Box box;
+  for (const auto& loop : loops)
+    for (Point p : loop) box.include(p);
+  SvgPage page(kSize.x, kSize.y);
+  page.polygon(map_of(box)(loops), {.fill = area_colour(0), .stroke = "#444444", .stroke_width = 0.4});
+  return element_of(page);
+}
+
+std::string thumbnail(const Drawing& drawing) {
+  std::vector<const JointLine*> lines;
+  Box box;
+  for (const JointLine& line : drawing.joints) {
+    lines.push_back(&line);
+    for (Point p : {line.segment.start, line.segment.end}) box.include(p);
+  }
+  std::ranges::stable_sort(lines, std::greater<>{},
+                           [](const JointLine* line) { return distance(line->segment.start, line->segment.end); });
+  if (lines.size() > kThumbnailShapes) lines.resize(kThumbnailShapes);
+  const PageMap map = map_of(box);
+  SvgPage page(kSize.x, kSize.y);
+  for (const JointLine* line : lines)
+    page.line(map(line->segment.start), map(line->segment.end),
+              {.stroke = line_colour(line->joint_material), .stroke_width = 0.6});
+  return element_of(page);
+}
+
+}  // namespace keyblock::report

@@ -1,0 +1,21 @@
+// A small picture of a scene for a table: areas by material, no legend.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "problem/blocks.hpp"
+#include "problem/cover.hpp"
+#include "problem/drawing.hpp"
+
+namespace keyblock::report {
+
+/// An SVG element to stand inside a page: the greatest blocks, the contact loops of a cover, or the lines of a drawing; at
+/// most `kThumbnailShapes` of them.
+std::string thumbnail(const Blocks& blocks);
+std::string thumbnail(const Cover& cover);
+std::string thumbnail(const Drawing& drawing);
+
+inline constexpr std::size_t kThumbnailShapes = 400;
+
+}  // namespace keyblock::report

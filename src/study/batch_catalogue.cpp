@@ -1,0 +1,123 @@
+// Writes and reads rows field by field.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/batch_catalogue.hpp"
+
+#include <fmt/format.h>
+
+namespace keyblock::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using report::CatalogueAnswer;
+using report::CatalogueFile;
+using report::CatalogueRow;
+
+template <class Number>
+Json or_null(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json();
+}
+
+template <class Number>
+std::optional<Number> or_nothing(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(json.get<Number>());
+}
+
+Json json_of(const CatalogueAnswer& a) {
+  return {{"profile", a.profile}, {"end", a.end}, {"steps", a.steps}, {"time", a.time},
+          {"of_what", a.of_what}, {"dx", a.dx},   {"dy", a.dy}};
+}
+
+CatalogueAnswer answer_of(const Json& json) {
+  return {json.at("profile"), json.at("end"), json.at("steps"), json.at("time"),
+          json.at("of_what"), json.at("dx"),  json.at("dy")};
+}
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string cell(const std::optional<int>& number) {
+  return number ? fmt::format("{}", *number) : std::string{};
+}
+
+/// The texts of all items, " | " between them.
+template <class List, class Text>
+std::string joined_cell(const List& list, Text text) {
+  std::string all;
+  for (const auto& item : list) all += (all.empty() ? "" : " | ") + text(item);
+  return cell(all);
+}
+
+}  // namespace
+
+Json json_of(const CatalogueRow& row) {
+  Json files = Json::array();
+  for (const CatalogueFile& f : row.files)
+    files.push_back({{"path", f.path}, {"format", f.format}, {"sha256", f.sha256}});
+  Json answers = Json::array();
+  for (const CatalogueAnswer& answer : row.answers) answers.push_back(json_of(answer));
+  return {{"job", row.name},
+          {"files", files},
+          {"paired_by", row.paired_by},
+          {"blocks", or_null(row.blocks)},
+          {"elements", or_null(row.elements)},
+          {"steps", or_null(row.steps)},
+          {"outcome", row.outcome},
+          {"warnings", row.warnings},
+          {"message", row.message},
+          {"answers", answers},
+          {"difference", or_null(row.difference)},
+          {"expected", row.expected},
+          {"outputs", row.outputs},
+          {"thumbnail", row.thumbnail}};
+}
+
+CatalogueRow row_of(const Json& json) {
+  CatalogueRow row;
+  row.name = json.at("job");
+  for (const Json& f : json.at("files")) row.files.push_back({f.at("path"), f.at("format"), f.at("sha256")});
+  row.paired_by = json.at("paired_by");
+  row.blocks = or_nothing<int>(json.at("blocks"));
+  row.elements = or_nothing<int>(json.at("elements"));
+  row.steps = or_nothing<int>(json.at("steps"));
+  row.outcome = json.at("outcome");
+  row.warnings = json.at("warnings");
+  row.message = json.at("message");
+  for (const Json& answer : json.at("answers")) row.answers.push_back(answer_of(answer));
+  row.difference = or_nothing<double>(json.at("difference"));
+  row.expected = json.at("expected");
+  row.outputs = json.at("outputs").get<std::vector<std::string>>();
+  row.thumbnail = json.at("thumbnail");
+  return row;
+}
+
+std::string catalogue_json(const std::vector<CatalogueRow>& rows) {
+  Json all = Json::array();
+  for (const CatalogueRow& row : rows) {
+    Json json = json_of(row);
+    json.erase("thumbnail");
+    all.push_back(std::move(json));
+  }
+  return Json{{"jobs", all}}.dump(1) + "\n";
+}
+
+std::string catalogue_csv(const std::vector<CatalogueRow>& rows) {
+  std::string text =
+      "job,files,dialect,sha256,paired_by,blocks,elements,steps,outcome,warnings,message,answers,difference,expected,"
+      "outputs\n";
+  for (const CatalogueRow& row : rows)
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(row.name),
+        joined_cell(row.files, [](const CatalogueFile& f) { return f.path; }), cell(row.formats()),
+        joined_cell(row.files, [](const CatalogueFile& f) { return f.sha256; }), cell(row.paired_by), cell(row.blocks),
+        cell(row.elements), cell(row.steps), cell(row.outcome), row.warnings, cell(row.message),
+        joined_cell(row.answers, [](const CatalogueAnswer& a) { return a.profile + ": " + report::text_of(a); }),
+        row.difference ? fmt::format("{}", *row.difference) : "", cell(row.expected),
+        joined_cell(row.outputs, [](const std::string& output) { return output; }));
+  return text;
+}
+
+}  // namespace keyblock::study

@@ -1,0 +1,165 @@
+// Walks the tree and sorts its files by what they hold.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/batch_files.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "formats/registry.hpp"
+
+namespace keyblock::study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Files so named that fit no format are no broken cases.
+constexpr std::array<std::string_view, 36> kForeignEndings{
+    ".bat", ".bmp", ".c",   ".cpp", ".csv",  ".doc", ".docx", ".exe", ".f",    ".for", ".f90",  ".gif",
+    ".gz",  ".h",   ".hpp", ".htm", ".html", ".jpg", ".jpeg", ".js",  ".json", ".log", ".m",    ".md",
+    ".pdf", ".png", ".ps",  ".pvd", ".py",   ".svg", ".tar",  ".txt", ".vtu",  ".xls", ".xlsx", ".zip"};
+
+bool is_hidden(const fs::path& path) {
+  return path.filename().string().starts_with('.');
+}
+
+void visit(const fs::path& folder, const fs::path& root, const fs::path& left_out, std::vector<std::string>& files) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    if (is_hidden(entry.path()) || fs::equivalent(entry.path(), left_out, ignored)) continue;
+    if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) visit(entry.path(), root, left_out, files);
+    if (entry.is_regular_file(ignored)) files.push_back(entry.path().lexically_relative(root).generic_string());
+  }
+}
+
+// A file that fits two dialects needs its geometry to be told, but is an analysis in either.
+std::optional<formats::Choice> choice_of(const formats::Source& source) {
+  for (const formats::GeometryKind kind : {formats::GeometryKind::unknown, formats::GeometryKind::blocks}) {
+    try {
+      return formats::recognise(source, kind);
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<formats::Content> content_of(const formats::Choice& choice, const formats::Source& source) {
+  try {
+    return formats::read_as(choice, source).content;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+bool has_geometry(const formats::Content& content) {
+  return content.drawing || content.blocks || content.cover;
+}
+
+FileRole role_by_content(const formats::Content& content) {
+  if (has_geometry(content)) return content.analysis ? FileRole::whole_case : FileRole::geometry;
+  return content.analysis ? FileRole::analysis : FileRole::side_file;
+}
+
+// The formats that hold one thing only; the others say it by their content.
+FileRole role_by_format(std::string_view format) {
+  if (format.starts_with("dda-geometry") || format.starts_with("dda-blocks") || format == "nmm-cover")
+    return FileRole::geometry;
+  if (format.starts_with("dda-analysis") || format == "nmm-analysis") return FileRole::analysis;
+  if (format.starts_with("berkeley-") || format.starts_with("motion-")) return FileRole::side_file;
+  return FileRole::unreadable;
+}
+
+FileRole role_by_name(const fs::path& path) {
+  if (path.filename() == "expected.csv") return FileRole::side_file;
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::ranges::find(kForeignEndings, ending) == kForeignEndings.end() ? FileRole::unreadable : FileRole::foreign;
+}
+
+/// One more than the greatest number; 1 where nothing is numbered, because material 1 is always there.
+template <class List, class Number>
+std::size_t numbered(const List& list, Number number) {
+  int greatest = 0;
+  for (const auto& item : list) greatest = std::max(greatest, number(item));
+  return static_cast<std::size_t>(greatest) + 1;
+}
+
+FitCounts counts_of(const Drawing& drawing) {
+  return {false, numbered(drawing.material_lines, [](const MaterialLine& line) { return line.block_material; }),
+          numbered(drawing.joints, [](const JointLine& line) { return line.joint_material; }),
+          drawing.loading_points.size()};
+}
+
+FitCounts counts_of(const Blocks& blocks) {
+  const auto greatest_joint = [](const BlockPolygon& block) {
+    int greatest = 0;
+    for (const BlockVertex& vertex : block.outer) greatest = std::max(greatest, vertex.joint_material);
+    return greatest;
+  };
+  return {false, numbered(blocks.blocks, [](const BlockPolygon& block) { return block.material; }),
+          numbered(blocks.blocks, greatest_joint), blocks.loading_points.size()};
+}
+
+FitCounts counts_of(const Cover& cover) {
+  return {true, numbered(cover.elements, [](const CoverElement& element) { return element.material; }),
+          numbered(cover.loop_vertices, [](const LoopVertex& vertex) { return vertex.joint_material; }),
+          cover.loading_points.size()};
+}
+
+FitCounts counts_of(const Analysis& analysis) {
+  return {analysis.dialect == AnalysisDialect::manifold, analysis.block_materials.size(),
+          analysis.joint_materials.size(), analysis.point_loads.size()};
+}
+
+}  // namespace
+
+std::vector<std::string> files_below(const fs::path& root, const fs::path& left_out) {
+  if (!fs::is_directory(root)) throw InputError({root.string(), 0, 0}, "expected a folder, found none");
+  std::vector<std::string> files;
+  visit(root, root, left_out, files);
+  std::ranges::sort(files);
+  return files;
+}
+
+std::optional<FitCounts> counts_of(const formats::Content& content) {
+  if (content.drawing) return counts_of(*content.drawing);
+  if (content.blocks) return counts_of(*content.blocks);
+  if (content.cover) return counts_of(*content.cover);
+  if (content.analysis) return counts_of(*content.analysis);
+  return std::nullopt;
+}
+
+BatchFile look_at(const formats::Source& source, const std::string& path) {
+  const auto choice = choice_of(source);
+  if (!choice) return {path, role_by_name(path), {}, std::nullopt};
+  BatchFile file{path, role_by_format(choice->format->name), std::string(choice->format->name), std::nullopt};
+  if (file.role == FileRole::side_file) return file;
+  if (file.role == FileRole::unreadable && choice->recognition.fit == formats::Recognition::Fit::damaged)
+    return {path, role_by_name(path), {}, std::nullopt};  // JSON or XML of some kind, without our mark
+  const auto content = content_of(*choice, source);
+  if (!content) return file;
+  if (file.role == FileRole::unreadable) file.role = role_by_content(*content);
+  file.counts = counts_of(*content);
+  return file;
+}
+
+std::string_view name_of(FileRole role) {
+  switch (role) {
+    case FileRole::geometry:
+      return "geometry";
+    case FileRole::analysis:
+      return "analysis";
+    case FileRole::whole_case:
+      return "case";
+    case FileRole::side_file:
+      return "side file";
+    case FileRole::foreign:
+      return "other file";
+    case FileRole::unreadable:
+      return "unreadable";
+  }
+  return "unreadable";
+}
+
+}  // namespace keyblock::study

@@ -1,0 +1,54 @@
+// The files of an archive: where they lie, what each is to a batch, and the counts by which a geometry and an analysis fit.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/format.hpp"
+
+namespace keyblock::study {
+
+enum class FileRole {
+  geometry,
+  analysis,
+  whole_case,  ///< geometry and analysis in one file
+  side_file,   ///< what lies beside a case: replay, measured points, motion, expected values
+  foreign,     ///< fits no format and is named like something else: a page, a program, a picture
+  unreadable,  ///< fits no format, or breaks off before it says what it holds
+};
+
+/// By these a geometry and an analysis are seen to belong together.
+struct FitCounts {
+  bool is_manifold = false;  ///< a cover, or the analysis of the manifold program
+  std::size_t block_materials = 0;
+  std::size_t joint_materials = 0;
+  std::size_t loading_points = 0;
+
+  bool operator==(const FitCounts&) const = default;
+};
+
+struct BatchFile {
+  std::string path;  ///< below the root, with `/`
+  FileRole role = FileRole::unreadable;
+  std::string format;               ///< name of the format; empty where none fits
+  std::optional<FitCounts> counts;  ///< of geometries and analyses that can be read alone
+};
+
+/// The regular files at or below `root`, sorted by path, without hidden ones and those below `left_out`. Links to folders
+/// are not followed. Throws InputError where `root` is no folder.
+std::vector<std::string> files_below(const std::filesystem::path& root, const std::filesystem::path& left_out);
+
+/// What a file is, from its content; its name counts only where no format fits. `path` is the one below the root.
+BatchFile look_at(const formats::Source& source, const std::string& path);
+
+/// Of a geometry or an analysis; nothing for other contents.
+std::optional<FitCounts> counts_of(const formats::Content& content);
+
+/// A word for the catalogue.
+std::string_view name_of(FileRole role);
+
+}  // namespace keyblock::study

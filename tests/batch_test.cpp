@@ -1,0 +1,206 @@
+// A batch as a user meets it: an archive of many habits catalogued, killed in the middle and resumed, run and compared.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/mixed_archive.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::fresh_folder;
+using testing::ProgramRun;
+using testing::read_text;
+using testing::run_keyblock;
+using testing::write_text;
+
+const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
+const std::vector<std::string> kCatalogue{"catalogue.csv", "catalogue.json", "catalogue.html"};
+
+std::map<std::string, std::string> catalogue_in(const fs::path& folder) {
+  std::map<std::string, std::string> texts;
+  for (const std::string& name : kCatalogue) texts[name] = read_text(folder / name);
+  return texts;
+}
+
+nlohmann::json jobs_in(const fs::path& folder) {
+  return nlohmann::json::parse(read_text(folder / "catalogue.json"))["jobs"];
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Copies the two files of a case of ours.
+void copy_case(const std::string& name, const fs::path& folder) {
+  fs::create_directories(folder);
+  for (const char* ending : {".geo", ".ana"})
+    fs::copy_file(kCases + name + ending, folder / (fs::path(name).filename().string() + ending));
+}
+
+}  // namespace
+
+TEST(Batch, every_sound_case_of_a_mixed_archive_is_paired_and_every_broken_file_is_told) {
+  const fs::path root = fresh_folder("batch_mixed");
+  const auto made = testing::write_mixed_archive(root / "in", 41, 0.1, 7);
+  ASSERT_GE(made.broken.size(), 2U);
+  const ProgramRun run = run_keyblock({"batch", root / "in", "--check", "-o", root / "out"});
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  std::set<std::string> failed;
+  std::size_t files = 0;
+  for (const auto& job : jobs_in(root / "out")) {
+    bool is_touched = false;
+    for (const auto& file : job["files"]) {
+      ++files;
+      const std::string path = file["path"];
+      is_touched = is_touched || made.broken.contains(path) || made.partners.contains(path);
+      if (job["outcome"] == "failed") failed.insert(path);
+    }
+    if (is_touched || job["outcome"] == "listed") continue;
+    EXPECT_EQ(job["files"].size(), 2U) << job;
+    EXPECT_NE(job["outcome"], "failed") << job;
+  }
+  EXPECT_EQ(files, 41U);
+  for (const std::string& path : made.broken) EXPECT_TRUE(failed.contains(path)) << path;
+}
+
+TEST(Batch, the_catalogue_is_the_same_for_any_number_of_threads) {
+  const fs::path root = fresh_folder("batch_threads");
+  testing::write_mixed_archive(root / "in", 40, 0.05, 3);
+  run_keyblock({"batch", root / "in", "--check", "-o", root / "one", "--jobs", "1"});
+  run_keyblock({"batch", root / "in", "--check", "-o", root / "four", "--jobs", "4"});
+  EXPECT_FALSE(read_text(root / "one" / "catalogue.csv").empty());
+  EXPECT_EQ(catalogue_in(root / "one"), catalogue_in(root / "four"));
+}
+
+TEST(Batch, killed_in_the_middle_and_resumed_it_gives_the_same_catalogue) {
+  const fs::path root = fresh_folder("batch_killed");
+  testing::write_mixed_archive(root / "in", 40, 0.05, 11);
+  const std::vector<std::string> batch{"batch",        root / "in", "--run",  "--profile", "legacy",
+                                       "--time-limit", "20",        "--jobs", "2"};
+  const auto with = [&](const std::string& out, bool is_resumed) {
+    std::vector<std::string> arguments = batch;
+    arguments.insert(arguments.end(), {"-o", root / out});
+    if (is_resumed) arguments.emplace_back("--resume");
+    return arguments;
+  };
+  run_keyblock(with("whole", false));
+  const auto lines = [](const fs::path& journal) { return std::ranges::count(read_text(journal), '\n'); };
+  const auto all = lines(root / "whole" / "journal.jsonl");
+  const ProgramRun killed = testing::kill_keyblock(with("killed", false), root / "killed" / "journal.jsonl", 6);
+  EXPECT_EQ(killed.exit_code, 128 + SIGKILL);
+  EXPECT_LT(lines(root / "killed" / "journal.jsonl"), all);
+  EXPECT_FALSE(fs::exists(root / "killed" / "catalogue.csv"));
+  std::ofstream(root / "killed" / "journal.jsonl", std::ios::app) << R"({"row":{"job":"torn)";
+  const ProgramRun resumed = run_keyblock(with("killed", true));
+  EXPECT_TRUE(contains(resumed.messages, "done before")) << resumed.messages;
+  EXPECT_EQ(lines(root / "killed" / "journal.jsonl"), all);
+  EXPECT_EQ(catalogue_in(root / "whole"), catalogue_in(root / "killed"));
+}
+
+TEST(Batch, a_changed_file_is_done_again_and_nothing_else) {
+  const fs::path root = fresh_folder("batch_changed");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in/one");
+  copy_case("stack/five_blocks/five_blocks", root / "in/two");
+  ASSERT_EQ(run_keyblock({"batch", root / "in", "--check", "-o", root / "out"}).exit_code, 0);
+  write_text(root / "in/one/a30_p20.ana", "broken");
+  const ProgramRun again = run_keyblock({"batch", root / "in", "--check", "-o", root / "out", "--resume"});
+  EXPECT_TRUE(contains(again.messages, "1 job done before, 1 to do")) << again.messages;
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_EQ(jobs_in(root / "out")[0]["outcome"], "failed");
+}
+
+TEST(Batch, a_run_compares_the_old_rules_with_the_new_and_both_with_what_is_expected) {
+  const fs::path root = fresh_folder("batch_run");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in/a30_p20");
+  fs::copy_file(kCases + "sliding_block/a30_p20/expected.csv", root / "in/a30_p20/expected.csv");
+  const ProgramRun run = run_keyblock({"batch", root / "in", "--run", "-o", root / "out"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  const auto job = jobs_in(root / "out").at(0);
+  EXPECT_EQ(job["blocks"], 2);
+  EXPECT_EQ(job["expected"], "legacy: hold, standard: hold");
+  ASSERT_EQ(job["answers"].size(), 2U);
+  // g/2 (sin a - cos a tan phi) t^2 at 1 s down a slope of 30 degrees, friction 20 degrees
+  const double travel = 0.906407364;
+  const auto& standard = job["answers"][1];
+  EXPECT_EQ(standard["profile"], "standard");
+  EXPECT_NEAR(standard["time"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(std::hypot(standard["dx"].get<double>(), standard["dy"].get<double>()), travel, 1e-6);
+  EXPECT_NEAR(job["difference"].get<double>(), 0.0018, 1e-4);  // friction of the old program lags a step behind
+  for (const char* file : {"legacy/run.json", "standard/run.json", "legacy.log", "standard.log"})
+    EXPECT_TRUE(fs::exists(root / "out/jobs/a30_p20/a30_p20.geo" / file)) << file;
+}
+
+TEST(Batch, a_job_beyond_its_limits_fails_alone) {
+  const fs::path root = fresh_folder("batch_limits");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in");
+  std::string endless = read_text(kCases + "block_at_rest/dynamic/dynamic.ana");
+  fs::copy_file(kCases + "block_at_rest/dynamic/dynamic.geo", root / "in/endless.geo");
+  const std::string steps = "timesteps=\"1000\"";
+  ASSERT_NE(endless.find(steps), std::string::npos);
+  endless.replace(endless.find(steps), steps.size(), "timesteps=\"100000000\"");
+  write_text(root / "in/endless.ana", endless);
+  const ProgramRun run =
+      run_keyblock({"batch", root / "in", "--run", "--profile", "standard", "--time-limit", "1", "-o", root / "out"});
+  EXPECT_EQ(run.exit_code, 1);
+  const auto jobs = jobs_in(root / "out");
+  EXPECT_EQ(jobs[0]["outcome"], "ok") << jobs[0];
+  EXPECT_TRUE(contains(jobs[1]["message"], "stopped at the limit of 1 s of processor time")) << jobs[1];
+  const ProgramRun starved = run_keyblock(
+      {"batch", root / "in", "--run", "--profile", "standard", "--memory-limit", "16", "-o", root / "starved"});
+  EXPECT_EQ(starved.exit_code, 1);
+  EXPECT_EQ(jobs_in(root / "starved")[0]["outcome"], "failed");
+}
+
+TEST(Batch, an_interrupted_batch_finishes_what_runs_and_exits_130) {
+  const fs::path root = fresh_folder("batch_stopped");
+  testing::write_mixed_archive(root / "in", 40, 0, 5);
+  const ProgramRun run = testing::interrupt_keyblock(
+      {"batch", root / "in", "--run", "--profile", "legacy", "--time-limit", "20", "-o", root / "out", "--jobs", "1"},
+      (root / "out" / "jobs").string());
+  EXPECT_EQ(run.exit_code, 130) << run.messages;
+  EXPECT_FALSE(fs::exists(root / "out" / "catalogue.csv"));
+  EXPECT_TRUE(read_text(root / "out" / "journal.jsonl").ends_with("}\n"));
+}
+
+TEST(Batch, wrong_usage_and_folders_in_use_are_exit_2) {
+  const fs::path root = fresh_folder("batch_usage");
+  copy_case("stack/five_blocks/five_blocks", root / "in");
+  const std::string in = root / "in";
+  const std::string out = root / "out";
+  EXPECT_EQ(run_keyblock({"batch", in, "-o", out}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"batch", in, "--check", "--run", "-o", out}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"batch", in, "--check"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"batch", in + "/none", "--check", "-o", out}).exit_code, 3);
+  EXPECT_EQ(run_keyblock({"batch", in, "--check", "-o", out}).exit_code, 0);
+  EXPECT_EQ(run_keyblock({"batch", in, "--check", "-o", out}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"batch", in, "--run", "-o", out, "--resume"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"batch", in, "--check", "-o", out, "--force"}).exit_code, 0);
+}
+
+TEST(Batch, a_file_too_large_is_named_and_not_read) {
+  const fs::path root = fresh_folder("batch_large");
+  fs::create_directories(root / "in");
+  write_text(root / "in" / "large.geo", std::string(1100000, '1'));
+  EXPECT_EQ(run_keyblock({"batch", root / "in", "--check", "--largest-file", "1", "-o", root / "out"}).exit_code, 1);
+  EXPECT_TRUE(contains(jobs_in(root / "out")[0]["message"], "expected at most 1 MiB")) << jobs_in(root / "out")[0];
+}
+
+TEST(Batch, every_case_is_converted) {
+  if (!contains(run_keyblock({"convert", "--help"}).output, "Usage: keyblock convert"))
+    GTEST_SKIP() << "this program has no convert";
+  const fs::path root = fresh_folder("batch_convert");
+  copy_case("stack/five_blocks/five_blocks", root / "in");
+  const ProgramRun run = run_keyblock({"batch", root / "in", "--convert", "ddaml", "-o", root / "out"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  for (const auto& output : jobs_in(root / "out").at(0)["outputs"])
+    EXPECT_TRUE(fs::exists(root / "out" / output.get<std::string>())) << output;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,62 @@
+// The page of a catalogue holds every row, and nothing of a file's text is taken for markup; small pictures stay small.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/catalogue_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/thumbnail.hpp"
+#include "tests/support/two_triangles.hpp"
+
+namespace keyblock::report {
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+Blocks squares(int number) {
+  Blocks blocks;
+  for (int i = 0; i < number; ++i) {
+    const double x = i;
+    blocks.blocks.push_back({0, {{{x, 0}, 0}, {{x + 1, 0}, 0}, {{x + 1, 1}, 0}, {{x, 1}, 0}}, {}});
+  }
+  return blocks;
+}
+
+}  // namespace
+
+TEST(CataloguePage, has_as_many_cells_in_each_row_as_headings) {
+  CatalogueRow row;
+  row.name = "a<b>&c";
+  row.files = {{"a<b>&c", "ddaml", "ff"}};
+  row.outcome = "failed";
+  row.message = "found \"<script>\"";
+  const std::string page = catalogue_page("All", {row, row});
+  EXPECT_EQ(count(page, "<td"), 2 * count(page, "<th>"));
+  EXPECT_EQ(count(page, "<script>"), 1U);
+  EXPECT_NE(page.find("a&lt;b&gt;&amp;c"), std::string::npos);
+  EXPECT_NE(page.find("2 jobs, 2 failed"), std::string::npos);
+  EXPECT_EQ(count(page, "http"), 0U);  // it loads nothing
+}
+
+TEST(CataloguePage, an_answer_is_told_with_its_length) {
+  EXPECT_EQ(text_of({"legacy", "finished", 10, 0.5, "measured point 1", 3, -4}),
+            "measured point 1 moved by (3, -4), 5, at time 0.5; finished, 10 steps");
+  EXPECT_EQ(text_of({"legacy", "no result", 0, 0, "", 0, 0}), "no result, 0 steps");
+}
+
+TEST(Thumbnail, draws_blocks_loops_and_lines_up_to_a_bound) {
+  EXPECT_EQ(count(thumbnail(squares(3)), "<path"), 3U);
+  EXPECT_EQ(count(thumbnail(squares(1000)), "<path"), kThumbnailShapes);
+  EXPECT_EQ(count(thumbnail(testing::two_triangles()), "M"), 2U);
+  Drawing drawing;
+  drawing.joints = {{{{0, 0}, {1, 0}}, 0, {}}, {{{0, 0}, {0, 1}}, 0, {}}};
+  EXPECT_EQ(count(thumbnail(drawing), "<polyline"), 2U);
+  EXPECT_TRUE(thumbnail(Blocks{}).starts_with("<svg"));
+}
+
+}  // namespace keyblock::report

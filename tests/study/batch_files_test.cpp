@@ -1,0 +1,49 @@
+// What files are by their content, which of them are looked at, and the counts by which they fit.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/batch_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "formats/registry.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+#include "tests/support/two_triangles.hpp"
+
+namespace keyblock::study {
+
+namespace fs = std::filesystem;
+
+TEST(BatchFiles, all_but_hidden_ones_and_those_of_the_results_are_found_in_order) {
+  const fs::path root = testing::fresh_folder("batch_files");
+  for (const char* folder : {"b", "out/jobs", ".git"}) fs::create_directories(root / folder);
+  for (const char* file : {"z", "b/a", "out/jobs/x", ".git/config", ".hidden"}) testing::write_text(root / file, "");
+  fs::create_directory_symlink(root, root / "b" / "round");
+  EXPECT_EQ(files_below(root, root / "out"), (std::vector<std::string>{"b/a", "z"}));
+  EXPECT_THROW(files_below(root / "z", {}), InputError);
+}
+
+TEST(BatchFiles, content_decides_what_a_file_is) {
+  const std::string folder = KEYBLOCK_SOURCE_DIR "/tests/malformed/";
+  const auto role_of = [&](const std::string& name) { return look_at(formats::load(folder + name), name).role; };
+  EXPECT_EQ(role_of("00_control_orig.geo"), FileRole::geometry);
+  EXPECT_EQ(role_of("00_control_xml.geo"), FileRole::geometry);
+  EXPECT_EQ(role_of("00_control_orig.ana"), FileRole::analysis);
+  EXPECT_EQ(role_of("00_control_xml.ana"), FileRole::analysis);
+  EXPECT_EQ(role_of("05_empty_geo.geo"), FileRole::unreadable);
+  EXPECT_EQ(role_of("expected.csv"), FileRole::side_file);
+  EXPECT_EQ(look_at({"f", "0.005 3\n.1\n-.2\n.3\n"}, "quake.geo").role, FileRole::side_file);
+}
+
+TEST(BatchFiles, a_name_counts_only_where_no_format_fits) {
+  EXPECT_EQ(look_at({"f", "# Notes\n"}, "README.md").role, FileRole::foreign);
+  EXPECT_EQ(look_at({"f", "{\"about\": \"a slope\"}"}, "case.json").role, FileRole::foreign);
+  EXPECT_EQ(look_at({"f", "# Notes\n"}, "slope.geo").role, FileRole::unreadable);
+  EXPECT_EQ(look_at({"f", testing::kTwoTrianglesFile}, "cover.txt").role, FileRole::geometry);
+}
+
+TEST(BatchFiles, counts_of_a_cover_are_those_its_analysis_must_have) {
+  const BatchFile file = look_at({"f", testing::kTwoTrianglesFile}, "cv");
+  EXPECT_EQ(file.counts, (FitCounts{true, 1, 2, 1}));
+}
+
+}  // namespace keyblock::study
