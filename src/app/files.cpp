@@ -1,11 +1,9 @@
-// Files out, and their checksums.
+// Files out.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
-#include <array>
 #include <fstream>
 
 #include "app/usage_error.hpp"
@@ -47,15 +45,6 @@ void write_file(const fs::path& file, const std::string& text) {
     fs::remove(draft, ignored);
     throw OutputError(fmt::format("cannot write {}", file.string()));
   }
-}
-
-std::string sha256(const std::string& bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  std::string text;
-  for (unsigned int i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
-  return text;
 }
 
 }  // namespace keyblock

@@ -21,7 +21,4 @@ void require_not_below(const std::filesystem::path& input, const std::filesystem
 /// Writes beside the file and renames, so that a reader never meets half a file. Throws OutputError if it cannot.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
-/// SHA-256 of the bytes, lower-case hexadecimal.
-std::string sha256(const std::string& bytes);
-
 }  // namespace keyblock

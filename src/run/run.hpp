@@ -11,7 +11,7 @@
 #include "result/history.hpp"
 #include "result/ledger.hpp"
 #include "result/step_report.hpp"
-#include "step/advance.hpp"
+#include "step/stepper.hpp"
 
 namespace keyblock {
 
@@ -23,6 +23,8 @@ struct Observer {
   std::function<void(const HistoryRow&)> on_row;
   std::function<bool()> wants_stop;
   std::function<void(const LedgerRow&)> on_ledger;  ///< at the start and after every step, if the settings ask for it
+  /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on takes.
+  std::function<void(Stepper&)> between_steps;
 };
 
 enum class RunEnd { finished, failed, stopped };
@@ -39,5 +41,8 @@ struct RunOutcome {
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever
 /// the end was.
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer);
+
+/// The rest of a run, as if it had not been left between two steps; what was told before is not told again.
+RunOutcome go_on(const Scene& scene, Stepper& stepper, int record_every, const Observer& observer);
 
 }  // namespace keyblock

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "step/describe_memory.hpp"
 #include "step/shi_ledger.hpp"
 #include "step/standard_stepper.hpp"
 
@@ -16,12 +17,14 @@ class ShiStepper : public Stepper {
     if (scene.settings.step_control == StepControl::error)
       throw std::invalid_argument("setting step_control: error needs profile standard");
   }
+  ShiStepper(const Scene& scene, Archive& saved) : ShiStepper(scene) { describe(saved, stepping_); }
 
   const State& state() const override { return stepping_.state; }
   const State& unloaded() const override { return unloaded_; }
   std::variant<StepReport, StepFailure> advance() override { return keyblock::advance(scene_, stepping_); }
   LedgerRow ledger() const override { return stored_row(scene_.model, scene_.settings, state(), unloaded_); }
   LedgerScope ledger_scope() const override { return stored_scope(unloaded_); }
+  void save(Archive& archive) override { describe(archive, stepping_); }
 
  private:
   const Scene& scene_;
@@ -34,6 +37,11 @@ class ShiStepper : public Stepper {
 std::unique_ptr<Stepper> stepper_for(const Scene& scene) {
   if (scene.settings.dynamics == Dynamics::standard) return std::make_unique<StandardStepper>(scene);
   return std::make_unique<ShiStepper>(scene);
+}
+
+std::unique_ptr<Stepper> restored_stepper(const Scene& scene, Archive& archive) {
+  if (scene.settings.dynamics == Dynamics::standard) return std::make_unique<StandardStepper>(scene, archive);
+  return std::make_unique<ShiStepper>(scene, archive);
 }
 
 }  // namespace keyblock
