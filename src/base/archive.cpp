@@ -15,7 +15,8 @@ Archive::Archive(std::string file, std::unique_ptr<ArchiveNode> root)
     : file_(std::move(file)), root_(std::move(root)), here_(root_.get()), restoring_(true) {}
 
 void Archive::refuse(std::string_view name, const std::string& sentence) const {
-  throw InputError({file_, 0, 0}, fmt::format("{} ({}{}{})", sentence, here_->name, here_->name.empty() ? "" : ": ", name));
+  throw InputError({file_, 0, 0},
+                   fmt::format("{} ({}{}{})", sentence, here_->name, here_->name.empty() ? "" : ": ", name));
 }
 
 ArchiveNode& Archive::child(std::string_view name) {
@@ -39,7 +40,8 @@ T Archive::through(std::string_view name, T value) {
   if (restoring_) {
     auto* column = std::get_if<std::vector<T>>(&node.column);
     if (!column) refuse(name, "expected a value of another kind, found what is saved");
-    if (node.taken == column->size()) refuse(name, fmt::format("expected more than {} values, found no more", node.taken));
+    if (node.taken == column->size())
+      refuse(name, fmt::format("expected more than {} values, found no more", node.taken));
     return (*column)[node.taken++];
   }
   if (node.column.index() == 0) node.column = std::vector<T>();
@@ -59,8 +61,7 @@ void Archive::value(std::string_view name, double& number) {
 }
 
 void Archive::value(std::string_view name, int& number) {
-  number =
-      static_cast<int>(bounded(name, number, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+  number = static_cast<int>(bounded(name, number, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
 }
 
 void Archive::value(std::string_view name, bool& flag) {

@@ -17,8 +17,7 @@ namespace keyblock {
 
 /// A tree of named columns. The rows of a list add one after another to the same columns.
 struct ArchiveNode {
-  using Column =
-      std::variant<std::monostate, std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>>;
+  using Column = std::variant<std::monostate, std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>>;
 
   std::string name;
   Column column;  ///< of a leaf

@@ -32,9 +32,8 @@ void describe(Archive& a, BoltFrame& bolt) {
 }
 
 void describe(Archive& a, ElementFrame& element) {
-  a.list("loops", element.loops, [&](std::vector<Point>& loop) {
-    a.list("points", loop, [&](Point& point) { describe(a, point); });
-  });
+  a.list("loops", element.loops,
+         [&](std::vector<Point>& loop) { a.list("points", loop, [&](Point& point) { describe(a, point); }); });
   a.value("material", element.material);
   describe(a, "centroid", element.centroid);
   describe(a, "displacement", element.displacement);

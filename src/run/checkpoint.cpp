@@ -65,7 +65,8 @@ void write_texts(hid_t place, const std::string& name, const std::vector<std::st
   std::size_t longest = 1;
   for (const std::string& text : texts) longest = std::max(longest, text.size());
   std::string all(longest * texts.size(), '\0');
-  for (std::size_t i = 0; i < texts.size(); ++i) std::ranges::copy(texts[i], all.begin() + static_cast<long>(i * longest));
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    std::ranges::copy(texts[i], all.begin() + static_cast<long>(i * longest));
   const Handle type = text_type(longest);
   write_column(place, name, type, type, texts.size(), all.data());
 }

@@ -51,8 +51,7 @@ class Loop {
   bool is_framed() const { return state().step % record_every_ == 0; }
 
   void show() {
-    if (observer_.on_frame)
-      observer_.on_frame(frame_of(scene_.model, state(), stepper_.unloaded(), scene_.settings));
+    if (observer_.on_frame) observer_.on_frame(frame_of(scene_.model, state(), stepper_.unloaded(), scene_.settings));
   }
 
   void keep_row() {

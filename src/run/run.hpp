@@ -24,7 +24,7 @@ struct Observer {
   std::function<bool()> wants_stop;
   std::function<void(const LedgerRow&)> on_ledger;  ///< at the start and after every step, if the settings ask for it
   /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on takes.
-  std::function<void(Stepper&)> between_steps;
+  std::function<void(Stepper&)> between_steps = {};
 };
 
 enum class RunEnd { finished, failed, stopped };
