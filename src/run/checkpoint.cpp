@@ -57,7 +57,9 @@ void write_column(hid_t place, const std::string& name, hid_t stored, hid_t in_m
                   const void* values) {
   const hsize_t size = count;
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  const Handle set(H5Dcreate2(place, name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const Handle untimed(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);  // the same run gives the same bytes
+  H5Pset_obj_track_times(untimed, false);
+  const Handle set(H5Dcreate2(place, name.c_str(), stored, space, H5P_DEFAULT, untimed, H5P_DEFAULT), H5Dclose);
   require(H5Dwrite(set, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
 }
 
