@@ -32,12 +32,13 @@ struct Sample {
 // One a feature whose memory goes from step to step.
 const std::vector<Sample>& samples() {
   static const std::vector<Sample> all{
-      {"circle_slope", {}},                                               // many contacts, a step by rule
+      {"circle_slope", {}, {"legacy"}},                                   // many contacts, a step by rule
       {"stack/five_blocks", {{"step_control", "shi"}}},                   // contact, parts of a step
       {"stack/five_blocks", {{"enforcement", "penalty"}}, {"standard"}},  // stretched springs
       {"restitution/e_050", {{"step_control", "error"}}, {"standard"}},   // impact, parts by their error
       {"bolt/breaking", {{"time_step", "0.02"}}},                         // bolts, broken ones
       {"driven_point/ramp", {}},                                          // a driven point
+      {"masonry_arch/quake_thin_falls", {}},                              // a settled start
       {"cohesive_joint/c40", {}},                                         // bonds
       {"settlement/five_tall_static", {{"enforcement", "penalty"}}},      // statics
       {"settlement/five_tall_static", {{"motion", "static"}, {"load_steps", "6"}}, {"standard"}},  // loads in parts

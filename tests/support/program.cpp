@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <functional>
 
 #include "tests/support/text_files.hpp"
 
@@ -31,6 +32,14 @@ namespace {
   _exit(127);
 }
 
+constexpr useconds_t kMicrosecondsBetweenLooks = 10000;
+
+// Leaves the process to be waited for.
+bool is_running(pid_t child) {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+}
+
 double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
@@ -46,7 +55,8 @@ std::string fresh_folder(const std::string& name) {
 
 namespace {
 
-ProgramRun run_program(const std::vector<std::string>& arguments, const std::string& interrupt_at) {
+// `meanwhile` is called once, with the process that was started.
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::function<void(pid_t)>& meanwhile) {
   std::vector<std::string> words{KEYBLOCK_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const fs::path folder = fs::temp_directory_path() / ("keyblock_test_" + std::to_string(getpid()));
@@ -55,11 +65,7 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::str
   const std::string messages = (folder / "stderr").string();
   const pid_t child = fork();
   if (child == 0) become(words, output, messages);
-  if (!interrupt_at.empty()) {
-    constexpr useconds_t kMicrosecondsBetweenLooks = 10000;
-    while (!fs::exists(interrupt_at) && waitpid(child, nullptr, WNOHANG) == 0) usleep(kMicrosecondsBetweenLooks);
-    kill(child, SIGINT);
-  }
+  meanwhile(child);
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
@@ -70,11 +76,21 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::str
 }  // namespace
 
 ProgramRun run_keyblock(const std::vector<std::string>& arguments) {
-  return run_program(arguments, "");
+  return run_program(arguments, [](pid_t) {});
 }
 
 ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file) {
-  return run_program(arguments, file);
+  return run_program(arguments, [&](pid_t child) {
+    while (!fs::exists(file) && is_running(child)) usleep(kMicrosecondsBetweenLooks);
+    kill(child, SIGINT);
+  });
+}
+
+ProgramRun kill_keyblock(const std::vector<std::string>& arguments, double seconds) {
+  return run_program(arguments, [&](pid_t child) {
+    usleep(static_cast<useconds_t>(1e6 * seconds));
+    if (is_running(child)) kill(child, SIGKILL);
+  });
 }
 
 }  // namespace keyblock::testing
