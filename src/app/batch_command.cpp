@@ -20,6 +20,7 @@
 #include "app/files.hpp"
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
+#include "base/sha256.hpp"
 #include "formats/registry.hpp"
 #include "run/profile.hpp"
 #include "study/batch_catalogue.hpp"

@@ -1,11 +1,11 @@
-// Files out, and their checksums.
+// Files out.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <openssl/evp.h>
+#include <unistd.h>
 
-#include <array>
 #include <fstream>
 
 #include "app/usage_error.hpp"
@@ -34,28 +34,49 @@ void require_not_below(const fs::path& input, const fs::path& folder) {
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", input.string()));
 }
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::error_code ignored;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-  const fs::path draft = file.string() + ".part";
-  std::ofstream stream(draft, std::ios::binary);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  std::error_code error;
-  if (stream) fs::rename(draft, file, error);
-  if (!stream || error) {
-    fs::remove(draft, ignored);
-    throw OutputError(fmt::format("cannot write {}", file.string()));
-  }
+namespace {
+
+fs::path draft_of(const fs::path& file) {
+  return file.string() + ".part";
 }
 
-std::string sha256(const std::string& bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  std::string text;
-  for (unsigned int i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
-  return text;
+bool write_draft(const fs::path& file, const std::string& text) {
+  std::ofstream stream(draft_of(file), std::ios::binary);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  return !stream.fail();
+}
+
+[[noreturn]] void give_up(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(draft_of(file), ignored);
+  throw OutputError(fmt::format("cannot write {}", file.string()));
+}
+
+}  // namespace
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (!write_draft(file, text)) give_up(file);
+  fs::rename(draft_of(file), file, error);
+  if (error) give_up(file);
+}
+
+void flush_to_disk(const fs::path& file_or_folder) {
+  const int descriptor = open(file_or_folder.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
+  if (descriptor >= 0) close(descriptor);
+  if (!flushed) throw OutputError(fmt::format("cannot flush {} to the disk", file_or_folder.string()));
+}
+
+void write_durably(const fs::path& file, const std::string& bytes) {
+  if (!write_draft(file, bytes)) give_up(file);
+  flush_to_disk(draft_of(file));
+  std::error_code error;
+  fs::rename(draft_of(file), file, error);
+  if (error) give_up(file);
+  flush_to_disk(file.parent_path());
 }
 
 }  // namespace keyblock

@@ -18,10 +18,13 @@ void require_not_input(const std::filesystem::path& output, const std::filesyste
 /// Throws UsageError if `input` lies directly in `folder`, where results will be written.
 void require_not_below(const std::filesystem::path& input, const std::filesystem::path& folder);
 
+/// Until it returns the bytes may be lost with the power. Throws OutputError if it cannot.
+void flush_to_disk(const std::filesystem::path& file_or_folder);
+
+/// As `write_file`, and flushed before and after the renaming: at any moment the disk holds the old file or the new one, whole.
+void write_durably(const std::filesystem::path& file, const std::string& bytes);
+
 /// Writes beside the file and renames, so that a reader never meets half a file. Throws OutputError if it cannot.
 void write_file(const std::filesystem::path& file, const std::string& text);
-
-/// SHA-256 of the bytes, lower-case hexadecimal.
-std::string sha256(const std::string& bytes);
 
 }  // namespace keyblock

@@ -19,15 +19,19 @@ double seconds(std::chrono::steady_clock::duration time) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(int step_count)
-    : step_count_(step_count), on_terminal_(isatty(STDERR_FILENO) == 1), started_(Clock::now()), shown_(started_) {}
+ProgressLine::ProgressLine(int step_count, int steps_done)
+    : step_count_(step_count),
+      steps_done_(steps_done),
+      on_terminal_(isatty(STDERR_FILENO) == 1),
+      started_(Clock::now()),
+      shown_(started_) {}
 
 void ProgressLine::show(const StepReport& report) {
   const Clock::time_point now = Clock::now();
   const bool last = report.step == step_count_;
   if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : kLogSeconds)) return;
   shown_ = now;
-  const double left = seconds(now - started_) / report.step * (step_count_ - report.step);
+  const double left = seconds(now - started_) / (report.step - steps_done_) * (step_count_ - report.step);
   fmt::print(stderr, "{}step {} of {}  time {:.6g}  dt {:.4g}  passes {}  {:.0f} s left{}",
              on_terminal_ ? "\r\x1b[K" : "", report.step, step_count_, report.time, report.dt, report.passes, left,
              on_terminal_ ? "" : "\n");

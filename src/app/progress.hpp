@@ -11,7 +11,8 @@ namespace keyblock {
 /// On a terminal one line renewed a few times a second; elsewhere a line now and then.
 class ProgressLine {
  public:
-  explicit ProgressLine(int step_count);
+  /// `steps_done`: by an earlier part of the run.
+  ProgressLine(int step_count, int steps_done);
   void show(const StepReport& report);
   /// Ends the line.
   void finish();
@@ -20,6 +21,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   int step_count_;
+  int steps_done_;
   bool on_terminal_;
   Clock::time_point started_;
   Clock::time_point shown_;

@@ -15,9 +15,13 @@
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
 #include "app/run_report.hpp"
+#include "app/saved_run.hpp"
 #include "app/usage_error.hpp"
+#include "base/sha256.hpp"
+#include "run/checkpoint.hpp"
 #include "run/profile.hpp"
 #include "run/settings_guide.hpp"
+#include "run/settings_table.hpp"
 #include "study/named_files.hpp"
 
 namespace keyblock {
@@ -25,6 +29,9 @@ namespace {
 
 // Unless asked otherwise, a run leaves at most this many frames: more are seldom looked at and fill the disk.
 constexpr int kMostFrames = 100;
+
+// What an interruption may cost, unless asked otherwise.
+constexpr double kCheckpointSeconds = 30;
 
 // Penetrations beyond this many times the allowed one no longer look like contact.
 constexpr double kDeepPenetrations = 10;
@@ -45,6 +52,8 @@ struct RunOptions {
   std::vector<std::string> files;
   std::string profile;  ///< empty: that of the case file, or the default
   std::string folder;
+  std::string resume;  ///< folder of a run to go on with
+  double checkpoint_every = kCheckpointSeconds;
   std::vector<std::string> sets;
   int record_every = 0;
   bool as_json = false;
@@ -202,7 +211,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, const std:
     spdlog::error("keyblock: error: {}", record.outcome.reason);
     print_hint(prepared.scene.settings);
   }
-  if (record.outcome.end == RunEnd::stopped) spdlog::warn("stopped by request");
+  if (record.outcome.end == RunEnd::stopped)
+    spdlog::warn("stopped by request; keyblock run --resume {} goes on", folder);
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
 }
 
@@ -223,10 +233,60 @@ ExitCode list_settings() {
   return ExitCode::ok;
 }
 
-ExitCode run_files(const RunOptions& options) {
-  if (options.list_settings) return list_settings();
-  if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file");
-  if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
+RunRequest request_of(const RunOptions& options, const RunRecord& record, const Settings& settings) {
+  RunRequest request{KEYBLOCK_VERSION,
+                     std::filesystem::current_path().string(),
+                     options.files,
+                     record.profile,
+                     options.sets,
+                     record.record_every,
+                     options.trace,
+                     {},
+                     {},
+                     {}};
+  for (const InputRecord& input : record.inputs) {
+    request.read.push_back(input.file);
+    request.digests.push_back(input.sha256);
+  }
+  if (const std::string& named = settings.body_acceleration.file; !named.empty()) {
+    request.read.push_back(named);
+    request.digests.push_back(sha256(formats::load(named).text));
+  }
+  for (const SettingText& setting : list(settings)) request.settings.push_back(setting.name + "=" + setting.value);
+  return request;
+}
+
+/// Says when the next checkpoint is due: every so many seconds, or only when the run is stopped.
+class CheckpointClock {
+ public:
+  explicit CheckpointClock(double every) : every_(every) {}
+  bool is_due() const { return every_ > 0 && seconds_since() >= every_; }
+  void written() { last_ = std::chrono::steady_clock::now(); }
+
+ private:
+  double seconds_since() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
+  }
+  double every_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// The same lines save and restore what is known of the run beside the stepper.
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record) {
+  archive.group("records", [&] { describe_records(archive, history, record); });
+  archive.group("folder", [&] { folder.describe(archive); });
+}
+
+std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, Stepper& stepper) {
+  Archive archive;
+  archive.group("request", [&] { describe(archive, request); });
+  describe_told(archive, folder, history, record);
+  archive.group("stepper", [&] { stepper.save(archive); });
+  return checkpoint_bytes(archive);
+}
+
+// `saved`: the checkpoint to go on from, its request already taken; none for a run from the start.
+ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
   RunRecord record;
   const formats::Case loaded = formats::load_case(options.files);
@@ -238,23 +298,42 @@ ExitCode run_files(const RunOptions& options) {
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
   record.warnings = joined(loaded.warnings, prepared.warnings);
 
+  RunRequest request = request_of(options, record, prepared.scene.settings);
+  if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
   for (const std::string& file : options.files) require_not_below(file, options.folder);
-  RunFolder folder(options.folder, options.force ? Overwrite::yes : Overwrite::no,
-                   options.trace ? Trace::yes : Trace::no);
   History history{!prepared.scene.model.measured_points.empty(), {}};
-  ProgressLine progress(prepared.scene.settings.step_count);
+  const Trace trace = options.trace ? Trace::yes : Trace::no;
+  RunFolder folder = saved ? RunFolder(options.folder, trace)
+                           : RunFolder(options.folder, options.force ? Overwrite::yes : Overwrite::no, trace);
+  std::unique_ptr<Stepper> stepper;
+  if (saved) {
+    describe_told(*saved, folder, history, record);
+    saved->group("stepper", [&] { stepper = restored_stepper(prepared.scene, *saved); });
+    folder.drop_what_followed();
+  }
+  ProgressLine progress(prepared.scene.settings.step_count, stepper ? stepper->state().step : 0);
   spdlog::info("{}, {} unknowns, {} steps", counted(prepared.blocks.blocks.size(), "block"),
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
+  if (stepper) spdlog::info("going on after step {}", stepper->state().step);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
-  record.outcome = run(prepared.scene, record.record_every,
-                       {[&](const Frame& frame) { folder.add(frame); },
-                        [&](const StepReport& report) {
-                          record.steps.push_back(report);
-                          progress.show(report);
-                        },
-                        [&](const HistoryRow& row) { history.rows.push_back(row); }, [] { return stop_asked.load(); },
-                        [&](const LedgerRow& row) { record.ledger.rows.push_back(row); }});
+  CheckpointClock clock(options.checkpoint_every);
+  bool stops = false;
+  const Observer observer{[&](const Frame& frame) { folder.add(frame); },
+                          [&](const StepReport& report) {
+                            record.steps.push_back(report);
+                            progress.show(report);
+                          },
+                          [&](const HistoryRow& row) { history.rows.push_back(row); },
+                          [&] { return stops = stop_asked.load(); },
+                          [&](const LedgerRow& row) { record.ledger.rows.push_back(row); },
+                          [&](Stepper& now) {
+                            if (!stops && !clock.is_due()) return;
+                            folder.write_checkpoint(saved_bytes(request, folder, history, record, now));
+                            clock.written();
+                          }};
+  record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
+                           : run(prepared.scene, record.record_every, observer);
   record.ledger.scope = record.outcome.ledger_scope;
   progress.finish();
   record.timings.run = watch.lap();
@@ -267,30 +346,71 @@ ExitCode run_files(const RunOptions& options) {
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   folder.write_record(json + "\n");
+  if (record.outcome.end != RunEnd::stopped) folder.remove_checkpoint();
   if (options.as_json) fmt::print("{}\n", json);
   print_summary(prepared, record, options.folder);
   return exit_code(record.outcome.end);
+}
+
+// Asks again what the run was asked, from the folder that names of its files were taken from.
+ExitCode resume_run(const RunOptions& options) {
+  RunOptions again = options;
+  again.folder = std::filesystem::absolute(options.resume).string();
+  Archive saved = read_checkpoint(checkpoint_in(again.folder));
+  RunRequest request;
+  saved.group("request", [&] { describe(saved, request); });
+  std::error_code error;
+  std::filesystem::current_path(request.working_folder, error);
+  if (error) saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));
+  if (request.record_every < 1 || request.files.empty())
+    saved.refuse("request", "expected files and a frame every so many steps, found none");
+  again.files = request.files;
+  again.profile = request.profile;
+  again.sets = request.sets;
+  again.record_every = request.record_every;
+  again.trace = request.has_trace;
+  return run_asked(again, &request, &saved);
+}
+
+ExitCode run_files(const RunOptions& options) {
+  if (options.list_settings) return list_settings();
+  if (!options.resume.empty()) return resume_run(options);
+  if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file");
+  if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
+  return run_asked(options, nullptr, nullptr);
 }
 
 }  // namespace
 
 Action configure_run(CLI::App& options) {
   const auto chosen = std::make_shared<RunOptions>();
-  options.add_option("files", chosen->files, "geometry (or blocks) and analysis file, or one DDAML file with both");
-  options
-      .add_option("--profile", chosen->profile, "preset of all choices (default: standard, or what a case file says)")
-      ->check(CLI::IsMember(profile_names()));
-  options.add_option("-o,--output", chosen->folder, "folder for the results");
-  options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
-      ->take_all();
-  options
-      .add_option("--record-every", chosen->record_every,
-                  fmt::format("a frame every so many steps (default: the file's save interval, at most {} frames)",
-                              kMostFrames))
-      ->check(CLI::PositiveNumber);
-  options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
+  CLI::Option* files =
+      options.add_option("files", chosen->files, "geometry (or blocks) and analysis file, or one DDAML file with both");
+  CLI::Option* profile = options
+                             .add_option("--profile", chosen->profile,
+                                         "preset of all choices (default: standard, or what a case file says)")
+                             ->check(CLI::IsMember(profile_names()));
+  CLI::Option* folder = options.add_option("-o,--output", chosen->folder, "folder for the results");
+  CLI::Option* sets =
+      options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
+          ->take_all();
+  CLI::Option* every =
+      options
+          .add_option("--record-every", chosen->record_every,
+                      fmt::format("a frame every so many steps (default: the file's save interval, at most {} frames)",
+                                  kMostFrames))
+          ->check(CLI::PositiveNumber);
+  CLI::Option* trace =
+      options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
   options.add_flag("--json", chosen->as_json, "print run.json on standard output");
-  options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
+  CLI::Option* force = options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
+  options
+      .add_option("--checkpoint-every", chosen->checkpoint_every,
+                  "seconds between checkpoints in the folder (default: 30); 0: only where the run is stopped")
+      ->check(CLI::NonNegativeNumber);
+  CLI::Option* resume =
+      options.add_option("--resume", chosen->resume, "folder of an interrupted run, which goes on from its checkpoint");
+  for (CLI::Option* other : {files, profile, folder, sets, every, trace, force}) resume->excludes(other);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");
   return [chosen] { return run_files(*chosen); };
 }

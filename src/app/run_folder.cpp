@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <set>
 
 #include "app/usage_error.hpp"
 #include "formats/csv.hpp"
 #include "formats/vtk.hpp"
 #include "report/energy_picture.hpp"
 #include "report/run_picture.hpp"
+#include "result/describe.hpp"
 
 namespace keyblock {
 
@@ -20,10 +22,13 @@ namespace {
 
 constexpr const char* kRecord = "run.json";
 constexpr const char* kFrameFolder = "frames";
+constexpr const char* kCheckpoint = "checkpoint.h5";
 
-// Everything a run may leave in its folder.
-constexpr std::array kNames{kRecord,      "history.csv", "fields.pvd", "picture.svg",
-                            "energy.svg", "steps.csv",   "blocks.csv", kFrameFolder};
+// What a run writes at its end, and everything it may leave in its folder.
+constexpr std::array kResults{kRecord,      "history.csv", "fields.pvd", "picture.svg",
+                              "energy.svg", "steps.csv",   "blocks.csv"};
+constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
+                            "steps.csv", "blocks.csv",  kFrameFolder, kCheckpoint};
 
 // How far each followed point has come, over time.
 std::vector<report::Curve> displacement_curves(const History& history) {
@@ -61,6 +66,52 @@ RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace) : folder
   if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
 }
 
+RunFolder::RunFolder(fs::path folder, Trace trace) : folder_(std::move(folder)), trace_(trace) {}
+
+void RunFolder::drop_what_followed() {
+  std::error_code error;
+  for (const char* name : kResults) fs::remove(folder_ / name, error);
+  std::set<fs::path> kept;
+  for (const auto& [time, name] : frame_files_) kept.insert(folder_ / name);
+  std::vector<fs::path> later;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / kFrameFolder))
+    if (!kept.contains(entry.path())) later.push_back(entry.path());
+  for (const fs::path& file : later) fs::remove(file, error);
+}
+
+void RunFolder::flush_frames() {
+  for (; flushed_frames_ < frame_files_.size(); ++flushed_frames_)
+    flush_to_disk(folder_ / frame_files_[flushed_frames_].second);
+  flush_to_disk(folder_ / kFrameFolder);
+}
+
+void RunFolder::write_checkpoint(const std::string& bytes) {
+  flush_frames();
+  write_durably(checkpoint_in(folder_), bytes);
+}
+
+void RunFolder::remove_checkpoint() {
+  if (!fs::exists(checkpoint_in(folder_))) return;
+  flush_frames();
+  for (const std::string& name : outputs_) flush_to_disk(folder_ / name);
+  flush_to_disk(folder_);
+  fs::remove(checkpoint_in(folder_));
+}
+
+void RunFolder::describe(Archive& archive) {
+  archive.list("files", frame_files_, [&](std::pair<double, std::string>& file) {
+    archive.value("time", file.first);
+    archive.value("name", file.second);
+  });
+  archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
+  if (!archive.is_restoring()) return;
+  flushed_frames_ = frame_files_.size();
+  if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
+  for (const auto& [time, name] : frame_files_)
+    if (!fs::is_regular_file(folder_ / name))
+      archive.refuse(name, "expected every frame written so far, found one gone");
+}
+
 void RunFolder::write(const std::string& name, const std::string& text) {
   write_file(folder_ / name, text);
   outputs_.push_back(name);
@@ -92,6 +143,10 @@ void RunFolder::finish(const std::string& title, const History& history, const s
 
 void RunFolder::write_record(const std::string& json) {
   write(kRecord, json);
+}
+
+fs::path checkpoint_in(const fs::path& folder) {
+  return folder / kCheckpoint;
 }
 
 }  // namespace keyblock

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/files.hpp"
+#include "base/archive.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
 #include "result/ledger.hpp"
@@ -21,6 +22,21 @@ class RunFolder {
  public:
   /// Makes the folder. Throws UsageError if it holds a run already and may not be overwritten.
   RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace);
+
+  /// The folder of a run that goes on: `describe` has to follow, and then `drop_what_followed`. Nothing is changed before.
+  RunFolder(std::filesystem::path folder, Trace trace);
+
+  /// What is known of the frames. Throws InputError where one that was written is gone.
+  void describe(Archive& archive);
+
+  /// Removes what an interrupted run left beyond its checkpoint.
+  void drop_what_followed();
+
+  /// Puts `bytes` where `checkpoint_in` says, once the frames that they count on are on the disk.
+  void write_checkpoint(const std::string& bytes);
+
+  /// The results are on the disk: the checkpoint goes, if there is one.
+  void remove_checkpoint();
 
   /// Writes the frame's .vtu at once.
   void add(const Frame& frame);
@@ -37,12 +53,17 @@ class RunFolder {
 
  private:
   void write(const std::string& name, const std::string& text);
+  void flush_frames();
 
   std::filesystem::path folder_;
   std::vector<std::pair<double, std::string>> frame_files_;
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   std::vector<std::string> outputs_;
+  std::size_t flushed_frames_ = 0;
 };
+
+/// Where a run's folder has its checkpoint.
+std::filesystem::path checkpoint_in(const std::filesystem::path& folder);
 
 }  // namespace keyblock

@@ -3,55 +3,85 @@
 #include "run/run.hpp"
 
 #include "run/record.hpp"
-#include "step/stepper.hpp"
 
 namespace keyblock {
+namespace {
+
+class Loop {
+ public:
+  Loop(const Scene& scene, Stepper& stepper, int record_every, const Observer& observer)
+      : scene_(scene), stepper_(stepper), record_every_(record_every), observer_(observer) {}
+
+  void tell_start() {
+    show();
+    keep_row();
+    keep_books();
+  }
+
+  RunOutcome go_on() {
+    RunOutcome outcome;
+    outcome.ledger_scope = stepper_.ledger_scope();
+    outcome.start = stepper_.start_report();
+    while (state().step < scene_.settings.step_count) {
+      const bool stops = observer_.wants_stop && observer_.wants_stop();
+      if (observer_.between_steps) observer_.between_steps(stepper_);
+      if (stops) {
+        outcome.end = RunEnd::stopped;
+        break;
+      }
+      const auto made = stepper_.advance();
+      if (const auto* failure = std::get_if<StepFailure>(&made)) {
+        outcome.end = RunEnd::failed;
+        outcome.reason = failure->reason;
+        outcome.contacts = failure->contacts;
+        break;
+      }
+      if (observer_.on_step) observer_.on_step(std::get<StepReport>(made));
+      keep_row();
+      keep_books();
+      if (is_framed()) show();
+    }
+    if (!is_framed()) show();
+    outcome.steps = state().step;
+    outcome.time = state().time;
+    return outcome;
+  }
+
+ private:
+  const State& state() const { return stepper_.state(); }
+  bool is_framed() const { return state().step % record_every_ == 0; }
+
+  void show() {
+    if (observer_.on_frame) observer_.on_frame(frame_of(scene_.model, state(), stepper_.unloaded(), scene_.settings));
+  }
+
+  void keep_row() {
+    const bool measures = !scene_.model.measured_points.empty();
+    const bool is_due = measures || is_framed() || state().step == scene_.settings.step_count;
+    if (observer_.on_row && is_due) observer_.on_row(history_row(scene_.model, state(), stepper_.unloaded()));
+  }
+
+  void keep_books() {
+    if (observer_.on_ledger && scene_.settings.ledger == Bookkeeping::on) observer_.on_ledger(stepper_.ledger());
+  }
+
+  const Scene& scene_;
+  Stepper& stepper_;
+  int record_every_;
+  const Observer& observer_;
+};
+
+}  // namespace
 
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
   const std::unique_ptr<Stepper> stepper = stepper_for(scene);
-  const State& first = stepper->unloaded();
-  int last_framed = -1;
-  const auto show = [&] {
-    if (observer.on_frame && stepper->state().step != last_framed)
-      observer.on_frame(frame_of(scene.model, stepper->state(), first, scene.settings));
-    last_framed = stepper->state().step;
-  };
-  RunOutcome outcome;
-  const bool measures = !scene.model.measured_points.empty();
-  const auto keep_row = [&] {
-    const bool is_due =
-        measures || stepper->state().step % record_every == 0 || stepper->state().step == scene.settings.step_count;
-    if (observer.on_row && is_due) observer.on_row(history_row(scene.model, stepper->state(), first));
-  };
-  outcome.ledger_scope = stepper->ledger_scope();
-  outcome.start = stepper->start_report();
-  const auto keep_books = [&] {
-    if (observer.on_ledger && scene.settings.ledger == Bookkeeping::on) observer.on_ledger(stepper->ledger());
-  };
-  show();
-  keep_row();
-  keep_books();
-  while (stepper->state().step < scene.settings.step_count) {
-    if (observer.wants_stop && observer.wants_stop()) {
-      outcome.end = RunEnd::stopped;
-      break;
-    }
-    const auto made = stepper->advance();
-    if (const auto* failure = std::get_if<StepFailure>(&made)) {
-      outcome.end = RunEnd::failed;
-      outcome.reason = failure->reason;
-      outcome.contacts = failure->contacts;
-      break;
-    }
-    if (observer.on_step) observer.on_step(std::get<StepReport>(made));
-    keep_row();
-    keep_books();
-    if (stepper->state().step % record_every == 0) show();
-  }
-  show();
-  outcome.steps = stepper->state().step;
-  outcome.time = stepper->state().time;
-  return outcome;
+  Loop loop(scene, *stepper, record_every, observer);
+  loop.tell_start();
+  return loop.go_on();
+}
+
+RunOutcome go_on(const Scene& scene, Stepper& stepper, int record_every, const Observer& observer) {
+  return Loop(scene, stepper, record_every, observer).go_on();
 }
 
 }  // namespace keyblock

@@ -12,7 +12,7 @@
 #include "result/ledger.hpp"
 #include "result/start_report.hpp"
 #include "result/step_report.hpp"
-#include "step/advance.hpp"
+#include "step/stepper.hpp"
 
 namespace keyblock {
 
@@ -24,6 +24,8 @@ struct Observer {
   std::function<void(const HistoryRow&)> on_row;
   std::function<bool()> wants_stop;
   std::function<void(const LedgerRow&)> on_ledger;  ///< at the start and after every step, if the settings ask for it
+  /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on takes.
+  std::function<void(Stepper&)> between_steps = {};
 };
 
 enum class RunEnd { finished, failed, stopped };
@@ -41,5 +43,8 @@ struct RunOutcome {
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever
 /// the end was.
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer);
+
+/// The rest of a run, as if it had not been left between two steps; what was told before is not told again.
+RunOutcome go_on(const Scene& scene, Stepper& stepper, int record_every, const Observer& observer);
 
 }  // namespace keyblock

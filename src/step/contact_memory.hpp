@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "contact/touch.hpp"
 
 namespace keyblock {
@@ -38,9 +39,14 @@ class ClosedContacts {
   const std::map<Touch, ContactMemory>& all() const { return by_touch_; }
 
  private:
+  friend void describe(Archive& archive, ClosedContacts& contacts, VertexIndex vertices);
+
   std::map<Touch, ContactMemory> by_touch_;
   std::map<Facing, ContactMemory> by_facing_;
 };
+
+/// Saves or restores; every index lies below `vertices`.
+void describe(Archive& archive, ClosedContacts& contacts, VertexIndex vertices);
 
 /// Bolts and held points.
 struct TieMemory {

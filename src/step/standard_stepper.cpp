@@ -8,9 +8,11 @@
 #include <stdexcept>
 
 #include "contact/gap.hpp"
+#include "result/describe.hpp"
 #include "step/acceleration.hpp"
 #include "step/compatible_start.hpp"
 #include "step/contact_laws.hpp"
+#include "step/describe_memory.hpp"
 #include "step/enforcement.hpp"
 #include "step/equilibrium.hpp"
 #include "step/ledger.hpp"
@@ -131,6 +133,31 @@ StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(sce
   motion_.a = balanced_acceleration(scene_, motion_, 0);
   state_ = state_of(scene_, motion_);
   if (scene_.settings.ledger == Bookkeeping::on) ledger_ = ledger_row(scene_, motion_);
+}
+
+StandardStepper::StandardStepper(const Scene& scene, Archive& saved)
+    : scene_(standard_scene(scene.model, scene.settings)), motion_(start_motion(scene_)) {
+  unloaded_ = state_of(scene_, motion_);
+  describe(saved);
+}
+
+// The state is that of the motion, but for its step and times.
+void StandardStepper::describe(Archive& archive) {
+  keyblock::describe(archive, motion_, scene_.model.vertices.end_index());
+  if (archive.is_restoring()) state_ = state_of(scene_, motion_);
+  archive.value("step", state_.step);
+  archive.value("time", state_.time);
+  archive.value("dt", state_.dt);
+  archive.value("next_part", next_part_);
+  archive.value("load_share", scene_.load_share);
+  archive.value("start_failure", start_failure_);
+  archive.group("start", [&] {
+    archive.value("made", start_report_.made);
+    archive.value("why", start_report_.why);
+    archive.value("misfit", start_report_.misfit);
+    archive.value("unsolved_steps", start_report_.unsolved_steps);
+  });
+  archive.group("ledger", [&] { keyblock::describe(archive, ledger_); });
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance() {

@@ -11,6 +11,8 @@ class StandardStepper : public Stepper {
  public:
   /// Throws std::invalid_argument for a scene that is `unsupported`.
   explicit StandardStepper(const Scene& scene);
+  /// As it was saved, of the same scene.
+  StandardStepper(const Scene& scene, Archive& saved);
 
   const State& state() const override { return state_; }
   const State& unloaded() const override { return unloaded_; }
@@ -18,11 +20,13 @@ class StandardStepper : public Stepper {
   LedgerRow ledger() const override { return ledger_; }
   StartReport start_report() const override { return start_report_; }
   LedgerScope ledger_scope() const override { return keyblock::ledger_scope(scene_); }
+  void save(Archive& archive) override { describe(archive); }
 
   const StandardScene& scene() const { return scene_; }
   const Motion& motion() const { return motion_; }
 
  private:
+  void describe(Archive& archive);
   ControlledStep make_step();
   StandardStep static_equilibrium(double time);
   void book(const StandardStep& step);

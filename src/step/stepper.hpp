@@ -5,6 +5,7 @@
 #include <memory>
 #include <variant>
 
+#include "base/archive.hpp"
 #include "result/ledger.hpp"
 #include "result/start_report.hpp"
 #include "step/advance.hpp"
@@ -26,9 +27,15 @@ class Stepper {
   /// The books at the end of the last accepted step; of zeros where the settings keep none.
   virtual LedgerRow ledger() const = 0;
   virtual LedgerScope ledger_scope() const = 0;
+
+  /// Everything that the coming steps depend on. Saving changes nothing.
+  virtual void save(Archive& archive) = 0;
 };
 
 /// The stepper of the scene's choice of dynamics; the scene must outlive it.
 std::unique_ptr<Stepper> stepper_for(const Scene& scene);
+
+/// The stepper as it was saved, of the same scene; its start is not searched again. Throws InputError.
+std::unique_ptr<Stepper> restored_stepper(const Scene& scene, Archive& archive);
 
 }  // namespace keyblock

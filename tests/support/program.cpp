@@ -33,6 +33,14 @@ namespace {
   _exit(127);
 }
 
+constexpr useconds_t kMicrosecondsBetweenLooks = 10000;
+
+// Leaves the process to be waited for.
+bool is_running(pid_t child) {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+}
+
 double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
@@ -48,13 +56,8 @@ std::string fresh_folder(const std::string& name) {
 
 namespace {
 
-/// A signal to the program, sent when something is seen.
-struct Signal {
-  int number = 0;
-  std::function<bool()> is_due;
-};
-
-ProgramRun run_program(const std::vector<std::string>& arguments, const Signal& signal) {
+// `meanwhile` is called once, with the process that was started.
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::function<void(pid_t)>& meanwhile) {
   std::vector<std::string> words{KEYBLOCK_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const fs::path folder = fs::temp_directory_path() / ("keyblock_test_" + std::to_string(getpid()));
@@ -63,11 +66,7 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const Signal& 
   const std::string messages = (folder / "stderr").string();
   const pid_t child = fork();
   if (child == 0) become(words, output, messages);
-  if (signal.number != 0) {
-    constexpr useconds_t kMicrosecondsBetweenLooks = 10000;
-    while (!signal.is_due() && waitpid(child, nullptr, WNOHANG) == 0) usleep(kMicrosecondsBetweenLooks);
-    kill(child, signal.number);
-  }
+  meanwhile(child);
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
@@ -78,15 +77,28 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const Signal& 
 }  // namespace
 
 ProgramRun run_keyblock(const std::vector<std::string>& arguments) {
-  return run_program(arguments, {});
+  return run_program(arguments, [](pid_t) {});
 }
 
 ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file) {
-  return run_program(arguments, {SIGINT, [&] { return fs::exists(file); }});
+  return run_program(arguments, [&](pid_t child) {
+    while (!fs::exists(file) && is_running(child)) usleep(kMicrosecondsBetweenLooks);
+    kill(child, SIGINT);
+  });
+}
+
+ProgramRun kill_keyblock(const std::vector<std::string>& arguments, double seconds) {
+  return run_program(arguments, [&](pid_t child) {
+    usleep(static_cast<useconds_t>(1e6 * seconds));
+    if (is_running(child)) kill(child, SIGKILL);
+  });
 }
 
 ProgramRun kill_keyblock(const std::vector<std::string>& arguments, const std::string& file, int lines) {
-  return run_program(arguments, {SIGKILL, [&] { return std::ranges::count(read_text(file), '\n') >= lines; }});
+  return run_program(arguments, [&](pid_t child) {
+    while (is_running(child) && std::ranges::count(read_text(file), '\n') < lines) usleep(kMicrosecondsBetweenLooks);
+    kill(child, SIGKILL);
+  });
 }
 
 }  // namespace keyblock::testing

@@ -21,6 +21,8 @@ ProgramRun run_keyblock(const std::vector<std::string>& arguments);
 /// The same, interrupted (SIGINT) as soon as `file` exists.
 ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file);
 
+/// The same, killed (SIGKILL) after so many seconds, if it still runs.
+ProgramRun kill_keyblock(const std::vector<std::string>& arguments, double seconds);
 /// The same, killed (SIGKILL) as soon as `file` has that many lines.
 ProgramRun kill_keyblock(const std::vector<std::string>& arguments, const std::string& file, int lines);
 

@@ -1,0 +1,70 @@
+// One line a member; then what has changed since, if anything has.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/saved_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "app/usage_error.hpp"
+#include "result/describe.hpp"
+#include "run/checkpoint.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void describe(Archive& archive, const char* name, std::vector<std::string>& texts) {
+  archive.list(name, texts, [&](std::string& text) { archive.value("text", text); });
+}
+
+}  // namespace
+
+void describe(Archive& archive, RunRequest& request) {
+  archive.value("program", request.program);
+  archive.value("working_folder", request.working_folder);
+  describe(archive, "files", request.files);
+  archive.value("profile", request.profile);
+  describe(archive, "sets", request.sets);
+  archive.value("record_every", request.record_every);
+  archive.value("has_trace", request.has_trace);
+  describe(archive, "read", request.read);
+  describe(archive, "digests", request.digests);
+  describe(archive, "settings", request.settings);
+}
+
+void describe_records(Archive& archive, History& history, RunRecord& record) {
+  archive.list("history", history.rows, [&](HistoryRow& row) { describe(archive, row); });
+  archive.list("steps", record.steps, [&](StepReport& report) { describe(archive, report); });
+  archive.list("ledger", record.ledger.rows, [&](LedgerRow& row) { describe(archive, row); });
+}
+
+Archive read_checkpoint(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw UsageError(fmt::format("nothing to resume: expected {}, found none", file.string()));
+  return archive_of_checkpoint(file.string(), {std::istreambuf_iterator<char>(stream), {}});
+}
+
+void require_same(const fs::path& checkpoint, const RunRequest& saved, const RunRequest& now) {
+  const auto refuse = [&](const std::string& sentence) { throw InputError({checkpoint.string(), 0, 0}, sentence); };
+  if (saved.program != now.program)
+    refuse(fmt::format("expected keyblock {}, which began the run, found keyblock {}", saved.program, now.program));
+  if (saved.read != now.read || saved.digests.size() != saved.read.size())
+    refuse("expected the files that the run began with, found others");
+  for (std::size_t i = 0; i < saved.read.size(); ++i)
+    if (saved.digests[i] != now.digests[i])
+      throw InputError({saved.read[i], 0, 0},
+                       fmt::format("expected the file that the run began with, SHA-256 {}, found "
+                                   "another, SHA-256 {}",
+                                   saved.digests[i], now.digests[i]));
+  const auto [was, is] = std::ranges::mismatch(saved.settings, now.settings);
+  if (was != saved.settings.end() || is != now.settings.end())
+    refuse(fmt::format("expected the setting {}, found {}", was == saved.settings.end() ? "list's end" : *was,
+                       is == now.settings.end() ? "the list's end" : *is));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,40 @@
+// What a checkpoint holds beside the stepper: what the run was asked to do, and what it has told so far.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/run_report.hpp"
+#include "base/archive.hpp"
+#include "result/history.hpp"
+
+namespace keyblock {
+
+/// A run's command line, and what it found behind it.
+struct RunRequest {
+  std::string program;         ///< version
+  std::string working_folder;  ///< that names of files are taken from
+  std::vector<std::string> files;
+  std::string profile;
+  std::vector<std::string> sets;  ///< key=value
+  int record_every = 1;
+  bool has_trace = false;
+  std::vector<std::string> read;      ///< every file read
+  std::vector<std::string> digests;   ///< SHA-256 of those
+  std::vector<std::string> settings;  ///< all, key=value
+};
+
+void describe(Archive& archive, RunRequest& request);
+
+/// Rows of history, steps and ledger.
+void describe_records(Archive& archive, History& history, RunRecord& record);
+
+/// The checkpoint of a run's folder, by its full path. Throws UsageError where there is none, InputError where it cannot be used.
+Archive read_checkpoint(const std::filesystem::path& file);
+
+/// Throws InputError where a file, the program or a setting is not that of the checkpoint any more.
+void require_same(const std::filesystem::path& checkpoint, const RunRequest& saved, const RunRequest& now);
+
+}  // namespace keyblock

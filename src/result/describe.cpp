@@ -1,0 +1,120 @@
+// One line a member.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "result/describe.hpp"
+
+namespace keyblock {
+namespace {
+
+void describe(Archive& a, Point& point) {
+  a.value("x", point.x);
+  a.value("y", point.y);
+}
+
+void describe(Archive& a, const char* name, Point& point) {
+  a.group(name, [&] { describe(a, point); });
+}
+
+void describe(Archive& a, PointFrame& point) {
+  describe(a, "position", point.position);
+  describe(a, "displacement", point.displacement);
+  a.value("element", point.element);
+}
+
+void describe(Archive& a, const char* name, std::vector<PointFrame>& points) {
+  a.list(name, points, [&](PointFrame& point) { describe(a, point); });
+}
+
+void describe(Archive& a, BoltFrame& bolt) {
+  describe(a, "first", bolt.first);
+  describe(a, "second", bolt.second);
+  a.value("force", bolt.force);
+  a.value("is_broken", bolt.is_broken);
+}
+
+void describe(Archive& a, ElementFrame& element) {
+  a.list("loops", element.loops,
+         [&](std::vector<Point>& loop) { a.list("points", loop, [&](Point& point) { describe(a, point); }); });
+  a.value("material", element.material);
+  describe(a, "centroid", element.centroid);
+  describe(a, "displacement", element.displacement);
+  a.value("rotation", element.rotation);
+  a.value("velocity_x", element.velocity.x);
+  a.value("velocity_y", element.velocity.y);
+  a.value("velocity_r", element.velocity.rotation);
+  a.value("stress_xx", element.stress.xx);
+  a.value("stress_yy", element.stress.yy);
+  a.value("stress_xy", element.stress.xy);
+  a.value("area", element.area);
+  a.value("mass", element.mass);
+  a.value("moment_of_inertia", element.moment_of_inertia);
+}
+
+void describe(Archive& a, const char* name, Momentum& momentum) {
+  a.group(name, [&] {
+    describe(a, momentum.linear);
+    a.value("angular", momentum.angular);
+  });
+}
+
+}  // namespace
+
+void describe(Archive& a, Frame& frame) {
+  a.value("step", frame.step);
+  a.value("time", frame.time);
+  a.list("elements", frame.elements, [&](ElementFrame& element) { describe(a, element); });
+  describe(a, "fixed_points", frame.fixed_points);
+  describe(a, "loading_points", frame.loading_points);
+  describe(a, "measured_points", frame.measured_points);
+  a.list("bolts", frame.bolts, [&](BoltFrame& bolt) { describe(a, bolt); });
+}
+
+void describe(Archive& a, HistoryRow& row) {
+  a.value("step", row.step);
+  a.value("time", row.time);
+  describe(a, "points", row.points);
+  a.numbers("bolt_forces", row.bolt_forces);
+}
+
+void describe(Archive& a, LedgerRow& row) {
+  a.value("step", row.step);
+  a.value("time", row.time);
+  a.value("kinetic", row.stored.kinetic);
+  a.value("strain", row.stored.strain);
+  a.value("gravity", row.stored.gravity);
+  a.value("contact", row.stored.contact);
+  a.value("external", row.flow.external);
+  a.value("projection", row.flow.projection);
+  a.value("geometric", row.flow.geometric);
+  a.value("creep", row.flow.creep);
+  a.value("friction", row.flow.friction);
+  a.value("damping", row.flow.damping);
+  a.value("impact", row.flow.impact);
+  a.value("closing", row.flow.closing);
+  a.value("clean_up", row.flow.clean_up);
+  a.value("rupture", row.flow.rupture);
+  a.value("algorithmic", row.flow.algorithmic);
+  describe(a, "momentum", row.momentum);
+  describe(a, "impulse", row.impulse);
+  a.value("linear_size", row.momentum_size.linear);
+  a.value("angular_size", row.momentum_size.angular);
+}
+
+void describe(Archive& a, StepReport& report) {
+  a.value("step", report.step);
+  a.value("time", report.time);
+  a.value("dt", report.dt);
+  a.value("passes", report.passes);
+  a.value("redos", report.redos);
+  a.value("fallbacks", report.fallbacks);
+  a.value("contacts", report.contacts);
+  a.value("closed", report.closed);
+  a.value("matrix_blocks", report.matrix_blocks);
+  a.value("penalty", report.penalty);
+  a.value("displacement_ratio", report.displacement_ratio);
+  a.value("greatest_penetration", report.greatest_penetration);
+  a.value("residual", report.residual);
+  a.value("unresolved_parts", report.unresolved_parts);
+  a.value("unsettled_contacts", report.unsettled_contacts);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,18 @@
+// What runs report, as members to save and restore.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/archive.hpp"
+#include "result/frame.hpp"
+#include "result/history.hpp"
+#include "result/ledger.hpp"
+#include "result/step_report.hpp"
+
+namespace keyblock {
+
+void describe(Archive& archive, Frame& frame);
+void describe(Archive& archive, HistoryRow& row);
+void describe(Archive& archive, LedgerRow& row);
+void describe(Archive& archive, StepReport& report);
+
+}  // namespace keyblock

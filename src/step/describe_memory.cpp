@@ -1,0 +1,120 @@
+// One line a member.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/describe_memory.hpp"
+
+#include "model/describe_state.hpp"
+
+namespace keyblock {
+namespace {
+
+void describe(Archive& a, const char* name, Triple& triple, VertexIndex vertices) {
+  a.group(name, [&] {
+    a.index("vertex", triple.vertex, vertices);
+    a.index("start", triple.start, vertices);
+    a.index("end", triple.end, vertices);
+  });
+}
+
+void describe(Archive& a, Contact& contact, VertexIndex vertices) {
+  a.choice("kind", contact.kind, ContactKind::vertex_vertex);
+  describe(a, "first", contact.first, vertices);
+  describe(a, "second", contact.second, vertices);
+  a.value("parallel_pair", contact.parallel_pair);
+  a.index("neighbour", contact.neighbour, vertices);
+  a.choice("state", contact.state, ContactState::on_second_line);
+  a.choice("state_before", contact.state_before, ContactState::on_second_line);
+  a.value("distance", contact.distance);
+  a.value("slip", contact.slip);
+  a.value("ratio", contact.ratio);
+  a.value("length", contact.length);
+  a.value("penalty", contact.penalty);
+  a.value("bonded", contact.bonded);
+}
+
+void describe(Archive& a, Facing& facing, VertexIndex vertices) {
+  a.index("lower", facing.lower, vertices);
+  a.index("upper", facing.upper, vertices);
+  a.value("place", facing.place);
+}
+
+void describe(Archive& a, Touch& touch, VertexIndex vertices) {
+  a.index("vertex", touch.vertex, vertices);
+  a.index("start", touch.start, vertices);
+  a.index("end", touch.end, vertices);
+  a.choice("kind", touch.kind, TouchKind::bisector);
+  a.index("other", touch.other, vertices);
+  a.value("along", touch.along);
+  a.index("second_start", touch.second_start, vertices);
+  a.index("second_end", touch.second_end, vertices);
+  a.value("second_sign", touch.second_sign);
+  describe(a, touch.facing, vertices);
+  a.value("stretch", touch.stretch);
+  a.value("share", touch.share);
+  a.value("joint_material", touch.joint_material);
+  a.value("rest_gap", touch.rest_gap);
+}
+
+void describe(Archive& a, ContactMemory& memory) {
+  a.value("normal", memory.normal);
+  a.value("tangential", memory.tangential);
+  a.value("spring_stretch", memory.stretch);
+  a.value("normal_compliance", memory.normal_compliance);
+  a.value("tangential_compliance", memory.tangential_compliance);
+  a.value("normal_at_end", memory.normal_at_end);
+}
+
+void describe(Archive& a, TieMemory& ties) {
+  a.values("bolt_forces", ties.bolt_forces);
+  a.group("bolts", [&] {
+    for (std::size_t i = 0; i < ties.broken.size(); ++i) {
+      bool broken = ties.broken[i];
+      a.value("broken", broken);
+      ties.broken[i] = broken;
+    }
+  });
+  a.values("point_forces", {ties.point_forces.data(), static_cast<std::size_t>(ties.point_forces.size())});
+}
+
+void describe(Archive& a, const char* name, UnknownsTable& table) {
+  a.table(name, table, [&](Unknowns& unknowns) { describe(a, "unknowns", unknowns); });
+}
+
+}  // namespace
+
+void describe(Archive& a, Stepping& stepping) {
+  a.group("state", [&] { describe(a, stepping.state); });
+  const VertexIndex vertices = stepping.state.vertices.end_index();
+  a.list("contacts", stepping.contacts, [&](Contact& contact) { describe(a, contact, vertices); });
+  a.value("dt", stepping.history.dt);
+  a.value("displacement_ratio", stepping.history.displacement_ratio);
+  a.value("penetration", stepping.history.penetration);
+  a.value("last_penalty", stepping.history.penalty);
+  a.value("penalty", stepping.penalty);
+  a.value("has_solved", stepping.has_solved);
+}
+
+void describe(Archive& a, ClosedContacts& contacts, VertexIndex vertices) {
+  a.map("by_touch", contacts.by_touch_, [&](Touch& touch, ContactMemory& memory) {
+    describe(a, touch, vertices);
+    describe(a, memory);
+  });
+  a.map("by_facing", contacts.by_facing_, [&](Facing& facing, ContactMemory& memory) {
+    describe(a, facing, vertices);
+    describe(a, memory);
+  });
+}
+
+void describe(Archive& a, Motion& motion, VertexIndex vertices) {
+  describe(a, "q", motion.q);
+  describe(a, "v", motion.v);
+  describe(a, "a", motion.a);
+  a.group("closed", [&] { describe(a, motion.closed, vertices); });
+  a.map("bonds", motion.bonds, [&](Facing& facing, Bond& bond) {
+    describe(a, facing, vertices);
+    a.value("gap", bond.gap);
+    a.value("length", bond.length);
+  });
+  a.group("ties", [&] { describe(a, motion.ties); });
+}
+
+}  // namespace keyblock

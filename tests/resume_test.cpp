@@ -1,0 +1,100 @@
+// `run --resume` as a user meets it: runs that were killed or stopped end with the bytes of the run that was not.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/support/killed_runs.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::fresh_folder;
+using testing::run_keyblock;
+
+const std::string kStack = std::string(KEYBLOCK_SOURCE_DIR) + "/legacy_cases/stack/five_blocks/five_blocks";
+
+/// A stack copied into a folder of its own, stopped after its first frames.
+struct StoppedRun {
+  std::string folder;
+  std::string out;
+  std::vector<std::string> arguments;
+
+  explicit StoppedRun(const std::string& name) : folder(fresh_folder(name)), out(folder + "/out") {
+    for (const char* ending : {".geo", ".ana"}) fs::copy_file(kStack + ending, folder + "/stack" + ending);
+    arguments = {"run", folder + "/stack.geo", folder + "/stack.ana", "--set", "steps=4000", "-o", out};
+    const auto run = testing::interrupt_keyblock(arguments, out + "/frames/00000080.vtu");
+    EXPECT_EQ(run.exit_code, 130) << run.messages;
+    EXPECT_NE(run.messages.find("keyblock run --resume " + out + " goes on"), std::string::npos) << run.messages;
+  }
+};
+
+}  // namespace
+
+TEST(Resume, a_killed_run_goes_on_and_ends_with_the_same_bytes) {
+  for (const char* profile : {"legacy", "standard"}) {
+    const auto runs = testing::killed_runs({kStack + ".geo", kStack + ".ana", "--profile", profile, "--trace"}, 3, 1);
+    EXPECT_EQ(runs.differs, "") << profile;
+    EXPECT_GT(runs.resumed, 0) << profile;
+  }
+}
+
+TEST(Resume, a_stopped_run_goes_on_and_its_checkpoint_goes_at_the_end) {
+  const StoppedRun stopped("stopped");
+  EXPECT_TRUE(fs::exists(stopped.out + "/checkpoint.h5"));
+  const auto resumed = run_keyblock({"run", "--resume", stopped.out});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.messages;
+  const auto ends = testing::contents(stopped.out);
+  EXPECT_FALSE(ends.contains("checkpoint.h5"));
+  auto whole = stopped.arguments;
+  whole.back() = stopped.folder + "/whole";
+  EXPECT_EQ(run_keyblock(whole).exit_code, 0);
+  EXPECT_TRUE(ends == testing::contents(stopped.folder + "/whole"));
+  const auto again = run_keyblock({"run", "--resume", stopped.out});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.messages.find("nothing to resume"), std::string::npos) << again.messages;
+}
+
+TEST(Resume, inputs_that_changed_are_refused_and_nothing_is_lost) {
+  const StoppedRun stopped("changed");
+  const auto before = testing::contents(stopped.out);
+  const std::string analysis = testing::read_text(stopped.folder + "/stack.ana");
+  testing::write_text(stopped.folder + "/stack.ana", analysis + "\n");
+  const auto refused = run_keyblock({"run", "--resume", stopped.out});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_NE(refused.messages.find("stack.ana: error: expected the file that the run began with"), std::string::npos)
+      << refused.messages;
+  EXPECT_TRUE(testing::contents(stopped.out) == before);
+}
+
+TEST(Resume, a_damaged_checkpoint_is_refused_and_nothing_is_lost) {
+  const StoppedRun stopped("damaged");
+  const std::string file = stopped.out + "/checkpoint.h5";
+  const std::string bytes = testing::read_text(file);
+  testing::write_text(file, bytes.substr(0, bytes.size() / 2));
+  const auto before = testing::contents(stopped.out);
+  const auto refused = run_keyblock({"run", "--resume", stopped.out});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_NE(refused.messages.find("checkpoint.h5: error: expected the bytes that were saved"), std::string::npos)
+      << refused.messages;
+  EXPECT_TRUE(testing::contents(stopped.out) == before);
+  testing::write_text(file, bytes);
+  fs::remove(stopped.out + "/frames/00000000.vtu");
+  const auto incomplete = run_keyblock({"run", "--resume", stopped.out});
+  EXPECT_EQ(incomplete.exit_code, 3);
+  EXPECT_NE(incomplete.messages.find("found one gone"), std::string::npos) << incomplete.messages;
+}
+
+TEST(Resume, takes_the_run_as_it_was_asked_and_nothing_else) {
+  for (const char* option :
+       {"--profile=legacy", "--set=steps=3", "--record-every=2", "--trace", "--force", "-o=x", "a.geo"})
+    EXPECT_EQ(run_keyblock({"run", "--resume", "nowhere", option}).exit_code, 2) << option;
+  const auto nowhere = run_keyblock({"run", "--resume", "nowhere"});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_NE(nowhere.messages.find("checkpoint.h5, found none"), std::string::npos) << nowhere.messages;
+}
+
+}  // namespace keyblock

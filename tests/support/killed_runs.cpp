@@ -1,0 +1,83 @@
+// SIGKILL at a moment that the dice give; whether and how far a checkpoint was written is left to chance.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/killed_runs.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::testing {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Between two checkpoints: a few steps of a small scene.
+const std::vector<std::string> kOften{"--checkpoint-every", "0.003"};
+
+std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::string first_difference(const std::map<std::string, std::string>& whole,
+                             const std::map<std::string, std::string>& resumed) {
+  for (const auto& [name, bytes] : whole)
+    if (!resumed.contains(name) || resumed.at(name) != bytes) return name;
+  for (const auto& [name, bytes] : resumed)
+    if (!whole.contains(name)) return name;
+  return {};
+}
+
+}  // namespace
+
+std::map<std::string, std::string> contents(const std::string& folder) {
+  std::map<std::string, std::string> all;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) all[fs::relative(entry.path(), folder).string()] = read_text(entry.path());
+  if (const auto record = all.find("run.json"); record != all.end()) {
+    auto json = nlohmann::ordered_json::parse(record->second);
+    json.erase("seconds");
+    record->second = json.dump();
+  }
+  return all;
+}
+
+KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, unsigned seed) {
+  const std::string whole = fresh_folder("whole");
+  const std::string folder = fresh_folder("killed");
+  const std::vector<std::string> command = joined(joined({"run"}, arguments), kOften);
+  const auto started = std::chrono::steady_clock::now();
+  const int expected = run_keyblock(joined(command, {"-o", whole + "/out"})).exit_code;
+  const double length = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  std::mt19937 dice(seed);
+  const auto moment = [&] { return length * static_cast<double>(dice()) / 4294967296.0; };
+  KilledRuns result;
+  for (int i = 0; i < moments && result.differs.empty(); ++i) {
+    const std::vector<std::string> begin = joined(command, {"-o", folder + "/out", "--force"});
+    const std::vector<std::string> resume = joined({"run", "--resume", folder + "/out"}, kOften);
+    ProgramRun run = kill_keyblock(begin, moment());
+    if (run.exit_code == 128 + SIGKILL) {
+      ++result.killed;
+      const bool can_resume = fs::exists(folder + "/out/checkpoint.h5");
+      if (can_resume) ++result.resumed;
+      const std::vector<std::string>& again = can_resume ? resume : begin;
+      const bool twice = i % 3 == 2;
+      run = twice ? kill_keyblock(again, moment()) : run_keyblock(again);
+      if (run.exit_code == 128 + SIGKILL) {
+        ++result.goings_on;
+        run = run_keyblock(fs::exists(folder + "/out/checkpoint.h5") ? resume : begin);
+      }
+    }
+    result.differs = run.exit_code == expected ? first_difference(contents(whole + "/out"), contents(folder + "/out"))
+                                               : run.messages;
+  }
+  return result;
+}
+
+}  // namespace keyblock::testing
