@@ -184,6 +184,34 @@ TEST(Batch, wrong_usage_and_folders_in_use_are_exit_2) {
   EXPECT_EQ(run_keyblock({"batch", in, "--check", "-o", out, "--force"}).exit_code, 0);
 }
 
+TEST(Batch, results_never_land_on_an_archive_or_among_other_files) {
+  const fs::path root = fresh_folder("batch_guard");
+  copy_case("stack/five_blocks/five_blocks", root / "jobs");  // where the results of -o root would go
+  const std::string before = read_text(root / "jobs/five_blocks.geo");
+  for (const char* out : {"", "jobs", "jobs/../jobs/"}) {
+    const ProgramRun run = run_keyblock({"batch", root / "jobs", "--run", "-o", root / out, "--force"});
+    EXPECT_EQ(run.exit_code, 2) << out;
+    EXPECT_TRUE(contains(run.messages, "lies in the folder for the results")) << run.messages;
+  }
+  fs::create_directories(root / "mine");
+  write_text(root / "mine/notes", "keep");
+  EXPECT_EQ(run_keyblock({"batch", root / "jobs", "--check", "-o", root / "mine", "--force"}).exit_code, 2);
+  EXPECT_EQ(read_text(root / "jobs/five_blocks.geo"), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(root / "mine"), {}), 1);
+}
+
+TEST(Batch, results_inside_the_archive_are_not_part_of_it) {
+  const fs::path root = fresh_folder("batch_inside");
+  copy_case("stack/five_blocks/five_blocks", root);
+  const std::vector<std::string> batch{"batch", root, "--check", "-o", root / "out"};
+  ASSERT_EQ(run_keyblock(batch).exit_code, 0);
+  const auto first = catalogue_in(root / "out");
+  std::vector<std::string> again = batch;
+  again.emplace_back("--force");
+  ASSERT_EQ(run_keyblock(again).exit_code, 0);
+  EXPECT_EQ(catalogue_in(root / "out"), first);
+}
+
 TEST(Batch, a_file_too_large_is_named_and_not_read) {
   const fs::path root = fresh_folder("batch_large");
   fs::create_directories(root / "in");
@@ -193,7 +221,8 @@ TEST(Batch, a_file_too_large_is_named_and_not_read) {
 }
 
 TEST(Batch, every_case_is_converted) {
-  if (!contains(run_keyblock({"convert", "--help"}).output, "Usage: keyblock convert")) GTEST_SKIP() << "this program has no convert";
+  if (!contains(run_keyblock({"convert", "--help"}).output, "Usage: keyblock convert"))
+    GTEST_SKIP() << "this program has no convert";
   const fs::path root = fresh_folder("batch_convert");
   copy_case("stack/five_blocks/five_blocks", root / "in");
   const ProgramRun run = run_keyblock({"batch", root / "in", "--convert", "ddaml", "-o", root / "out"});

@@ -94,22 +94,37 @@ class JournalFile {
   int descriptor_;
 };
 
-/// What an earlier batch of the same task left, where this one resumes it. Leaves a journal of whole lines on the disk.
-study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan) {
+bool lies_in(const fs::path& inner, const fs::path& outer) {
+  const fs::path below = fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
+  return !below.empty() && *below.begin() != "..";
+}
+
+/// What an earlier batch left in the folder; empty where none did. Throws UsageError where results could meet other files.
+study::Journal journal_in(const BatchPlan& plan) {
+  if (lies_in(plan.root, plan.folder))
+    throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", plan.root.string()));
   const fs::path file = plan.folder / "journal.jsonl";
-  const std::string task = plan.task_text();
+  if (!fs::exists(plan.folder) || fs::is_empty(plan.folder)) return {};
   study::Journal journal;
-  if (options.is_resumed && fs::exists(file)) {
-    journal = study::read_journal(formats::load(file.string()).text);
-    if (!journal.task.empty() && journal.task != task)
-      throw UsageError(
-          fmt::format("{} is of another task ({}, now {}); give another folder", file.string(), journal.task, task));
-  } else if (!options.may_overwrite && fs::exists(plan.folder) && !fs::is_empty(plan.folder)) {
-    throw UsageError(fmt::format("{} holds something; --resume goes on with a batch, --force begins it again",
-                                 plan.folder.string()));
-  }
+  if (fs::exists(file)) journal = study::read_journal(formats::load(file.string()).text);
+  if (journal.task.empty())
+    throw UsageError(fmt::format("{} holds something that is no batch; give another folder", plan.folder.string()));
+  return journal;
+}
+
+/// What is done already, where this batch goes on with an earlier one of the same task. Leaves whole lines on the disk.
+study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan) {
+  const std::string task = plan.task_text();
+  study::Journal journal = journal_in(plan);
+  if (!journal.task.empty() && !options.is_resumed && !options.may_overwrite)
+    throw UsageError(
+        fmt::format("{} holds a batch; --resume goes on with it, --force begins it again", plan.folder.string()));
+  if (!options.is_resumed) journal = {};
+  if (!journal.task.empty() && journal.task != task)
+    throw UsageError(fmt::format("{} holds a batch of another task ({}, now {}); give another folder",
+                                 plan.folder.string(), journal.task, task));
   if (journal.task.empty()) journal.add(study::journal_head(task));
-  write_file(file, journal.lines);
+  write_file(plan.folder / "journal.jsonl", journal.lines);
   return journal;
 }
 
@@ -215,7 +230,7 @@ Action configure_batch(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   app.add_flag("--resume", options->is_resumed, "go on with the batch in OUT; jobs whose files changed are done again");
-  app.add_flag("--force", options->may_overwrite, "begin again in a folder that holds something");
+  app.add_flag("--force", options->may_overwrite, "begin the batch in OUT again");
   return [options] { return run_batch(*options); };
 }
 
