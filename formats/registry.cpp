@@ -18,12 +18,14 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/dxf.hpp"
 #include "formats/keyblock_case.hpp"
 #include "formats/motion.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
 #include "formats/recognised_only.hpp"
 #include "formats/tokens.hpp"
+#include "formats/views.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -31,11 +33,25 @@ namespace {
 using Fit = Recognition::Fit;
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 15> kFormats{
-    &kKeyblockCase,     &kDdaExtended,         &kDdaml,          &kNmmCover,
-    &kBerkeleyMeasured, &kBerkeleyReplay,      &kDdaBlocks,      &kDdaBlocksOfThree,
-    &kDdaGeometry,      &kDdaAnalysisBerkeley, &kDdaAnalysisShi, &kNmmAnalysis,
-    &kDiskDda,          &kMotionShake,         &kMotionMatlab,
+constexpr std::array<const Format*, 18> kFormats{
+    &kKeyblockCase,
+    &kDdaExtended,
+    &kDdaml,
+    &kDxf,
+    &kNmmCover,
+    &kBerkeleyMeasured,
+    &kBerkeleyReplay,
+    &kDdaBlocks,
+    &kDdaBlocksOfThree,
+    &kDdaGeometry,
+    &kDdaAnalysisBerkeley,
+    &kDdaAnalysisShi,
+    &kNmmAnalysis,
+    &kDiskDda,
+    &kMotionShake,
+    &kMotionMatlab,
+    &kVtk,
+    &kCsv,
 };
 
 [[noreturn]] void refuse(const Place& place, std::string_view found) {
@@ -66,6 +82,7 @@ void refuse_other_files(const Source& source) {
   const std::string_view text = without_bom(source.text);
   if (text.empty()) refuse({source.name}, "an empty file");
   if (is_blank(text)) refuse({source.name}, "nothing but white space");
+  if (const std::string_view name = drawing_program_binary(text); !name.empty()) refuse({source.name}, name);
   if (const std::size_t at = find_binary(text); at != std::string_view::npos)
     refuse(TextMap(source.name, text).place(at), "a binary file");
   const std::size_t first = text.find_first_not_of(" \t\r\n\f\v");

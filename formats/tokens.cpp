@@ -80,8 +80,9 @@ class Splitter {
   const Roles& roles_;
 };
 
-/// The word as it may stand in a message: short, and printable whatever the file holds.
-std::string quoted(std::string_view word) {
+}  // namespace
+
+std::string in_quotes(std::string_view word) {
   std::string text = "\"";
   for (const char c : word.substr(0, kLongestQuote)) {
     const auto byte = static_cast<unsigned char>(c);
@@ -89,8 +90,6 @@ std::string quoted(std::string_view word) {
   }
   return text + (word.size() > kLongestQuote ? "…\"" : "\"");
 }
-
-}  // namespace
 
 TextMap::TextMap(std::string file, std::string_view text) : file_(std::move(file)), size_(text.size()) {
   line_starts_.push_back(0);
@@ -156,7 +155,7 @@ std::string Cursor::full_name(std::string_view name) const {
 }
 
 std::string Cursor::found() const {
-  return at_end() ? std::string(end_name_) : quoted(tokens_.word(position_));
+  return at_end() ? std::string(end_name_) : in_quotes(tokens_.word(position_));
 }
 
 void Cursor::fail(std::string_view expected) const {
@@ -222,7 +221,7 @@ Warnings Cursor::remainder() const {
         {"surplus_numbers", place(), fmt::format("{} numbers behind the last record are ignored", numbers_left())});
   if (const auto junk = tokens_.junk())
     warnings.push_back({"trailing_text", tokens_.place_of(tokens_.numbers.size()),
-                        fmt::format("text from {} on is ignored", quoted(*junk))});
+                        fmt::format("text from {} on is ignored", in_quotes(*junk))});
   return warnings;
 }
 

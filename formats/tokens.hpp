@@ -29,6 +29,9 @@ class TextMap {
 /// The text without its UTF-8 byte order mark.
 std::string_view without_bom(std::string_view text);
 
+/// The word in quotes as it may stand in a message: short, and printable whatever the file holds.
+std::string in_quotes(std::string_view word);
+
 enum class Syntax {
   native,  ///< white space and commas separate; `#` `%` `!` `;` `//` start a comment to the end of the line
   xml,     ///< white space, commas and semicolons separate; no comments (the XML reader has dropped them)

@@ -30,7 +30,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST(Commands, every_command_explains_itself) {
   const ProgramRun help = run_keyblock({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"check", "cut", "run", "compare", "batch"}) {
+  for (const char* command : {"check", "cut", "joints", "run", "compare", "batch"}) {
     EXPECT_TRUE(contains(help.output, command)) << command;
     const ProgramRun own = run_keyblock({command, "--help"});
     EXPECT_EQ(own.exit_code, 0) << command;
@@ -49,6 +49,38 @@ TEST(Commands, wrong_usage_is_exit_2) {
     EXPECT_EQ(run.exit_code, 2) << set;
     EXPECT_FALSE(std::filesystem::exists(out)) << set;
   }
+}
+
+TEST(Commands, settings_are_listed_with_what_they_may_be_and_who_reads_them) {
+  const ProgramRun run = run_keyblock({"run", "--settings"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.output, "one of constant, shi, error")) << run.output;
+  EXPECT_TRUE(contains(run.output, "a number from 0 to 1"));
+  EXPECT_TRUE(contains(run.output, "read by"));
+}
+
+// The earlier results stay.
+TEST(Commands, settings_that_do_not_go_together_are_exit_2_before_anything_is_written) {
+  const std::string out = fresh_folder("together") + "/out";
+  const std::vector<std::string> run{"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--force", "--set", "steps=2"};
+  ASSERT_EQ(run_keyblock(run).exit_code, 0);
+  const std::string record = read_text(out + "/run.json");
+  for (const std::vector<std::string>& sets :
+       {std::vector<std::string>{"--profile", "legacy", "--set", "step_control=error"},
+        {"--profile", "standard", "--set", "motion=static", "--set", "load_steps=3"},
+        {"--profile", "standard", "--set", "impact=springs", "--set", "enforcement=lagrange"}}) {
+    std::vector<std::string> wrong = run;
+    wrong.insert(wrong.end(), sets.begin(), sets.end());
+    EXPECT_EQ(run_keyblock(wrong).exit_code, 2) << sets.back();
+    EXPECT_EQ(read_text(out + "/run.json"), record);
+  }
+}
+
+TEST(Commands, a_picture_of_several_cases_is_refused_before_any_is_run) {
+  const ProgramRun run = run_keyblock(
+      {"compare", kCases + "free_fall", kCases + "sliding_block", "--picture", fresh_folder("pictures") + "/all.svg"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(run.output.empty()) << run.output;
 }
 
 TEST(Commands, run_writes_record_history_fields_and_picture) {

@@ -14,6 +14,7 @@
 #include "study/batch_answers.hpp"
 #include "study/batch_check.hpp"
 #include "study/cases.hpp"
+#include "study/convert.hpp"
 
 namespace keyblock {
 
@@ -117,9 +118,10 @@ void run_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& ro
 void convert_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& row) {
   const fs::path folder = empty_folder_for(plan, job);
   const std::string stem = fs::path(job.files.front()).stem().string();
+  const study::Target* target = study::find_target(plan.format);
+  const std::string ending = target ? std::string(target->parts.front().ending) : std::string();
   std::vector<std::string> arguments = with_inputs("convert", plan, job);
-  arguments.insert(arguments.end(),
-                   {"-o", (folder / (stem + "." + plan.format)).string(), "--to", plan.format, "--json"});
+  arguments.insert(arguments.end(), {"-o", (folder / (stem + ending)).string(), "--to", plan.format, "--json"});
   const ChildEnd end = run_logged(plan, folder, "convert", arguments);
   if (end.exit_code != 0) return fail(row, why_it_ended(end, plan.limits, folder / "convert.log"));
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))

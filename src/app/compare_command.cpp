@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -111,8 +112,8 @@ struct Comparison {
       }
       if (folder.has_expected) cases.push_back(study::compare_in(folder, options.profiles()));
       if (folder.has_trace) traces.push_back(study::follow_trace(folder));
-    } catch (const InputError& error) {
-      spdlog::error("{}", error.what());
+    } catch (const std::exception& error) {
+      spdlog::error("{}: {}", folder.name, error.what());
       refused.push_back(folder.name);
     }
   }
@@ -147,7 +148,11 @@ ExitCode verdict(const Comparison& all) {
 
 ExitCode compare(const CompareOptions& options) {
   Comparison all;
-  for (const study::CaseFolder& folder : study::find_cases(options.cases)) {
+  const std::vector<study::CaseFolder> folders = study::find_cases(options.cases);
+  const auto with_values = std::ranges::count_if(folders, &study::CaseFolder::has_expected);
+  if (!options.picture.empty() && with_values != 1)
+    throw UsageError(fmt::format("--picture: expected one case with expected values, found {}", with_values));
+  for (const study::CaseFolder& folder : folders) {
     const std::size_t before = all.cases.size();
     all.add(folder, options);
     if (all.cases.size() == before || options.as_json) continue;
@@ -155,7 +160,7 @@ ExitCode compare(const CompareOptions& options) {
     std::fflush(stdout);
   }
   if (!options.picture.empty()) {
-    if (all.cases.size() != 1) throw UsageError("--picture: expected one case with expected values");
+    if (all.cases.size() != 1) throw UsageError("--picture: the case was not run");
     write_file(options.picture, picture_of(all.cases.front()));
   }
   if (options.as_json)

@@ -94,7 +94,7 @@ ExitCode cut_file(const CutOptions& options) {
   }
   if (!options.picture.empty()) write_file(options.picture, report::blocks_picture(cut.blocks));
   if (options.as_json) {
-    fmt::print("{}\n", json_of(cut).dump(2));
+    fmt::print("{}\n", json_of(cut).dump(2, ' ', false, Json::error_handler_t::replace));
   } else {
     fmt::print("{}: {} blocks from {} lines, {} fixed, {} loading and {} measured points\n", options.drawing,
                cut.blocks.blocks.size(), cut.report.lines, cut.blocks.fixed_points.size(),

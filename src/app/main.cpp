@@ -19,12 +19,16 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 5> kCommands{{
+constexpr std::array<Command, 9> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
     {"cut", "cuts a drawing into blocks", configure_cut},
+    {"joints", "draws joint sets from statistics into an outline", configure_joints},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
     {"batch", "checks, runs or converts every case of an archive, and writes a catalogue", configure_batch},
+    {"convert", "writes a case in another format and names what that cannot hold", configure_convert},
+    {"formats", "lists the file formats and how well each is known (also: info)", configure_formats},
+    {"info", "the same as formats", configure_formats},
 }};
 
 int run_program(int argc, char** argv) {

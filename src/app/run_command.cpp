@@ -17,7 +17,7 @@
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
 #include "run/profile.hpp"
-#include "run/settings_table.hpp"
+#include "run/settings_guide.hpp"
 #include "study/named_files.hpp"
 
 namespace keyblock {
@@ -30,6 +30,10 @@ constexpr int kMostFrames = 100;
 constexpr double kDeepPenetrations = 10;
 // A sound system is solved to 1e-12 or better; beyond this a penalty is too great for double precision.
 constexpr double kLargeResidual = 1e-9;
+// Contact forces of dynamics `standard` are solved to this share of the load at least.
+constexpr double kLargeImbalance = 1e-6;
+// A start that leaves more of its gaps than this is not the one asked for.
+constexpr double kLargeMisfit = 1e-6;
 
 std::atomic<bool> stop_asked = false;
 
@@ -96,6 +100,17 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
   return std::max(problem.analysis->save_interval.value_or(1), thinned);
 }
 
+std::vector<std::string> start_complaints(const StartReport& start) {
+  std::vector<std::string> sentences;
+  if (!start.why.empty()) sentences.push_back(fmt::format("the start is {}, because {}", start.made, start.why));
+  if (start.misfit > kLargeMisfit)
+    sentences.push_back(fmt::format("the start leaves {:.1e} of the gaps that it was to close", start.misfit));
+  if (start.unsolved_steps > 0)
+    sentences.push_back(fmt::format("{} of the settling of the start found no forces",
+                                    counted(static_cast<std::size_t>(start.unsolved_steps), "step")));
+  return sentences;
+}
+
 // What a reader of the results must know and would not see: said once, with the first step concerned.
 Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const Analysis& analysis) {
   Warnings warnings;
@@ -142,11 +157,25 @@ Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const A
             "what follows",
             s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / deep);
       });
+  const bool is_standard = settings.dynamics == Dynamics::standard;
   warn_first(
-      "large_residual", [](const StepReport& s) { return s.residual > kLargeResidual; },
-      [](const StepReport& s) {
-        return fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual);
+      "large_residual",
+      [&](const StepReport& s) { return s.residual > (is_standard ? kLargeImbalance : kLargeResidual); },
+      [&](const StepReport& s) {
+        return is_standard ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
+                           : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only",
+                                         s.step, s.residual);
       });
+  const auto is_unresolved = [](const StepReport& s) { return s.unresolved_parts > 0; };
+  warn_first("step_unresolved", is_unresolved, [&](const StepReport& s) {
+    return fmt::format(
+        "step {}: {} of its parts are of the least size (least_step_share) and still move or err more than asked for, "
+        "as in "
+        "{} of {} steps",
+        s.step, s.unresolved_parts, std::ranges::count_if(record.steps, is_unresolved), record.steps.size());
+  });
+  for (const std::string& sentence : start_complaints(record.outcome.start))
+    warnings.push_back({"start_not_as_asked", analysis.place, sentence});
   const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
     if (curve.times.empty() || curve.times.back() >= record.outcome.time || curve.values.back() == Point{}) return;
     warnings.push_back({name, curve.place,
@@ -190,7 +219,7 @@ ExitCode exit_code(RunEnd end) {
 }
 
 ExitCode list_settings() {
-  for (const SettingText& setting : list(Settings{})) fmt::print("{:32} {}\n", setting.name, setting.meaning);
+  fmt::print("{}", settings_guide());
   return ExitCode::ok;
 }
 

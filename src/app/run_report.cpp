@@ -49,6 +49,7 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
   int redos = 0;
   int fallbacks = 0;
   long passes = 0;
+  int unresolved = 0;
   double penetration = 0;
   double ratio = 0;
   double residual = 0;
@@ -59,6 +60,7 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
     redos += step.redos;
     fallbacks += step.fallbacks;
     passes += step.passes;
+    unresolved += step.unresolved_parts;
     penetration = std::max(penetration, step.greatest_penetration);
     ratio = std::max(ratio, step.displacement_ratio);
     residual = std::max(residual, step.residual);
@@ -74,7 +76,8 @@ Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps)
                  {"most_contacts", contacts},
                  {"passes", passes},
                  {"redone_attempts", redos},
-                 {"fallback_solves", fallbacks}};
+                 {"fallback_solves", fallbacks},
+                 {"unresolved_parts", unresolved}};
   if (!steps.empty()) {
     counts["least_dt"] = least_dt;
     counts["greatest_dt"] = greatest_dt;
@@ -96,6 +99,10 @@ Json steps_json(const std::vector<StepReport>& steps) {
            {"step", "time", "dt", "passes", "redos", "fallbacks", "contacts", "closed", "penalty",
             "greatest_penetration", "displacement_ratio", "residual", "unsettled_contacts"}},
           {"rows", rows}};
+}
+
+Json start_json(const StartReport& start) {
+  return {{"made", start.made}, {"why", start.why}, {"misfit", start.misfit}, {"unsolved_steps", start.unsolved_steps}};
 }
 
 Json outcome_json(const RunOutcome& outcome) {
@@ -159,6 +166,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"version", KEYBLOCK_VERSION},
       {"profile", record.profile},
       {"outcome", outcome_json(record.outcome)},
+      {"start", start_json(record.outcome.start)},
       {"inputs", inputs_json(record.inputs)},
       {"settings", settings_json(prepared.scene.settings)},
       {"requirements", requirements_json(prepared.requirements)},

@@ -41,6 +41,7 @@ struct Touch {
   double stretch = 0;      ///< length of the stretch that the two edges share
   double share = 1;        ///< of the stretch that this touch stands for; 0 < share ≤ 1
   int joint_material = 0;  ///< of the edge at the foot of the point
+  double rest_gap = 0;     ///< ≤ 0: overlap that was there before any force, and stays
 
   auto name() const { return std::tie(vertex, start, end, kind); }
   friend bool operator==(const Touch& a, const Touch& b) { return a.name() == b.name(); }

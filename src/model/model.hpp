@@ -59,6 +59,9 @@ struct Bolt {
   double pretension = 0;  ///< force at the start
 
   double start_length() const { return distance(first.start, second.start); }
+  bool is_spring() const { return stiffness > 0; }
+  /// Without stiffness its pretension is a force that stays, unless it breaks the bolt at once.
+  double constant_force() const { return is_spring() || pretension >= strength ? 0 : pretension; }
   double force_at(double length) const { return pretension + stiffness * (length - start_length()); }
 };
 

@@ -35,6 +35,11 @@ struct BerkeleyQuirks {
   /// 13: cumulative time in place of the displacement ratio. Off: it came into the Berkeley program in 2008, dynamic runs
   /// with the automatic step grind to a halt under it, and no file of Shi's own time was run so.
   bool step_rule_by_time = false;
+
+  /// The rules as they were meant.
+  static BerkeleyQuirks none();
+  /// Without the mistakes in Shi's step, which another step does not make; those in what files mean stay.
+  BerkeleyQuirks without_those_of_the_step() const;
 };
 
 /// An acceleration of all blocks beside gravity, as of a shaken ground seen from the ground. The parts add up.

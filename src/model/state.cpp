@@ -1,7 +1,10 @@
-// Where the operators and the polygon integrals of an element are taken, as its vertices lie now.
+// Where the operators and the polygon integrals of an element are taken, as its vertices lie now; which states are none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/state.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <span>
 
 namespace keyblock {
@@ -28,6 +31,17 @@ Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, E
   const double y = sum.y / sum.area;
   // Shifting theorem: second moments about the centroid.
   return {origin + Point{x, y}, {sum.area, 0, 0, sum.xx - x * sum.x, sum.yy - y * sum.y, sum.xy - x * sum.y}};
+}
+
+std::string impossible(const State& state) {
+  for (ElementIndex e : indices(state.elements)) {
+    const ElementState& now = state.elements[e];
+    const double sum = now.centroid.x + now.centroid.y + now.stress.xx + now.stress.yy + now.stress.xy + now.rotation +
+                       now.last_step.sum();
+    if (!std::isfinite(sum) || !(now.moments.area > 0))
+      return fmt::format("block {} is turned inside out or no longer finite", e.value + 1);
+  }
+  return {};
 }
 
 Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings, int material) {

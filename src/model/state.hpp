@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/simplex.hpp"
@@ -56,6 +57,9 @@ struct Placement {
 };
 Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, ElementIndex element,
                 const Settings& settings);
+
+/// Which element is as no step may leave it, without area or not finite, in one clause; empty if none is.
+std::string impossible(const State& state);
 
 /// Velocity of the unknowns at the end of the last accepted step; zero where its block material carries none (static).
 Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings, int material);

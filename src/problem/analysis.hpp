@@ -85,16 +85,15 @@ struct Analysis {
   double time_step = 0;                   ///< g1: step, or its upper limit with the automatic step, > 0
   bool automatic_time_step = false;
   bool automatic_penalty = false;
-  std::optional<double>
-      contact_penalty;  ///< g0 of Shi's and of manifold files, force / length; absent: penalty_factor × largest E
-  double penalty_factor = 50;  ///< pfactor
+  std::optional<double> contact_penalty;  ///< g0 of Shi's files, force / length; absent: penalty_factor × largest E
+  double penalty_factor = 50;             ///< pfactor
   bool plane_strain = false;
   Rotation rotation = Rotation::first_order;
   std::optional<double> gravity;  ///< DDAML `Gravaccel`, length / time²; absent: from the unit weights
   int open_close_limit = 8;       ///< passes of the open-close iteration
   OpenCloseConstants open_close;
   double contact_damping = 0;             ///< DDAML `ContactDamping`
-  std::optional<double> over_relaxation;  ///< SOR factor of Shi's and of manifold files
+  std::optional<double> over_relaxation;  ///< SOR factor of Shi's files
   std::optional<int> save_interval;       ///< DDAML `Saveinterval`, steps
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;

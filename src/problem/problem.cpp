@@ -92,6 +92,17 @@ Warnings curves_and_points(const Analysis& analysis, std::size_t loading_points,
   return {};
 }
 
+template <class B>
+std::vector<InputError> bolts_that_push(const std::vector<B>& bolts, auto place_of) {
+  std::vector<InputError> errors;
+  for (std::size_t i = 0; i < bolts.size(); ++i)
+    if (!(bolts[i].stiffness >= 0))
+      errors.emplace_back(place_of(bolts[i]),
+                          fmt::format("expected a stiffness of at least 0 of bolt {} of {}, found {}", i + 1,
+                                      bolts.size(), bolts[i].stiffness));
+  return errors;
+}
+
 std::vector<InputError> impossible_blocks(const Blocks& blocks) {
   std::vector<InputError> errors;
   for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
@@ -132,9 +143,10 @@ class Checker {
     warn(no_fixed_points(drawing.fixed_lines.size(), drawing.place));
     if (drawing.joints.empty())
       checked_.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
+    if (checked_.problem.analysis) clamp_materials(drawing, *checked_.problem.analysis);
+    if (checked_.problem.analysis) give_bolts_their_properties(drawing, *checked_.problem.analysis);
+    fail(bolts_that_push(drawing.bolts, [](const BoltLine& bolt) { return bolt.place; }));
     if (!checked_.problem.analysis) return;
-    clamp_materials(drawing, *checked_.problem.analysis);
-    give_bolts_their_properties(drawing, *checked_.problem.analysis);
     warn(curves_and_points(*checked_.problem.analysis, drawing.loading_points.size(), drawing.place));
   }
 
@@ -142,7 +154,8 @@ class Checker {
     warn(zero_length_bolts(blocks));
     std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return is_point(bolt.segment); });
     warn(no_fixed_points(blocks.fixed_points.size(), blocks.place));
-    for (InputError& error : impossible_blocks(blocks)) checked_.errors.push_back(std::move(error));
+    fail(impossible_blocks(blocks));
+    fail(bolts_that_push(blocks.bolts, [&](const BlockBolt&) { return blocks.place; }));
     if (!checked_.problem.analysis) return;
     clamp_materials(blocks, *checked_.problem.analysis);
     warn(curves_and_points(*checked_.problem.analysis, blocks.loading_points.size(), blocks.place));
@@ -157,6 +170,10 @@ class Checker {
   }
 
   void warn(const Warnings& more) { checked_.warnings.insert(checked_.warnings.end(), more.begin(), more.end()); }
+
+  void fail(const std::vector<InputError>& more) {
+    checked_.errors.insert(checked_.errors.end(), more.begin(), more.end());
+  }
 
   void drop_zero_length_lines(Drawing& drawing) {
     const auto boundaries = drawing.joints.begin() + static_cast<std::ptrdiff_t>(drawing.boundary_count);

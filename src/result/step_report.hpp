@@ -5,20 +5,23 @@
 namespace keyblock {
 
 struct StepReport {
-  int step = 0;     ///< from 1
-  double time = 0;  ///< at the end of the step
-  double dt = 0;
-  int passes = 0;                   ///< open-close passes (solves), redone attempts included
-  int redos = 0;                    ///< attempts thrown away before this one was accepted
-  int fallbacks = 0;                ///< contact solves that Newton did not finish and projected Gauss-Seidel did
-  int contacts = 0;                 ///< length of the contact list
-  int closed = 0;                   ///< contacts not open after the last judgement
-  int matrix_blocks = 0;            ///< elements, and pairs of elements with a contact (open too) or a bolt
-  double penalty = 0;               ///< contact stiffness, force / length
-  double displacement_ratio = 0;    ///< greatest vertex displacement over the allowed one
+  int step = 0;                   ///< from 1
+  double time = 0;                ///< at the end of the step
+  double dt = 0;                  ///< size of the step; the smallest part, where dynamics `standard` makes it in parts
+  int passes = 0;                 ///< open-close passes, or solves of contact forces, redone attempts included
+  int redos = 0;                  ///< attempts thrown away: before this one was accepted, or of its parts
+  int fallbacks = 0;              ///< contact solves that Newton did not finish and projected Gauss-Seidel did
+  int contacts = 0;               ///< length of the contact list
+  int closed = 0;                 ///< contacts not open after the last judgement
+  int matrix_blocks = 0;          ///< elements, and pairs of elements with a contact (open too) or a bolt
+  double penalty = 0;             ///< contact stiffness, force / length
+  double displacement_ratio = 0;  ///< greatest vertex displacement over the allowed one
   double greatest_penetration = 0;  ///< of the closed contacts, length, ≥ 0
-  double residual = 0;              ///< largest relative residual of the step's linear solves
-  int unsettled_contacts = 0;       ///< contacts that still opened or closed in the last pass (accepted by choice)
+  /// Dynamics `shi`: largest relative residual of the step's linear solves; `standard`: forces out of balance over the largest
+  /// load on a block.
+  double residual = 0;
+  int unresolved_parts = 0;    ///< made at the least size, with a greater error or displacement than wanted
+  int unsettled_contacts = 0;  ///< contacts that still opened or closed in the last pass (accepted by choice)
 };
 
 }  // namespace keyblock

@@ -13,6 +13,7 @@
 #include "model/from_blocks.hpp"
 #include "model/joint_strength.hpp"
 #include "run/profile.hpp"
+#include "run/setting_row.hpp"
 #include "run/settings_table.hpp"
 #include "step/enforcement.hpp"
 #include "step/standard_scene.hpp"
@@ -62,6 +63,18 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   return warnings;
 }
 
+Warnings without_effect(const std::vector<Override>& overrides, const Settings& settings, const Place& place) {
+  Warnings warnings;
+  for (const auto& [name, value] : overrides) {
+    const std::optional<Dynamics> dynamics = dynamics_of(name);
+    if (!dynamics || *dynamics == settings.dynamics) continue;
+    warnings.push_back({"setting_without_effect", place,
+                        fmt::format("setting {} is read by dynamics {} alone and has no effect here", name,
+                                    *dynamics == Dynamics::shi ? "shi" : "standard")});
+  }
+  return warnings;
+}
+
 // Motions belong to points by their order: a point lost in cutting would give its motion to another.
 void require_points(const Blocks& blocks, const Analysis& analysis) {
   if (blocks.blocks.empty()) throw InputError(blocks.place, "expected at least one block, found none");
@@ -83,8 +96,8 @@ Plan standard_plan(Model model, const Settings& settings, const Place& place) {
   const std::string why = unsupported(scene);
   if (!why.empty()) throw InputError(place, why);
   const bool is_automatic = settings.standard.enforcement.common == Enforcement::automatic;
-  return {scene.model,
-          requirements(scene.model, scene.settings, is_automatic ? why_enforcement(scene.model) : std::string())};
+  return {scene.model, requirements(scene.model, scene.settings,
+                                    is_automatic ? why_enforcement(scene.model, settings) : std::string())};
 }
 
 Plan plan_of(Model model, const Settings& settings, const Place& place) {
@@ -93,12 +106,38 @@ Plan plan_of(Model model, const Settings& settings, const Place& place) {
   return {std::move(model), std::move(needs)};
 }
 
+// Springs stop impacts where there are any: other forces are found at the end of the step alone, and blocks would overlap there.
+void require_springs(const Settings& settings, int joint_materials) {
+  if (settings.standard.impact != ImpactLaw::springs) return;
+  for (int material = 0; material < joint_materials; ++material) {
+    const Enforcement enforcement = settings.standard.enforcement.of(material);
+    if (enforcement == Enforcement::lagrange || enforcement == Enforcement::augmented)
+      refuse_value("impact", "jump, or enforcement = penalty with springs", "springs");
+  }
+}
+
+// Settings that do not go together.
+void require_consistent(const Settings& settings, int joint_materials) {
+  if (settings.dynamics == Dynamics::shi) {
+    if (settings.step_control == StepControl::error)
+      refuse_value("step_control", "constant or shi under dynamics shi", "error");
+    return;
+  }
+  const StandardChoices& choices = settings.standard;
+  if (choices.motion != MotionRule::dynamic && choices.load_steps > settings.step_count)
+    refuse_value("load_steps", fmt::format("at most the number of steps, {}", settings.step_count),
+                 fmt::format("{}", choices.load_steps));
+  require_springs(settings, joint_materials);
+}
+
 // The profile with the overrides on it, sound for the materials of the file.
 Settings settings_of(const Analysis& analysis, const std::string& profile, const std::vector<Override>& overrides) {
   Settings settings = profile_settings(profile, analysis);
   for (const auto& [name, value] : overrides) set(settings, name, value);
-  require_materials(settings, static_cast<int>(analysis.block_materials.size()),
-                    static_cast<int>(analysis.joint_materials.size()));
+  if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
+  const int joint_materials = static_cast<int>(analysis.joint_materials.size());
+  require_materials(settings, static_cast<int>(analysis.block_materials.size()), joint_materials);
+  require_consistent(settings, joint_materials);
   if (!settings.body_acceleration.file.empty() && settings.body_acceleration.curve.times.empty())
     throw std::invalid_argument("setting body_acceleration_file: the file was not read");
   return settings;
@@ -130,6 +169,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
+  cut.warnings = joined(std::move(cut.warnings), without_effect(overrides, settings, problem.analysis->place));
   auto [model, needs] =
       plan_of(with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor),
               settings, cut.blocks.place);

@@ -59,7 +59,7 @@ Settings standard(const Analysis& analysis) {
   settings.penalty_control = PenaltyControl::constant;
   settings.rotation = Rotation::exact;
   if (analysis.velocity_carry_over == 0) settings.standard.motion = MotionRule::equilibrium;
-  settings.quirks = {false, false, false, false, false, false, false, false, false, false, false, false};
+  settings.quirks = BerkeleyQuirks::none();
   settings.quirks.weight_of_first_material = analysis.gravity.has_value();
   return settings;
 }

@@ -24,6 +24,7 @@ RunOutcome run(const Scene& scene, int record_every, const Observer& observer) {
     if (observer.on_row && is_due) observer.on_row(history_row(scene.model, stepper->state(), first));
   };
   outcome.ledger_scope = stepper->ledger_scope();
+  outcome.start = stepper->start_report();
   const auto keep_books = [&] {
     if (observer.on_ledger && scene.settings.ledger == Bookkeeping::on) observer.on_ledger(stepper->ledger());
   };

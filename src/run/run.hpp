@@ -10,6 +10,7 @@
 #include "result/frame.hpp"
 #include "result/history.hpp"
 #include "result/ledger.hpp"
+#include "result/start_report.hpp"
 #include "result/step_report.hpp"
 #include "step/advance.hpp"
 
@@ -34,6 +35,7 @@ struct RunOutcome {
   int steps = 0;                      ///< accepted
   double time = 0;                    ///< reached
   LedgerScope ledger_scope;
+  StartReport start;
 };
 
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever

@@ -21,7 +21,8 @@ std::optional<T> parse(const std::string& text) {
 
 std::string words_for(const Range& range) {
   if (range.least == Range{}.least) return "a number";
-  if (range.greatest != Range{}.greatest) return fmt::format("a number from {} to {}", range.least, range.greatest);
+  if (range.greatest != Range{}.greatest)
+    return fmt::format("a number {} {} to {}", range.open ? "above" : "from", range.least, range.greatest);
   return fmt::format("a number {} {}", range.open ? "greater than" : "of at least", range.least);
 }
 
@@ -41,7 +42,8 @@ void refuse_value(const std::string& name, const std::string& expected, const st
 
 ValueText<double> real(Range range) {
   return {[](double value) { return fmt::format("{}", value); },
-          [range](const std::string& name, const std::string& text) { return read_real(range, name, text); }, true};
+          [range](const std::string& name, const std::string& text) { return read_real(range, name, text); }, true,
+          words_for(range)};
 }
 
 ValueText<std::optional<double>> real_or_nothing(Range range) {
@@ -50,31 +52,27 @@ ValueText<std::optional<double>> real_or_nothing(Range range) {
             if (text.empty()) return std::nullopt;
             return read_real(range, name, text);
           },
-          true};
+          true, words_for(range) + ", or nothing"};
 }
 
 ValueText<int> whole(int least) {
+  const std::string expected = fmt::format("a whole number of at least {}", least);
   return {[](int value) { return fmt::format("{}", value); },
-          [least](const std::string& name, const std::string& text) {
+          [least, expected](const std::string& name, const std::string& text) {
             const std::optional<int> value = parse<int>(text);
-            if (!value || *value < least) refuse_value(name, fmt::format("a whole number of at least {}", least), text);
+            if (!value || *value < least) refuse_value(name, expected, text);
             return *value;
           },
-          true};
+          true, expected};
 }
 
 ValueText<std::string> any_text() {
   return {[](const std::string& value) { return value; },
-          [](const std::string&, const std::string& text) { return text; }, false};
+          [](const std::string&, const std::string& text) { return text; }, false, "any text"};
 }
 
 ValueText<bool> off_or_on() {
-  return {[](bool value) { return std::string(value ? "on" : "off"); },
-          [](const std::string& name, const std::string& text) {
-            if (text != "on" && text != "off") refuse_value(name, "one of off, on", text);
-            return text == "on";
-          },
-          false};
+  return one_of<bool>({{false, "off"}, {true, "on"}});
 }
 
 }  // namespace keyblock

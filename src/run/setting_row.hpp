@@ -19,6 +19,7 @@ struct ValueText {
   std::function<std::string(const T&)> write;
   std::function<T(const std::string& name, const std::string& text)> read;
   bool is_number = false;
+  std::string expected;  ///< "a number of at least 0", "one of off, on"
 };
 
 /// `open`: the least value itself is excluded.
@@ -37,18 +38,22 @@ ValueText<bool> off_or_on();
 
 [[noreturn]] void refuse_value(const std::string& name, const std::string& expected, const std::string& found);
 
-/// The value that stands for E(i) is the i-th name.
+/// A value for each word.
 template <class E>
-ValueText<E> one_of(std::vector<std::string> names) {
-  const auto read = [names](const std::string& name, const std::string& text) {
-    std::string expected;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == text) return static_cast<E>(i);
-      expected += (i == 0 ? "one of " : ", ") + names[i];
-    }
+ValueText<E> one_of(const std::vector<std::pair<E, std::string>>& words) {
+  std::string expected;
+  for (const auto& [value, word] : words) expected += (expected.empty() ? "one of " : ", ") + word;
+  const auto read = [words, expected](const std::string& name, const std::string& text) {
+    for (const auto& [value, word] : words)
+      if (word == text) return value;
     refuse_value(name, expected, text);
   };
-  return {[names](const E& value) { return names[static_cast<std::size_t>(value)]; }, read, false};
+  const auto write = [words](const E& wanted) {
+    for (const auto& [value, word] : words)
+      if (value == wanted) return word;
+    return std::string();
+  };
+  return {write, read, false, expected};
 }
 
 enum class Materials { of_blocks, of_joints };
@@ -68,6 +73,8 @@ struct SettingRow {
   std::function<std::string(const Settings&)> write;
   std::function<void(Settings&, const std::string& text)> read;
   std::optional<MaterialRow> per_material;
+  std::string expected;              ///< permitted values, in words
+  std::optional<Dynamics> dynamics;  ///< that read it; nothing: both
 };
 
 /// `of` gives the member of the settings, constant or not.
@@ -78,6 +85,8 @@ SettingRow row(const std::string& name, const std::string& meaning, Of of, const
           text.is_number,
           [=](const Settings& s) { return text.write(of(s)); },
           [=](Settings& s, const std::string& value) { of(s) = text.read(name, value); },
+          std::nullopt,
+          text.expected,
           std::nullopt};
 }
 

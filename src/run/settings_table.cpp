@@ -38,9 +38,15 @@ auto at(T StandardChoices::*member) {
   };
 }
 
+SettingRow of(std::optional<Dynamics> dynamics, SettingRow row) {
+  row.dynamics = dynamics;
+  return row;
+}
+
 SettingRow quirk(const std::string& name, const std::string& meaning, bool BerkeleyQuirks::*member) {
-  return row(
-      "quirk." + name, meaning, [member](auto& s) -> auto& { return s.quirks.*member; }, off_or_on());
+  return of(Dynamics::shi,
+            row(
+                "quirk." + name, meaning, [member](auto& s) -> auto& { return s.quirks.*member; }, off_or_on()));
 }
 
 SettingRow downward_gravity() {
@@ -51,24 +57,32 @@ SettingRow downward_gravity() {
           [](Settings& s, const std::string& text) {
             s.gravity = {0, 0.0 - real(kAnyNumber).read("gravity", text)};
           },
+          std::nullopt,
+          real(kAnyNumber).expected,
           std::nullopt};
 }
 
 std::vector<SettingRow> rows_of_the_run() {
   return {
       row("node_merging", "how near crossings become one node when a drawing is cut", at(&Settings::node_merging),
-          one_of<NodeMerging>({"nearest_first", "in_order_found"})),
+          one_of<NodeMerging>(
+              {{NodeMerging::nearest_first, "nearest_first"}, {NodeMerging::in_order_found, "in_order_found"}})),
       row("steps", "number of time steps", at(&Settings::step_count), whole(1)),
       row("time_step",
-          "step size; under rule shi only the least one, a hundredth of it, and the step where nothing moves [time]",
+          "step size; under dynamics standard with step_control shi or error the interval of reports and the upper "
+          "bound of steps, under dynamics shi with rule shi the step where nothing moves and, a hundredth of it, the "
+          "least "
+          "[time]",
           at(&Settings::time_step), real(kAboveZero)),
-      row("step_control", "how the step size is chosen", at(&Settings::step_control),
-          one_of<StepControl>({"constant", "shi", "error"})),
+      row("step_control", "how the step size is chosen; error needs dynamics standard", at(&Settings::step_control),
+          one_of<StepControl>(
+              {{StepControl::constant, "constant"}, {StepControl::shi, "shi"}, {StepControl::error, "error"}})),
       row(Materials::of_blocks, "velocity_carry_over", "share of the velocity carried into a step: 0 static, 1 dynamic",
           at(&Settings::velocity_carry_over), real(kShare)),
-      row("rotation", "how points move under a rotation", at(&Settings::rotation),
-          one_of<Rotation>({"first_order", "exact"})),
-      row("plane", "plane stress or plane strain", at(&Settings::plane), one_of<Plane>({"stress", "strain"})),
+      of(Dynamics::shi, row("rotation", "how points move under a rotation", at(&Settings::rotation),
+                            one_of<Rotation>({{Rotation::first_order, "first_order"}, {Rotation::exact, "exact"}}))),
+      row("plane", "plane stress or plane strain", at(&Settings::plane),
+          one_of<Plane>({{Plane::stress, "stress"}, {Plane::strain, "strain"}})),
   };
 }
 
@@ -105,24 +119,29 @@ std::vector<SettingRow> rows_of_loads_and_materials() {
 
 std::vector<SettingRow> rows_of_contact_and_steps() {
   return {
-      row("contact_penalty", "starting normal contact stiffness [force/length]", at(&Settings::contact_penalty),
-          real(kAboveZero)),
-      row("penalty_control", "how the contact stiffness changes", at(&Settings::penalty_control),
-          one_of<PenaltyControl>({"constant", "adaptive"})),
-      row("fixed_point_factor", "stiffness of fixed points over the starting contact stiffness",
-          at(&Settings::fixed_point_factor), real(kAboveZero)),
+      row("contact_penalty", "normal contact stiffness; the first one where penalty_control is adaptive [force/length]",
+          at(&Settings::contact_penalty), real(kAboveZero)),
+      of(Dynamics::shi,
+         row("penalty_control", "how the contact stiffness changes", at(&Settings::penalty_control),
+             one_of<PenaltyControl>({{PenaltyControl::constant, "constant"}, {PenaltyControl::adaptive, "adaptive"}}))),
+      of(Dynamics::shi, row("fixed_point_factor", "stiffness of fixed points over the starting contact stiffness",
+                            at(&Settings::fixed_point_factor), real(kAboveZero))),
       row("allowed_displacement_ratio", "allowed displacement of a step over half the size of the scene",
           at(&Settings::allowed_displacement_ratio), real(kAboveZero)),
-      row("pass_limit", "open-close passes of one attempt", at(&Settings::pass_limit), whole(1)),
-      row("redo_limit", "redone attempts at one step before the run stops", at(&Settings::redo_limit), whole(0)),
-      row("closing_ratio", "penetration at which a contact closes, over half the size of the scene",
-          at(&OpenCloseConstants::closing_ratio), real(kNotNegative)),
-      row("opening_ratio", "separation at which a contact opens, over half the size of the scene",
-          at(&OpenCloseConstants::opening_ratio), real(kNotNegative)),
+      of(Dynamics::shi, row("pass_limit",
+                            "open-close passes of one attempt; with quirk.fixed_pass_bound always 8, and any other "
+                            "value accepts steps whose contacts still open or close",
+                            at(&Settings::pass_limit), whole(1))),
+      of(Dynamics::shi,
+         row("redo_limit", "redone attempts at one step before the run stops", at(&Settings::redo_limit), whole(0))),
+      of(Dynamics::shi, row("closing_ratio", "penetration at which a contact closes, over half the size of the scene",
+                            at(&OpenCloseConstants::closing_ratio), real(kNotNegative))),
+      of(Dynamics::shi, row("opening_ratio", "separation at which a contact opens, over half the size of the scene",
+                            at(&OpenCloseConstants::opening_ratio), real(kNotNegative))),
       row("allowed_penetration", "penetration the adaptive stiffness aims at, over half the size of the scene",
           at(&OpenCloseConstants::allowed_penetration), real(kAboveZero)),
-      row("angle_overlap_deg", "angle within which two edges count as parallel [degree]",
-          at(&OpenCloseConstants::angle_overlap_deg), real(kNotNegative)),
+      of(Dynamics::shi, row("angle_overlap_deg", "angle within which two edges count as parallel [degree]",
+                            at(&OpenCloseConstants::angle_overlap_deg), real(kNotNegative))),
       row("normal_to_shear_stiffness", "normal over shear contact stiffness",
           at(&OpenCloseConstants::normal_to_shear_stiffness), real(kAboveZero)),
   };
@@ -131,7 +150,8 @@ std::vector<SettingRow> rows_of_contact_and_steps() {
 std::vector<SettingRow> rows_of_quirks() {
   using Q = BerkeleyQuirks;
   return {
-      quirk("moments_about_origin", "rules 7: area moments about the origin of coordinates", &Q::moments_about_origin),
+      of(std::nullopt, quirk("moments_about_origin", "rules 7: area moments about the origin of coordinates",
+                             &Q::moments_about_origin)),
       quirk("search_full_depth", "rules 2: penetration side searched to the full distance", &Q::search_full_depth),
       quirk("edge_direction_offset", "rules 3: 1e-7 added to |dx| in edge directions", &Q::edge_direction_offset),
       quirk("stale_contact_list", "rules 3: a step without contacts keeps the last list", &Q::stale_contact_list),
@@ -141,14 +161,15 @@ std::vector<SettingRow> rows_of_quirks() {
             &Q::velocity_from_coming_step),
       quirk("start_velocity_slots", "rules 7.5: stress gradient and start velocity share values",
             &Q::start_velocity_slots),
-      quirk("weight_of_first_material", "one gravity for all materials", &Q::weight_of_first_material),
+      of(std::nullopt,
+         quirk("weight_of_first_material", "one gravity for all materials", &Q::weight_of_first_material)),
       quirk("cut_step_stays", "rules 11.2: a cut step stays cut", &Q::cut_step_stays),
       quirk("fixed_pass_bound", "rules 11.1: 8 passes whatever the limit", &Q::fixed_pass_bound),
       quirk("step_rule_by_time", "rules 13: time in place of the displacement ratio", &Q::step_rule_by_time),
       row("dynamics", "whose step is made; the choices below belong to `standard`", at(&Settings::dynamics),
-          one_of<Dynamics>({"shi", "standard"})),
+          one_of<Dynamics>({{Dynamics::shi, "shi"}, {Dynamics::standard, "standard"}})),
       row("ledger", "energy and momentum of every step, kept and written", at(&Settings::ledger),
-          one_of<Bookkeeping>({"off", "on"})),
+          one_of<Bookkeeping>({{Bookkeeping::off, "off"}, {Bookkeeping::on, "on"}})),
   };
 }
 
@@ -156,25 +177,34 @@ std::vector<SettingRow> rows_of_standard() {
   using C = StandardChoices;
   return {
       row("motion", "steps in time, of static equilibrium, or of equilibrium by dynamic relaxation", at(&C::motion),
-          one_of<MotionRule>({"dynamic", "static", "relaxation"})),
+          one_of<MotionRule>({{MotionRule::dynamic, "dynamic"},
+                              {MotionRule::equilibrium, "static"},
+                              {MotionRule::relaxation, "relaxation"}})),
       row("load_steps", "equilibria from no load to that of the start, in a run without dynamics", at(&C::load_steps),
           whole(1)),
       row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 or 6", at(&C::basis),
-          one_of<BlockBasis>({"rigid", "affine"})),
+          one_of<BlockBasis>({{BlockBasis::rigid, "rigid"}, {BlockBasis::affine, "affine"}})),
       row(Materials::of_joints, "enforcement",
           "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
           "overlaps; automatic: springs where more than a few blocks touch in a ring, else multipliers",
-          at(&C::enforcement), one_of<Enforcement>({"lagrange", "penalty", "augmented", "automatic"})),
+          at(&C::enforcement),
+          one_of<Enforcement>({{Enforcement::lagrange, "lagrange"},
+                               {Enforcement::penalty, "penalty"},
+                               {Enforcement::augmented, "augmented"},
+                               {Enforcement::automatic, "automatic"}})),
       row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
-          at(&C::spring_points), one_of<SpringPoints>({"ends", "lobatto"})),
+          at(&C::spring_points),
+          one_of<SpringPoints>({{SpringPoints::ends, "ends"}, {SpringPoints::lobatto, "lobatto"}})),
       row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
-          one_of<ImpactLaw>({"jump", "springs"})),
+          one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
       row("start", "strains and contact forces at the start", at(&C::start),
-          one_of<StartRule>({"compatible", "sudden"})),
+          one_of<StartRule>({{StartRule::compatible, "compatible"}, {StartRule::sudden, "sudden"}})),
       row("strain_damping", "stiffness damping of the strain modes", at(&C::strain_damping),
-          one_of<StrainDamping>({"critical", "none"})),
+          one_of<StrainDamping>({{StrainDamping::critical, "critical"}, {StrainDamping::none, "none"}})),
       row("integrator", "sums of a step: the two weights below, Newmark's, or generalised alpha's", at(&C::integrator),
-          one_of<Integrator>({"weighted", "newmark", "generalized_alpha"})),
+          one_of<Integrator>({{Integrator::weighted, "weighted"},
+                              {Integrator::newmark, "newmark"},
+                              {Integrator::generalized_alpha, "generalized_alpha"}})),
       row("velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order",
           at(&C::velocity_weight), real(kFromHalf)),
       row("force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
@@ -188,17 +218,18 @@ std::vector<SettingRow> rows_of_standard() {
           real(kAboveZero)),
       row("least_step_share", "of the time step, below which controlled steps are not cut", at(&C::least_step_share),
           real({0, true, 1})),
-      row(Materials::of_joints, "restitution", "rebound over approach speed of an impact", at(&C::restitution),
-          real(kShare)),
+      row(Materials::of_joints, "restitution", "rebound over approach speed of an impact, where impact = jump",
+          at(&C::restitution), real(kShare)),
   };
 }
 
 const std::vector<SettingRow>& table() {
   static const std::vector<SettingRow> rows = [] {
     std::vector<SettingRow> all;
-    for (const auto& part : {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(),
-                             rows_of_quirks(), rows_of_standard()})
+    for (const auto& part :
+         {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(), rows_of_quirks()})
       all.insert(all.end(), part.begin(), part.end());
+    for (const SettingRow& row : rows_of_standard()) all.push_back(of(Dynamics::standard, row));
     return all;
   }();
   return rows;
@@ -245,11 +276,12 @@ std::vector<SettingText> list(const Settings& settings) {
     std::string meaning = row.meaning;
     if (row.per_material)
       meaning += fmt::format("; {}.N for {} material N alone", row.name, noun(row.per_material->materials));
-    texts.push_back({row.name, value, meaning, row.is_number && !value.empty()});
+    texts.push_back({row.name, value, meaning, row.is_number && !value.empty(), row.expected, row.dynamics});
     if (!row.per_material) continue;
     for (int material : row.per_material->given(settings)) {
       const std::string own = row.per_material->write(settings, material);
-      texts.push_back({numbered(row, material), own, meaning, row.is_number && !own.empty()});
+      texts.push_back(
+          {numbered(row, material), own, meaning, row.is_number && !own.empty(), row.expected, row.dynamics});
     }
   }
   return texts;
@@ -261,6 +293,12 @@ void set(Settings& settings, const std::string& name, const std::string& value) 
   if (row == nullptr)
     throw std::invalid_argument(fmt::format("there is no setting \"{}\"; `keyblock run --settings` lists them", name));
   row->per_material->read(settings, material, name, value);
+}
+
+std::optional<Dynamics> dynamics_of(const std::string& name) {
+  const SettingRow* row = find_row(name);
+  if (row == nullptr) row = material_setting(name).row;
+  return row == nullptr ? std::nullopt : row->dynamics;
 }
 
 void require_materials(const Settings& settings, int block_materials, int joint_materials) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,8 @@ struct SettingText {
   std::string value;
   std::string meaning;  ///< one phrase, with the unit
   bool is_number = false;
+  std::string expected = {};                        ///< permitted values, in words
+  std::optional<Dynamics> dynamics = std::nullopt;  ///< that read it; nothing: both
 };
 
 /// All settings in the order of the table; behind those that materials may have of their own, `name.N` for each that does.
@@ -24,6 +27,9 @@ std::vector<SettingText> list(const Settings& settings);
 /// Sets one setting from text. Throws std::invalid_argument with the expected values if the name or the value
 /// is not valid. `name.N` sets the value of material N, counted from 1, where the setting is one of materials.
 void set(Settings& settings, const std::string& name, const std::string& value);
+
+/// The dynamics that alone read this setting; nothing: both, or there is none of this name.
+std::optional<Dynamics> dynamics_of(const std::string& name);
 
 /// Throws std::invalid_argument where a value was given for a material that is not there.
 void require_materials(const Settings& settings, int block_materials, int joint_materials);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "contact/carry.hpp"
 #include "contact/detect.hpp"
@@ -84,17 +83,6 @@ int matrix_blocks(const Model& model, const Contacts& contacts) {
 
 enum class Verdict { accepted, contacts_unsettled, moved_too_far, too_deep };
 
-// An element that no step may end with: not finite, or without area.
-std::optional<ElementIndex> impossible_element(const State& state) {
-  for (ElementIndex e : indices(state.elements)) {
-    const ElementState& now = state.elements[e];
-    const double sum = now.centroid.x + now.centroid.y + now.stress.xx + now.stress.yy + now.stress.xy + now.rotation +
-                       now.last_step.sum();
-    if (!std::isfinite(sum) || !(now.moments.area > 0)) return e;
-  }
-  return std::nullopt;
-}
-
 // One attempt after another at the same step, each with its own step size and stiffness.
 class Attempts {
  public:
@@ -148,7 +136,7 @@ class Attempts {
     }
     if (!(ratio_ <= kGreatestRatio)) {  // also where it is no number
       at_floor_again_ = dt_ <= floor;
-      dt_ = std::max(dt_ / std::sqrt(ratio_), floor);
+      dt_ = std::max(floor, dt_ / std::sqrt(ratio_));  // the floor where it is no number
       return Verdict::moved_too_far;
     }
     const AdaptedPenalty adapted = adapt(penalty_, misfit(contacts_), scene_.model.scale, settings_);
@@ -159,8 +147,7 @@ class Attempts {
 
   std::variant<StepReport, StepFailure> accept(const OpenCloseOutcome& outcome) {
     State end = update(scene_.model, std::move(start_), settings_, outcome.increments, dt_);
-    if (const std::optional<ElementIndex> bad = impossible_element(end))
-      return StepFailure{failure(fmt::format("block {} is turned inside out or no longer finite", bad->value + 1)), {}};
+    if (const std::string what = impossible(end); !what.empty()) return StepFailure{failure(what), {}};
     stepping_.state = std::move(end);
     stepping_.contacts = std::move(contacts_);
     report_.step = stepping_.state.step;

@@ -258,7 +258,8 @@ class Settling {
   Eigen::VectorXd pretensions() const {
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * scene_.model.bolts.size()));
     for (std::size_t i = 0; i < scene_.model.bolts.size(); ++i)
-      forces[static_cast<Eigen::Index>(2 * i)] = -scene_.model.bolts[i].pretension;
+      if (scene_.model.bolts[i].is_spring())
+        forces[static_cast<Eigen::Index>(2 * i)] = -scene_.model.bolts[i].pretension;
     return forces;
   }
 

@@ -57,6 +57,7 @@ ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Tou
   const JointMaterial& joint = scene.model.joint_material(touch.joint_material);
   ContactLaw law;
   law.force.friction = joint.friction_tangent();
+  law.rest_gap = touch.rest_gap;
   add_springs(law, scene, touch);
   const auto bond = touch.facing.lower ? bonds.find(touch.facing) : bonds.end();
   if (bond == bonds.end()) return law;

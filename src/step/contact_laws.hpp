@@ -14,7 +14,7 @@ struct ContactLaw {
   double tangential_compliance = 0;  ///< 1/p_t
   double normal_weight = 0;          ///< 1/p of the proximal term of an augmented Lagrangian
   double tangential_weight = 0;
-  double rest_gap = 0;        ///< of a bond: what was between its faces when it was made
+  double rest_gap = 0;        ///< of the touch; of a bond: what was between its faces when it was made
   double shear_strength = 0;  ///< of a bond: cohesion times its length
   bool is_bonded = false;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/worse.hpp"
 #include "step/integrator.hpp"
 #include "step/step_size.hpp"
 
@@ -37,13 +38,20 @@ double relative_error(const StandardScene& scene, const Motion& before, const Mo
     const Unknowns error =
         dt * dt * (rule.error_of_change * change.cwiseAbs() + rule.error_of_acceleration * mean.cwiseAbs()) +
         dt * jump.cwiseAbs();
-    greatest =
-        std::max({greatest, error.head<2>().norm() / scene.bodies[e].size, error.tail(error.size() - 2).maxCoeff()});
+    greatest = worse(greatest, error.head<2>().norm() / scene.bodies[e].size);
+    greatest = worse(greatest, error.tail(error.size() - 2).maxCoeff<Eigen::PropagateNaN>());
   }
   return greatest;
 }
 
+bool all_finite(const Motion& motion) {
+  const auto is_finite = [](const Unknowns& u) { return u.allFinite(); };
+  return std::ranges::all_of(motion.q, is_finite) && std::ranges::all_of(motion.v, is_finite) &&
+         std::ranges::all_of(motion.a, is_finite);
+}
+
 Verdict by_error(const StandardScene& scene, const Motion& before, const Motion& after, double dt) {
+  if (!all_finite(after)) return {false, kMostCut * dt};
   const double share = relative_error(scene, before, after, dt) / scene.settings.standard.step_tolerance;
   const double wanted = kSafety * std::pow(share, -1 / kOrder);
   return {share <= 1, dt * std::clamp(wanted, kMostCut, kMostGrowth)};
@@ -56,6 +64,7 @@ State state_at(double time) {
 }
 
 Verdict by_displacement(const StandardScene& scene, double displacement, double time, double dt) {
+  if (!std::isfinite(displacement)) return {false, kMostCut * dt};
   const double ratio = displacement / (scene.settings.allowed_displacement_ratio * scene.model.scale);
   if (!(ratio <= kGreatestRatio)) return {false, dt / std::sqrt(ratio)};
   return {true, next_step_size(scene.model, state_at(time + dt), scene.settings, {dt, ratio, 0, 0})};
@@ -79,7 +88,7 @@ class Parts {
   }
 
   ControlledStep run() {
-    while (left_ > kEnd * interval_ && result_.step.converged) make_part();
+    while (left_ > kEnd * interval_ && result_.step.converged && result_.step.failure.empty()) make_part();
     return std::move(result_);
   }
 
@@ -93,6 +102,7 @@ class Parts {
     const bool is_least = dt <= least;
     StandardStep made = standard_step(scene_, result_.step.motion, time_, dt);
     const Verdict verdict = made.converged ? judged(made.motion, dt) : Verdict{false, kUnsolvedCut * dt};
+    if (made.converged && is_least && !std::isfinite(moved(made.motion))) made.failure = "blocks move without bound";
     made.solves += result_.step.solves;
     made.fallbacks += result_.step.fallbacks;
     made.halvings += result_.step.halvings;
@@ -103,10 +113,11 @@ class Parts {
       result_.next = verdict.next;
       return;
     }
+    if (made.converged && !verdict.accepted) ++result_.unresolved;
     made.account += result_.step.account;
     made.residual = std::max(made.residual, result_.step.residual);
-    result_.displacement = std::max(result_.displacement, moved(made.motion));
-    result_.least = std::min(result_.least, dt);
+    if (made.converged) result_.displacement = std::max(result_.displacement, moved(made.motion));
+    result_.least = std::min(result_.least, made.least);
     result_.next = verdict.next;
     result_.step = std::move(made);
     time_ += dt;
@@ -133,7 +144,7 @@ double greatest_displacement(const StandardScene& scene, const UnknownsTable& fr
   const auto before = vertices_at(scene.model, scene.reference, from);
   const auto after = vertices_at(scene.model, scene.reference, to);
   double greatest = 0;
-  for (VertexIndex v : indices(before)) greatest = std::max(greatest, distance(before[v], after[v]));
+  for (VertexIndex v : indices(before)) greatest = worse(greatest, distance(before[v], after[v]));
   return greatest;
 }
 

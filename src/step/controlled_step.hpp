@@ -11,6 +11,7 @@ struct ControlledStep {
   double next = 0;          ///< part to begin the next step with
   double least = 0;         ///< smallest part made
   double displacement = 0;  ///< greatest of a vertex in one part
+  int unresolved = 0;       ///< parts of the least size, accepted though the rule asks for smaller ones
 };
 
 /// From `time` to `time + interval`, beginning with a part of `first`; 0 lets the rule choose.

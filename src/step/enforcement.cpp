@@ -90,15 +90,17 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
   const bool is_asked = is_automatic(common) ||
                         std::ranges::any_of(own, [](const auto& material) { return is_automatic(material.second); });
   if (!is_asked) return settings;
-  const Enforcement decided =
-      !has_few_blocks(model) && has_ring(model, touching_pairs(model)) ? Enforcement::penalty : Enforcement::lagrange;
+  const bool needs_springs = settings.standard.impact == ImpactLaw::springs ||
+                             (!has_few_blocks(model) && has_ring(model, touching_pairs(model)));
+  const Enforcement decided = needs_springs ? Enforcement::penalty : Enforcement::lagrange;
   if (is_automatic(common)) common = decided;
   for (auto& [material, enforcement] : own)
     if (is_automatic(enforcement)) enforcement = decided;
   return settings;
 }
 
-std::string why_enforcement(const Model& model) {
+std::string why_enforcement(const Model& model, const Settings& settings) {
+  if (settings.standard.impact == ImpactLaw::springs) return "springs stop blocks that meet";
   if (has_few_blocks(model)) return fmt::format("at most {} blocks can move", kFewBlocks);
   return has_ring(model, touching_pairs(model)) ? "touching blocks stand in a ring"
                                                 : "no touching blocks stand in a ring";

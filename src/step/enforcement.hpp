@@ -17,11 +17,11 @@ std::vector<ElementPair> touching_pairs(const Model& model);
 /// not. All held blocks count as one.
 bool has_ring(const Model& model, const std::vector<ElementPair>& touching);
 
-/// `automatic` becomes penalty where more than a few blocks touch in a ring, lagrange elsewhere: in a ring forces are many times
+/// `automatic` becomes penalty where springs stop impacts or more than a few blocks touch in a ring, lagrange elsewhere: in a ring forces are many times
 /// redundant, and multipliers took five times the solves of springs and left steps unfinished (contact-notes 3).
 Settings with_enforcement_decided(Settings settings, const Model& model);
 
 /// One clause: why `automatic` decides as it does.
-std::string why_enforcement(const Model& model);
+std::string why_enforcement(const Model& model, const Settings& settings);
 
 }  // namespace keyblock

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "base/worse.hpp"
+#include "contact/ties.hpp"
 #include "step/acceleration.hpp"
 
 namespace keyblock {
@@ -14,10 +16,20 @@ namespace {
 
 // Of the largest load: a hundred times what contact forces are solved to.
 constexpr double kBalanced = 1e-8;
+// Way of a held point from where it is wanted, over the size of its block: above what steps settle increments to.
+constexpr double kInPlace = 1e-9;
 
 double size_of_force(const Unknowns& force, double size) {
   if (force.size() == 0) return 0;
-  return std::max(force.head<2>().norm(), force.tail(force.size() - 2).cwiseAbs().maxCoeff() / size);
+  return worse(force.head<2>().norm(), force.tail(force.size() - 2).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / size);
+}
+
+// Of each held point, from where it is wanted.
+std::vector<double> ways_left(const StandardScene& scene, const Motion& motion, double time) {
+  const Eigen::VectorXd all = offsets(scene.model, scene.reference, motion.q, scene.held, time);
+  std::vector<double> ways;
+  for (Eigen::Index i = 0; i < all.size(); i += 2) ways.push_back(all.segment<2>(i).norm());
+  return ways;
 }
 
 }  // namespace
@@ -31,16 +43,27 @@ double largest_load(const StandardScene& scene, const UnknownsTable& loads) {
   return largest;
 }
 
-Balance balance_of(const StandardScene& scene, const Motion& motion, double time) {
+double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt) {
+  const std::vector<double> ways = ways_left(scene, motion, time);
+  double largest = 0;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const Body& body = scene.bodies[scene.held[i].element];
+    if (ways[i] > kInPlace * body.size) largest = std::max(largest, body.mass(0, 0) * ways[i] / (dt * dt));
+  }
+  return largest;
+}
+
+Balance balance_of(const StandardScene& scene, const Motion& motion, double time, double least_load) {
   Motion still = motion;
   for (Unknowns& v : still.v) v.setZero();
   const UnknownsTable a = balanced_acceleration(scene, still, time);
-  const double load = largest_load(scene, loads_at(scene, motion.q, time));
+  const double load = std::max(least_load, largest_load(scene, loads_at(scene, motion.q, time)));
   Balance balance;
+  balance.holds_points = driving_force(scene, motion, time, 1) == 0;
   for (ElementIndex e : indices(a)) {
     const double force = size_of_force(scene.bodies[e].mass * a[e], scene.bodies[e].size);
-    if (force > kBalanced * load) balance.blocks.push_back(e);
-    if (load > 0) balance.share = std::max(balance.share, force / load);
+    if (!(force <= kBalanced * load)) balance.blocks.push_back(e);
+    if (load > 0) balance.share = worse(balance.share, force / load);
   }
   return balance;
 }
@@ -51,9 +74,9 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
   Travel travel;
   for (ElementIndex e : indices(scene.bodies)) {
     double way = 0;
-    for (VertexIndex v : scene.model.elements[e].vertices()) way = std::max(way, distance(before[v], after[v]));
-    travel.share = std::max(travel.share, way / scene.bodies[e].size);
-    if (way > scene.bodies[e].size) travel.far.push_back(e);
+    for (VertexIndex v : scene.model.elements[e].vertices()) way = worse(way, distance(before[v], after[v]));
+    travel.share = worse(travel.share, way / scene.bodies[e].size);
+    if (!(way <= scene.bodies[e].size)) travel.far.push_back(e);
   }
   return travel;
 }

@@ -11,13 +11,18 @@ namespace keyblock {
 struct Balance {
   double share = 0;                  ///< largest force out of balance over the largest load
   std::vector<ElementIndex> blocks;  ///< those that are out of balance
+  bool holds_points = true;          ///< held points are where their motion wants them
 
-  bool holds() const { return blocks.empty(); }
+  bool holds() const { return blocks.empty() && holds_points; }
 };
 
 /// Of loads, stress and the remembered contact forces at `time`; velocities count for nothing. Moments and strain forces
-/// are taken over the size of the block.
-Balance balance_of(const StandardScene& scene, const Motion& motion, double time);
+/// are taken over the size of the block. The largest load counts as no smaller than `least_load`.
+Balance balance_of(const StandardScene& scene, const Motion& motion, double time, double least_load = 0);
+
+/// Largest force that brings a block within dt to where its held points are driven to by `time`; 0 where they are there. It
+/// stands for the load in scenes without one.
+double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt);
 
 /// The largest load, or force of the initial stress, on a block.
 double largest_load(const StandardScene& scene, const UnknownsTable& loads);

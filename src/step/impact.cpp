@@ -83,12 +83,14 @@ Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size
 UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts,
                               const Touches& closed) {
   const Touches all = joined(impacts, closed);
-  const std::vector<double> before = gaps_of(scene, q, all);
+  std::vector<double> least = gaps_of(scene, q, all);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    least[i] = i < impacts.size() ? all[i].rest_gap : std::min(least[i], 0.0);
   const double tolerable = kNoOverlap * size_of(scene);
   const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
   for (int pass = 0; pass < kMostPasses; ++pass) {
     std::vector<double> room = gaps_of(scene, q, all);
-    for (std::size_t i = impacts.size(); i < all.size(); ++i) room[i] -= std::min(before[i], 0.0);
+    for (std::size_t i = 0; i < all.size(); ++i) room[i] -= least[i];
     if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable; })) break;
     const ContactRows rows = rows_with_points(scene, q, all);
     FrictionalProblem problem{contact_matrix(rows, blocks), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
@@ -103,6 +105,12 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
   return q;
 }
 
+UnknownsTable rigid_part(UnknownsTable v) {
+  for (Unknowns& of : v)
+    if (of.size() > kRigidUnknowns) of.tail(of.size() - kRigidUnknowns).setZero();
+  return v;
+}
+
 Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
                 const std::vector<Meeting>& meetings, const Touches& closed) {
   Touches touches;
@@ -112,7 +120,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
   const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
-  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
+  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, rigid_part(v)), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
@@ -122,6 +130,10 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
     const double approach = -normal - meetings[i].gained;
     const double restitution = restitution_of(scene.settings, touches[i].joint_material);
     if (approach > 0) normal = -(1 + restitution) * approach;
+  }
+  for (std::size_t i = meetings.size(); i < touches.size(); ++i) {
+    double& normal = problem.b[static_cast<Eigen::Index>(2 * i)];
+    normal = std::max(normal, 0.0);
   }
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   const Eigen::VectorXd shifts = impulses.cwiseProduct(times_of(meetings, impulses.size()));

@@ -19,7 +19,7 @@ struct Jump {
   UnknownsTable v;
 };
 
-/// Moves blocks along the gap rows with the rigid inverse mass until no `impact` overlaps and no `closed` touch is
+/// Moves blocks along the gap rows with the rigid inverse mass until no `impact` is beyond its rest gap and no `closed` touch
 /// deeper than it was.
 UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts,
                               const Touches& closed);
@@ -27,11 +27,15 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
 /// Newton's law with restitution e and Coulomb's cone on the impulses (Moreau 1988), where and when the surfaces met:
 ///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + M_rigid⁻¹ Gᵀ p,  q⁺ = q + M_rigid⁻¹ Gᵀ (since ∘ p).
 /// With the arms in G and the way since the meeting angular momentum is kept as linear is; a law at the end of the step loses
-/// it with the overlap. Closed touches take part without restitution.
+/// it with the overlap. Closed touches take part without restitution; none approaches faster than before.
 /// Strain rates do not jump: the corner of a deformable block sees a fraction of its mass, and the law at the corner
-/// would not give the body's restitution (contact-notes 4.4).
+/// would not give the body's restitution (contact-notes 4.4). Nor are they seen: all velocities here are rigid ones, for an
+/// impulse that makes rigid velocity of a strain rate creates energy.
 Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
                 const std::vector<Meeting>& meetings, const Touches& closed);
+
+/// Velocities without their strain rates.
+UnknownsTable rigid_part(UnknownsTable v);
 
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants, with the full mass: both
 /// are kept in positions, and without this their rates would change sign each step (contact-notes 3, step 8).

@@ -36,7 +36,7 @@ double spring_energy(const Motion& motion) {
 }
 
 double bolt_energy(const Bolt& bolt, double force) {
-  return force * force / (2 * bolt.stiffness);
+  return bolt.is_spring() ? force * force / (2 * bolt.stiffness) : 0;
 }
 
 double bolt_energy(const StandardScene& scene, const Motion& motion) {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/motion.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "base/worse.hpp"
 
 namespace keyblock {
 namespace {
@@ -31,7 +32,7 @@ double greatest_displacement(const Model& model, const State& state, const Incre
     const Element& element = model.elements[e];
     for (VertexIndex v : element.vertices()) {
       const Point offset = state.vertices[v] - state.elements[e].centroid;
-      greatest = std::max(greatest, length(displacement(*element.basis, increments[e], offset, rotation)));
+      greatest = worse(greatest, length(displacement(*element.basis, increments[e], offset, rotation)));
     }
   }
   return greatest;

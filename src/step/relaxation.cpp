@@ -9,23 +9,33 @@
 
 #include "step/acceleration.hpp"
 #include "step/equilibrium.hpp"
-#include "step/integrator.hpp"
 #include "step/ledger.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads
+constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads, or over its own greatest
 constexpr int kMostSteps = 100000;
+
+void freeze(TimeCurve& curve, double time) {
+  curve = {{time}, {curve.at(time)}, curve.place};
+}
+
+// Loads and held points as they are at `time`, whatever the time of a step.
+StandardScene frozen(StandardScene scene, double time) {
+  for (CarriedPoint& point : scene.held) freeze(point.curve, time);
+  for (CarriedPoint& point : scene.model.loading_points) freeze(point.curve, time);
+  freeze(scene.settings.body_acceleration.curve, time);
+  return scene;
+}
 
 class Relaxation {
  public:
   Relaxation(const StandardScene& scene, const Motion& start, double time)
-      : scene_(scene),
+      : scene_(frozen(scene, time)),
         start_(start),
         time_(time),
-        dt_(scene.settings.time_step),
-        before_step_(time - step_rule(scene.settings.standard, dt_).load_time * dt_) {
+        driving_(driving_force(scene_, start, time, scene.settings.time_step)) {
     result_.motion = start;
     stop();
   }
@@ -44,8 +54,8 @@ class Relaxation {
 
  private:
   bool is_at_rest() {
-    if (kinetic_ > kAtRest * work_) return false;
-    const Balance balance = balance_of(scene_, result_.motion, time_);
+    if (kinetic_ > kAtRest * std::max(work_, greatest_kinetic_)) return false;
+    const Balance balance = balance_of(scene_, result_.motion, time_, driving_);
     result_.residual = balance.share;
     if (balance.holds()) stop();
     return balance.holds();
@@ -53,7 +63,7 @@ class Relaxation {
 
   void make_step() {
     const UnknownsTable from = result_.motion.q;
-    StandardStep made = standard_step(scene_, result_.motion, before_step_, dt_);
+    StandardStep made = standard_step(scene_, result_.motion, time_, scene_.settings.time_step);
     made.solves += result_.solves;
     made.fallbacks += result_.fallbacks;
     made.halvings += result_.halvings;
@@ -62,6 +72,7 @@ class Relaxation {
     add_work(from);
     const double last = kinetic_;
     kinetic_ = kinetic_energy(scene_, result_.motion.v);
+    greatest_kinetic_ = std::max(greatest_kinetic_, kinetic_);
     const Travel travel = travel_of(scene_, start_.q, result_.motion.q);
     if (!travel.far.empty()) result_.failure = no_equilibrium(travel.far);
     if (kinetic_ < last) stop();
@@ -80,13 +91,13 @@ class Relaxation {
     work_ += std::abs(work);
   }
 
-  const StandardScene& scene_;
+  StandardScene scene_;
   const Motion& start_;
   double time_;
-  double dt_;
-  double before_step_;  ///< a step from here takes the loads at `time_`
+  double driving_;  ///< force
   double work_ = 0;
   double kinetic_ = 0;
+  double greatest_kinetic_ = 0;
   StandardStep result_;
 };
 

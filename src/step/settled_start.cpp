@@ -41,7 +41,7 @@ class Settling {
     scales_ = scales_of(scene, loads_, velocities_);
   }
 
-  Motion run() {
+  Settled run() {
     const Touches touches = resting_touches(scene_, motion_, scales_);
     leave_unsupported(touches);
     const Bonds bonds = motion_.bonds;
@@ -52,7 +52,7 @@ class Settling {
     for (double stiffness : kDissolving)
       for (int i = 0; i < kStepsEach; ++i) step(scene_, touches, stiffness);
     motion_.v = velocities_;
-    return std::move(motion_);
+    return {std::move(motion_), unsolved_};
   }
 
  private:
@@ -62,7 +62,10 @@ class Settling {
     const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene.normal_stiffness());
     SmoothMotion made =
         smooth_solve(scene, motion_, loads_, touches, tolerance, 0, dt, step_rule(scene.settings.standard, dt));
-    if (!made.converged) return;
+    if (!made.converged) {
+      ++unsolved_;
+      return;
+    }
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
     motion_.ties = std::move(made.ties);
@@ -81,7 +84,7 @@ class Settling {
     return mass;
   }
 
-  // Union of touching blocks; a group without a held block bears no load here.
+  // Union of touching and bolted blocks; a group without a block that is fixed or held somewhere bears no load here.
   void leave_unsupported(const Touches& touches) {
     std::vector<int> group(scene_.bodies.size());
     std::iota(group.begin(), group.end(), 0);
@@ -89,14 +92,17 @@ class Settling {
       while (group[static_cast<std::size_t>(i)] != i) i = group[static_cast<std::size_t>(i)];
       return i;
     };
-    for (const Touch& touch : touches) {
-      const int a = root(scene_.model.vertices[touch.vertex].element.value);
-      const int b = root(scene_.model.vertices[touch.start].element.value);
-      group[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
+    const auto join = [&](ElementIndex first, ElementIndex second) {
+      const auto [low, high] = std::minmax({root(first.value), root(second.value)});
+      group[static_cast<std::size_t>(high)] = low;
+    };
+    for (const Touch& touch : touches)
+      join(scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element);
+    for (const Bolt& bolt : scene_.model.bolts) join(bolt.first.element, bolt.second.element);
     std::vector<bool> held(group.size(), false);
     for (ElementIndex e : indices(scene_.bodies))
       if (scene_.bodies[e].mass.rows() == 0) held[static_cast<std::size_t>(root(e.value))] = true;
+    for (const CarriedPoint& point : scene_.held) held[static_cast<std::size_t>(root(point.element.value))] = true;
     for (ElementIndex e : indices(loads_))
       if (!held[static_cast<std::size_t>(root(e.value))]) loads_[e].setZero();
   }
@@ -106,11 +112,12 @@ class Settling {
   UnknownsTable velocities_;
   UnknownsTable loads_;
   Scales scales_;
+  int unsolved_ = 0;
 };
 
 }  // namespace
 
-Motion settled(const StandardScene& scene, Motion motion) {
+Settled settled(const StandardScene& scene, Motion motion) {
   return Settling(scene, std::move(motion)).run();
 }
 

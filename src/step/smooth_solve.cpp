@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/worse.hpp"
 #include "contact/gap.hpp"
 #include "step/contact_laws.hpp"
 #include "step/step_equations.hpp"
@@ -79,7 +80,8 @@ class SmoothSolve {
       change = greatest_change(increments_, next);
       increments_ = std::move(next);
     }
-    result_.converged = result_.converged && (change <= kTolerable || unsolved <= problem_.acceptable);
+    result_.converged =
+        result_.converged && (change <= kTolerable || (std::isfinite(change) && unsolved <= problem_.acceptable));
   }
 
   void prepare(ElementIndex e, const Unknowns& load) {
@@ -194,8 +196,8 @@ class SmoothSolve {
     for (ElementIndex e : indices(a)) {
       if (a[e].size() == 0) continue;
       const Unknowns change = (a[e] - b[e]).cwiseAbs();
-      greatest = std::max(
-          {greatest, change.head<2>().maxCoeff() / scene_.bodies[e].size, change.tail(change.size() - 2).maxCoeff()});
+      greatest = worse(greatest, change.head<2>().maxCoeff<Eigen::PropagateNaN>() / scene_.bodies[e].size);
+      greatest = worse(greatest, change.tail(change.size() - 2).maxCoeff<Eigen::PropagateNaN>());
     }
     return greatest;
   }

@@ -30,6 +30,18 @@ Point mass_centre_of(const StandardScene& scene) {
   return mass > 0 ? (1 / mass) * sum : Point{};
 }
 
+// Bolts without stiffness pull with their pretension along the line of their ends.
+void add_constant_bolts(const StandardScene& scene, const UnknownsTable& q, UnknownsTable& loads) {
+  const auto has_force = [](const Bolt& bolt) { return bolt.constant_force() != 0; };
+  if (std::ranges::none_of(scene.model.bolts, has_force)) return;
+  const ContactRows rows = bolt_rows(scene.model, scene.reference, q);
+  for (std::size_t i = 0; i < scene.model.bolts.size(); ++i) {
+    const double force = scene.model.bolts[i].constant_force();
+    loads[rows[2 * i].vertex_element] -= force * rows[2 * i].of_vertex.transpose();
+    loads[rows[2 * i].edge_element] -= force * rows[2 * i].of_edge.transpose();
+  }
+}
+
 }  // namespace
 
 StandardScene standard_scene(Model model, Settings settings) {
@@ -83,6 +95,7 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
     const DisplacementOperator j = jacobian(*scene.model.elements[point.element].basis, q[point.element], offset);
     loads[point.element] += j.transpose() * Eigen::Vector2d(force.x, force.y);
   }
+  add_constant_bolts(scene, q, loads);
   for (Unknowns& load : loads) load *= scene.load_share;
   return loads;
 }

@@ -44,7 +44,7 @@ struct Motion {
 
 Motion start_motion(const StandardScene& scene);
 
-/// The scene's share of weight, given acceleration and point loads on the unknowns, at `time` and in the configuration q.
+/// The scene's share of weight, given acceleration, point loads and bolts of constant force on the unknowns, at `time` and in the configuration q.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
 
 /// Largest force on a block, and largest acceleration it gives a free block.

@@ -8,6 +8,7 @@
 #include "contact/gap.hpp"
 #include "step/acceleration.hpp"
 #include "step/contact_laws.hpp"
+#include "step/equilibrium.hpp"
 #include "step/impact.hpp"
 #include "step/integrator.hpp"
 #include "step/ledger.hpp"
@@ -45,7 +46,7 @@ struct Split {
 
 Split split(const StandardScene& scene, const Motion& start, const Touches& touches, double slow) {
   const ContactRows rows = contact_rows(scene.model, scene.reference, start.q, touches);
-  const Eigen::VectorXd speeds = rates(rows, start.v);
+  const Eigen::VectorXd speeds = rates(rows, rigid_part(start.v));
   const bool springs_stop = scene.settings.standard.impact == ImpactLaw::springs;
   Split parts;
   for (std::size_t i = 0; i < touches.size(); ++i) {
@@ -70,7 +71,9 @@ class Attempt {
         rule_(step_rule(scene.settings.standard, dt)),
         loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
     scales_ = scales_of(scene, loads_, start.v);
+    scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
     found_ = touches_of(scene, start, scales_, dt);
+    leave_overlaps(scene, start, scales_, found_.touches);
     least_force_ = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
   }
 
@@ -112,8 +115,9 @@ class Attempt {
       step_.fallbacks += smooth_.sweeps > 0 ? 1 : 0;
       if (!smooth_.converged) return;
       const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
-      const Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_);
+      Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_);
       if (fresh.empty()) return;
+      leave_overlaps(scene_, start_, scales_, fresh);
       found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
     }
   }
@@ -136,10 +140,10 @@ class Attempt {
     drop_passed();
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd speeds =
-        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), step_.motion.v);
+        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), rigid_part(step_.motion.v));
     std::vector<Meeting> meetings;
     for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
-      const double gap = gap_of(parts_.impacts[i], vertices);
+      const double gap = gap_of(parts_.impacts[i], vertices) - parts_.impacts[i].rest_gap;
       if (gap > kMeeting * scales_.size) continue;
       meetings.push_back(meeting(parts_.impacts[i], parts_.impact_speeds[i], speeds[static_cast<Eigen::Index>(2 * i)],
                                  std::max(0.0, -gap)));
@@ -237,6 +241,7 @@ class Attempt {
 
 StandardStep in_parts(const StandardScene& scene, const Motion& start, double time, double dt, int halvings_left) {
   StandardStep whole = Attempt(scene, start, time, dt).run();
+  whole.least = dt;
   if (whole.converged || halvings_left == 0) return whole;
   StandardStep first = in_parts(scene, start, time, dt / 2, halvings_left - 1);
   if (!first.converged) return first;
@@ -246,6 +251,7 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
   second.halvings += first.halvings + 1;
   second.account += first.account;
   second.residual = std::max(first.residual, second.residual);
+  second.least = std::min(first.least, second.least);
   return second;
 }
 

@@ -13,6 +13,7 @@ struct StandardStep {
   int solves = 0;
   int fallbacks = 0;  ///< solutions that needed sweeps
   int halvings = 0;   ///< attempts thrown away
+  double least = 0;   ///< smallest part made of a step in time
   double residual = 0;
   bool converged = true;
   Touches touches;                     ///< all that were reckoned with

@@ -32,26 +32,42 @@ constexpr double kMisfit = 1e-6;
 // Jointed masses of more touching pairs than this are settled at once: multipliers between rigid blocks seldom settle there.
 constexpr std::size_t kMostExact = 40;
 
-CompatibleStart first_motion(const StandardScene& scene) {
+struct First {
+  Motion motion;
+  std::string failure;
+  StartReport report;
+};
+
+First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {
+  Settled made = settled(scene, std::move(motion));
+  return {std::move(made.motion), {}, {"settled in glued and softening contact", why, 0, made.unsolved_steps}};
+}
+
+First first_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.v);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
   const StandardChoices& choices = scene.settings.standard;
   const bool as_drawn = choices.start == StartRule::sudden || choices.motion != MotionRule::dynamic;
-  if (as_drawn || has_initial_stress(scene)) return {std::move(motion), {}, 0};
+  if (as_drawn || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
-  if (is_jointed && touching.size() > kMostExact) return {settled(scene, std::move(motion)), {}, 0};
+  if (is_jointed && touching.size() > kMostExact)
+    return settled_first(scene, std::move(motion),
+                         fmt::format("more than {} pairs of blocks touch, some in rings", kMostExact));
   CompatibleStart start = compatible(scene, motion);
-  if (is_jointed && (!start.failure.empty() || start.misfit > kMisfit))
-    return {settled(scene, std::move(motion)), {}, 0};
-  return start;
+  if (is_jointed && !start.failure.empty()) return settled_first(scene, std::move(motion), start.failure);
+  if (is_jointed && start.misfit > kMisfit)
+    return settled_first(scene, std::move(motion),
+                         fmt::format("shifts leave {:.1e} of the gaps of the compatible start", start.misfit));
+  return {std::move(start.motion), std::move(start.failure), {"compatible", {}, start.misfit, 0}};
 }
 
 ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, StandardStep step, double dt) {
   const double displacement =
       step.converged && step.failure.empty() ? greatest_displacement(scene, from, step.motion.q) : 0;
-  return {std::move(step), dt, dt, displacement};
+  const double least = step.least > 0 ? step.least : dt;
+  return {std::move(step), dt, least, displacement};
 }
 
 StandardStep unchanged(const StandardScene& scene, const Motion& motion, double time) {
@@ -107,11 +123,9 @@ State state_of(const StandardScene& scene, const Motion& motion) {
 StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(scene.model, scene.settings)) {
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
-  const StandardChoices& choices = scene_.settings.standard;
-  if (choices.motion != MotionRule::dynamic && choices.load_steps > scene_.settings.step_count)
-    throw std::invalid_argument("setting load_steps: expected at most the number of steps");
   unloaded_ = state_of(scene_, start_motion(scene_));
-  CompatibleStart first = first_motion(scene_);
+  First first = first_motion(scene_);
+  start_report_ = std::move(first.report);
   start_failure_ = std::move(first.failure);
   motion_ = start_failure_.empty() ? std::move(first.motion) : start_motion(scene_);
   motion_.a = balanced_acceleration(scene_, motion_, 0);
@@ -123,14 +137,15 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   ControlledStep made = make_step();
   if (!made.step.converged || !made.step.failure.empty()) return failure_of(made.step);
+  State end = state_of(scene_, made.step.motion);
+  made.step.failure = impossible(end);
+  if (!made.step.failure.empty()) return failure_of(made.step);
+  end.step = state_.step + 1;
+  end.time = state_.time + scene_.settings.time_step;
+  end.dt = scene_.settings.time_step;
   motion_ = made.step.motion;
   next_part_ = made.next;
-  const int step = state_.step + 1;
-  const double time = state_.time + scene_.settings.time_step;
-  state_ = state_of(scene_, motion_);
-  state_.step = step;
-  state_.time = time;
-  state_.dt = scene_.settings.time_step;
+  state_ = std::move(end);
   if (scene_.settings.ledger == Bookkeeping::on) book(made.step);
   return report_of(made);
 }
@@ -150,12 +165,15 @@ ControlledStep StandardStepper::make_step() {
   return made;
 }
 
-// Loads grow in equal shares over the first steps. Where nothing changed since the last step, its equilibrium holds.
+// Loads grow in equal shares over the first steps. Where neither they nor held points changed since the last step, its
+// equilibrium holds.
 StandardStep StandardStepper::static_equilibrium(double time) {
   const double share = std::min(1.0, (state_.step + 1.0) / scene_.settings.standard.load_steps);
   const UnknownsTable last = loads_at(scene_, motion_.q, state_.time);
   scene_.load_share = share;
-  if (state_.step > 0 && last == loads_at(scene_, motion_.q, time)) return unchanged(scene_, motion_, time);
+  const auto stays = [&](const CarriedPoint& point) { return point.curve.at(state_.time) == point.curve.at(time); };
+  if (state_.step > 0 && last == loads_at(scene_, motion_.q, time) && std::ranges::all_of(scene_.held, stays))
+    return unchanged(scene_, motion_, time);
   return scene_.settings.standard.motion == MotionRule::equilibrium ? static_step(scene_, motion_, time)
                                                                     : relaxation_step(scene_, motion_, time);
 }
@@ -178,6 +196,7 @@ StepReport StandardStepper::report_of(const ControlledStep& made) const {
   report.dt = made.least;
   report.passes = made.step.solves;
   report.redos = made.step.halvings;
+  report.unresolved_parts = made.unresolved;
   report.fallbacks = made.step.fallbacks;
   report.contacts = static_cast<int>(made.step.touches.size());
   report.closed = static_cast<int>(motion_.closed.size());

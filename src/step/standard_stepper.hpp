@@ -16,6 +16,7 @@ class StandardStepper : public Stepper {
   const State& unloaded() const override { return unloaded_; }
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return ledger_; }
+  StartReport start_report() const override { return start_report_; }
   LedgerScope ledger_scope() const override { return keyblock::ledger_scope(scene_); }
 
   const StandardScene& scene() const { return scene_; }
@@ -30,7 +31,8 @@ class StandardStepper : public Stepper {
 
   StandardScene scene_;
   Motion motion_;
-  double next_part_ = 0;       ///< size of the first part of the coming step, under step control; 0: not chosen yet
+  double next_part_ = 0;  ///< size of the first part of the coming step, under step control; 0: not chosen yet
+  StartReport start_report_;
   std::string start_failure_;  ///< said by the first step; empty for a start that was found
   State unloaded_;
   State state_;

@@ -51,13 +51,13 @@ class StaticSolve {
 
   StandardStep run() {
     if (!choose_scales()) return finished();
-    const Balance at_start = balance_of(scene_, start_, time_);
+    const Balance at_start = balance_of(scene_, start_, time_, load_);
     result_.residual = at_start.share;
     if (at_start.holds()) return finished();
     result_.residual = 1;  // all is out of balance
     for (; iterations_ < kMostIterations && result_.failure.empty() && result_.converged; ++iterations_) {
       if (!iterate()) continue;
-      const Balance balance = balance_of(scene_, now_, time_);
+      const Balance balance = balance_of(scene_, now_, time_, load_);
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
       result_.failure = why_far(balance);
@@ -82,7 +82,7 @@ class StaticSolve {
   // False where nothing is to be balanced.
   bool choose_scales() {
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
-    load_ = largest_load(scene_, loads);
+    load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, scene_.settings.time_step));
     if (load_ == 0) return false;
     const Scales scales = scales_of(scene_, loads, now_.v);
     double slowest = std::numeric_limits<double>::max();
@@ -97,7 +97,8 @@ class StaticSolve {
         slowest = std::min(slowest, std::sqrt(body.stiffness(last, last) / body.mass(last, last)));
       if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
     }
-    for (const Bolt& bolt : scene_.model.bolts) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
+    for (const Bolt& bolt : scene_.model.bolts)
+      if (bolt.is_spring()) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
     tau_ = std::sqrt(kFarthest * scales.size * lightest / load_);
     longest_ = slowest < std::numeric_limits<double>::max() ? kLongest / slowest : kLongest * tau_;
     tau_ = std::min(tau_, longest_);
@@ -206,7 +207,7 @@ class StaticSolve {
   Motion slip_start_;  ///< slip and the stretch of springs are counted from here
   Motion now_;         ///< v is the way since `slip_start_`, a velocity over unit time; springs are stretched as there
   ClosedContacts closed_;  ///< with their present stretch
-  double load_ = 0;
+  double load_ = 0;        ///< the largest, or what drives held points
   double tau_ = 0;
   double longest_ = 0;
   double growth_ = kGrowth;

@@ -6,7 +6,8 @@
 
 namespace keyblock {
 
-/// Positions at rest under the scene's share of the loads at `time`, nearest to those of `start`: the proximal point iteration
+/// Positions at rest under the scene's share of the loads at `time`, held points where they are driven to by then, nearest to
+/// those of `start`: the proximal point iteration
 /// (Rockafellar 1976) with mass as the metric,
 ///     (K + M/τ²) Δq = F + σ0 − K q + Gᵀ λ,
 /// which is an implicit step of τ from rest, so that blocks held by contact alone are held. τ grows until the first term

@@ -1,4 +1,4 @@
-// Broken bolts are left out; what remains is numbered bolts first, points after.
+// Broken bolts, and those whose force is a load, are left out; what remains is numbered bolts first, points after.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/step_ties.hpp"
 
@@ -17,7 +17,7 @@ Eigen::Index pair(std::size_t i) {
 StepTies::StepTies(const StandardScene& scene, const Motion& start, double time, double dt)
     : scene_(scene), start_(start), points_(scene.held), end_time_(time + dt) {
   for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)
-    if (!start.ties.broken[i]) bolts_.push_back(i);
+    if (scene.model.bolts[i].is_spring() && !start.ties.broken[i]) bolts_.push_back(i);
 }
 
 Eigen::VectorXd StepTies::remembered() const {
@@ -84,8 +84,10 @@ TieMemory StepTies::memory(const Eigen::VectorXd& forces) const {
 
 TieMemory tie_start(const StandardScene& scene) {
   TieMemory memory;
-  for (const Bolt& bolt : scene.model.bolts) memory.bolt_forces.push_back(bolt.pretension);
-  memory.broken.assign(scene.model.bolts.size(), false);
+  for (const Bolt& bolt : scene.model.bolts) {
+    memory.bolt_forces.push_back(bolt.is_spring() ? bolt.pretension : bolt.constant_force());
+    memory.broken.push_back(!bolt.is_spring() && bolt.pretension >= bolt.strength);
+  }
   memory.point_forces = Eigen::VectorXd::Zero(pair(scene.held.size()));
   return memory;
 }

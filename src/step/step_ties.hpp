@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// The bolts that are not broken, then the held points, each a pair of forces. A bolt is a spring along its direction,
+/// The springs among the bolts that are not broken, then the held points, each a pair of forces. A bolt is a spring along its direction,
 /// λ = −(pretension + stiffness × elongation) ≥ −strength; a point is held in x and y where its motion wants it at the end of the
 /// step.
 class StepTies {

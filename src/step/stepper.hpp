@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "result/ledger.hpp"
+#include "result/start_report.hpp"
 #include "step/advance.hpp"
 
 namespace keyblock {
@@ -18,6 +19,7 @@ class Stepper {
   virtual const State& state() const = 0;
   /// Before any load: displacements are counted from here.
   virtual const State& unloaded() const = 0;
+  virtual StartReport start_report() const { return {}; }
   /// On failure the state is unchanged.
   virtual std::variant<StepReport, StepFailure> advance() = 0;
 

@@ -18,6 +18,10 @@ constexpr double kReachAtRest = 1e-6;
 // Overlap that a step may leave between corners it did not reckon with, as a share of block size: the next step sees it.
 constexpr double kNewOverlap = 1e-9;
 
+// Overlap at the start of a step that it may push out, as a share of block size: round-off of coordinates far from the origin, and
+// what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
+constexpr double kPushedOut = 1e-7;
+
 // Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
 constexpr double kTouching = 1e-6;
 
@@ -99,6 +103,17 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
     if (touch && names.insert(*touch).second) fresh.push_back(*touch);
   }
   return fresh;
+}
+
+void leave_overlaps(const StandardScene& scene, const Motion& start, const Scales& scales, Touches& touches) {
+  if (scene.settings.standard.impact == ImpactLaw::springs) return;
+  const auto vertices = vertices_at(scene.model, scene.reference, start.q);
+  for (Touch& touch : touches) {
+    const ContactMemory* memory = start.closed.of(touch);
+    const double compressed = memory ? memory->normal_compliance * memory->normal_at_end : 0;
+    const double gap = gap_of(touch, vertices) + compressed;
+    touch.rest_gap = gap < -kPushedOut * scales.size ? gap : 0;
+  }
 }
 
 Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {

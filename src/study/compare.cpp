@@ -49,11 +49,21 @@ void require_numbers(const std::vector<ComparedValue>& values, const Model& mode
   }
 }
 
-// Times of the table are steps of the run up to the round-off of their sum: half a step tells neighbours apart.
-void pick(std::vector<ComparedValue>& values, const RunSoFar& run, double half_step) {
-  for (ComparedValue& v : values) {
-    if (std::abs(run.now().time - v.time) < half_step) v.computed = quantity_of(run, v.quantity, v.block);
-  }
+// Instants this near to each other, as a share of the given step, are the same up to the round-off of their sum.
+constexpr double kSameInstant = 1e-3;
+
+// Takes in a frame and picks the values of its time; between two frames, as automatic steps have them, values are linear.
+void pick(std::vector<ComparedValue>& values, RunSoFar& run, const Frame& frame, double same) {
+  const double last = run.now().time;
+  std::vector<std::pair<ComparedValue*, double>> between;
+  for (ComparedValue& v : values)
+    if (!run.now().elements.empty() && v.time > last + same && v.time < frame.time - same)
+      between.emplace_back(&v, quantity_of(run, v.quantity, v.block));
+  run.add(frame);
+  for (const auto& [v, before] : between)
+    v->computed = std::lerp(before, quantity_of(run, v->quantity, v->block), (v->time - last) / (frame.time - last));
+  for (ComparedValue& v : values)
+    if (std::abs(frame.time - v.time) <= same) v.computed = quantity_of(run, v.quantity, v.block);
 }
 
 int first_block(const std::vector<ComparedValue>& values) {
@@ -82,10 +92,9 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   Observer observer;
   observer.on_step = [&](const StepReport& report) { so_far.add(report); };
   observer.on_frame = [&](const Frame& frame) {
-    so_far.add(frame);
+    pick(compared.values, so_far, frame, kSameInstant * scene.settings.time_step);
     compared.times.push_back(frame.time);
     compared.displacements.push_back(length(frame.elements[block].displacement));
-    pick(compared.values, so_far, scene.settings.time_step / 2);
   };
   compared.outcome = run(scene, 1, observer);
   compared.start = so_far.start();
@@ -129,7 +138,12 @@ ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
     v.tolerance = *variant.tolerance;
     v.tolerance_reason = variant.reason;
   }
-  return compared_with(loaded, std::move(compared), loaded.file.overrides(variant));
+  try {
+    return compared_with(loaded, compared, loaded.file.overrides(variant));
+  } catch (const InputError& error) {  // the other runs of the case go on
+    compared.not_run = error.what();
+    return compared;
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <map>
 #include <sstream>
 
+#include "base/worse.hpp"
 #include "formats/case.hpp"
 #include "formats/csv.hpp"
 #include "run/prepare.hpp"
@@ -25,11 +26,6 @@ namespace {
 constexpr double kPrinted = 1e-8;
 // A stress below this share of the largest modulus is round-off of zero.
 constexpr double kStressNoise = 1e-15;
-
-// The greater of two differences; one that is no number is the worst of all and stays.
-double worse(double a, double b) {
-  return b <= a ? a : std::isnan(a) ? a : b;
-}
 
 // A table with named numeric cells.
 class Numbers {
@@ -151,7 +147,7 @@ class Follower {
           static_cast<double>(loop.size()), 0);
     for (std::size_t i = 0; i < std::min(loop.size(), numbers.size() / 2); ++i)
       difference_.polygon =
-          std::max(difference_.polygon, distance(loop[i], {numbers[2 * i], numbers[2 * i + 1]}) / position_scale_);
+          worse(difference_.polygon, distance(loop[i], {numbers[2 * i], numbers[2 * i + 1]}) / position_scale_);
   }
 
   Numbers steps_;

@@ -8,7 +8,9 @@
 
 #include "formats/case.hpp"
 #include "formats/dda_blocks.hpp"
+#include "formats/joint_spec.hpp"
 #include "formats/registry.hpp"
+#include "tests/formats/dxf_samples.hpp"
 #include "tests/support/two_triangles.hpp"
 
 namespace keyblock::formats {
@@ -31,6 +33,7 @@ std::string block_file() {
 std::vector<std::string> sound_files() {
   std::vector<std::string> texts{
       block_file(),
+      kDxfSample,
       "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 "
       "0 0 0 0 0 0 0\n30 0 0\n1.5\n",
       testing::kTwoTrianglesFile,
@@ -98,6 +101,24 @@ TEST(Damage, files_changed_at_random_are_read_or_refused) {
       const std::string changed = mutated(text, random);
       ASSERT_NO_THROW(read_and_check(changed)) << changed;
     }
+}
+
+TEST(Damage, specifications_of_joint_sets_changed_at_random_are_read_or_refused) {
+  const std::string sound =
+      R"({"slope": {"height": 8, "angle": 70}, "tunnels": [{"shape": "d", "width": 3, "x": 5, "y": -2}],
+          "sets": [{"dip": 30, "spacing": 1, "trace": 6, "scatter": 0.2, "distribution": "normal"}],
+          "seed": 7, "fixed": [[0, 1, 2, 3]]})";
+  ASSERT_NO_THROW(joint_scene_of(read_json({"f", sound})));
+  std::mt19937 random(20010520);
+  for (int i = 0; i < kMutationsAFile; ++i) {
+    const std::string changed = mutated(sound, random);
+    try {
+      joint_scene_of(read_json({"f", changed}));
+    } catch (const InputError&) {
+    } catch (...) {
+      FAIL() << changed;
+    }
+  }
 }
 
 TEST(Damage, every_reader_stands_every_file_of_every_kind) {

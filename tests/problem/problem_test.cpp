@@ -139,4 +139,16 @@ TEST(Problem, block_that_turns_clockwise_is_an_error) {
                "b: error: expected block 1 of 1 counter-clockwise with an area, found area -0.5");
 }
 
+TEST(Problem, a_bolt_of_negative_stiffness_is_an_error) {
+  Drawing drawing = sound_drawing();
+  drawing.bolts = {{{{0, 0}, {1, 1}}, -7, 8, 9, 0, {"g", 5, 1}}};
+  const Checked of_drawing = check({drawing, sound_analysis()});
+  ASSERT_EQ(of_drawing.errors.size(), 1U);
+  EXPECT_STREQ(of_drawing.errors[0].what(),
+               "g:5:1: error: expected a stiffness of at least 0 of bolt 1 of 1, found -7");
+  Blocks blocks;
+  blocks.bolts = {{{{0, 0}, {1, 1}}, 0, 0, -7, 8, 9}, {{{0, 0}, {1, 1}}, 0, 0, 0, 8, 9}};
+  EXPECT_EQ(check({blocks, sound_analysis()}).errors.size(), 1U);
+}
+
 }  // namespace keyblock

@@ -140,4 +140,45 @@ TEST(Prepare, a_cover_is_refused_by_name) {
   expect_contains(complaint({cover, analysis_of_file()}), "cv01: error: expected a drawing or blocks to run");
 }
 
+TEST(Prepare, settings_that_do_not_go_together_are_refused) {
+  const auto refused = [](const std::string& profile, const std::vector<Override>& overrides) {
+    try {
+      prepare({one_block(), analysis_of_file()}, profile, overrides);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("legacy", {{"step_control", "error"}}),
+            "setting step_control: expected constant or shi under dynamics shi, found \"error\"");
+  EXPECT_EQ(refused("standard", {{"step_control", "error"}}), "");
+  EXPECT_EQ(refused("standard", {{"motion", "static"}, {"load_steps", "11"}}),
+            "setting load_steps: expected at most the number of steps, 10, found \"11\"");
+  EXPECT_EQ(refused("standard", {{"motion", "static"}, {"load_steps", "10"}}), "");
+  EXPECT_EQ(refused("standard", {{"impact", "springs"}}), "");
+  EXPECT_EQ(refused("standard", {{"impact", "springs"}, {"enforcement", "penalty"}}), "");
+  for (const char* other : {"lagrange", "augmented"})
+    EXPECT_EQ(refused("standard", {{"impact", "springs"}, {"enforcement.1", other}}),
+              "setting impact: expected jump, or enforcement = penalty with springs, found \"springs\"");
+}
+
+TEST(Prepare, mistakes_of_the_old_step_do_not_belong_to_another_one) {
+  const Settings mixed =
+      prepare({one_block(), analysis_of_file()}, "legacy", {{"dynamics", "standard"}}).scene.settings;
+  EXPECT_FALSE(mixed.quirks.velocity_from_coming_step);
+  EXPECT_FALSE(mixed.quirks.step_rule_by_time);
+  EXPECT_TRUE(mixed.quirks.weight_of_first_material);
+}
+
+TEST(Prepare, a_setting_that_the_chosen_dynamics_do_not_read_is_warned_of) {
+  const auto told = [](const std::string& profile, const std::vector<Override>& overrides) {
+    return names(prepare({one_block(), analysis_of_file()}, profile, overrides).warnings);
+  };
+  const std::vector<std::string> warned{"setting_without_effect"};
+  EXPECT_EQ(told("legacy", {{"restitution.1", "0.5"}}), warned);
+  EXPECT_EQ(told("standard", {{"pass_limit", "5"}}), warned);
+  EXPECT_TRUE(told("standard", {{"restitution.1", "0.5"}, {"steps", "3"}}).empty());
+  EXPECT_TRUE(told("legacy", {{"restitution.1", "0.5"}, {"dynamics", "standard"}}).empty());
+}
+
 }  // namespace keyblock

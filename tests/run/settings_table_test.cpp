@@ -73,4 +73,13 @@ TEST(SettingsTable, numbers_that_name_no_material_are_refused) {
   }
 }
 
+TEST(SettingsTable, a_setting_knows_who_reads_it_and_what_it_may_be) {
+  EXPECT_EQ(dynamics_of("pass_limit"), Dynamics::shi);
+  EXPECT_EQ(dynamics_of("quirk.cut_step_stays"), Dynamics::shi);
+  EXPECT_EQ(dynamics_of("quirk.weight_of_first_material"), std::nullopt);
+  EXPECT_EQ(dynamics_of("restitution.2"), Dynamics::standard);
+  EXPECT_EQ(dynamics_of("steps"), std::nullopt);
+  for (const SettingText& s : list(Settings{})) EXPECT_FALSE(s.expected.empty()) << s.name;
+}
+
 }  // namespace keyblock

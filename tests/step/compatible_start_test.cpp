@@ -78,4 +78,17 @@ TEST(CompatibleStart, a_block_on_springs_stays_where_friction_just_holds_it) {
   }
 }
 
+TEST(CompatibleStart, the_start_is_reported) {
+  Analysis analysis = plain_analysis(kStep, 1);
+  analysis.joint_materials[0].friction_angle_deg = 50;
+  Settings settings = standard_settings(analysis);
+  const StandardStepper asked(standard_scene_of(column_on_slope(), analysis, settings));
+  EXPECT_EQ(asked.start_report().made, "compatible");
+  EXPECT_EQ(asked.start_report().why, "");
+  EXPECT_LE(asked.start_report().misfit, 1e-6);
+  settings.standard.start = StartRule::sudden;
+  EXPECT_EQ(StandardStepper(standard_scene_of(column_on_slope(), analysis, settings)).start_report().made,
+            "as the file has it");
+}
+
 }  // namespace keyblock

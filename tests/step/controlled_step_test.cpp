@@ -129,4 +129,20 @@ TEST(ControlledStep, error_falls_with_the_tolerance) {
   }
 }
 
+// A tolerance that no part of the least size meets: the step is made, and says so.
+TEST(ControlledStep, parts_that_are_cut_no_further_are_counted) {
+  const double a = radians(30);
+  Analysis analysis = plain_analysis(0.1, 1);
+  analysis.block_materials[0].initial_velocity = {0, 0, 50};
+  Settings settings = controlled(analysis, StepControl::shi);
+  settings.allowed_displacement_ratio = 1e-6;
+  settings.standard.least_step_share = 0.25;
+  const Scene scene = standard_scene_of(block_on_slope(a), analysis, settings);
+  StandardStepper stepper(scene);
+  const auto made = stepper.advance();
+  ASSERT_TRUE(std::holds_alternative<StepReport>(made));
+  EXPECT_EQ(std::get<StepReport>(made).unresolved_parts, 4);
+  EXPECT_EQ(std::get<StepReport>(made).dt, 0.025);
+}
+
 }  // namespace keyblock

@@ -59,10 +59,18 @@ TEST(Enforcement, automatic_is_decided_and_what_was_asked_for_stays) {
   EXPECT_EQ(decided.of(0), Enforcement::penalty);
 }
 
+// Multipliers have no spring that could stop a block.
+TEST(Enforcement, springs_that_stop_impacts_decide_for_springs) {
+  Settings settings;
+  settings.standard.impact = ImpactLaw::springs;
+  EXPECT_EQ(with_enforcement_decided(settings, wall(2, 2)).standard.enforcement.common, Enforcement::penalty);
+  EXPECT_EQ(why_enforcement(wall(2, 2), settings), "springs stop blocks that meet");
+}
+
 TEST(Enforcement, the_reason_of_the_decision_is_said) {
-  EXPECT_EQ(why_enforcement(wall(2, 2)), "at most 8 blocks can move");
-  EXPECT_EQ(why_enforcement(wall(1, 20)), "no touching blocks stand in a ring");
-  EXPECT_EQ(why_enforcement(wall(5, 4)), "touching blocks stand in a ring");
+  EXPECT_EQ(why_enforcement(wall(2, 2), {}), "at most 8 blocks can move");
+  EXPECT_EQ(why_enforcement(wall(1, 20), {}), "no touching blocks stand in a ring");
+  EXPECT_EQ(why_enforcement(wall(5, 4), {}), "touching blocks stand in a ring");
 }
 
 }  // namespace keyblock

@@ -280,6 +280,25 @@ TEST(Ledger, a_bolt_that_breaks_takes_what_it_held) {
   }
 }
 
+// A bolt without stiffness is a constant force: h = (P/m − g) t²/2, and work of P on the way.
+TEST(Ledger, a_bolt_without_stiffness_pulls_with_its_pretension) {
+  const double weight = kMass * kGravity;
+  for (StartRule start : {StartRule::sudden, StartRule::compatible}) {
+    Blocks blocks = block_above_floor(0);
+    blocks.blocks[1] = rectangle({0, -8}, {1, -7});  // below the held block
+    blocks.bolts = {{{{0.5, -0.9}, {0.5, -7.5}}, 0, 1, 0, 0, 1.5 * weight}};
+    const Analysis analysis = plain_analysis(1e-3, 1);
+    Settings settings = standard_settings(analysis);
+    settings.standard.basis = BlockBasis::rigid;
+    settings.standard.start = start;
+    const Ledger ledger = ledger_of(standard_scene_of(blocks, analysis, settings), 0.1);
+    const double height = kGravity / 2 * 0.01 / 2;
+    EXPECT_LE(energy_closure(ledger), kRoundOff);
+    EXPECT_NEAR(ledger.rows.back().flow.external, 1.5 * weight * height, 1e-9 * weight);
+    EXPECT_NEAR(ledger.rows.back().stored.kinetic, 0.5 * weight * height, 1e-9 * weight);
+  }
+}
+
 // A point driven at a speed pulls its block along: the support does the work.
 TEST(Ledger, a_driven_point_does_the_work_of_its_support) {
   Blocks blocks{{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}};

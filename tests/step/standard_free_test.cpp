@@ -94,4 +94,42 @@ TEST(StandardFree, a_thrown_spinning_block_keeps_its_momentum) {
   EXPECT_NEAR(block.rotation, 3, 1e-10);
 }
 
+// A linear strain beyond −1 is no block: tension of twice the modulus, let go, draws the ends through one another.
+TEST(StandardFree, a_block_that_turns_inside_out_is_a_failure) {
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.gravity = 0;
+  analysis.block_materials[0].youngs_modulus = 1e6;
+  analysis.block_materials[0].poissons_ratio = 0;
+  analysis.block_materials[0].initial_stress = {0, 2e6, 0};
+  const Scene scene =
+      standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, standard_settings(analysis));
+  StandardStepper stepper(scene);
+  try {
+    run_to(stepper, 1);
+    FAIL();
+  } catch (const std::runtime_error& failure) {
+    EXPECT_NE(std::string(failure.what()).find("block 1 is turned inside out or no longer finite"), std::string::npos)
+        << failure.what();
+  }
+  EXPECT_GT(stepper.state().elements[ElementIndex{0}].moments.area, 0);
+}
+
+// Newmark's rule with β below γ/2 blows up where ω dt is above 1/√(γ/2 − β): here ω dt is some 28.
+TEST(StandardFree, an_integrator_that_blows_up_is_a_failure) {
+  for (StepControl control : {StepControl::constant, StepControl::shi, StepControl::error}) {
+    Analysis analysis = plain_analysis(1e-2, 1);
+    analysis.gravity = 0;
+    analysis.block_materials[0].initial_stress = {0, 1e3, 0};
+    Settings settings = standard_settings(analysis);
+    settings.standard.integrator = Integrator::newmark;
+    settings.standard.newmark_beta = 0.05;
+    settings.standard.strain_damping = StrainDamping::none;
+    settings.standard.least_step_share = 1;
+    settings.step_control = control;
+    const Scene scene = standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
+    StandardStepper stepper(scene);
+    EXPECT_THROW(run_to(stepper, 30), std::runtime_error);
+  }
+}
+
 }  // namespace keyblock

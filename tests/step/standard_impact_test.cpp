@@ -6,6 +6,9 @@
 #include <array>
 #include <random>
 
+#include "step/impact.hpp"
+#include "step/ledger.hpp"
+#include "step/touch_search.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock {
@@ -172,6 +175,60 @@ TEST(StandardImpact, a_dropped_block_bounces_without_gaining_energy) {
         EXPECT_LE(top, e * e * (1 + 1e-10)) << "e " << e << ", dt " << dt;
         EXPECT_GE(top, e * e * (1 - 1e-9)) << "e " << e << ", dt " << dt;
       }
+    }
+  }
+}
+
+// A block that swells against its floor: its corners approach, the block does not. Rigid velocity made of that would be energy
+// made of nothing, T⁺ > T.
+TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})};
+  blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
+  const Analysis analysis = plain_analysis(1e-3, 1);
+  Settings settings = standard_settings(analysis);
+  settings.standard.basis = BlockBasis::affine;
+  const Scene drawn = standard_scene_of(blocks, analysis, settings);
+  const StandardScene scene = standard_scene(drawn.model, drawn.settings);
+  Motion motion = start_motion(scene);
+  const Touches touches =
+      touches_of(scene, motion, scales_of(scene, loads_at(scene, motion.q, 0), motion.v), 1e-3).touches;
+  ASSERT_EQ(touches.size(), 2);
+  for (const double approach : {0.0, 1.0}) {
+    motion.v[ElementIndex{1}] << 0, -approach, 0, 0, 0.4, 0;  // u v r ex ey gxy
+    std::vector<Meeting> meetings;
+    for (const Touch& touch : touches) meetings.push_back({touch, 0, 0});
+    const Jump jump = after_jump(scene, motion.q, motion.v, meetings, {});
+    const Jump closed = after_jump(scene, motion.q, motion.v, {meetings[0]}, {touches[1]});
+    EXPECT_NEAR(jump.v[ElementIndex{1}][1], 0, 1e-12) << approach;
+    EXPECT_EQ(jump.v[ElementIndex{1}][4], 0.4);
+    EXPECT_LE(kinetic_energy(scene, jump.v), kinetic_energy(scene, motion.v)) << approach;
+    EXPECT_LE(kinetic_energy(scene, closed.v), kinetic_energy(scene, motion.v)) << approach;
+  }
+}
+
+// Drawn a millimetre into its floor: pushed out within a step it would leave at twice 1 mm / 0.5 ms.
+TEST(StandardImpact, an_overlap_that_was_there_makes_no_velocity) {
+  for (BlockBasis basis : kBases) {
+    for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
+      Blocks blocks;
+      blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, -1e-3}, {1, 0.999})};
+      blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
+      const Analysis analysis = plain_analysis(5e-4, 1);
+      Settings settings = standard_settings(analysis);
+      settings.standard.basis = basis;
+      settings.standard.enforcement = enforcement;
+      const Scene scene = standard_scene_of(blocks, analysis, settings);
+      StandardStepper stepper(scene);
+      const double start = stepper.state().elements[ElementIndex{1}].centroid.y;
+      double highest = start;
+      while (stepper.state().time < 0.05) {
+        run_to(stepper, stepper.state().time + 5e-4);
+        highest = std::max(highest, stepper.state().elements[ElementIndex{1}].centroid.y);
+      }
+      EXPECT_LE(highest, start + 1e-12);
+      EXPECT_GE(stepper.state().elements[ElementIndex{1}].centroid.y,
+                start - 2e-5);  // nor does it sink, but for springs
     }
   }
 }

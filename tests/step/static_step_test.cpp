@@ -199,4 +199,30 @@ TEST(StaticStep, an_equilibrium_stays_while_loads_do) {
   for (VertexIndex v : indices(first.vertices)) EXPECT_EQ(distance(first.vertices[v], stepper.state().vertices[v]), 0);
 }
 
+// The given motion itself. A block hung at one point above its centroid follows it upright, and with no weight as well.
+TEST(StaticStep, a_driven_point_is_followed_step_after_step) {
+  for (MotionRule rule : kRules) {
+    for (double gravity : {kGravity, 0.0}) {
+      Blocks blocks;
+      blocks.blocks = {rectangle({0, 0}, {2, 1}), rectangle({5, 0}, {6, 1})};
+      blocks.fixed_points = {{{1, 0.75}, 0, {}}, {{5.2, 0.5}, 1, {}}, {{5.8, 0.5}, 1, {}}};
+      Analysis analysis = plain_analysis(0.1, 4);
+      analysis.velocity_carry_over = 0;
+      analysis.gravity = gravity;
+      analysis.fixed_point_motions = {{{0, 0.2, 0.4}, {{}, {0.02, 0.01}, {0.02, -0.01}}, {}}, {}, {}};
+      Settings settings = standard_settings(analysis);
+      settings.standard.motion = rule;
+      settings.time_step = 0.1;
+      const Scene scene = standard_scene_of(blocks, analysis, settings);
+      StandardStepper stepper(scene);
+      for (const Point wanted : {Point{0.01, 0.005}, Point{0.02, 0.01}, Point{0.02, 0}, Point{0.02, -0.01}}) {
+        ASSERT_EQ(step(stepper), "") << name_of(rule) << ", gravity " << gravity;
+        const Point found = stepper.state().fixed_points[0].displacement;
+        EXPECT_LE(distance(found, wanted), 1e-8) << name_of(rule) << ", gravity " << gravity;
+        EXPECT_NEAR(stepper.state().elements[ElementIndex{0}].rotation, 0, gravity > 0 ? 1e-6 : 1);
+      }
+    }
+  }
+}
+
 }  // namespace keyblock

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/compare.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,6 +92,13 @@ TEST(Compare, momentum_and_kinetic_energy_of_free_fall) {
     for (const ComparedValue& v : run.values) EXPECT_FALSE(v.is_missed()) << v.quantity << ' ' << *v.computed;
 }
 
+// Free fall in steps of 5 ms: half-way between two of them the chord lies g dt²/8 above the parabola.
+TEST(Compare, between_two_frames_values_are_linear) {
+  const double at = 0.5025;
+  const double chord = -9.81 * at * at / 2 - 9.81 * 0.005 * 0.005 / 8;
+  EXPECT_TRUE(compared(fmt::format("dy,2,{},{},1e-9,r,s\n", at, chord)).holds());
+}
+
 TEST(Compare, a_time_that_the_run_does_not_reach_does_not_hold) {
   const ComparedCase fall = compared("dy,2,5,0,1e9,r,s\n");
   EXPECT_FALSE(fall.values[0].computed);
@@ -150,6 +158,16 @@ TEST(Compare, a_variant_is_held_against_the_same_values_with_its_own_settings) {
   EXPECT_FALSE(fall.variants[1].holds());
   EXPECT_TRUE(fall.variants[2].holds());
   EXPECT_FALSE(fall.holds());
+}
+
+TEST(Compare, a_variant_with_a_setting_that_is_none_leaves_the_other_runs) {
+  const CaseComparison fall = judged(kRight + "both\n", R"({"variants": [
+      {"name": "bad", "profile": "standard", "set": {"motion": "static", "load_steps": "900"}},
+      {"name": "10 ms", "profile": "standard", "set": {"time_step": "0.01", "steps": "200"}}]})");
+  EXPECT_TRUE(fall.plain[0].holds());
+  EXPECT_NE(fall.variants[0].not_run.find("load_steps"), std::string::npos);
+  EXPECT_FALSE(fall.variants[0].holds());
+  EXPECT_TRUE(fall.variants[1].holds());
 }
 
 TEST(Compare, variants_of_a_profile_that_is_not_asked_for_are_not_run) {

@@ -13,6 +13,7 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/dxf.hpp"
 #include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
@@ -349,6 +350,7 @@ std::vector<ContentKind> content_kinds() {
           {&formats::kDdaAnalysisBerkeley, berkeley_analysis, no_hint},
           {&formats::kDdaAnalysisShi, shi_analysis, points_of_blocks},
           {&formats::kDdaml, ddaml, no_hint},
+          {&formats::kDxf, native_drawing, no_hint},
           {&formats::kNmmCover, cover, no_hint},
           {&formats::kKeyblockCase, anything, no_hint},
           {&formats::kNmmAnalysis, manifold_analysis, points_of_cover}};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdlib>
 #include <ctime>
 #include <thread>
 
@@ -54,6 +53,7 @@ void run_prepared(const Scene& scene, SceneRun& counts) {
   counts.energy_ratio = watch.greatest_ratio();
   counts.rise = watch.greatest_rise();
   counts.area_change = watch.greatest_area_change();
+  counts.false_area_change = watch.greatest_false_area_change();
   counts.all_finite = watch.all_finite();
 }
 
@@ -83,14 +83,15 @@ SceneRun run_scene(const RandomScene& scene, const std::string& profile, const s
   return counts;
 }
 
-std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads) {
+std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads, int steps) {
   std::vector<SceneRun> runs(kProfiles.size() * static_cast<std::size_t>(count));
   std::atomic<int> next = 0;
   const auto work = [&] {
     for (int i = next++; i < count; i = next++) {
-      const RandomScene scene = random_scene(first + static_cast<std::uint64_t>(i));
+      RandomScene scene = random_scene(first + static_cast<std::uint64_t>(i));
+      if (steps > 0) scene.problem.analysis->step_count = steps;
       for (std::size_t p = 0; p < kProfiles.size(); ++p)
-        runs[kProfiles.size() * static_cast<std::size_t>(i) + p] = run_scene(scene, kProfiles[p], p == 1 && std::getenv("KB_SET") ? std::vector<Override>{{"step_control", "constant"}, {"enforcement", std::getenv("KB_SET")}, {"start", std::getenv("KB_START")}} : constant_step());
+        runs[kProfiles.size() * static_cast<std::size_t>(i) + p] = run_scene(scene, kProfiles[p], constant_step());
     }
   };
   std::vector<std::thread> pool;

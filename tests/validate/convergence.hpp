@@ -33,11 +33,12 @@ struct SceneRun {
   int passes = 0;                 ///< solves of all steps
   std::vector<double> residuals;  ///< one a step
   double seconds = 0;             ///< of processor time
-  double energy_excess = 0;       ///< MotionWatch, as are the next four
+  double energy_excess = 0;       ///< MotionWatch, as are the next five
   double energy_gain = 0;
   double energy_ratio = 0;
   double rise = 0;
   double area_change = 0;
+  double false_area_change = 0;
   bool all_finite = true;
 
   int converged() const { return plain + with_fallback; }
@@ -49,7 +50,7 @@ std::vector<Override> constant_step();
 SceneRun run_scene(const RandomScene& scene, const std::string& profile, const std::vector<Override>& overrides);
 
 /// Scenes of the seeds first … first + count - 1 under both profiles, legacy before standard, in the order of the seeds
-/// whatever the number of threads.
-std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads);
+/// whatever the number of threads. `steps` of each; 0: as drawn.
+std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads, int steps = 0);
 
 }  // namespace keyblock

@@ -20,15 +20,25 @@ Moments moments_of(const ElementFrame& element) {
   return sum;
 }
 
-// ½ σ : D⁻¹ : σ, over the area.
-double strain_energy(const ElementFrame& element, const BlockMaterial& material, Plane plane) {
+Eigen::Vector3d stress_of(const ElementFrame& element) {
+  return {element.stress.xx, element.stress.yy, element.stress.xy};
+}
+
+// D⁻¹ σ: xx, yy, and the full shear angle.
+Eigen::Vector3d strain_of(const ElementFrame& element, const BlockMaterial& material, Plane plane) {
   const Eigen::Matrix3d modulus =
       plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
-  const Eigen::Vector3d stress(element.stress.xx, element.stress.yy, element.stress.xy);
-  return 0.5 * element.area * stress.dot(modulus.inverse() * stress);
+  return modulus.inverse() * stress_of(element);
 }
 
 }  // namespace
+
+// det(I + ε).
+double MotionWatch::strained_area(const ElementFrame& element) const {
+  const Eigen::Vector3d strain =
+      strain_of(element, model_.block_materials[static_cast<std::size_t>(element.material)], settings_.plane);
+  return (1 + strain[0]) * (1 + strain[1]) - strain[2] * strain[2] / 4;
+}
 
 void MotionWatch::begin(const Frame& frame) {
   double low = INFINITY;
@@ -39,7 +49,7 @@ void MotionWatch::begin(const Frame& frame) {
     const Element& modelled = model_.elements[ElementIndex{static_cast<int>(i)}];
     const double density =
         modelled.basis->unknown_count() == 0 ? 0 : model_.material_of(modelled).density;  // held blocks do not count
-    masses_.push_back({density * m.area, density * (m.xx + m.yy), element.centroid, m.area});
+    masses_.push_back({density * m.area, density * (m.xx + m.yy), element.centroid, m.area, strained_area(element)});
     total_mass_ += density * m.area;
     if (density == 0) continue;
     for (const Point& p : element.loops.front()) {
@@ -61,11 +71,14 @@ void MotionWatch::see(const Frame& frame) {
     const Mass& m = masses_[i];
     const Velocity& v = element.velocity;
     kinetic += 0.5 * m.mass * (v.x * v.x + v.y * v.y) + 0.5 * m.inertia * v.rotation * v.rotation;
-    if (m.mass > 0)
-      strain +=
-          strain_energy(element, model_.block_materials[static_cast<std::size_t>(element.material)], settings_.plane);
     released += m.mass * dot(settings_.gravity, element.centroid - m.start);
-    if (m.mass > 0) area_change_ = std::max(area_change_, std::abs(element.area / m.area - 1));
+    if (m.mass == 0) continue;
+    strain += 0.5 * element.area *
+              stress_of(element).dot(strain_of(
+                  element, model_.block_materials[static_cast<std::size_t>(element.material)], settings_.plane));
+    const double grown = element.area / m.area;
+    area_change_ = std::max(area_change_, std::abs(grown - 1));
+    false_area_change_ = std::max(false_area_change_, std::abs(grown * m.strained_area / strained_area(element) - 1));
   }
   if (is_first) start_energy_ = kinetic + strain;
   all_finite_ = all_finite_ && std::isfinite(kinetic + released + area_change_);

@@ -26,6 +26,9 @@ class MotionWatch {
   double greatest_rise() const { return rise_; }
   /// Greatest relative change of the area of a block.
   double greatest_area_change() const { return area_change_; }
+  /// The same, less what the change of its stress makes of its area: none but by false strain. A small block that carries its
+  /// neighbours is strained by more than the weight of the whole slope would strain it.
+  double greatest_false_area_change() const { return false_area_change_; }
   /// Greatest kinetic over released potential energy, where more than 1e-9 of the energy scale is released.
   double greatest_ratio() const { return ratio_; }
   bool all_finite() const { return all_finite_; }
@@ -36,9 +39,11 @@ class MotionWatch {
     double inertia = 0;
     Point start;
     double area = 0;
+    double strained_area = 0;  ///< over the area without stress, by its stress
   };
 
   void begin(const Frame& frame);
+  double strained_area(const ElementFrame& element) const;
   double energy_scale() const { return total_mass_ * length(settings_.gravity) * height_; }
 
   const Model& model_;
@@ -51,6 +56,7 @@ class MotionWatch {
   double start_energy_ = 0;  ///< kinetic and strain
   double rise_ = 0;
   double area_change_ = 0;
+  double false_area_change_ = 0;
   double ratio_ = 0;
   bool all_finite_ = true;
 };

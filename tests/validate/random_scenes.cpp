@@ -38,7 +38,7 @@ Analysis drawn_analysis(Dice& dice) {
 
 constexpr double kStiffest = 1e11;
 constexpr double kSoftestOfStack = 1e8;
-// Under the weight of 30 m of rock this is strained by 5e-4: area changes beyond a thousandth are no elasticity.
+// Under the weight of 30 m of rock this is strained by 5e-4; a corner block that carries its neighbours, by more than a thousandth.
 constexpr double kSoftestOfSlope = 2e9;
 
 BlockMaterial drawn_rock(Dice& dice, double softest) {

@@ -26,10 +26,11 @@ struct Share {
   double passes = 0;  ///< a step, mean
   double median_residual = 0;
   double greatest_residual = 0;
-  double energy_gain = 0;  ///< greatest of all runs, as are the next three
+  double energy_gain = 0;  ///< greatest of all runs, as are the next four
   double energy_excess = 0;
   double rise = 0;
   double area_change = 0;
+  double false_area_change = 0;
   double seconds = 0;  ///< of processor time
 
   double converged() const {
@@ -46,6 +47,12 @@ std::string shares_csv(const std::vector<Share>& shares);
 
 /// The runs that did not finish: scene, profile, blocks, step, steps made, end, reason.
 std::string ended_csv(const std::vector<SceneRun>& runs);
+
+/// How many runs did not finish, by profile, end and reason; the reason without its step and what is named after a semicolon.
+std::string reasons_csv(const std::vector<SceneRun>& runs);
+
+/// One line a run: what shares_csv sums, by scene.
+std::string runs_csv(const std::vector<SceneRun>& runs);
 
 /// What is asked of profile `standard`, and what of it is not so: one sentence each.
 std::vector<std::string> misses_of_standard(const std::vector<Share>& shares);

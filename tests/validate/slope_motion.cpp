@@ -39,8 +39,8 @@ std::vector<RandomScene> slopes() {
 }
 
 bool holds(const SceneRun& run) {
-  return run.end == End::finished && run.all_finite && run.energy_excess <= kMostExcess && run.rise <= kMostRise &&
-         run.area_change <= kMostAreaChange;
+  return run.end == End::finished && run.all_finite && run.energy_ratio <= 1 && run.energy_excess <= kMostExcess &&
+         run.rise <= kMostRise && run.area_change <= kMostAreaChange;
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+// DXF, the exchange format of drawing programs: lines by layer to a drawing, drawings and blocks to lines by layer.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ASCII text of groups: a line with a code, a line with its value [D]. Sections between 0 SECTION and 0 ENDSEC, 0 EOF at
+// the end; layout as published for R12 (AC1009) to 2018 (AC1032) [S].
+//   HEADER    $INSUNITS: coordinates are multiplied to metres; absent or 0: taken as they are
+//   ENTITIES  in z = 0 of model space; 8: the layer, whose name says the part in the drawing (dxf_layers.hpp)
+//     LINE        10 20, 11 21: ends; extended data 1001 KEYBLOCK, 1040 × 3: stiffness, strength, pre-tension of a bolt
+//     LWPOLYLINE  10 20 and 42 (bulge of the side that begins there) a vertex; 70 bit 1: closed
+//     POLYLINE    70 bit 1: closed; VERTEX 10 20 42 …; SEQEND
+//     ARC         10 20 centre, 40 radius, 50 51 angles in degrees, counter-clockwise
+//     CIRCLE      10 20 centre, 40 radius
+//     POINT       10 20
+//   999 keyblock edge-node ratio R  a comment: the edge-node ratio of the drawing; absent: kDxfEdgeNodeRatio
+// Arcs, circles and bulges become chords (dxf_curves.hpp). Everything else is skipped and listed, one warning a kind.
+// Written: R12, metres, a LINE or POINT a record; blocks as closed POLYLINEs on BLOCK_n, each VERTEX on the layer
+// JOINT_n of the side that begins there. Read again, a block gives its sides and a point that carries its material;
+// gaps that blocks enclose need a HOLE point to stay empty when cut.
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace keyblock::formats {
+
+/// The edge-node ratio of a drawing that says none: drawing programs snap ends exactly, so nothing much is to be merged.
+inline constexpr double kDxfEdgeNodeRatio = 0.001;
+
+extern const Format kDxf;
+
+/// "a binary DXF file …", "a DWG file …" where the bytes begin as one; empty else.
+std::string_view drawing_program_binary(std::string_view text);
+
+}  // namespace keyblock::formats

@@ -1,0 +1,202 @@
+// Gives every shape of a DXF file the part in the drawing that its layer says.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/dxf_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "formats/dxf_curves.hpp"
+#include "formats/dxf_layers.hpp"
+#include "formats/tokens.hpp"
+#include "geometry/polygon.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+/// A point inside a closed chain: on the level in the middle of the highest gap between its vertices. Nothing where the
+/// chain encloses nothing.
+std::optional<Point> point_inside(const std::vector<Point>& loop) {
+  std::vector<double> heights;
+  for (const Point p : loop) heights.push_back(p.y);
+  std::ranges::sort(heights);
+  double y = heights.front(), widest = 0;
+  for (std::size_t i = 1; i < heights.size(); ++i)
+    if (heights[i] - heights[i - 1] > widest) {
+      widest = heights[i] - heights[i - 1];
+      y = heights[i - 1] + widest / 2;
+    }
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
+    if ((a.y < y) != (b.y < y)) crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+  }
+  std::ranges::sort(crossings);
+  if (crossings.size() < 2 || crossings[0] == crossings[1]) return std::nullopt;
+  return Point{(crossings[0] + crossings[1]) / 2, y};
+}
+
+class DrawingMaker {
+ public:
+  DrawingMaker(DxfShapes shapes, double scale) : shapes_(std::move(shapes)), scale_(scale) {}
+
+  DxfDrawing make() {
+    for (DxfShape& shape : shapes_.shapes) to_metres(shape);
+    name_layers();
+    for (const DxfShape& shape : shapes_.shapes) add(shape);
+    Drawing& drawing = result_.drawing;
+    drawing.boundary_count = boundaries_.size();
+    drawing.joints.insert(drawing.joints.begin(), boundaries_.begin(), boundaries_.end());
+    result_.warnings = joined(std::move(shapes_.warnings), result_.warnings);
+    warn_of_chords();
+    result_.warnings = joined(std::move(result_.warnings), shapes_.skipped.warnings());
+    return std::move(result_);
+  }
+
+ private:
+  struct UnknownLayer {
+    std::string_view name;
+    Place first;
+    std::size_t entities = 0;
+  };
+
+  void to_metres(DxfShape& shape) const {
+    for (Point& p : shape.points) {
+      p = scale_ * p;
+      if (!std::isfinite(p.x) || !std::isfinite(p.y))
+        throw InputError(shape.place,
+                         fmt::format("expected {} within the range of numbers, found it beyond", shape.type));
+    }
+  }
+
+  /// Layers by their names; those without a known word get the first joint materials not yet taken.
+  void name_layers() {
+    std::set<int> taken;
+    std::vector<UnknownLayer> unknown;
+    std::map<std::string_view, std::size_t> positions;
+    for (const DxfShape& shape : shapes_.shapes) {
+      if (const auto layer = layer_of(shape.layer)) {
+        if (layer->number_is_too_long)
+          throw InputError(shape.place,
+                           fmt::format("expected a number up to 2147483647 at the end of the layer, found {}",
+                                       in_quotes(shape.layer)));
+        if (layer->role == DxfRole::joint || layer->role == DxfRole::boundary) taken.insert(layer->index);
+        layers_[shape.layer] = *layer;
+      } else if (!shape.is_point) {
+        const auto [at, is_new] = positions.try_emplace(shape.layer, unknown.size());
+        if (is_new) unknown.push_back({shape.layer, shape.place, 0});
+        ++unknown[at->second].entities;
+      }
+    }
+    int index = 0;
+    for (const UnknownLayer& layer : unknown) {
+      while (taken.contains(index)) ++index;
+      layers_[layer.name] = {DxfRole::joint, index, false};
+      result_.warnings.push_back({"dxf_layer_as_joints", layer.first,
+                                  fmt::format("layer {} names no part of a drawing; its lines and curves, {} in "
+                                              "number, are joints of joint material {}",
+                                              in_quotes(layer.name), layer.entities, index + 1)});
+      ++index;
+    }
+  }
+
+  void skip(const DxfShape& shape) {
+    shapes_.skipped.add(fmt::format("{} on layer {}", shape.type, in_quotes(shape.layer)), shape.place);
+  }
+
+  void add(const DxfShape& shape) {
+    const auto found = layers_.find(shape.layer);
+    if (found == layers_.end()) return skip(shape);
+    if (shape.is_point) return add_point(shape, found->second);
+    if (holds_points_only(found->second.role)) return skip(shape);
+    if (found->second.role == DxfRole::block) return add_block(shape, found->second);
+    const std::size_t sides = shape.points.size() - (shape.is_closed ? 0 : 1);
+    for (std::size_t i = 0; i < sides; ++i) add_line(shape, side(shape, i), found->second);
+  }
+
+  static Segment side(const DxfShape& shape, std::size_t i) {
+    return {shape.points[i], shape.points[i + 1 == shape.points.size() ? 0 : i + 1]};
+  }
+
+  void add_line(const DxfShape& shape, const Segment& segment, const DxfLayer& layer) {
+    Drawing& drawing = result_.drawing;
+    switch (layer.role) {
+      case DxfRole::boundary:
+        boundaries_.push_back({segment, layer.index, shape.place});
+        break;
+      case DxfRole::material:
+        drawing.material_lines.push_back({segment, layer.index, shape.place});
+        break;
+      case DxfRole::fixed:
+        drawing.fixed_lines.push_back({segment, shape.place});
+        break;
+      case DxfRole::bolt: {
+        const std::array<double, 3> values = shape.bolt.value_or(std::array<double, 3>{});
+        drawing.bolts.push_back({segment, values[0], values[1], values[2], layer.index, shape.place});
+        break;
+      }
+      default:
+        drawing.joints.push_back({segment, layer.index, shape.place});
+    }
+  }
+
+  void add_point(const DxfShape& shape, const DxfLayer& layer) {
+    Drawing& drawing = result_.drawing;
+    const Point p = shape.points.front();
+    if (layer.role == DxfRole::load)
+      drawing.loading_points.push_back({p, shape.place});
+    else if (layer.role == DxfRole::measured)
+      drawing.measured_points.push_back({p, shape.place});
+    else if (layer.role == DxfRole::hole)
+      drawing.hole_points.push_back({p, shape.place});
+    else if (layer.role == DxfRole::fixed || layer.role == DxfRole::material)
+      add_line(shape, {p, p}, layer);
+    else
+      skip(shape);
+  }
+
+  /// Sides are joints of the material that the layer of their VERTEX names, else of the first; a point inside gives the
+  /// block material. A clockwise loop inside the one before it is a hole of that.
+  void add_block(const DxfShape& shape, const DxfLayer& layer) {
+    if (!shape.is_closed) return skip(shape);
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+      const auto own = i < shape.side_layers.size() ? layer_of(shape.side_layers[i]) : std::nullopt;
+      const bool names_joint = own && own->role == DxfRole::joint && !own->number_is_too_long;
+      result_.drawing.joints.push_back({side(shape, i), names_joint ? own->index : 0, shape.place});
+    }
+    const bool is_hole =
+        !outline_.empty() && area(shape.points) < 0 && keyblock::side(outline_, shape.points.front()) == Side::inside;
+    if (is_hole) return;
+    outline_ = shape.points;
+    if (const auto inside = point_inside(shape.points))
+      result_.drawing.material_lines.push_back({{*inside, *inside}, layer.index, shape.place});
+  }
+
+  void warn_of_chords() {
+    const DxfChords& chords = shapes_.chords;
+    if (chords.curves == 0) return;
+    result_.warnings.push_back(
+        {"dxf_curves_as_chords", chords.first,
+         fmt::format("{} arcs, circles and bulges are {} chords; none leaves its curve by more than {} of the radius",
+                     chords.curves, chords.chords, kSagittaRatio)});
+  }
+
+  DxfShapes shapes_;
+  double scale_;
+  std::map<std::string_view, DxfLayer> layers_;
+  std::vector<JointLine> boundaries_;
+  std::vector<Point> outline_;  ///< of the last block
+  DxfDrawing result_;
+};
+
+}  // namespace
+
+DxfDrawing drawing_of(DxfShapes shapes, double scale) {
+  return DrawingMaker(std::move(shapes), scale).make();
+}
+
+}  // namespace keyblock::formats

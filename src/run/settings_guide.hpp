@@ -1,0 +1,12 @@
+// What a user may set: every setting with its permitted values, its value in each profile, and who reads it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace keyblock {
+
+/// A table, one line a setting.
+std::string settings_guide();
+
+}  // namespace keyblock

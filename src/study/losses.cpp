@@ -1,0 +1,80 @@
+// Walks both case files side by side; rows of lists are counted under one name.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/losses.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "formats/keyblock_case.hpp"
+
+namespace keyblock::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kShown = 40;  // characters of a value
+
+std::string shown(const Json& value) {
+  if (value.is_array()) return fmt::format("{} {}", value.size(), value.size() == 1 ? "item" : "items");
+  if (value.is_object()) return "an object";
+  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() > kShown ? text.substr(0, kShown) + "…" : text;
+}
+
+class Walk {
+ public:
+  void compare(const std::string& item, const Json& layout, const Json& a, const Json& b) {
+    if (a == b) return;
+    if (a.is_object() && b.is_object()) return compare_keys(item, layout, a, b);
+    const bool same_length = a.is_array() && b.is_array() && a.size() == b.size();
+    if (!same_length) return note(item, shown(a) + " → " + shown(b));
+    const bool is_row = layout.contains("prefixItems");
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const Json& part = is_row ? layout["prefixItems"][i] : layout.value("items", empty_);
+      compare(is_row ? item + '.' + part.value("title", "") : item + "[]", part, a[i], b[i]);
+    }
+  }
+
+  std::vector<Loss> found() { return std::move(found_); }
+
+ private:
+  void compare_keys(const std::string& item, const Json& layout, const Json& a, const Json& b) {
+    const auto child = [&](const std::string& key) { return item.empty() ? key : item + '.' + key; };
+    const auto part = [&](const std::string& key) -> const Json& {
+      return layout.contains("properties") && layout["properties"].contains(key) ? layout["properties"][key] : empty_;
+    };
+    for (const auto& [key, value] : a.items()) {
+      if (key == "dialect") continue;
+      if (b.contains(key))
+        compare(child(key), part(key), value, b[key]);
+      else
+        note(child(key), shown(value) + " → nothing");
+    }
+    for (const auto& [key, value] : b.items())
+      if (!a.contains(key)) note(child(key), "nothing → " + shown(value));
+  }
+
+  void note(const std::string& item, const std::string& sentence) {
+    const auto [at, is_new] = index_.try_emplace(item, found_.size());
+    if (is_new) found_.push_back({item, 0, sentence});
+    ++found_[at->second].times;
+  }
+
+  const Json empty_ = Json::object();
+  std::vector<Loss> found_;
+  std::map<std::string, std::size_t> index_;
+};
+
+}  // namespace
+
+std::vector<Loss> losses(const formats::Content& original, const formats::Content& converted) {
+  const Json schema = Json::parse(formats::case_schema());
+  Walk walk;
+  walk.compare("", schema, Json::parse(formats::kKeyblockCase.write(original)),
+               Json::parse(formats::kKeyblockCase.write(converted)));
+  return walk.found();
+}
+
+}  // namespace keyblock::study

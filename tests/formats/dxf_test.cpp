@@ -1,0 +1,269 @@
+// DXF: every entity lands in its place, curves keep their tolerance, what is skipped is listed, faults are found where
+// they stand, and what is written is read again.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/dxf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cut/cut_blocks.hpp"
+#include "formats/dxf_curves.hpp"
+#include "geometry/polygon.hpp"
+#include "tests/formats/dxf_samples.hpp"
+#include "tests/formats/reading.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+std::string line(const std::string& layer, const std::string& more = "") {
+  return "0\nLINE\n8\n" + layer + "\n10\n0\n20\n0\n11\n1000\n21\n2000\n" + more;
+}
+
+std::string circle(const std::string& more) {
+  return "0\nCIRCLE\n8\nJOINT_1\n10\n3\n20\n0\n40\n2\n" + more;
+}
+
+Reading read_entities(const std::string& entities, const std::string& header = "") {
+  return read({"f", dxf_text(entities, header)});
+}
+
+std::string sentence(const Reading& reading, const std::string& name) {
+  for (const Warning& warning : reading.warnings)
+    if (warning.name == name) return to_string(warning);
+  return "";
+}
+
+void expect_same(const Drawing& a, const Drawing& b) {
+  EXPECT_EQ(a.edge_node_ratio, b.edge_node_ratio);
+  EXPECT_EQ(a.boundary_count, b.boundary_count);
+  ASSERT_EQ(a.joints.size(), b.joints.size());
+  for (std::size_t i = 0; i < a.joints.size(); ++i) {
+    EXPECT_EQ(a.joints[i].segment, b.joints[i].segment);
+    EXPECT_EQ(a.joints[i].joint_material, b.joints[i].joint_material);
+  }
+  ASSERT_EQ(a.material_lines.size(), b.material_lines.size());
+  for (std::size_t i = 0; i < a.material_lines.size(); ++i) {
+    EXPECT_EQ(a.material_lines[i].segment, b.material_lines[i].segment);
+    EXPECT_EQ(a.material_lines[i].block_material, b.material_lines[i].block_material);
+  }
+  ASSERT_EQ(a.bolts.size(), b.bolts.size());
+  for (std::size_t i = 0; i < a.bolts.size(); ++i) {
+    EXPECT_EQ(a.bolts[i].segment, b.bolts[i].segment);
+    EXPECT_EQ(a.bolts[i].stiffness, b.bolts[i].stiffness);
+    EXPECT_EQ(a.bolts[i].strength, b.bolts[i].strength);
+    EXPECT_EQ(a.bolts[i].pretension, b.bolts[i].pretension);
+    EXPECT_EQ(a.bolts[i].type, b.bolts[i].type);
+  }
+  ASSERT_EQ(a.fixed_lines.size(), b.fixed_lines.size());
+  for (std::size_t i = 0; i < a.fixed_lines.size(); ++i) EXPECT_EQ(a.fixed_lines[i].segment, b.fixed_lines[i].segment);
+  const auto same_points = [](const std::vector<MarkedPoint>& p, const std::vector<MarkedPoint>& q) {
+    return std::ranges::equal(p, q, {}, &MarkedPoint::position, &MarkedPoint::position);
+  };
+  EXPECT_TRUE(same_points(a.loading_points, b.loading_points));
+  EXPECT_TRUE(same_points(a.measured_points, b.measured_points));
+  EXPECT_TRUE(same_points(a.hole_points, b.hole_points));
+}
+
+}  // namespace
+
+TEST(Dxf, every_entity_lands_in_its_place) {
+  const Reading reading = read({"f", kDxfSample});
+  const Drawing& drawing = *reading.content.drawing;
+  EXPECT_EQ(names(reading.warnings), (std::vector<std::string>{"dxf_curves_as_chords", "dxf_skipped"}));
+  EXPECT_EQ(drawing.edge_node_ratio, 0.01);
+  EXPECT_EQ(drawing.boundary_count, 4u);
+  EXPECT_EQ(drawing.joints[3].segment, (Segment{{0, 6}, {0, 0}}));
+  // 1 line, a semicircle of 16 chords and a straight side, an arc of 16, a circle of 32.
+  ASSERT_EQ(drawing.joints.size(), 4u + 1 + 17 + 16 + 32);
+  EXPECT_EQ(drawing.joints[4].segment, (Segment{{0, 3}, {8, 3}}));
+  EXPECT_EQ(drawing.joints[4].joint_material, 1);
+  EXPECT_EQ(drawing.joints[21].segment, (Segment{{6, 3}, {8, 3}}));
+  EXPECT_EQ(drawing.joints[21].joint_material, 2);
+  EXPECT_EQ(drawing.material_lines.at(0).block_material, 1);
+  EXPECT_EQ(drawing.bolts.at(0).strength, 2e3);
+  EXPECT_EQ(drawing.fixed_lines.at(0).segment, (Segment{{.5, .5}, {.5, .5}}));
+  EXPECT_EQ(drawing.loading_points.at(0).position, (Point{7, 5}));
+  EXPECT_EQ(drawing.measured_points.at(0).position, (Point{7, 4}));
+  EXPECT_EQ(drawing.hole_points.at(0).position, (Point{2, 1.5}));
+  EXPECT_EQ(sentence(reading, "dxf_skipped"), "f:136:1: warning: skipped: 1 × TEXT [dxf_skipped]");
+}
+
+TEST(Dxf, chords_leave_their_arc_by_no_more_than_the_stated_share_of_the_radius) {
+  for (const double bulge : {0.01, 0.3, 1.0, -1.0, 5.0, -0.2}) {
+    const Point start{2, 1}, end{5, 5};
+    std::vector<Point> points = bulge_points(start, end, bulge);
+    // The circle through the ends and the point at which the arc stands out by bulge times half the chord, to the right.
+    const Point middle = 0.5 * (start + end), right = (1.0 / 5) * Point{4, -3};
+    const Point apex = middle + 2.5 * bulge * right;
+    const double radius = 2.5 * (1 + bulge * bulge) / (2 * std::abs(bulge));
+    const Point centre = apex - (bulge > 0 ? radius : -radius) * right;
+    points.insert(points.begin(), start);
+    points.push_back(end);
+    double nearest_apex = 10;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(distance(points[i], centre), radius, 1e-12 * radius);
+      nearest_apex = std::min(nearest_apex, distance(points[i], apex));
+      if (i == 0) continue;
+      const double sagitta = radius - distance(0.5 * (points[i - 1] + points[i]), centre);
+      EXPECT_LE(sagitta, kSagittaRatio * radius * (1 + 1e-9)) << bulge;
+    }
+    EXPECT_LE(nearest_apex, 0.15 * radius) << "the arc runs on the right side of its chord";
+  }
+  EXPECT_EQ(bulge_points({0, 0}, {1, 0}, 0).size(), 0u);
+}
+
+TEST(Dxf, coordinates_are_brought_to_metres_and_the_factor_is_named) {
+  const Reading millimetres = read_entities(line("JOINT_1"), "9\n$INSUNITS\n70\n4\n");
+  EXPECT_EQ(millimetres.content.drawing->joints.at(0).segment.end, (Point{1, 2}));
+  EXPECT_NE(sentence(millimetres, "dxf_scaled_to_metres").find("multiplied by 0.001"), std::string::npos);
+  const Reading feet = read_entities(line("JOINT_1"), "9\n$INSUNITS\n70\n2\n");
+  EXPECT_NEAR(feet.content.drawing->joints.at(0).segment.end.x, 304.8, 1e-12);
+  for (const char* header : {"", "9\n$INSUNITS\n70\n0\n", "9\n$INSUNITS\n70\n6\n"}) {
+    const Reading as_is = read_entities(line("JOINT_1"), header);
+    EXPECT_EQ(as_is.content.drawing->joints.at(0).segment.end, (Point{1000, 2000}));
+    EXPECT_EQ(as_is.warnings, Warnings{});
+  }
+  EXPECT_EQ(names(read_entities(line("JOINT_1"), "9\n$INSUNITS\n70\n77\n").warnings),
+            std::vector<std::string>{"dxf_unit_unknown"});
+}
+
+TEST(Dxf, layers_without_a_known_word_are_joints_with_the_first_numbers_not_yet_taken) {
+  const Reading reading = read_entities(line("faults") + line("JOINT_2") + line("Bedding") + line("faults") +
+                                        line("joints steep 7") + line("boundary"));
+  std::vector<int> materials;
+  for (const JointLine& joint : reading.content.drawing->joints) materials.push_back(joint.joint_material + 1);
+  EXPECT_EQ(materials, (std::vector<int>{1, 3, 2, 4, 3, 7}));
+  EXPECT_EQ(names(reading.warnings), (std::vector<std::string>{"dxf_layer_as_joints", "dxf_layer_as_joints"}));
+  EXPECT_NE(sentence(reading, "dxf_layer_as_joints").find("layer \"faults\""), std::string::npos);
+  EXPECT_NE(sentence(reading, "dxf_layer_as_joints").find("joint material 3"), std::string::npos);
+}
+
+TEST(Dxf, an_edge_node_ratio_that_is_not_said_is_a_named_default) {
+  std::string text = dxf_text(line("JOINT_1"));
+  text.erase(0, text.find("0\nSECTION"));
+  const Reading reading = read({"f", text});
+  EXPECT_EQ(reading.content.drawing->edge_node_ratio, kDxfEdgeNodeRatio);
+  EXPECT_EQ(names(reading.warnings), std::vector<std::string>{"default_edge_node_ratio"});
+}
+
+TEST(Dxf, what_is_skipped_is_listed_once_a_kind_with_its_number) {
+  const Reading reading = read_entities(line("JOINT_1") + "0\nHATCH\n8\nA\n0\nHATCH\n8\nB\n" +
+                                        line("JOINT_1", "30\n5\n") + circle("30\n1\n") + line("JOINT_1", "67\n1\n") +
+                                        line("MEASURED") + "0\nPOINT\n8\nelsewhere\n10\n0\n20\n0\n");
+  std::vector<std::string> skipped;
+  for (const Warning& warning : reading.warnings) skipped.push_back(warning.sentence);
+  EXPECT_EQ(skipped, (std::vector<std::string>{
+                         "skipped: 2 × HATCH", "skipped: 1 × LINE not in the plane z = 0",
+                         "skipped: 1 × CIRCLE not in the plane z = 0", "skipped: 1 × entity in paper space",
+                         "skipped: 1 × LINE on layer \"MEASURED\"", "skipped: 1 × POINT on layer \"elsewhere\""}));
+  EXPECT_EQ(reading.content.drawing->joints.size(), 1u);
+  std::string with_blocks = dxf_text(line("JOINT_1"));
+  with_blocks.insert(with_blocks.rfind("0\nEOF"),
+                     "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nnut\n0\nLINE\n8\n0\n0\nENDBLK\n0\nENDSEC\n");
+  EXPECT_EQ(sentence(read({"f", with_blocks}), "dxf_skipped"),
+            "f:36:1: warning: skipped: 1 × entity of the section BLOCKS [dxf_skipped]");
+}
+
+TEST(Dxf, curves_seen_from_below_are_mirrored) {
+  const Reading reading = read_entities(circle("210\n0\n220\n0\n230\n-1\n"));
+  for (const JointLine& joint : reading.content.drawing->joints)
+    EXPECT_NEAR(distance(joint.segment.start, {-3, 0}), 2, 1e-12);
+}
+
+TEST(Dxf, line_ends_blanks_and_a_missing_end_change_nothing) {
+  const Drawing expected = *read({"f", kDxfSample}).content.drawing;
+  std::string crlf;
+  for (const char c : kDxfSample) crlf += c == '\n' ? std::string(" \r\n") : std::string(1, c);
+  expect_same(*read({"f", crlf}).content.drawing, expected);
+  const Reading cut_off = read({"f", kDxfSample.substr(0, kDxfSample.rfind("0\nEOF"))});
+  expect_same(*cut_off.content.drawing, expected);
+  EXPECT_EQ(names(cut_off.warnings).front(), "dxf_without_end");
+}
+
+TEST(Dxf, a_written_drawing_is_read_again_to_the_last_digit) {
+  Drawing drawing = *read({"f", kDxfSample}).content.drawing;
+  drawing.edge_node_ratio = 1.0 / 3;
+  drawing.joints[5].segment.start = {0.1 + 0.2, -1e-17};
+  drawing.joints[6].joint_material = -4;
+  drawing.bolts[0].type = 2;
+  drawing.material_lines.push_back({{{1, 1}, {1, 1}}, 0, {}});
+  drawing.fixed_lines.push_back({{{0, 0}, {1e30, 1}}, {}});
+  const Reading again = read({"f", kDxf.write({drawing, {}, {}})});
+  EXPECT_EQ(again.warnings, Warnings{});
+  expect_same(*again.content.drawing, drawing);
+}
+
+TEST(Dxf, written_blocks_read_and_cut_again_are_the_same_blocks) {
+  Blocks blocks;
+  blocks.blocks = {{0, {{{0, 0}, 0}, {{2, 0}, 0}, {{2, 2}, 2}, {{0, 2}, 0}}, {}},
+                   {1, {{{2, 0}, 0}, {{4, 0}, 1}, {{4, 3}, 0}, {{2, 2}, 0}}, {}}};
+  blocks.blocks[1].outer[0].joint_material = 2;  // both sides of the contact
+  blocks.fixed_points = {{{1, 0.1}, 0, {}}};
+  blocks.bolts = {{{{1, 1}, {3, 1}}, 0, 1, 5, 6, 7}};
+  const Reading again = read({"f", kDxf.write({{}, blocks, {}})});
+  const Blocks cut = cut_blocks(*again.content.drawing).blocks;
+  ASSERT_EQ(cut.blocks.size(), 2u);
+  for (const BlockPolygon& block : cut.blocks) {
+    const bool is_left = block.material == 0;
+    EXPECT_EQ(area(points_of(block.outer)), is_left ? 4 : 5);
+    std::vector<int> joints;
+    for (const BlockVertex& vertex : block.outer) joints.push_back(vertex.joint_material);
+    std::ranges::sort(joints);
+    EXPECT_EQ(joints, is_left ? (std::vector<int>{0, 0, 0, 2}) : (std::vector<int>{0, 0, 1, 2}));
+  }
+  EXPECT_EQ(cut.fixed_points.size(), 1u);
+  EXPECT_EQ(cut.bolts.at(0).pretension, 7);
+}
+
+TEST(Dxf, faults_are_found_at_their_line_and_column) {
+  const auto fault = [](const std::string& entities) { return error_of(dxf_text(entities)); };
+  EXPECT_EQ(fault("0\nLINE\n8\nJOINT_1\n10\n0\n20\nabc\n11\n1\n21\n1\n"),
+            "f:20:1: error: expected y of the start (group 20) of LINE, found \"abc\"");
+  EXPECT_EQ(fault("0\nLINE\n8\nJOINT_1\n10\n0\n20\n0\n11\n1\n"),
+            "f:14:1: error: expected y of the end (group 21) of LINE, found none");
+  EXPECT_EQ(fault("0\nLINE\nJOINT_1\n8\n"),
+            "f:15:1: error: expected a DXF group code (a whole number from -5 to 1071), found \"JOINT_1\"");
+  EXPECT_EQ(fault("0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n  -1\n"),
+            "f:22:3: error: expected the radius (group 40, greater than 0) of CIRCLE, found \"-1\"");
+  EXPECT_EQ(fault("0\nPOLYLINE\n8\n0\n0\nVERTEX\n10\n0\n20\n0\n0\nLINE\n"),
+            "f:24:1: error: expected VERTEX or SEQEND of POLYLINE, found \"LINE\"");
+  EXPECT_EQ(fault("0\nPOLYLINE\n8\n0\n0\nVERTEX\n10\n0\n20\n0\n"),
+            "f:14:1: error: expected VERTEX or SEQEND behind POLYLINE, found the end of the section");
+  EXPECT_EQ(fault("0\nLWPOLYLINE\n8\n0\n10\n0\n10\n1\n"),
+            "f:14:1: error: expected y (group 20) of vertex 1 of LWPOLYLINE, found none");
+  EXPECT_EQ(fault(line("JOINT_99999999999")),
+            "f:14:1: error: expected a number up to 2147483647 at the end of the layer, found \"JOINT_99999999999\"");
+  EXPECT_EQ(fault(line("BOLT", "1001\nKEYBLOCK\n1040\n1\n")),
+            "f:26:1: error: expected 3 values (group 1040) of the bolt: stiffness, strength, pre-tension, found 1");
+  EXPECT_EQ(error_of("0\nSECTION\n2\nENTITIES\n0\n"), "f:6:1: error: expected the value of group 0, found end of file");
+  EXPECT_EQ(error_of("0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n"),
+            "f:9:1: error: expected ENDSEC of the section \"ENTITIES\", found end of file");
+  EXPECT_EQ(error_of("0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nEOF\n"),
+            "f: error: expected a section ENTITIES, found none");
+}
+
+TEST(Dxf, counts_are_held_against_what_is_there_and_never_trusted) {
+  const std::string square = "10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n";
+  const Reading reading = read_entities("0\nLWPOLYLINE\n8\nJOINT_1\n90\n2000000000\n70\n1\n" + square);
+  EXPECT_EQ(names(reading.warnings), std::vector<std::string>{"dxf_vertex_count"});
+  EXPECT_EQ(reading.content.drawing->joints.size(), 3u);
+}
+
+TEST(Dxf, vertices_that_repeat_the_one_before_begin_no_side) {
+  const Reading reading = read_entities(
+      "0\nLWPOLYLINE\n8\nJOINT_1\n70\n1\n10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n10\n0\n20\n0\n");
+  EXPECT_EQ(reading.content.drawing->joints.size(), 3u);
+}
+
+TEST(Dxf, binary_files_of_drawing_programs_are_refused_by_name) {
+  using namespace std::string_literals;
+  EXPECT_NE(error_of("AutoCAD Binary DXF\r\n\x1a\0\0\0SECTION"s).find("a binary DXF file (save it as ASCII DXF)"),
+            std::string::npos);
+  EXPECT_NE(error_of("AC1032\0\0\0\0\0\x03\x80"s).find("a DWG file (save it as ASCII DXF)"), std::string::npos);
+  EXPECT_EQ(drawing_program_binary("AC10"), "");
+}
+
+}  // namespace keyblock::formats

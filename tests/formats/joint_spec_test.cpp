@@ -1,0 +1,96 @@
+// The specification of joint sets: every key lands in its place, defaults are as documented, others are refused.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/joint_spec.hpp"
+
+#include <gtest/gtest.h>
+
+namespace keyblock::formats {
+namespace {
+
+const std::string kBox = "\"rectangle\": {\"width\": 20, \"height\": 10}";
+
+JointScene scene_of(const std::string& inside) {
+  return joint_scene_of(read_json({"f", "{" + inside + "}"}));
+}
+
+std::string fault(const std::string& inside) {
+  try {
+    scene_of(inside);
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST(JointSpec, every_key_lands_in_its_place) {
+  const JointScene scene = scene_of(
+      R"("slope": {"height": 8, "angle": 70, "bench": 2, "benches": 3, "toe": 4, "crest": 5, "base": 6, "x": 1, "y": 2},
+         "tunnels": [{"shape": "horseshoe", "width": 3, "height": 4, "x": 5, "y": -2}],
+         "sets": [{"dip": 30, "spacing": 1, "trace": 6, "gap": 0.5, "scatter": 0.2, "gap_scatter": 0.4,
+                   "distribution": "normal", "spacing_distribution": "exponential", "joint": 4, "seed": 9}],
+         "seed": 7, "boundary_joint": 2, "edge_node_ratio": 0.005, "fixed": [[0, 1, 2, 3]], "measured": [[4, 5]])");
+  const auto& slope = std::get<SlopeShape>(scene.outline);
+  EXPECT_EQ(slope.angle_deg, 70);
+  EXPECT_EQ(slope.benches, 3);
+  EXPECT_EQ(slope.toe + 10 * slope.crest + 100 * slope.base + 1000 * slope.x + 1e4 * slope.y, 21654);
+  ASSERT_EQ(scene.tunnels.size(), 1u);
+  EXPECT_EQ(scene.tunnels[0].shape, TunnelShape::horseshoe);
+  EXPECT_EQ(scene.tunnels[0].height, 4);
+  const JointSet& set = scene.sets.at(0);
+  EXPECT_EQ(set.dip_deg, 30);
+  EXPECT_EQ(set.dip_scatter, 0.2);
+  EXPECT_EQ(set.spacing.distribution, Distribution::exponential);
+  EXPECT_EQ(set.trace_length->mean, 6);
+  EXPECT_EQ(set.trace_length->distribution, Distribution::normal);
+  EXPECT_EQ(set.gap.scatter, 0.4);
+  EXPECT_EQ(set.joint_material, 3);
+  EXPECT_EQ(set.seed, 9u);
+  EXPECT_EQ(scene.boundary_material, 1);
+  EXPECT_EQ(scene.edge_node_ratio, 0.005);
+  EXPECT_EQ(scene.fixed_lines.at(0).segment, (Segment{{0, 1}, {2, 3}}));
+  EXPECT_EQ(scene.measured_points.at(0).position, (Point{4, 5}));
+}
+
+TEST(JointSpec, what_is_left_out_is_as_documented) {
+  const JointScene scene = scene_of(kBox + R"(, "sets": [{"dip": 0, "spacing": 1}, {"dip": 90, "spacing": 2}])");
+  EXPECT_EQ(scene.edge_node_ratio, 0.001);
+  EXPECT_EQ(scene.boundary_material, 0);
+  EXPECT_FALSE(scene.sets.at(1).trace_length);
+  EXPECT_EQ(scene.sets[1].joint_material, 1);
+  EXPECT_EQ(scene.sets[1].seed, 1u);
+  EXPECT_NE(scene.sets[0].stream, scene.sets[1].stream);
+  const auto slope = std::get<SlopeShape>(scene_of(R"("slope": {"height": 10, "angle": 45})").outline);
+  EXPECT_EQ(slope.toe, 10);
+  EXPECT_EQ(slope.crest, 15);
+  EXPECT_EQ(slope.base, 5);
+  EXPECT_EQ(slope.benches, 1);
+}
+
+TEST(JointSpec, faults_are_named_at_the_line_of_their_key) {
+  EXPECT_EQ(fault(kBox + ",\n \"set\": []"),
+            "f:2:2: error: expected one of the keys rectangle, slope, tunnels, sets, seed, boundary_joint, "
+            "edge_node_ratio, fixed, measured in the specification, found \"set\"");
+  EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1,\n  \"spacing\": 0}]"),
+            "f:3:3: error: expected spacing of joint set 1 (greater than 0), found 0");
+  EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1}]"),
+            "f:2:10: error: expected spacing of joint set 1 (greater than 0), found none");
+  EXPECT_EQ(
+      fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1, \"distribution\": \"cauchy\"}]"),
+      "f:2:35: error: expected distribution of joint set 1 (one of normal, lognormal, exponential), found \"cauchy\"");
+  EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1, \"gap\": 1}]"),
+            "f:2:10: error: expected trace beside gap in joint set 1, found none");
+  EXPECT_EQ(fault(kBox + ", \"slope\": {\"height\": 1, \"angle\": 45}"),
+            "f:1:1: error: expected one outline, rectangle or slope, found both");
+  EXPECT_EQ(fault(""), "f:1:1: error: expected one outline, rectangle or slope, found none");
+  EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1},\n {\"dip\": 1}]"),
+            "f:3:2: error: expected spacing of joint set 2 (greater than 0), found none");
+  EXPECT_NE(fault("\"slope\": {\"height\": 1, \"angle\": 91}"), "");
+  EXPECT_NE(fault(kBox + ", \"fixed\": [[1, 2, 3]]"), "");
+  EXPECT_NE(fault(kBox + ", \"tunnels\": [{\"width\": 1, \"x\": 1, \"y\": 1}]"), "");
+  EXPECT_NE(fault(kBox + ", \"seed\": 1.5"), "");
+  EXPECT_NE(fault("\"rectangle\": 3"), "");
+}
+
+}  // namespace keyblock::formats

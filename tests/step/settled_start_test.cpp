@@ -1,0 +1,56 @@
+// The settled start of jointed blocks: which of them bear load, and what is said of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/settled_start.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/standard_scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::plain_analysis;
+using testing::rectangle;
+using testing::standard_settings;
+
+// Four squares of a metre on a floor; `points` hold the floor.
+StandardScene wall_on_floor(const std::vector<BlockPoint>& points) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-2, -1}, {4, 0}), rectangle({0, 0}, {1, 1}), rectangle({1, 0}, {2, 1}),
+                   rectangle({0, 1}, {1, 2}), rectangle({1, 1}, {2, 2})};
+  blocks.fixed_points = points;
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.joint_materials[0].friction_angle_deg = 30;
+  Settings settings = standard_settings(analysis);
+  settings.standard.enforcement = Enforcement::penalty;
+  return standard_scene(with_bases(model_from_blocks(blocks, analysis), settings.standard.basis), settings);
+}
+
+// Sum of the normal forces that the floor bears.
+double on_floor(const StandardScene& scene, const Motion& motion) {
+  double sum = 0;
+  for (const auto& [touch, memory] : motion.closed.all())
+    if (scene.model.vertices[touch.start].element == ElementIndex{0}) sum += memory.normal;
+  return sum;
+}
+
+}  // namespace
+
+// Weight of four blocks of 2500 kg, under a floor that cannot move and one that is held at a point and can turn.
+TEST(SettledStart, a_block_held_at_a_point_bears_what_stands_on_it) {
+  for (const std::vector<BlockPoint>& points : {std::vector<BlockPoint>{{{-1, -0.5}, 0, {}}, {{3, -0.5}, 0, {}}},
+                                                std::vector<BlockPoint>{{{1, -0.5}, 0, {}}}}) {
+    const StandardScene scene = wall_on_floor(points);
+    const Settled made = settled(scene, start_motion(scene));
+    EXPECT_EQ(made.unsolved_steps, 0);
+    EXPECT_NEAR(on_floor(scene, made.motion) / (4 * 2500 * 9.81), 1, 1e-3) << points.size() << " points";
+  }
+}
+
+TEST(SettledStart, blocks_without_support_are_left_unloaded) {
+  const StandardScene scene = wall_on_floor({});
+  const Settled made = settled(scene, start_motion(scene));
+  EXPECT_NEAR(on_floor(scene, made.motion), 0, 1e-6);
+}
+
+}  // namespace keyblock
