@@ -25,6 +25,7 @@
 #include "study/batch_catalogue.hpp"
 #include "study/batch_check.hpp"
 #include "study/batch_journal.hpp"
+#include "study/convert.hpp"
 
 namespace keyblock {
 namespace {
@@ -65,6 +66,9 @@ BatchPlan plan_of(const BatchOptions& options) {
   if ((options.is_check ? 1 : 0) + (options.is_run ? 1 : 0) + (options.format.empty() ? 0 : 1) != 1)
     throw UsageError("batch: expected one of --check, --run and --convert FORMAT");
   if (options.folder.empty()) throw UsageError("batch: expected -o OUT for the catalogue and the results");
+  if (!options.format.empty() && study::find_target(options.format) == nullptr)
+    throw UsageError(
+        fmt::format("--convert: expected a format that `keyblock convert --help` lists, found \"{}\"", options.format));
   const BatchTask task = options.is_check ? BatchTask::check : options.is_run ? BatchTask::run : BatchTask::convert;
   return {task, fs::path(options.root), options.folder, options.profile, options.format, options.limits};
 }
