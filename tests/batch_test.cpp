@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -184,6 +185,34 @@ TEST(Batch, wrong_usage_and_folders_in_use_are_exit_2) {
   EXPECT_EQ(run_keyblock({"batch", in, "--check", "-o", out, "--force"}).exit_code, 0);
 }
 
+TEST(Batch, results_never_land_on_an_archive_or_among_other_files) {
+  const fs::path root = fresh_folder("batch_guard");
+  copy_case("stack/five_blocks/five_blocks", root / "jobs");  // where the results of -o root would go
+  const std::string before = read_text(root / "jobs/five_blocks.geo");
+  for (const char* out : {"", "jobs", "jobs/../jobs/"}) {
+    const ProgramRun run = run_keyblock({"batch", root / "jobs", "--run", "-o", root / out, "--force"});
+    EXPECT_EQ(run.exit_code, 2) << out;
+    EXPECT_TRUE(contains(run.messages, "lies in the folder for the results")) << run.messages;
+  }
+  fs::create_directories(root / "mine");
+  write_text(root / "mine/notes", "keep");
+  EXPECT_EQ(run_keyblock({"batch", root / "jobs", "--check", "-o", root / "mine", "--force"}).exit_code, 2);
+  EXPECT_EQ(read_text(root / "jobs/five_blocks.geo"), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(root / "mine"), {}), 1);
+}
+
+TEST(Batch, results_inside_the_archive_are_not_part_of_it) {
+  const fs::path root = fresh_folder("batch_inside");
+  copy_case("stack/five_blocks/five_blocks", root);
+  const std::vector<std::string> batch{"batch", root, "--check", "-o", root / "out"};
+  ASSERT_EQ(run_keyblock(batch).exit_code, 0);
+  const auto first = catalogue_in(root / "out");
+  std::vector<std::string> again = batch;
+  again.emplace_back("--force");
+  ASSERT_EQ(run_keyblock(again).exit_code, 0);
+  EXPECT_EQ(catalogue_in(root / "out"), first);
+}
+
 TEST(Batch, a_file_too_large_is_named_and_not_read) {
   const fs::path root = fresh_folder("batch_large");
   fs::create_directories(root / "in");
@@ -192,15 +221,26 @@ TEST(Batch, a_file_too_large_is_named_and_not_read) {
   EXPECT_TRUE(contains(jobs_in(root / "out")[0]["message"], "expected at most 1 MiB")) << jobs_in(root / "out")[0];
 }
 
-TEST(Batch, every_case_is_converted) {
-  if (!contains(run_keyblock({"convert", "--help"}).output, "Usage: keyblock convert"))
-    GTEST_SKIP() << "this program has no convert";
+TEST(Batch, every_case_is_converted_and_comes_back_as_the_same_scene) {
   const fs::path root = fresh_folder("batch_convert");
   copy_case("stack/five_blocks/five_blocks", root / "in");
-  const ProgramRun run = run_keyblock({"batch", root / "in", "--convert", "ddaml", "-o", root / "out"});
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in/slope");
+  const ProgramRun run = run_keyblock({"batch", root / "in", "--convert", "keyblock-case", "-o", root / "out"});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
-  for (const auto& output : jobs_in(root / "out").at(0)["outputs"])
-    EXPECT_TRUE(fs::exists(root / "out" / output.get<std::string>())) << output;
+  const auto jobs = jobs_in(root / "out");
+  ASSERT_EQ(jobs.size(), 2U);
+  run_keyblock({"batch", root / "out/jobs", "--check", "-o", root / "again"});
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_EQ(jobs[i]["outputs"].size(), 1U) << jobs[i];
+    const std::string output = jobs[i]["outputs"][0];
+    EXPECT_TRUE(fs::exists(root / "out" / output)) << output;
+    const auto again = jobs_in(root / "again");
+    const auto found = std::ranges::find_if(
+        again, [&](const auto& job) { return "jobs/" + job["job"].template get<std::string>() == output; });
+    ASSERT_NE(found, again.end());
+    EXPECT_EQ((*found)["blocks"], jobs[i]["blocks"]);
+  }
+  EXPECT_EQ(run_keyblock({"batch", root / "in", "--convert", "paper", "-o", root / "none"}).exit_code, 2);
 }
 
 }  // namespace keyblock

@@ -9,15 +9,15 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <exception>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
 
+#include "app/batch_archive.hpp"
 #include "app/batch_work.hpp"
 #include "app/command.hpp"
 #include "app/files.hpp"
+#include "app/parallel.hpp"
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
 #include "base/sha256.hpp"
@@ -26,13 +26,13 @@
 #include "study/batch_catalogue.hpp"
 #include "study/batch_check.hpp"
 #include "study/batch_journal.hpp"
+#include "study/convert.hpp"
 
 namespace keyblock {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-using report::CatalogueFile;
 using report::CatalogueRow;
 
 constexpr auto kBetweenReports = std::chrono::seconds(5);
@@ -43,6 +43,10 @@ std::atomic<bool> stop_asked = false;
 extern "C" void stop_after_running_jobs(int signal) {
   stop_asked = true;
   std::signal(signal, SIG_DFL);
+}
+
+bool is_stopped() {
+  return stop_asked;
 }
 
 struct BatchOptions {
@@ -63,101 +67,15 @@ BatchPlan plan_of(const BatchOptions& options) {
   if ((options.is_check ? 1 : 0) + (options.is_run ? 1 : 0) + (options.format.empty() ? 0 : 1) != 1)
     throw UsageError("batch: expected one of --check, --run and --convert FORMAT");
   if (options.folder.empty()) throw UsageError("batch: expected -o OUT for the catalogue and the results");
+  if (!options.format.empty() && study::find_target(options.format) == nullptr)
+    throw UsageError(
+        fmt::format("--convert: expected a format that `keyblock convert --help` lists, found \"{}\"", options.format));
   const BatchTask task = options.is_check ? BatchTask::check : options.is_run ? BatchTask::run : BatchTask::convert;
   return {task, fs::path(options.root), options.folder, options.profile, options.format, options.limits};
 }
 
 int thread_count(const BatchOptions& options) {
   return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-/// Does `work` for 0 … count - 1 on several threads, each taking the next, until done or stopped. Rethrows the first exception.
-void for_each_in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr first_error;
-  std::mutex guard;
-  const auto work_on = [&] {
-    for (std::size_t i = next++; i < count && !stop_asked; i = next++) try {
-        work(i);
-      } catch (...) {
-        const std::scoped_lock lock(guard);
-        if (!first_error) first_error = std::current_exception();
-        next = count;
-      }
-  };
-  {
-    std::vector<std::jthread> pool;
-    for (int i = 0; i < threads; ++i) pool.emplace_back(work_on);
-  }
-  if (first_error) std::rethrow_exception(first_error);
-}
-
-/// A file of the archive as seen before any job.
-struct SeenFile {
-  study::BatchFile file;
-  CatalogueFile record;
-  std::string problem;  ///< why its content was not looked at
-};
-
-SeenFile see(const fs::path& root, const std::string& path, int largest_mebibytes) {
-  SeenFile seen{{path, study::FileRole::unreadable, {}, std::nullopt}, {path, {}, {}}, {}};
-  const fs::path file = root / path;
-  std::error_code error;
-  const auto size = fs::file_size(file, error);
-  if (!error && size > static_cast<std::uintmax_t>(largest_mebibytes) << 20U) {
-    seen.problem = fmt::format("{}: error: expected at most {} MiB (--largest-file), found {} bytes", path,
-                               largest_mebibytes, size);
-    return seen;
-  }
-  try {
-    const formats::Source source = formats::load(file.string());
-    seen.record.sha256 = sha256(source.text);
-    seen.file = study::look_at(source, path);
-    seen.record.format = seen.file.format;
-  } catch (const InputError& input_error) {
-    seen.problem = fmt::format("{}: error: {}", path, input_error.sentence());
-  }
-  return seen;
-}
-
-/// All that is known before the jobs begin.
-struct Archive {
-  std::map<std::string, SeenFile> files;
-  std::vector<study::BatchJob> jobs;
-
-  /// What a job depends on: its files, and the expected values beside a case.
-  std::vector<CatalogueFile> files_of(const study::BatchJob& job) const {
-    std::vector<CatalogueFile> records;
-    for (const std::string& path : job.files) records.push_back(files.at(path).record);
-    const auto expected = files.find((fs::path(job.files.front()).parent_path() / "expected.csv").generic_string());
-    if (job.kind == study::JobKind::whole && expected != files.end()) records.push_back(expected->second.record);
-    return records;
-  }
-
-  /// Why a job cannot even be looked at; empty where it can.
-  std::string problem_of(const study::BatchJob& job) const {
-    for (const std::string& path : job.files)
-      if (!files.at(path).problem.empty()) return files.at(path).problem;
-    return {};
-  }
-};
-
-Archive survey(const BatchOptions& options, const BatchPlan& plan) {
-  const std::vector<std::string> paths = study::files_below(plan.root, plan.folder);
-  std::vector<SeenFile> seen(paths.size());
-  for_each_in_parallel(paths.size(), thread_count(options),
-                       [&](std::size_t i) { seen[i] = see(plan.root, paths[i], options.largest_mebibytes); });
-  Archive archive;
-  std::vector<study::BatchFile> files;
-  for (SeenFile& file : seen) {
-    files.push_back(file.file);
-    archive.files.emplace(file.record.path, std::move(file));
-  }
-  if (stop_asked) return archive;
-  archive.jobs = study::pair_files(files, [&](const study::BatchFile& geometry, const study::BatchFile& analysis) {
-    return study::fit_together(plan.root, geometry, analysis);
-  });
-  return archive;
 }
 
 /// journal.jsonl, open at its end; a line is written by one call, so that a sudden end leaves at most the last one torn.
@@ -181,22 +99,37 @@ class JournalFile {
   int descriptor_;
 };
 
-/// What an earlier batch of the same task left, where this one resumes it. Leaves a journal of whole lines on the disk.
-study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan) {
+bool lies_in(const fs::path& inner, const fs::path& outer) {
+  const fs::path below = fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
+  return !below.empty() && *below.begin() != "..";
+}
+
+/// What an earlier batch left in the folder; empty where none did. Throws UsageError where results could meet other files.
+study::Journal journal_in(const BatchPlan& plan) {
+  if (lies_in(plan.root, plan.folder))
+    throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", plan.root.string()));
   const fs::path file = plan.folder / "journal.jsonl";
-  const std::string task = plan.task_text();
+  if (!fs::exists(plan.folder) || fs::is_empty(plan.folder)) return {};
   study::Journal journal;
-  if (options.is_resumed && fs::exists(file)) {
-    journal = study::read_journal(formats::load(file.string()).text);
-    if (!journal.task.empty() && journal.task != task)
-      throw UsageError(
-          fmt::format("{} is of another task ({}, now {}); give another folder", file.string(), journal.task, task));
-  } else if (!options.may_overwrite && fs::exists(plan.folder) && !fs::is_empty(plan.folder)) {
-    throw UsageError(fmt::format("{} holds something; --resume goes on with a batch, --force begins it again",
-                                 plan.folder.string()));
-  }
+  if (fs::exists(file)) journal = study::read_journal(formats::load(file.string()).text);
+  if (journal.task.empty())
+    throw UsageError(fmt::format("{} holds something that is no batch; give another folder", plan.folder.string()));
+  return journal;
+}
+
+/// What is done already, where this batch goes on with an earlier one of the same task. Leaves whole lines on the disk.
+study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan) {
+  const std::string task = plan.task_text();
+  study::Journal journal = journal_in(plan);
+  if (!journal.task.empty() && !options.is_resumed && !options.may_overwrite)
+    throw UsageError(
+        fmt::format("{} holds a batch; --resume goes on with it, --force begins it again", plan.folder.string()));
+  if (!options.is_resumed) journal = {};
+  if (!journal.task.empty() && journal.task != task)
+    throw UsageError(fmt::format("{} holds a batch of another task ({}, now {}); give another folder",
+                                 plan.folder.string(), journal.task, task));
   if (journal.task.empty()) journal.add(study::journal_head(task));
-  write_file(file, journal.lines);
+  write_file(plan.folder / "journal.jsonl", journal.lines);
   return journal;
 }
 
@@ -227,7 +160,7 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const Archive& 
   const JournalFile file(plan.folder / "journal.jsonl");
   Reports reports(open_jobs.size());
   std::mutex guard;
-  for_each_in_parallel(open_jobs.size(), thread_count(options), [&](std::size_t i) {
+  for_each_in_parallel(open_jobs.size(), thread_count(options), is_stopped, [&](std::size_t i) {
     const study::BatchJob& job = *open_jobs[i];
     const Clock::time_point start = Clock::now();
     const std::string problem = archive.problem_of(job);
@@ -261,7 +194,7 @@ ExitCode run_batch(const BatchOptions& options) {
   const BatchPlan plan = plan_of(options);
   std::signal(SIGINT, stop_after_running_jobs);
   std::signal(SIGTERM, stop_after_running_jobs);
-  const Archive archive = survey(options, plan);
+  const Archive archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options), is_stopped);
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
   if (stop_asked) {
@@ -302,7 +235,7 @@ Action configure_batch(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   app.add_flag("--resume", options->is_resumed, "go on with the batch in OUT; jobs whose files changed are done again");
-  app.add_flag("--force", options->may_overwrite, "begin again in a folder that holds something");
+  app.add_flag("--force", options->may_overwrite, "begin the batch in OUT again");
   return [options] { return run_batch(*options); };
 }
 

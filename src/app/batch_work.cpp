@@ -6,8 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/run_report.hpp"
 #include "app/usage_error.hpp"
 #include "formats/registry.hpp"
 #include "run/profile.hpp"
@@ -115,18 +117,32 @@ void run_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& ro
   row.expected = compare_with_expected(plan, job, folder);
 }
 
+/// What the target cannot hold makes a warning of a job that was fine.
+void add_losses(CatalogueRow& row, const std::string& report) {
+  const auto json = nlohmann::json::parse(report, nullptr, false);
+  if (!json.is_object() || !json.contains("losses") || json["losses"].empty()) return;
+  const auto& losses = json["losses"];
+  if (row.outcome == "ok")
+    row.message = fmt::format("{} lost in the conversion, the first: {}: {}", counted(losses.size(), "thing"),
+                              losses.front().value("item", ""), losses.front().value("change", ""));
+  row.warnings += static_cast<int>(losses.size());
+  row.outcome = "warnings";
+}
+
 void convert_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& row) {
   const fs::path folder = empty_folder_for(plan, job);
-  const std::string stem = fs::path(job.files.front()).stem().string();
-  const study::Target* target = study::find_target(plan.format);
-  const std::string ending = target ? std::string(target->parts.front().ending) : std::string();
+  const fs::path written = folder / "written";
+  std::error_code error;
+  if (!fs::create_directory(written, error)) throw OutputError(fmt::format("cannot make {}", written.string()));
+  const std::string_view ending = study::find_target(plan.format)->parts.front().ending;
+  const fs::path output = written / (fs::path(job.files.front()).stem().string() + std::string(ending));
   std::vector<std::string> arguments = with_inputs("convert", plan, job);
-  arguments.insert(arguments.end(), {"-o", (folder / (stem + ending)).string(), "--to", plan.format, "--json"});
+  arguments.insert(arguments.end(), {"-o", output.string(), "--to", plan.format, "--json"});
   const ChildEnd end = run_logged(plan, folder, "convert", arguments);
   if (end.exit_code != 0) return fail(row, why_it_ended(end, plan.limits, folder / "convert.log"));
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (!entry.path().filename().string().starts_with("convert."))
-      row.outputs.push_back(entry.path().lexically_relative(plan.folder).generic_string());
+  add_losses(row, formats::load((folder / "convert.out").string()).text);
+  for (const fs::directory_entry& entry : fs::directory_iterator(written))
+    row.outputs.push_back(entry.path().lexically_relative(plan.folder).generic_string());
   std::ranges::sort(row.outputs);
 }
 

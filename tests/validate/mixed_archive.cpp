@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
   fmt::print("{} failed without a broken file, {} broken files not told\n", wrongly_failed, missed);
 
   const int lines = lines_in(root / "whole" / "journal.jsonl");
-  const ProgramRun killed = kill_keyblock(batch(root, "killed", false), root / "killed" / "journal.jsonl", lines / 3);
+  const ProgramRun killed = kill_keyblock(batch(root, "killed", false), root / "killed" / "journal.jsonl", lines / 10);
   const int done = lines_in(root / "killed" / "journal.jsonl");
   const ProgramRun resumed = run_keyblock(batch(root, "killed", true));
   const bool same = are_same(root / "whole", root / "killed");

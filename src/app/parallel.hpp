@@ -1,0 +1,15 @@
+// Independent pieces of work on several threads.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace keyblock {
+
+/// Does `work` for 0 … count - 1, each thread taking the next, until done or `is_stopped`. After an exception nothing new is
+/// begun, and the first is thrown again once all threads have ended.
+void for_each_in_parallel(std::size_t count, int threads, const std::function<bool()>& is_stopped,
+                          const std::function<void(std::size_t)>& work);
+
+}  // namespace keyblock
