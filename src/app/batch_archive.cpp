@@ -6,6 +6,7 @@
 
 #include "app/files.hpp"
 #include "app/parallel.hpp"
+#include "base/sha256.hpp"
 #include "formats/registry.hpp"
 #include "study/batch_check.hpp"
 
@@ -39,7 +40,7 @@ SeenFile see(const fs::path& root, const std::string& path, int largest_mebibyte
 
 }  // namespace
 
-std::vector<CatalogueFile> Archive::files_of(const study::BatchJob& job) const {
+std::vector<CatalogueFile> FileTree::files_of(const study::BatchJob& job) const {
   std::vector<CatalogueFile> records;
   for (const std::string& path : job.files) records.push_back(files.at(path).record);
   const auto expected = files.find((fs::path(job.files.front()).parent_path() / "expected.csv").generic_string());
@@ -47,19 +48,19 @@ std::vector<CatalogueFile> Archive::files_of(const study::BatchJob& job) const {
   return records;
 }
 
-std::string Archive::problem_of(const study::BatchJob& job) const {
+std::string FileTree::problem_of(const study::BatchJob& job) const {
   for (const std::string& path : job.files)
     if (!files.at(path).problem.empty()) return files.at(path).problem;
   return {};
 }
 
-Archive survey(const fs::path& root, const fs::path& left_out, int largest_mebibytes, int threads,
-               const std::function<bool()>& is_stopped) {
+FileTree survey(const fs::path& root, const fs::path& left_out, int largest_mebibytes, int threads,
+                const std::function<bool()>& is_stopped) {
   const std::vector<std::string> paths = study::files_below(root, left_out);
   std::vector<SeenFile> seen(paths.size());
   for_each_in_parallel(paths.size(), threads, is_stopped,
                        [&](std::size_t i) { seen[i] = see(root, paths[i], largest_mebibytes); });
-  Archive archive;
+  FileTree archive;
   if (is_stopped()) return archive;
   std::vector<study::BatchFile> files;
   for (SeenFile& file : seen) {

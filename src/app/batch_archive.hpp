@@ -21,7 +21,7 @@ struct SeenFile {
 };
 
 /// All that is known of the archive before the jobs begin.
-struct Archive {
+struct FileTree {
   std::map<std::string, SeenFile> files;  ///< by path
   std::vector<study::BatchJob> jobs;
 
@@ -33,7 +33,7 @@ struct Archive {
 
 /// Looks at every file below `root` but those below `left_out`, and pairs them; without jobs if stopped. Files larger than
 /// `largest_mebibytes` are not read.
-Archive survey(const std::filesystem::path& root, const std::filesystem::path& left_out, int largest_mebibytes,
-               int threads, const std::function<bool()>& is_stopped);
+FileTree survey(const std::filesystem::path& root, const std::filesystem::path& left_out, int largest_mebibytes,
+                int threads, const std::function<bool()>& is_stopped);
 
 }  // namespace keyblock

@@ -20,7 +20,6 @@
 #include "app/parallel.hpp"
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
-#include "base/sha256.hpp"
 #include "formats/registry.hpp"
 #include "run/profile.hpp"
 #include "study/batch_catalogue.hpp"
@@ -151,7 +150,7 @@ class Reports {
 };
 
 /// Does what the journal does not hold yet, and writes it there.
-void do_jobs(const BatchOptions& options, const BatchPlan& plan, const Archive& archive, study::Journal& journal) {
+void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree& archive, study::Journal& journal) {
   std::vector<const study::BatchJob*> open_jobs;
   for (const study::BatchJob& job : archive.jobs)
     if (journal.find(job.name, archive.files_of(job)) == nullptr) open_jobs.push_back(&job);
@@ -175,7 +174,7 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const Archive& 
 }
 
 // Rows come from the journal's lines, done now or before, so that both give the same bytes.
-std::vector<CatalogueRow> rows_of(const Archive& archive, const study::Journal& journal) {
+std::vector<CatalogueRow> rows_of(const FileTree& archive, const study::Journal& journal) {
   std::vector<CatalogueRow> rows;
   for (const study::BatchJob& job : archive.jobs)
     if (const CatalogueRow* row = journal.find(job.name, archive.files_of(job))) rows.push_back(*row);
@@ -194,7 +193,7 @@ ExitCode run_batch(const BatchOptions& options) {
   const BatchPlan plan = plan_of(options);
   std::signal(SIGINT, stop_after_running_jobs);
   std::signal(SIGTERM, stop_after_running_jobs);
-  const Archive archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options), is_stopped);
+  const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options), is_stopped);
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
   if (stop_asked) {
