@@ -70,7 +70,7 @@ KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, u
       const bool twice = i % 3 == 2;
       run = twice ? kill_keyblock(again, moment()) : run_keyblock(again);
       if (run.exit_code == 128 + SIGKILL) {
-        ++result.goings_on;
+        ++result.killed_twice;
         run = run_keyblock(fs::exists(folder + "/out/checkpoint.h5") ? resume : begin);
       }
     }
