@@ -20,8 +20,8 @@ struct Case {
 int main() {
   using keyblock::testing::KilledRuns;
   const std::vector<Case> cases{
-      {"stack/five_blocks/five_blocks", ".geo", {"--set", "steps=4000"}},
-      {"toppling_column/falls/falls", ".geo", {"--set", "steps=2000"}},
+      {"stack/five_blocks/five_blocks", ".geo", {}},
+      {"toppling_column/falls/falls", ".geo", {}},
       {"bolt/breaking/breaking", ".geo", {}},
       {"cohesive_joint/c40/c40", ".geo", {}},
       {"settlement/five_tall_static/five_tall_static", ".blk", {"--set", "enforcement=penalty"}},
