@@ -18,7 +18,6 @@
 #include "app/saved_run.hpp"
 #include "app/usage_error.hpp"
 #include "base/sha256.hpp"
-#include "run/checkpoint.hpp"
 #include "run/profile.hpp"
 #include "run/settings_guide.hpp"
 #include "run/settings_table.hpp"
@@ -254,35 +253,6 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
   }
   for (const SettingText& setting : list(settings)) request.settings.push_back(setting.name + "=" + setting.value);
   return request;
-}
-
-/// Says when the next checkpoint is due: every so many seconds, or only when the run is stopped.
-class CheckpointClock {
- public:
-  explicit CheckpointClock(double every) : every_(every) {}
-  bool is_due() const { return every_ > 0 && seconds_since() >= every_; }
-  void written() { last_ = std::chrono::steady_clock::now(); }
-
- private:
-  double seconds_since() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
-  }
-  double every_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-// The same lines save and restore what is known of the run beside the stepper.
-void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record) {
-  archive.group("records", [&] { describe_records(archive, history, record); });
-  archive.group("folder", [&] { folder.describe(archive); });
-}
-
-std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, Stepper& stepper) {
-  Archive archive;
-  archive.group("request", [&] { describe(archive, request); });
-  describe_told(archive, folder, history, record);
-  archive.group("stepper", [&] { stepper.save(archive); });
-  return checkpoint_bytes(archive);
 }
 
 // `saved`: the checkpoint to go on from, its request already taken; none for a run from the start.

@@ -37,10 +37,21 @@ void describe(Archive& archive, RunRequest& request) {
   describe(archive, "settings", request.settings);
 }
 
-void describe_records(Archive& archive, History& history, RunRecord& record) {
-  archive.list("history", history.rows, [&](HistoryRow& row) { describe(archive, row); });
-  archive.list("steps", record.steps, [&](StepReport& report) { describe(archive, report); });
-  archive.list("ledger", record.ledger.rows, [&](LedgerRow& row) { describe(archive, row); });
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record) {
+  archive.group("records", [&] {
+    archive.list("history", history.rows, [&](HistoryRow& row) { describe(archive, row); });
+    archive.list("steps", record.steps, [&](StepReport& report) { describe(archive, report); });
+    archive.list("ledger", record.ledger.rows, [&](LedgerRow& row) { describe(archive, row); });
+  });
+  archive.group("folder", [&] { folder.describe(archive); });
+}
+
+std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, Stepper& stepper) {
+  Archive archive;
+  archive.group("request", [&] { describe(archive, request); });
+  describe_told(archive, folder, history, record);
+  archive.group("stepper", [&] { stepper.save(archive); });
+  return checkpoint_bytes(archive);
 }
 
 Archive read_checkpoint(const fs::path& file) {

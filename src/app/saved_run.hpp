@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "app/run_folder.hpp"
 #include "app/run_report.hpp"
 #include "base/archive.hpp"
 #include "result/history.hpp"
@@ -28,8 +30,26 @@ struct RunRequest {
 
 void describe(Archive& archive, RunRequest& request);
 
-/// Rows of history, steps and ledger.
-void describe_records(Archive& archive, History& history, RunRecord& record);
+/// What the run has told: rows of history, steps and ledger, and its frames.
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record);
+
+/// The whole checkpoint: groups request, records, folder, stepper.
+std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, Stepper& stepper);
+
+/// Says when the next checkpoint is due: every so many seconds, or only when the run is stopped.
+class CheckpointClock {
+ public:
+  explicit CheckpointClock(double every) : every_(every) {}
+  bool is_due() const { return every_ > 0 && seconds_since() >= every_; }
+  void written() { last_ = std::chrono::steady_clock::now(); }
+
+ private:
+  double seconds_since() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
+  }
+  double every_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
 
 /// The checkpoint of a run's folder, by its full path. Throws UsageError where there is none, InputError where it cannot be used.
 Archive read_checkpoint(const std::filesystem::path& file);

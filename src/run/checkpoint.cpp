@@ -163,6 +163,10 @@ std::unique_ptr<ArchiveNode> tree_of(std::string image) {
   return root;
 }
 
+[[noreturn]] void refuse(const std::string& file, const std::string& sentence) {
+  throw InputError({file, 0, 0}, sentence);
+}
+
 std::string header_of(const std::string& image) {
   std::string header = fmt::format("{}{}{}{}\n", kOpening, kLayout, kDigestWord, sha256(image));
   header.resize(kHeaderBytes, '\0');
@@ -177,21 +181,20 @@ std::string checkpoint_bytes(const Archive& archive) {
 }
 
 Archive archive_of_checkpoint(const std::string& file, const std::string& bytes) {
-  const auto refuse = [&](const std::string& sentence) { throw InputError({file, 0, 0}, sentence); };
-  if (!bytes.starts_with(kOpening)) refuse("expected a checkpoint of keyblock, found something else");
+  if (!bytes.starts_with(kOpening)) refuse(file, "expected a checkpoint of keyblock, found something else");
   const std::string line = bytes.substr(kOpening.size(), kHeaderBytes - kOpening.size());
   const std::string layout = line.substr(0, line.find(kDigestWord));
   if (layout != std::to_string(kLayout) && layout.find_first_not_of("0123456789") == std::string::npos)
-    refuse(fmt::format("expected a checkpoint of layout {}, found layout {}", kLayout, layout));
+    refuse(file, fmt::format("expected a checkpoint of layout {}, found layout {}", kLayout, layout));
   const std::string image = bytes.substr(std::min(bytes.size(), kHeaderBytes));
   if (!bytes.starts_with(header_of(image)))
-    refuse("expected the bytes that were saved, found others: the file is cut off or damaged");
+    refuse(file, "expected the bytes that were saved, found others: the file is cut off or damaged");
   try {
     return {file, tree_of(image)};
   } catch (const std::runtime_error& error) {
-    refuse(fmt::format("expected an HDF5 file behind the first {} bytes, found none: {}", kHeaderBytes, error.what()));
+    refuse(file,
+           fmt::format("expected an HDF5 file behind the first {} bytes, found none: {}", kHeaderBytes, error.what()));
   }
-  throw std::logic_error("unreachable");
 }
 
 }  // namespace keyblock

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/killed_runs.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -52,9 +53,13 @@ KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, u
   const std::string whole = fresh_folder("whole");
   const std::string folder = fresh_folder("killed");
   const std::vector<std::string> command = joined(joined({"run"}, arguments), kOften);
-  const auto started = std::chrono::steady_clock::now();
-  const int expected = run_keyblock(joined(command, {"-o", whole + "/out"})).exit_code;
-  const double length = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  int expected = 0;
+  double length = 1e9;
+  for (int i = 0; i < 3; ++i) {  // the quickest: a run that a busy machine delayed would put moments behind the end
+    const auto started = std::chrono::steady_clock::now();
+    expected = run_keyblock(joined(command, {"-o", whole + "/out", "--force"})).exit_code;
+    length = std::min(length, std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count());
+  }
   std::mt19937 dice(seed);
   const auto moment = [&] { return length * static_cast<double>(dice()) / 4294967296.0; };
   KilledRuns result;
@@ -70,7 +75,7 @@ KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, u
       const bool twice = i % 3 == 2;
       run = twice ? kill_keyblock(again, moment()) : run_keyblock(again);
       if (run.exit_code == 128 + SIGKILL) {
-        ++result.goings_on;
+        ++result.killed_twice;
         run = run_keyblock(fs::exists(folder + "/out/checkpoint.h5") ? resume : begin);
       }
     }

@@ -12,15 +12,15 @@ namespace keyblock::testing {
 std::map<std::string, std::string> contents(const std::string& folder);
 
 struct KilledRuns {
-  int killed = 0;     ///< runs that still ran at their moment
-  int resumed = 0;    ///< of those, the ones that had written a checkpoint; the others began again
-  int goings_on = 0;  ///< of those, how often the run was killed again and resumed again
+  int killed = 0;        ///< runs that still ran at their moment
+  int resumed = 0;       ///< of those, the ones that had written a checkpoint; the others began again
+  int killed_twice = 0;  ///< of those, how often the run was killed again and resumed again
   std::string
       differs;  ///< the first file that is another, or the message of a program that failed; empty if all is the same
 };
 
-/// `moments` runs of `keyblock run ARGUMENTS…`, each killed at a random moment of its length, then resumed, in every third run killed
-/// once more on the way, and compared to the whole run. The dice are those of `seed`.
+/// `moments` runs of `keyblock run ARGUMENTS…`, each killed at a random moment of its length, resumed, and compared to the whole
+/// run; every third is killed once more on the way. The dice are those of `seed`.
 KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, unsigned seed);
 
 }  // namespace keyblock::testing
