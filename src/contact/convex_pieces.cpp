@@ -16,6 +16,9 @@ namespace {
 // carry ten digits, so their turn is far below this, and a corner of less than 0.006 degrees is none to the eye.
 constexpr double kStraightSine = 1e-4;
 
+// A corner that turns by less than this after a cut is avoided where another diagonal does not leave it.
+constexpr double kClearSine = 0.02;
+
 double sine_of_turn(Point before, Point at, Point after) {
   const Point arriving = at - before;
   const Point leaving = after - at;
@@ -82,26 +85,34 @@ class Cutter {
     const std::size_t count = piece.corners.size();
     std::optional<std::size_t> best;
     double least = std::numeric_limits<double>::infinity();
-    bool best_heals = false;
+    Cut best_cut = Cut::leaves_it;
     for (std::size_t k = 2; k + 1 < count; ++k) {
       const std::size_t to = wrapped(piece, from + k);
       if (!is_inside(piece, from, to)) continue;
-      const bool heals = makes_convex(piece, from, to);
+      const Cut made = cut_made(piece, from, to);
       const double size = distance(corner(piece, from), corner(piece, to));
-      if ((heals && !best_heals) || (heals == best_heals && size < least)) {
+      if (made > best_cut || (made == best_cut && size < least)) {
         best = to;
         least = size;
-        best_heals = heals;
+        best_cut = made;
       }
     }
     return best;
   }
 
-  bool makes_convex(const ConvexPiece& piece, std::size_t from, std::size_t to) const {
+  // What a diagonal makes of the reflex corner that it starts from. A straight corner would leave an inner and an outer edge on one
+  // line, and contact could not tell whose face it is.
+  enum class Cut { leaves_it, makes_straight, makes_convex };
+
+  Cut cut_made(const ConvexPiece& piece, std::size_t from, std::size_t to) const {
     const std::size_t count = piece.corners.size();
-    const Point here = corner(piece, from);
-    return sine_of_turn(corner(piece, from + count - 1), here, corner(piece, to)) > -kStraightSine &&
-           sine_of_turn(corner(piece, to), here, corner(piece, from + 1)) > -kStraightSine;
+    const auto turn = [&](std::size_t before, std::size_t at, std::size_t after) {
+      return sine_of_turn(corner(piece, before), corner(piece, at), corner(piece, after));
+    };
+    const double least = std::min(turn(from + count - 1, from, to), turn(to, from, from + 1));
+    if (least <= -kStraightSine) return Cut::leaves_it;
+    const double at_end = std::min(std::abs(turn(to + count - 1, to, from)), std::abs(turn(from, to, to + 1)));
+    return std::min(least, at_end) > kClearSine ? Cut::makes_convex : Cut::makes_straight;
   }
 
   bool is_inside(const ConvexPiece& piece, std::size_t from, std::size_t to) const {

@@ -68,7 +68,19 @@ class PairTouches {
     return least;
   }
 
-  // An inner edge leads only if it leads clearly: it may lie on one line with an edge of the boundary.
+  // Whether the other piece lies over the edge, at least in part, and not over its line alone.
+  bool is_over(Edge edge, const ConvexPiece& other) const {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (VertexIndex v : other.corners) {
+      low = std::min(low, station(edge, v));
+      high = std::max(high, station(edge, v));
+    }
+    return low <= length(along(edge)) && high >= 0;
+  }
+
+  // An inner edge leads only if it leads clearly: it may lie on one line with an edge of the boundary. Of two edges of the boundary
+  // on one line that leads over which the other piece lies.
   Leading best_edge(const ConvexPiece& of, const ConvexPiece& from) const {
     Leading best;
     for (std::size_t i = 0; i < of.corners.size(); ++i) {
@@ -76,8 +88,9 @@ class PairTouches {
       const double value = separation(edge, from);
       const double tie = kTie * length(along(edge));
       const bool leads = value > best.separation + tie;
-      const bool replaces_inner = best.edge.is_inner && !edge.is_inner && value >= best.separation - tie;
-      if (i == 0 || leads || replaces_inner) best = {edge, value};
+      const bool ties = !edge.is_inner && value >= best.separation - tie;
+      const bool replaces = ties && (best.edge.is_inner || (!is_over(best.edge, from) && is_over(edge, from)));
+      if (i == 0 || leads || replaces) best = {edge, value};
     }
     return best;
   }

@@ -41,6 +41,21 @@ TEST(ConvexPieces, a_tip_is_a_corner_and_a_repeated_vertex_is_one) {
   EXPECT_EQ(square.front().corners, (std::vector<VertexIndex>{{0}, {1}, {3}, {4}}));
 }
 
+// The feet of a hill lie on one line: a diagonal between them would put an inner edge on that line too.
+TEST(ConvexPieces, no_inner_edge_lies_on_one_line_with_an_edge_of_the_boundary) {
+  const Model model = model_of(loop_of({{-1, -2}, {10, -2}, {10, 0}, {3, 0}, {2.2, 1}, {1, 0}, {-1, 0}}));
+  for (const ConvexPiece& piece : convex_pieces(model, {0})) {
+    const std::size_t n = piece.corners.size();
+    const auto at = [&](std::size_t i) {
+      return model.start_vertices[static_cast<std::size_t>(piece.corners[i % n].value)];
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      if (piece.is_inner[i] == piece.is_inner[(i + 1) % n]) continue;
+      EXPECT_GT(std::abs(cross(at(i + 1) - at(i), at(i + 2) - at(i + 1))), 1e-3);
+    }
+  }
+}
+
 TEST(ConvexPieces, a_block_with_a_hole_has_none) {
   const BlockLoop square = loop_of({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
   EXPECT_TRUE(pieces_of(square, {loop_of({{1, 1}, {1, 2}, {2, 2}, {2, 1}})}).empty());

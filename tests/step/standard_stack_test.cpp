@@ -149,4 +149,21 @@ TEST(StandardTopple, columns_fall_or_stand_as_the_limit_says_and_fall_at_the_pac
   }
 }
 
+// A box once fell through the foot of a hill whose other foot lay on the same line, and through a floor with a bump of 5 mm.
+TEST(StandardStack, a_box_at_the_foot_of_a_hill_stays_there) {
+  const BlockPolygon hill{
+      0, {{{-1, -2}, 0}, {{10, -2}, 0}, {{10, 0}, 0}, {{3, 0}, 0}, {{2, 1}, 0}, {{1, 0}, 0}, {{-1, 0}, 0}}, {}};
+  for (const double left : {-0.8, 0.0, 3.0, 5.0, 8.5}) {
+    Blocks blocks;
+    blocks.blocks = {hill, testing::rectangle({left, 0}, {left + 0.9, 1})};
+    blocks.fixed_points = {{{0, -1}, 0, {}}, {{8, -1}, 0, {}}};
+    const Analysis analysis = testing::plain_analysis(1e-3, 1);
+    const Scene scene = testing::standard_scene_of(blocks, analysis, testing::standard_settings(analysis));
+    StandardStepper stepper(scene);
+    const State start = stepper.state();
+    testing::run_to(stepper, 0.1);
+    EXPECT_NEAR(testing::travel(stepper, start, 1).y, 0, 1e-6) << "left " << left;
+  }
+}
+
 }  // namespace keyblock

@@ -53,6 +53,7 @@ void run_prepared(const Scene& scene, SceneRun& counts) {
   counts.energy_ratio = watch.greatest_ratio();
   counts.rise = watch.greatest_rise();
   counts.area_change = watch.greatest_area_change();
+  counts.overlap = watch.greatest_overlap();
   counts.false_area_change = watch.greatest_false_area_change();
   counts.all_finite = watch.all_finite();
 }

@@ -39,6 +39,7 @@ struct SceneRun {
   double rise = 0;
   double area_change = 0;
   double false_area_change = 0;
+  double overlap = 0;
   bool all_finite = true;
 
   int converged() const { return plain + with_fallback; }

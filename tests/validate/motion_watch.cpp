@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polygon.hpp"
 #include "geometry/simplex.hpp"
 #include "material/elastic.hpp"
 
@@ -13,6 +14,59 @@ namespace keyblock {
 namespace {
 
 constexpr double kReleaseThatCounts = 1e-9;
+
+using Loop = std::vector<Point>;
+
+double turn(const Loop& loop, std::size_t i) {
+  const auto at = [&](std::size_t k) { return loop[k % loop.size()]; };
+  return cross(at(i + 1) - at(i), at(i + 2) - at(i + 1));
+}
+
+bool is_convex(const Loop& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    if (turn(loop, i) < 0) return false;
+  return true;
+}
+
+// Sutherland & Hodgman 1974: what of `loop` lies to the left of start → end.
+Loop left_part(const Loop& loop, Point start, Point end) {
+  const auto side = [&](Point p) { return cross(end - start, p - start); };
+  Loop part;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point a = loop[i], b = loop[(i + 1) % loop.size()];
+    if (side(a) >= 0) part.push_back(a);
+    if (side(a) * side(b) < 0) part.push_back(a + side(a) / (side(a) - side(b)) * (b - a));
+  }
+  return part;
+}
+
+double shared_area(Loop of, const Loop& convex) {
+  for (std::size_t i = 0; i < convex.size() && of.size() > 2; ++i)
+    of = left_part(of, convex[i], convex[(i + 1) % convex.size()]);
+  return of.size() > 2 ? std::abs(area(of)) : 0;
+}
+
+bool are_near(const Loop& a, const Loop& b) {
+  const auto apart = [&](double Point::*axis) {
+    const auto [low_a, high_a] = std::ranges::minmax(a, {}, axis);
+    const auto [low_b, high_b] = std::ranges::minmax(b, {}, axis);
+    return low_a.*axis > high_b.*axis || low_b.*axis > high_a.*axis;
+  };
+  return !apart(&Point::x) && !apart(&Point::y);
+}
+
+// Of pairs of which one is convex: the others are two held blocks.
+double shared_area(const Frame& frame) {
+  double sum = 0;
+  for (std::size_t i = 0; i < frame.elements.size(); ++i)
+    for (std::size_t j = i + 1; j < frame.elements.size(); ++j) {
+      const Loop& a = frame.elements[i].loops.front();
+      const Loop& b = frame.elements[j].loops.front();
+      if (!are_near(a, b)) continue;
+      sum += is_convex(b) ? shared_area(a, b) : is_convex(a) ? shared_area(b, a) : 0;
+    }
+  return sum;
+}
 
 Moments moments_of(const ElementFrame& element) {
   Moments sum;
@@ -84,6 +138,9 @@ void MotionWatch::see(const Frame& frame) {
   all_finite_ = all_finite_ && std::isfinite(kinetic + released + area_change_);
   excess_ = std::max(excess_, (kinetic - released) / energy_scale());
   gain_ = std::max(gain_, (kinetic + strain - released - start_energy_) / energy_scale());
+  double area = 0;
+  for (const Mass& m : masses_) area += m.mass > 0 ? m.area : 0;
+  overlap_ = std::max(overlap_, shared_area(frame) / area);
   rise_ = std::max(rise_, -released / energy_scale());
   if (released > kReleaseThatCounts * energy_scale()) ratio_ = std::max(ratio_, kinetic / released);
 }

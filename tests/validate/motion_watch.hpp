@@ -1,4 +1,4 @@
-// Three things no falling heap may do: gain more kinetic energy than its weight gave, rise, or change area.
+// What no falling heap may do: gain more kinetic energy than its weight gave, rise, change area, or go through what it rests on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -31,6 +31,9 @@ class MotionWatch {
   double greatest_false_area_change() const { return false_area_change_; }
   /// Greatest kinetic over released potential energy, where more than 1e-9 of the energy scale is released.
   double greatest_ratio() const { return ratio_; }
+  /// Greatest area that blocks share, all pairs together, over the area of the moving blocks. Free fall through the ground passes
+  /// every other watch.
+  double greatest_overlap() const { return overlap_; }
   bool all_finite() const { return all_finite_; }
 
  private:
@@ -58,6 +61,7 @@ class MotionWatch {
   double area_change_ = 0;
   double false_area_change_ = 0;
   double ratio_ = 0;
+  double overlap_ = 0;
   bool all_finite_ = true;
 };
 

@@ -31,6 +31,7 @@ struct Share {
   double rise = 0;
   double area_change = 0;
   double false_area_change = 0;
+  double overlap = 0;
   double seconds = 0;  ///< of processor time
 
   double converged() const {
