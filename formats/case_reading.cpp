@@ -25,6 +25,7 @@ void CaseReading::finish() const {
     if (std::ranges::find(seen, name) != seen.end()) key.fail(fmt::format("each key of {} once", noun_));
     seen.push_back(name);
   }
+  if (!missing_.empty()) from_.fail(missing_);
 }
 
 bool CaseReading::take(std::string_view name) {
@@ -52,7 +53,7 @@ void CaseReading::real(std::string_view name, double& value, const Demand& deman
     value = value_->number();
     if (!demand.holds(value)) fail_at(*value_);
   } else if (!demand.holds(value)) {
-    from_.fail(fmt::format("the key {} of {}: {}", name, noun_, demand.wording));
+    if (missing_.empty()) missing_ = fmt::format("the key {} of {}: {}", name, noun_, demand.wording);
   }
 }
 

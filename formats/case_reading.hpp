@@ -23,7 +23,7 @@ class CaseReading {
   static constexpr bool is_writing = false;
 
   CaseReading(JsonValue value, std::string_view noun);
-  /// Throws InputError at a key or value that no field has taken.
+  /// Throws InputError at a key or value that no field has taken, then for the first key that is missing.
   void finish() const;
 
   void real(std::string_view name, double& value, const Demand& demand = {[](double) { return true; }, "a number"});
@@ -110,6 +110,7 @@ class CaseReading {
   std::optional<JsonValue> value_;             ///< last taken
   std::optional<JsonValue::Iterator> in_row_;  ///< next of a row
   std::vector<std::string_view> known_;        ///< keys asked for
+  std::string missing_;                        ///< what the first missing key should have been
 };
 
 }  // namespace keyblock::formats

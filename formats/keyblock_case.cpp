@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/keyblock_case.hpp"
 
+#include <array>
+#include <span>
+
 #include "formats/case_fields.hpp"
 #include "formats/case_reading.hpp"
 #include "formats/case_writing.hpp"
@@ -33,6 +36,22 @@ Recognition recognise(const Source& source) {
 void require_one_of(int index, std::size_t count, std::string_view noun, const Place& place) {
   if (index < 0 || static_cast<std::size_t>(index) >= count)
     fail(place, fmt::format("the number of a {}, 1 to {}", noun, count), static_cast<long long>(index) + 1);
+}
+
+// Names only: a misspelt one would stand in every later file.
+constexpr std::array<std::string_view, 8> kLengths{"m", "mm", "cm", "dm", "km", "in", "ft", "yd"};
+constexpr std::array<std::string_view, 8> kMasses{"kg", "g", "t", "Mg", "kt", "lb", "slug", "tonne"};
+constexpr std::array<std::string_view, 7> kTimes{"s", "ms", "min", "h", "d", "day", "year"};
+
+void check(const Units& units, const Place& place) {
+  const auto require = [&](std::string_view name, const std::string& unit, std::span<const std::string_view> known) {
+    if (!unit.empty() && std::ranges::find(known, unit) == known.end())
+      throw InputError(
+          place, fmt::format("expected {} of units: one of {}, found \"{}\"", name, fmt::join(known, ", "), unit));
+  };
+  require("length", units.length, kLengths);
+  require("mass", units.mass, kMasses);
+  require("time", units.time, kTimes);
 }
 
 void check(const Drawing& drawing) {
@@ -113,6 +132,7 @@ Reading read(const Source& source, const ReadHint&) {
   fields.finish();
   const int geometries = (content.drawing ? 1 : 0) + (content.blocks ? 1 : 0) + (content.cover ? 1 : 0);
   if (geometries > 1) text.root().fail("one of drawing, blocks and cover");
+  if (content.units) check(*content.units, text.root().member("units")->place());
   check(content.drawing);
   check(content.blocks);
   check(content.cover);

@@ -97,6 +97,15 @@ std::string picture_of(const CaseComparison& comparison) {
 }
 
 /// All cases and traces rerun, and the names of those that could not be run.
+// A case file that cannot be read is told of when the case is run.
+bool is_slow(const study::CaseFolder& folder) {
+  try {
+    return study::read_case_file(folder).is_slow;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 struct Comparison {
   std::vector<CaseComparison> cases;
   std::vector<TraceDifference> traces;
@@ -106,10 +115,6 @@ struct Comparison {
   /// Reruns one folder. A case that cannot be read is told and counted; the others go on.
   void add(const study::CaseFolder& folder, const CompareOptions& options) {
     try {
-      if (!options.with_slow && study::read_case_file(folder).is_slow) {
-        ++slow;
-        return;
-      }
       if (folder.has_expected) cases.push_back(study::compare_in(folder, options.profiles()));
       if (folder.has_trace) traces.push_back(study::follow_trace(folder));
     } catch (const std::exception& error) {
@@ -152,8 +157,14 @@ ExitCode compare(const CompareOptions& options) {
   const auto with_values = std::ranges::count_if(folders, &study::CaseFolder::has_expected);
   if (!options.picture.empty() && with_values != 1)
     throw UsageError(fmt::format("--picture: expected one case with expected values, found {}", with_values));
+  // Slow cases alone were asked for by name.
+  const bool only_slow = std::ranges::all_of(folders, [](const study::CaseFolder& f) { return is_slow(f); });
   for (const study::CaseFolder& folder : folders) {
     const std::size_t before = all.cases.size();
+    if (!options.with_slow && !only_slow && is_slow(folder)) {
+      ++all.slow;
+      continue;
+    }
     all.add(folder, options);
     if (all.cases.size() == before || options.as_json) continue;
     fmt::print("{}", table_of(all.cases.back(), options.with_sources ? Detail::full : Detail::brief));

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <vector>
@@ -66,6 +67,9 @@ int main(int argc, char** argv) {
     return static_cast<int>(keyblock::ExitCode::unreadable);
   } catch (const keyblock::UsageError& error) {
     spdlog::error("keyblock: error: {}", error.what());
+    return static_cast<int>(keyblock::ExitCode::usage);
+  } catch (const std::filesystem::filesystem_error& error) {
+    spdlog::error("{}: error: {}", error.path1().string(), error.code().message());
     return static_cast<int>(keyblock::ExitCode::usage);
   } catch (const std::bad_alloc&) {
     spdlog::error("keyblock: error: there is not enough memory for this");

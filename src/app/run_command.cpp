@@ -287,6 +287,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   if (stepper) spdlog::info("going on after step {}", stepper->state().step);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
+  std::signal(SIGHUP, ask_to_stop);
   CheckpointClock clock(options.checkpoint_every);
   bool stops = false;
   const Observer observer{[&](const Frame& frame) { folder.add(frame); },

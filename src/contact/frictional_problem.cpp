@@ -54,6 +54,15 @@ double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces)
   return (natural_map(problem, forces).forces - forces).cwiseAbs().maxCoeff();
 }
 
+// The pairs that the natural map would still change by more than is acceptable.
+std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
+  const Eigen::VectorXd change = (natural_map(problem, forces).forces - forces).cwiseAbs();
+  std::vector<std::size_t> pairs;
+  for (std::size_t i = 0; i < problem.count(); ++i)
+    if (!(change.segment<2>(static_cast<Eigen::Index>(2 * i)).maxCoeff() <= problem.acceptable)) pairs.push_back(i);
+  return pairs;
+}
+
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
   FrictionalSolution solution = newton(problem, start);
   FrictionalSolution best = solution;
@@ -65,6 +74,7 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
   solution.forces = best.forces;
   solution.residual = best.residual;
   solution.converged = solution.residual <= problem.acceptable;
+  if (!solution.converged && solution.undecided.empty()) solution.undecided = unsettled(problem, solution.forces);
   // Round-off on an open touch would pass for a closed one.
   const NaturalMap map = natural_map(problem, solution.forces);
   for (std::size_t i = 0; i < problem.count(); ++i) {

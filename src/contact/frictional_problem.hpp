@@ -57,10 +57,11 @@ inline bool is_open(Grip grip) {
 struct FrictionalSolution {
   Eigen::VectorXd forces;
   double residual = 0;
-  int solves = 0;                      ///< linear systems factorised
-  int sweeps = 0;                      ///< of projected Gauss-Seidel, 0 if it was not needed
-  bool converged = false;              ///< residual ≤ acceptable
-  std::vector<std::size_t> undecided;  ///< pairs whose state went round in a cycle
+  int solves = 0;          ///< linear systems factorised
+  int sweeps = 0;          ///< of projected Gauss-Seidel, 0 if it was not needed
+  bool converged = false;  ///< residual ≤ acceptable
+  std::vector<std::size_t>
+      undecided;  ///< pairs whose state went round in a cycle, or which hold the residual up at the end
 };
 
 /// What λ would become under the natural map (Alart & Curnier 1991), with r = 1 / W_ii:

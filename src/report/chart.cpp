@@ -14,9 +14,10 @@
 namespace keyblock::report {
 namespace {
 
-constexpr double kLeft = 74;    // tick labels and the turned label of the y axis
-constexpr double kRight = 16;   // half of the last tick label
-constexpr double kBottom = 44;  // tick labels and the label of the x axis
+constexpr std::size_t kStretches = 1000;  // more than a picture has columns
+constexpr double kLeft = 74;              // tick labels and the turned label of the y axis
+constexpr double kRight = 16;             // half of the last tick label
+constexpr double kBottom = 44;            // tick labels and the label of the x axis
 constexpr std::size_t kMostMarkers = 40;
 
 std::vector<Point> finite_points(const Curve& curve) {
@@ -71,9 +72,23 @@ std::vector<Point> thinned(const std::vector<Point>& points) {
   return some;
 }
 
+/// The line as the eye sees it: of each of some thousand stretches the first, the lowest, the highest and the last point.
+std::vector<Point> condensed(const std::vector<Point>& points) {
+  if (points.size() <= 4 * kStretches) return points;
+  std::vector<Point> line;
+  for (std::size_t i = 0; i < kStretches; ++i) {
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(i * points.size() / kStretches);
+    const auto last = points.begin() + static_cast<std::ptrdiff_t>((i + 1) * points.size() / kStretches) - 1;
+    auto [low, high] = std::minmax_element(first, last + 1, [](Point a, Point b) { return a.y < b.y; });
+    if (high < low) std::swap(low, high);
+    for (const auto& point : {first, low, high, last}) line.push_back(*point);
+  }
+  return line;
+}
+
 void draw_curve(SvgPage& page, const Plot& plot, const Curve& curve, std::string_view colour) {
   std::vector<Point> points = finite_points(curve);
-  if (curve.style == Curve::Style::points) points = thinned(points);
+  points = curve.style == Curve::Style::points ? thinned(points) : condensed(points);
   std::ranges::transform(points, points.begin(), [&plot](Point p) { return plot(p); });
   if (curve.style == Curve::Style::line)
     page.polyline(points, {.stroke = colour, .stroke_width = 2});

@@ -24,6 +24,8 @@
 namespace keyblock {
 namespace {
 
+constexpr std::size_t kMostNamed = 10;  // contacts in a message; the record lists them all
+
 // A start with stress of its own is the file's statement of equilibrium; it is not replaced.
 bool has_initial_stress(const StandardScene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return (body.initial_stress.array() != 0).any(); });
@@ -240,16 +242,18 @@ StepFailure StandardStepper::failure_of(const StandardStep& step) const {
   if (!step.failure.empty())
     return {fmt::format("step {} (time {}): {}", state_.step + 1, state_.time, step.failure), {}};
   std::string names;
+  std::size_t named = 0;
   for (std::size_t i : step.undecided) {
+    if (i >= step.touches.size() || ++named > kMostNamed) continue;  // behind the touches: bolts and held points
     const Touch& touch = step.touches[i];
     names += fmt::format("{}{} (block {} on block {})", names.empty() ? "" : ", ", i + 1,
                          scene_.model.vertices[touch.vertex].element.value + 1,
                          scene_.model.vertices[touch.start].element.value + 1);
   }
-  return {
-      fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
-                  state_.step + 1, state_.time, step.residual, names.empty() ? "" : "; undecided contacts: ", names),
-      step.undecided};
+  return {fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
+                      state_.step + 1, state_.time, step.residual, names.empty() ? "" : "; undecided contacts: ",
+                      named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names),
+          step.undecided};
 }
 
 }  // namespace keyblock

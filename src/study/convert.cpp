@@ -89,6 +89,15 @@ std::string written(const Format& format, const Content& content) {
   }
 }
 
+std::string why_not(const Format& format, const Content& content) {
+  try {
+    format.write(content);
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
 // The bytes of the file that already says this, in this format.
 const std::string* unchanged(const std::vector<formats::FileReading>& files, const Format& format,
                              const std::string& text) {
@@ -207,7 +216,8 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
     conversion.files.push_back({part.format, part.ending, same ? *same : std::move(text)});
   }
   if (conversion.files.empty())
-    throw InputError({files.front().path}, fmt::format("expected something that {} holds, found none", target.name));
+    throw InputError({files.front().path}, fmt::format("expected something that {} holds, found none: {}", target.name,
+                                                       why_not(*target.parts.back().format, content)));
   if (!target.parts.front().format->read) return conversion;  // a view: nothing is meant to come back
   for (Loss& loss : losses(content, back)) conversion.losses.push_back(std::move(loss));
   return conversion;

@@ -64,6 +64,10 @@ TEST(KeyblockCase, faults_are_named_where_they_stand) {
   EXPECT_EQ(
       error_of(with("\"step_count\": 10, ", "")),
       "f:8:14: error: expected the key step_count of analysis: a whole number from 1 to 100000000, found an object");
+  EXPECT_EQ(error_of(with("\"step_count\"", "\"step_cuont\"")).substr(0, 52),
+            "f:9:3: error: expected a key of analysis: dialect, v");
+  EXPECT_EQ(error_of(with("\"length\": \"m\"", "\"length\": \"furlong\"")).substr(0, 60),
+            "f:3:11: error: expected length of units: one of m, mm, cm, d");
   EXPECT_EQ(error_of(with("\"run\"", "\"units\"")),
             "f:13:2: error: expected each key of the case file once, found \"units\"");
 }
