@@ -74,7 +74,7 @@ ReadHint hint_of(const Reading& reading) {
 }
 
 [[noreturn]] void refuse_second(const Place& second, const Place& first, std::string_view noun) {
-  throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file));
+  throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file.text()));
 }
 
 template <typename Geometry>

@@ -7,9 +7,9 @@
 namespace keyblock {
 
 std::string to_string(const Place& place) {
-  if (place.line == 0) return place.file;
-  if (place.column == 0) return fmt::format("{}:{}", place.file, place.line);
-  return fmt::format("{}:{}:{}", place.file, place.line, place.column);
+  if (place.line == 0) return place.file.text();
+  if (place.column == 0) return fmt::format("{}:{}", place.file.text(), place.line);
+  return fmt::format("{}:{}:{}", place.file.text(), place.line, place.column);
 }
 
 InputError::InputError(Place place, const std::string& sentence)
