@@ -11,6 +11,7 @@ namespace keyblock::formats {
 /// Shortest decimal text that `parse_real` turns back into the same bits.
 std::string format_real(double value);
 void append_real(std::string& text, double value);
+void append_integer(std::string& text, int value);
 
 /// A finite real: decimal, optional sign `+`, Fortran `D` exponents, `.5`, `5.`. Nothing for anything else
 /// (nan, inf, 1x).

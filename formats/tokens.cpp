@@ -17,6 +17,7 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr char kDosEndOfFile = 0x1a;
 constexpr std::size_t kLongestQuote = 40;  // of an unexpected word in a message
+constexpr std::size_t kWordsAMark = 32;    // of a list of tokens
 constexpr std::size_t kStretch = 256;      // of text between two marks of its map
 
 bool is_line_end(char c) {
@@ -96,17 +97,23 @@ std::size_t most_words(std::string_view text) {
   return count;
 }
 
+/// Counts a word; every so many-th, and the first of a piece, is marked.
+void add_word(Tokens& tokens, std::size_t at, bool is_first) {
+  if (is_first || tokens.word_count - tokens.marks.back().word == kWordsAMark)
+    tokens.marks.push_back({tokens.word_count, at});
+  ++tokens.word_count;
+}
+
 /// Adds words from `at` on as long as they are numbers, and the first that is none; the start of the word behind.
 std::size_t add_numbers(Tokens& tokens, const Splitter& splitter, std::size_t at) {
   const std::string_view text = splitter.text();
   const char* const begin = text.data();
-  while (at < text.size()) {
-    tokens.starts.push_back(at);
+  for (bool is_first = true; at < text.size(); is_first = false) {
+    add_word(tokens, at, is_first);
     const ShortReal number = parse_short_real(begin + at, begin + text.size());
-    const auto number_end = static_cast<std::size_t>(number.end - begin);
-    if (number.end && splitter.is_end(number_end)) {
+    if (number.end && splitter.is_end(static_cast<std::size_t>(number.end - begin))) {
       tokens.numbers.push_back(number.value);
-      at = splitter.word_start(number_end);
+      at = splitter.word_start(static_cast<std::size_t>(number.end - begin));
       continue;
     }
     const std::size_t end = splitter.word_end(at);
@@ -153,38 +160,45 @@ std::string_view without_bom(std::string_view text) {
   return text;
 }
 
+std::size_t Tokens::start_of(std::size_t index) const {
+  const auto after = std::ranges::upper_bound(marks, index, {}, &Mark::word);
+  const Splitter splitter(text, syntax);
+  std::size_t at = std::prev(after)->offset;
+  for (std::size_t i = std::prev(after)->word; i < index; ++i) at = splitter.word_start(splitter.word_end(at));
+  return at;
+}
+
 std::string_view Tokens::word(std::size_t index) const {
-  const std::size_t start = starts[index];
+  const std::size_t start = start_of(index);
   return text.substr(start, Splitter(text, syntax).word_end(start) - start);
 }
 
 std::optional<std::string_view> Tokens::junk() const {
-  if (numbers.size() == starts.size()) return std::nullopt;
+  if (numbers.size() == word_count) return std::nullopt;
   return word(numbers.size());
 }
 
 Place Tokens::place_of(std::size_t index) const {
-  return map->place(index < starts.size() ? starts[index] : end);
+  return map->place(index < word_count ? start_of(index) : end);
 }
 
 Tokens tokenise(const Source& source) {
   const std::string_view text = without_bom(source.text);
-  Tokens tokens{std::make_shared<TextMap>(source.name, text), text, Syntax::native, {}, {}, text.size()};
+  Tokens tokens{std::make_shared<TextMap>(source.name, text), text, Syntax::native, text.size()};
   add_words(tokens, 0, text.size());
   return tokens;
 }
 
 void add_words(Tokens& tokens, std::size_t first, std::size_t size) {
   const std::string_view text = tokens.text.substr(0, first + size);
-  if (tokens.starts.empty()) {  // a list that grows by doubling would hold thrice as much for a moment
-    const std::size_t most = most_words(text.substr(first));
-    tokens.starts.reserve(most);
-    tokens.numbers.reserve(most);
-  }
+  if (tokens.word_count == 0)  // a list that grows by doubling would hold thrice as much for a moment
+    tokens.numbers.reserve(most_words(text.substr(first)));
   const Splitter splitter(text, tokens.syntax);
+  const std::size_t words_before = tokens.word_count;
   std::size_t at = splitter.word_start(first);
-  if (tokens.numbers.size() == tokens.starts.size()) at = add_numbers(tokens, splitter, at);
-  for (; at < text.size(); at = splitter.word_start(splitter.word_end(at))) tokens.starts.push_back(at);
+  if (tokens.numbers.size() == tokens.word_count) at = add_numbers(tokens, splitter, at);
+  for (; at < text.size(); at = splitter.word_start(splitter.word_end(at)))
+    add_word(tokens, at, tokens.word_count == words_before);
 }
 
 std::string Cursor::full_name(std::string_view name) const {
@@ -230,7 +244,7 @@ void Cursor::fail_between(int least, int most, std::string_view name) const {
 int Cursor::next_count(std::string_view name) {
   if (numbers_left() == 0) fail(full_name(name));
   const double value = tokens_.numbers[position_];
-  const std::size_t following = tokens_.starts.size() - position_ - 1;
+  const std::size_t following = tokens_.word_count - position_ - 1;
   if (!is_whole(value) || value < 0) fail(fmt::format("{} (a whole number, 0 or more)", full_name(name)));
   if (value > static_cast<double>(following))
     fail(fmt::format("{} (at most {}: so many values follow)", full_name(name), following));

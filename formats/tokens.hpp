@@ -46,16 +46,25 @@ enum class Syntax {
   xml,     ///< white space, commas and semicolons separate; no comments (the XML reader has dropped them)
 };
 
-/// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive. Two words of
-/// memory a token, because files of a hundred megabytes are read through it.
+/// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive. Little more than one
+/// double a token, because files of a hundred megabytes are read through it: only every so many-th word's offset is kept.
 struct Tokens {
+  /// A word and the offset it begins at; no piece of text begins between it and the next mark.
+  struct Mark {
+    std::size_t word = 0;
+    std::size_t offset = 0;
+  };
+
   std::shared_ptr<const TextMap> map;
   std::string_view text;
   Syntax syntax = Syntax::native;
-  std::vector<std::size_t> starts;  ///< offset of every word: a run of characters between separators
-  std::vector<double> numbers;      ///< the leading words that are finite numbers
-  std::size_t end = 0;              ///< offset at which the text ends
+  std::size_t end = 0;               ///< offset at which the text ends
+  std::size_t word_count = 0;        ///< words: runs of characters between separators
+  std::vector<double> numbers = {};  ///< the leading words that are finite numbers
+  std::vector<Mark> marks = {};
 
+  /// The offset of a word, index below `word_count`; found from the mark before it.
+  std::size_t start_of(std::size_t index) const;
   std::string_view word(std::size_t index) const;
   /// First word that is no number; `pen=0.1*g0` in mf13, `nan` anywhere.
   std::optional<std::string_view> junk() const;
@@ -63,6 +72,11 @@ struct Tokens {
 };
 
 Tokens tokenise(const Source& source);
+/// Reads a text through a reader of its tokens.
+template <Reading (*ReadTokens)(const Tokens&, const ReadHint&)>
+Reading read_split(const Source& source, const ReadHint& hint) {
+  return ReadTokens(tokenise(source), hint);
+}
 /// Adds the words of a piece of `tokens.text`, which lies behind those that are there.
 void add_words(Tokens& tokens, std::size_t first, std::size_t size);
 
@@ -122,7 +136,7 @@ class Cursor {
 
   std::size_t position() const { return position_; }
   std::size_t numbers_left() const { return tokens_.numbers.size() - position_; }
-  bool at_end() const { return position_ == tokens_.starts.size(); }
+  bool at_end() const { return position_ == tokens_.word_count; }
   Place place() const { return tokens_.place_of(position_); }
   /// Throws InputError at the next token.
   [[noreturn]] void fail(std::string_view expected) const;

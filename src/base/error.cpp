@@ -17,6 +17,13 @@ InputError::InputError(Place place, const std::string& sentence)
       place_(std::move(place)),
       sentence_(sentence) {}
 
+void add_warning(Warnings& warnings, Warning warning) {
+  if (warnings.size() < kMostWarnings)
+    warnings.push_back(std::move(warning));
+  else if (warnings.size() == kMostWarnings)
+    warnings.push_back({"more_warnings", warning.place, "what is odd from here on is not listed"});
+}
+
 std::string to_string(const Warning& warning) {
   return fmt::format("{}: warning: {} [{}]", to_string(warning.place), warning.sentence, warning.name);
 }

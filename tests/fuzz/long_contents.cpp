@@ -43,9 +43,8 @@ Analysis shortest_analysis() {
   return analysis;
 }
 
-/// `content` with the list that `list_of` names filled with its first item or `item`.
 template <typename List>
-void fill(List& list, std::size_t count, const typename List::value_type& item) {
+void fill(List& list, std::size_t count, typename List::value_type item) {
   list.assign(count, item);
 }
 
@@ -88,6 +87,8 @@ std::vector<LongContent> long_contents(std::size_t count) {
   add("contact loops", one_element(), [&](Cover& c) { fill(c.loops, count, c.loops[0]); });
   add("loop vertices", one_element(), [&](Cover& c) { c.loop_vertices.resize(count); });
   add("points of elements", one_element(), [&](Cover& c) { fill(c.fixed_points, count, cover_point); });
+  add("points outside elements", one_element(), [&](Cover& c) { fill(c.fixed_points, count, {{1, 1}, -1, {}}); });
+  add("points outside blocks", triangle(), [&](Blocks& b) { fill(b.measured_points, count, {{1, 1}, -1, {}}); });
   add("block materials", shortest_analysis(),
       [&](Analysis& a) { fill(a.block_materials, count, a.block_materials[0]); });
   add("joint materials", shortest_analysis(),
