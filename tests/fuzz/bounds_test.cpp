@@ -109,6 +109,11 @@ TEST_F(Bounds, a_megabyte_of_one_short_word_is_stood_by_every_reader) {
   }
 }
 
+TEST_F(Bounds, a_fault_behind_a_megabyte_of_line_ends_is_told_in_short) {
+  const std::string text = "{\"keyblock\": 1," + std::string(kMegabyte, '\n') + "x";
+  expect_within_limits(find_reader("keyblock-case"), text, "a fault");
+}
+
 TEST_F(Bounds, a_megabyte_of_one_record_is_read_within_the_limits_in_every_format_that_holds_it) {
   int cases = 0;
   for (const LongContent& content : long_contents(100000))
