@@ -50,6 +50,7 @@ class DrawingMaker {
     for (const DxfShape& shape : shapes_.shapes) add(shape);
     Drawing& drawing = result_.drawing;
     drawing.boundary_count = boundaries_.size();
+    make_room(boundaries_, drawing.joints.size());
     boundaries_.insert(boundaries_.end(), drawing.joints.begin(), drawing.joints.end());
     drawing.joints = std::move(boundaries_);
     result_.warnings = joined(std::move(shapes_.warnings), result_.warnings);
@@ -121,10 +122,11 @@ class DrawingMaker {
     for (std::size_t i = 0; i < sides; ++i) add_line(shape, side(shape, i), found->second);
   }
 
-  /// Room for `more`, and no more than that where it is most of the list.
+  /// Room for `more` and an eighth: doubling would hold thrice the list for a moment.
   template <typename List>
   static void make_room(List& list, std::size_t more) {
-    if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, list.size() * 3 / 2));
+    if (list.size() + more > list.capacity())
+      list.reserve(std::max((list.size() + more) * 9 / 8 + 16, list.size() * 3 / 2));
   }
 
   static Segment side(const DxfShape& shape, std::size_t i) {

@@ -27,11 +27,30 @@ std::optional<Reading> reading_of(const Reader& reader, const Source& source) {
   }
 }
 
-void check_and_write(const Content& content) {
-  try {
-    check(pair({content}));
-  } catch (const InputError&) {  // two geometries in one file
+struct Measured {
+  Cost cost;
+  std::optional<Content> content;
+};
+
+Measured measured(const Reader& reader, const std::string& text) {
+  const Source source{"tests/a_long_name_of_a_file", text};
+  const double start = processor_seconds();
+  const std::size_t before = bytes_held();
+  forget_peak();
+  std::optional<Reading> reading = reading_of(reader, source);
+  Measured result{{peak_bytes() - before, 0}, {}};
+  if (reading) {
+    try {
+      check(pair({reading->content}));
+    } catch (const InputError&) {  // two geometries in one file
+    }
+    result.content = std::move(reading->content);
   }
+  result.cost.seconds = processor_seconds() - start;
+  return result;
+}
+
+void write_everywhere(const Content& content) {
   for (const Format* format : all_formats()) {
     if (!format->write) continue;
     try {
@@ -57,14 +76,14 @@ Reader find_reader(std::string_view name) {
   throw std::invalid_argument(fmt::format("no reader is called {}", name));
 }
 
+Cost read_and_check(const Reader& reader, const std::string& text) {
+  return measured(reader, text).cost;
+}
+
 Cost exercise(const Reader& reader, const std::string& text) {
-  const Source source{"f", text};
   const double start = processor_seconds();
-  const std::size_t before = bytes_held();
-  forget_peak();
-  const std::optional<Reading> reading = reading_of(reader, source);
-  Cost cost{peak_bytes() - before, 0};
-  if (reading) check_and_write(reading->content);
+  auto [cost, content] = measured(reader, text);
+  if (content) write_everywhere(*content);
   cost.seconds = processor_seconds() - start;
   return cost;
 }

@@ -25,7 +25,7 @@ Reader find_reader(std::string_view name);
 /// What one reading took, beside the input itself.
 struct Cost {
   std::size_t bytes = 0;  ///< held at its peak while reading
-  double seconds = 0;     ///< of processor time: reading, checking and writing in every format that takes the content
+  double seconds = 0;     ///< of processor time: all that is done
 };
 
 inline constexpr double kBytesPerByte = 20;
@@ -33,8 +33,10 @@ inline constexpr std::size_t kBytesAtLeast = 1 << 20;  ///< whatever the input: 
 inline constexpr double kSecondsPerMegabyte = 10;
 inline constexpr double kSecondsAtLeast = 1;
 
-/// Reads; what is read is checked, and written by every writer that takes it. Only InputError may come out of reading,
-/// std::invalid_argument out of writing; anything else leaves this function.
+/// Reads, and checks what is read. Only InputError may come out of that; anything else leaves this function.
+Cost read_and_check(const Reader& reader, const std::string& text);
+
+/// The same; what is read is written by every writer that takes it, of which only std::invalid_argument may come.
 Cost exercise(const Reader& reader, const std::string& text);
 
 /// Which limit the cost is above, in words; empty where it keeps both. `slowdown`: of an instrumented program.
