@@ -7,7 +7,7 @@ SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 PACKAGES = g++ cmake ninja-build libboost-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
            libhdf5-dev libssl-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev
 
-.PHONY: help build debug run test cases validate sanitize format tidy clean packages
+.PHONY: help build debug run test cases validate sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -48,6 +48,14 @@ sanitize: packages ## the tests under address and undefined behaviour sanitizers
 	cmake --build build-sanitize --parallel $(JOBS)
 	ctest --test-dir build-sanitize --output-on-failure -j $(JOBS)
 
+# What a reader has met so far stays in build-fuzz/fuzz, and is where its next run starts.
+SECONDS ?= 600
+fuzz: packages ## every reader against made-up files for SECONDS=600 each, in build-fuzz
+	@$(call install_missing,clang libclang-rt-14-dev)
+	CC=clang CXX=clang++ cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DKEYBLOCK_FUZZ=ON
+	cmake --build build-fuzz --parallel $(JOBS) --target fuzz_reader
+	tests/fuzz/fuzz.sh build-fuzz/tests/fuzz/fuzz_reader build-fuzz/fuzz $(SECONDS) $(JOBS)
+
 format: ## lay out every source by .clang-format
 	@$(call install_missing,clang-format)
 	clang-format -i $(SOURCES)
@@ -57,7 +65,7 @@ tidy: build ## clang-tidy over every source, by .clang-tidy
 	clang-tidy --quiet -p build $(filter %.cpp,$(SOURCES))
 
 clean: ## remove what was built and written
-	rm -rf build build-debug build-sanitize out
+	rm -rf build build-debug build-sanitize build-fuzz out
 
 packages:
 	@$(call install_missing,$(PACKAGES))

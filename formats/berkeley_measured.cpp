@@ -67,19 +67,19 @@ class MeasuredReader {
   /// The number in `measpoint12 = [`.
   int next_number(std::size_t open) const {
     const std::size_t first = at_ + kMark.size();
-    Tokens tokens{map_, text_.substr(0, text_.find('=', first)), Syntax::xml, {}, {}, open};
+    Tokens tokens{map_, text_.substr(0, text_.find('=', first)), Syntax::xml, open};
     add_words(tokens, first, std::min(open, tokens.text.size()) - first);
     Cursor cursor(tokens, "nothing");
     return cursor.next_integer_between(1, 1000000, "the number of the measured point");
   }
 
   std::vector<MeasuredRow> rows_between(std::size_t first, std::size_t last, bool is_cut) const {
-    Tokens tokens{map_, text_, Syntax::xml, {}, {}, last};
+    Tokens tokens{map_, text_, Syntax::xml, last};
     add_words(tokens, first, last - first);
     Cursor cursor(tokens, "the end of the rows");
     std::vector<MeasuredRow> rows;
     while (!cursor.at_end() && !(is_cut && cursor.numbers_left() < 9)) {
-      cursor.enter({"row", rows.size() + 1, tokens.starts.size() / 9});
+      cursor.enter({"row", rows.size() + 1, tokens.word_count / 9});
       rows.push_back(next_row(cursor));
     }
     return rows;

@@ -187,14 +187,14 @@ class ReplayReader {
   std::vector<Frame> frames_;
 };
 
-Reading read(const Source& source, const ReadHint&) {
-  const Tokens tokens = tokenise(source);
+Reading read_tokens(const Tokens& tokens, const ReadHint&) {
   return ReplayReader(tokens).read();
 }
 
 }  // namespace
 
 constinit const Format kBerkeleyReplay{
-    "berkeley-replay", "replay file of Berkeley's DDA (frames)", nullptr, read, nullptr, recognise};
+    "berkeley-replay", "replay file of Berkeley's DDA (frames)", nullptr, read_split<read_tokens>, nullptr, recognise,
+    read_tokens};
 
 }  // namespace keyblock::formats

@@ -24,17 +24,6 @@ void choose(FileReading& file, GeometryKind geometry) {
   }
 }
 
-FileReading open(const std::string& path) {
-  FileReading file{path, {}, {}, {}, {}};
-  try {
-    file.source = load(path);
-    choose(file, GeometryKind::unknown);
-  } catch (const InputError& error) {
-    file.error = error;
-  }
-  return file;
-}
-
 void read_into(FileReading& file, const ReadHint& hint) {
   try {
     file.reading = read_as(*file.choice, file.source, hint);
@@ -50,6 +39,20 @@ bool needs_geometry(const FileReading& file) {
   const bool is_poor_analysis =
       format == &kDdaAnalysisBerkeley && file.choice->recognition.fit != Recognition::Fit::exact;
   return format == &kDdaAnalysisShi || format == &kNmmAnalysis || is_poor_analysis;
+}
+
+/// Chosen, and read if nothing beside it is needed: both from one splitting of its text.
+FileReading open(const std::string& path) {
+  FileReading file{path, {}, {}, {}, {}};
+  try {
+    file.source = load(path);
+    Opened opened(file.source);
+    file.choice = opened.recognise();
+    if (!needs_geometry(file)) file.reading = opened.read_as(*file.choice);
+  } catch (const InputError& error) {
+    file.error = error;
+  }
+  return file;
 }
 
 bool is_one_point(const FixedLine& line) {
@@ -74,7 +77,7 @@ ReadHint hint_of(const Reading& reading) {
 }
 
 [[noreturn]] void refuse_second(const Place& second, const Place& first, std::string_view noun) {
-  throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file));
+  throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file.text()));
 }
 
 template <typename Geometry>
@@ -109,8 +112,6 @@ std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) files.push_back(open(path));
   ReadHint hint;
   for (FileReading& file : files) {
-    if (!file.choice || needs_geometry(file)) continue;
-    read_into(file, {});
     if (file.reading && hint.geometry == GeometryKind::unknown) hint = hint_of(*file.reading);
   }
   for (FileReading& file : files) {

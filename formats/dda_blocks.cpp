@@ -163,8 +163,8 @@ Warnings outside_warnings(const std::vector<BlockPoint>& points, std::string_vie
   Warnings warnings;
   for (const BlockPoint& point : points)
     if (point.block < 0)
-      warnings.push_back(
-          {"point_outside_blocks", point.place, fmt::format("{} in block 0, that is in none, is left out", noun)});
+      add_warning(warnings, {"point_outside_blocks", point.place,
+                             fmt::format("{} in block 0, that is in none, is left out", noun)});
   return warnings;
 }
 
@@ -194,7 +194,8 @@ Warnings bolt_warnings(const std::vector<BlockBolt>& bolts, const Place& place) 
   Warnings warnings;
   for (const BlockBolt& bolt : bolts)
     if (bolt.first_block < 0 || bolt.second_block < 0)
-      warnings.push_back({"bolt_outside_blocks", place, "a bolt with an end in block 0, that is in none, is left out"});
+      add_warning(warnings,
+                  {"bolt_outside_blocks", place, "a bolt with an end in block 0, that is in none, is left out"});
   return warnings;
 }
 
@@ -234,8 +235,7 @@ Blocks without_outsiders(Blocks blocks) {
   return blocks;
 }
 
-Reading read(const Source& source, const ReadHint&) {
-  const Tokens tokens = tokenise(source);
+Reading read_tokens(const Tokens& tokens, const ReadHint&) {
   Cursor cursor(tokens);
   const Place start = cursor.place();
   const Head head = next_head(cursor);
@@ -252,7 +252,7 @@ Reading read(const Source& source, const ReadHint&) {
                         "that leaves it; "
                         "read so"});
   }
-  blocks.place = {source.name};
+  blocks.place = {tokens.map->file()};
   return {{{}, std::move(blocks), {}}, joined(std::move(warnings), cursor.remainder())};
 }
 
@@ -329,9 +329,15 @@ std::string write_points_of_three(const Content& content) {
 
 }  // namespace
 
-constinit const Format kDdaBlocks{"dda-blocks", "native block file (blocks after cutting)", nullptr, read, write,
-                                  recognise};
-constinit const Format kDdaBlocksOfThree{
-    "dda-blocks-3", "native block file with points of 3 numbers", nullptr, read, write_points_of_three, nullptr};
+constinit const Format kDdaBlocks{
+    "dda-blocks", "native block file (blocks after cutting)", nullptr, read_split<read_tokens>, write, recognise,
+    read_tokens};
+constinit const Format kDdaBlocksOfThree{"dda-blocks-3",
+                                         "native block file with points of 3 numbers",
+                                         nullptr,
+                                         read_split<read_tokens>,
+                                         write_points_of_three,
+                                         nullptr,
+                                         read_tokens};
 
 }  // namespace keyblock::formats

@@ -194,6 +194,7 @@ std::vector<FixedLine> next_fixed_lines(Cursor& cursor, std::size_t count, int n
 /// `present`: how many of the announced points the file still holds.
 std::vector<MarkedPoint> next_points(Cursor& cursor, std::string_view noun, std::size_t count, std::size_t present) {
   std::vector<MarkedPoint> points;
+  points.reserve(std::min(count, present));
   for (std::size_t i = 0; i < std::min(count, present); ++i) {
     cursor.enter({noun, i + 1, count});
     const Place place = cursor.place();
@@ -252,8 +253,7 @@ Drawing next_lines(Cursor& cursor, const Layout& layout, const Counts& counts) {
   return drawing;
 }
 
-Reading read(const Source& source, const ReadHint&) {
-  const Tokens tokens = tokenise(source);
+Reading read_tokens(const Tokens& tokens, const ReadHint&) {
   const Layout layout = layout_of(tokens);
   const std::int64_t missing = layout == Layout{} ? points_missing(tokens) : 0;
   Cursor cursor(tokens);
@@ -262,7 +262,7 @@ Reading read(const Source& source, const ReadHint&) {
   const Counts counts = next_counts(cursor, layout);
   Drawing drawing = next_lines(cursor, layout, counts);
   drawing.edge_node_ratio = ratio;
-  drawing.place = {source.name};
+  drawing.place = {tokens.map->file()};
   const auto next_present = [&](std::string_view noun, int announced) {
     const auto count = static_cast<std::size_t>(announced);
     return next_points(cursor, noun, count, missing > 0 ? cursor.numbers_left() / 2 : count);
@@ -310,7 +310,9 @@ std::string write(const Content& content) {
 
 }  // namespace
 
-constinit const Format kDdaGeometry{
-    "dda-geometry", "native DDA geometry (lines to cut blocks from)", nullptr, read, write, recognise};
+constinit const Format kDdaGeometry{"dda-geometry", "native DDA geometry (lines to cut blocks from)",
+                                    nullptr,        read_split<read_tokens>,
+                                    write,          recognise,
+                                    read_tokens};
 
 }  // namespace keyblock::formats

@@ -60,7 +60,7 @@ Reading read(const Source& source, const ReadHint&) {
       reading.content.analysis = std::move(analysis);
       reading.warnings = joined(std::move(reading.warnings), warnings);
     } else {
-      reading.warnings.push_back(ignored(section));
+      add_warning(reading.warnings, ignored(section));
     }
   }
   if (!reading.content.drawing && !reading.content.analysis)

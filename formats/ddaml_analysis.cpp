@@ -84,7 +84,7 @@ class AnalysisReader {
     if (std::ranges::find(kPassedOver, child.name()) != kPassedOver.end()) return;
     const auto handler = std::ranges::find(kHandlers, child.name(), &Handler::name);
     if (handler == kHandlers.end()) {
-      warnings_.push_back(ignored(child));
+      add_warning(warnings_, ignored(child));
       return;
     }
     seen_.insert(std::string(child.name()));
@@ -109,7 +109,7 @@ class AnalysisReader {
   }
 
   void warn(std::string name, Place place, std::string sentence) {
-    warnings_.push_back({std::move(name), std::move(place), std::move(sentence)});
+    add_warning(warnings_, {std::move(name), std::move(place), std::move(sentence)});
   }
 
   /// The choice an attribute makes among words, the first of which is taken for anything else, with a
@@ -176,7 +176,7 @@ class AnalysisReader {
   }
 
   void read_save_interval(const Element& element) {
-    const bool empty = !element.attribute("step") || element.attribute_tokens("step").starts.empty();
+    const bool empty = !element.attribute("step") || element.attribute_tokens("step").word_count == 0;
     const int interval = empty ? 0 : attribute_integer(element, "step", kNotNegative);
     analysis_.save_interval = interval == 0 ? 10 : interval;
   }
@@ -195,7 +195,7 @@ class AnalysisReader {
       if (target)
         *target = attribute_real(child, "value", kPositive);
       else
-        warnings_.push_back(ignored(child));
+        add_warning(warnings_, ignored(child));
     }
   }
 
@@ -238,7 +238,7 @@ class AnalysisReader {
   }
 
   void keep_remainder(const Cursor& cursor) {
-    for (Warning& warning : cursor.remainder()) warnings_.push_back(std::move(warning));
+    for (Warning& warning : cursor.remainder()) add_warning(warnings_, std::move(warning));
   }
 
   double damping_of(const Element& element) {
@@ -290,7 +290,7 @@ class AnalysisReader {
       if (child.name() == "Loadpoint")
         analysis_.point_loads.push_back(load_curve(child));
       else
-        warnings_.push_back(ignored(child));
+        add_warning(warnings_, ignored(child));
     }
   }
 

@@ -26,6 +26,25 @@ std::string_view local_name(std::string_view name) {
                    fmt::format("expected well-formed XML, found a fault: {}", result.description()));
 }
 
+/// What pugixml holds for a text, at most: a node an element and a node a text behind any tag, an attribute an equals sign.
+std::size_t most_bytes(std::string_view text) {
+  constexpr std::size_t kNode = 64, kAttribute = 40;
+  std::size_t nodes = 0, attributes = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char next = i + 1 < text.size() ? text[i + 1] : '<';
+    if ((text[i] == '<' && next != '/') || (text[i] == '>' && next != '<')) ++nodes;
+    if (text[i] == '=') ++attributes;
+  }
+  return kNode * nodes + kAttribute * attributes;
+}
+
+/// Files of Berkeley's programs take 2 to 8 bytes a byte; one of hardly anything but tags would take 32.
+void refuse_tags_only(const Source& source) {
+  constexpr std::size_t kMostBytesAByte = 12, kAtLeast = 1 << 16;
+  if (most_bytes(source.text) > kMostBytesAByte * source.text.size() + kAtLeast)
+    throw InputError({source.name}, "expected a DDAML file, found hardly anything but tags");
+}
+
 }  // namespace
 
 std::optional<std::size_t> DocumentText::offset_of(const char* position) const {
@@ -36,6 +55,7 @@ std::optional<std::size_t> DocumentText::offset_of(const char* position) const {
 
 Document::Document(const Source& source) {
   const std::string_view text = without_bom(source.text);
+  refuse_tags_only(source);
   text_ = std::make_unique<DocumentText>(DocumentText{std::string(text), std::make_shared<TextMap>(source.name, text)});
   const pugi::xml_parse_result result =
       document_.load_buffer_inplace(text_->buffer.data(), text_->buffer.size(), kParseFlags, pugi::encoding_utf8);
@@ -67,7 +87,7 @@ std::optional<Attribute> Element::attribute(std::string_view name) const {
 }
 
 Tokens Element::tokens() const {
-  Tokens tokens{text_->map, text_->buffer, Syntax::xml, {}, {}, text_->offset_of(node_.name()).value_or(0)};
+  Tokens tokens{text_->map, text_->buffer, Syntax::xml, text_->offset_of(node_.name()).value_or(0)};
   pugi::xml_node node = node_.first_child();
   while (node) {
     const std::string_view value = node.value();
@@ -86,7 +106,7 @@ Tokens Element::attribute_tokens(std::string_view name) const {
   const auto found = attribute(name);
   if (!found) throw InputError(place(), fmt::format("expected the attribute {} of {}, found none", name, this->name()));
   const std::size_t offset = text_->offset_of(found->value.data()).value_or(0);
-  Tokens tokens{text_->map, text_->buffer, Syntax::xml, {}, {}, offset + found->value.size()};
+  Tokens tokens{text_->map, text_->buffer, Syntax::xml, offset + found->value.size()};
   add_words(tokens, offset, found->value.size());
   return tokens;
 }

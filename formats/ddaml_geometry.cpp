@@ -36,7 +36,7 @@ class GeometryReader {
     if (element.name() == "Edgenodedist") return read_edge_node_ratio(element);
     for (const List& list : kLists)
       if (list.name == element.name()) return read_items(element, list);
-    result_.warnings.push_back(ignored(element));
+    add_warning(result_.warnings, ignored(element));
   }
 
   void read_edge_node_ratio(const Element& element) {
@@ -54,12 +54,12 @@ class GeometryReader {
 
   bool is_named(const Element& item, std::string_view name) {
     if (item.name() == name) return true;
-    result_.warnings.push_back(ignored(item));
+    add_warning(result_.warnings, ignored(item));
     return false;
   }
 
   void keep_remainder(const Cursor& cursor) {
-    for (Warning& warning : cursor.remainder()) result_.warnings.push_back(std::move(warning));
+    for (Warning& warning : cursor.remainder()) add_warning(result_.warnings, std::move(warning));
   }
 
   static Point next_point(Cursor& cursor, std::string_view x_name, std::string_view y_name) {

@@ -50,7 +50,9 @@ class DrawingMaker {
     for (const DxfShape& shape : shapes_.shapes) add(shape);
     Drawing& drawing = result_.drawing;
     drawing.boundary_count = boundaries_.size();
-    drawing.joints.insert(drawing.joints.begin(), boundaries_.begin(), boundaries_.end());
+    make_room(boundaries_, drawing.joints.size());
+    boundaries_.insert(boundaries_.end(), drawing.joints.begin(), drawing.joints.end());
+    drawing.joints = std::move(boundaries_);
     result_.warnings = joined(std::move(shapes_.warnings), result_.warnings);
     warn_of_chords();
     result_.warnings = joined(std::move(result_.warnings), shapes_.skipped.warnings());
@@ -115,7 +117,16 @@ class DrawingMaker {
     if (holds_points_only(found->second.role)) return skip(shape);
     if (found->second.role == DxfRole::block) return add_block(shape, found->second);
     const std::size_t sides = shape.points.size() - (shape.is_closed ? 0 : 1);
+    if (found->second.role == DxfRole::boundary) make_room(boundaries_, sides);
+    if (found->second.role == DxfRole::joint) make_room(result_.drawing.joints, sides);
     for (std::size_t i = 0; i < sides; ++i) add_line(shape, side(shape, i), found->second);
+  }
+
+  /// Room for `more` and an eighth: doubling would hold thrice the list for a moment.
+  template <typename List>
+  static void make_room(List& list, std::size_t more) {
+    if (list.size() + more > list.capacity())
+      list.reserve(std::max((list.size() + more) * 9 / 8 + 16, list.size() * 3 / 2));
   }
 
   static Segment side(const DxfShape& shape, std::size_t i) {

@@ -198,6 +198,7 @@ class EntityReader {
   /// Group 10 opens a corner; 20 and 42 belong to the corner before them.
   std::vector<Corner> light_corners(const DxfRecord& record) const {
     std::vector<Corner> corners;
+    corners.reserve(static_cast<std::size_t>(std::ranges::count(record.groups, 10, &DxfGroup::code)));
     bool y_is_missing = false;
     const auto complain = [&] {
       throw InputError(document_.place(record.head),
@@ -256,6 +257,8 @@ class EntityReader {
   void add_polyline(const DxfRecord& record, const std::vector<Corner>& corners, bool is_closed, int side) {
     DxfShape shape = shape_of(record, {});
     shape.is_closed = is_closed;
+    shape.points.reserve(corners.size());
+    shape.side_layers.reserve(corners.size());
     const std::size_t sides = is_closed ? corners.size() : corners.size() - std::min<std::size_t>(corners.size(), 1);
     for (std::size_t i = 0; i < sides; ++i) {
       const Corner& corner = corners[i];

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "formats/numbers.hpp"
@@ -48,6 +49,7 @@ bool is_head(const DxfGroup& group, std::string_view value) {
 
 std::vector<DxfRecord> records_of(std::span<const DxfGroup> groups) {
   std::vector<DxfRecord> records;
+  records.reserve(static_cast<std::size_t>(std::ranges::count(groups, 0, &DxfGroup::code)));
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i].code != 0) continue;
     std::size_t end = i + 1;
@@ -67,13 +69,15 @@ const DxfGroup* DxfRecord::find(int code) const {
   return nullptr;
 }
 
-DxfDocument::DxfDocument(const Source& source) : map_(source.name, without_bom(source.text)) {
-  split(without_bom(source.text));
+DxfDocument::DxfDocument(const Source& source) : text_(without_bom(source.text)), map_(source.name, text_) {
+  split(text_);
   sort_into_sections();
 }
 
 void DxfDocument::split(std::string_view text) {
   end_ = text.size();
+  const auto lines = std::ranges::count_if(text, [](char c) { return c == '\n' || c == '\r'; });
+  groups_.reserve(static_cast<std::size_t>(lines) / 2 + 1);
   std::size_t at = 0;
   while (text.find_first_not_of(" \t\r\n\f\v\x1a", at) != std::string_view::npos) {
     const Line first = line_at(text, at);
@@ -91,7 +95,7 @@ void DxfDocument::split(std::string_view text) {
       throw InputError(map_.place(text.size()),
                        fmt::format("expected the value of group {}, found end of file", *code));
     const Line second = line_at(text, first.next);
-    (*code == kComment ? comments_ : groups_).push_back({*code, second.text, second.offset});
+    (*code == kComment ? comments_ : groups_).push_back({*code, second.text});
     at = second.next;
   }
 }

@@ -18,7 +18,6 @@ namespace keyblock::formats {
 struct DxfGroup {
   int code = 0;
   std::string_view value;  ///< without white space at its ends
-  std::size_t offset = 0;  ///< of the value
 };
 
 /// An entity, a table entry, …: its type (the value of group 0) and the groups up to the next group 0.
@@ -48,7 +47,9 @@ class DxfDocument {
   const std::vector<DxfGroup>& comments() const { return comments_; }  ///< groups 999
   /// Of what follows the end of the file, or where that end is missing.
   const Warnings& warnings() const { return warnings_; }
-  Place place(const DxfGroup& group) const { return map_.place(group.offset); }
+  Place place(const DxfGroup& group) const {
+    return map_.place(static_cast<std::size_t>(group.value.data() - text_.data()));
+  }
 
   /// The value as a finite number, as a whole number; InputError "expected NAME (group CODE) of OWNER, found …".
   double real(const DxfGroup& group, std::string_view name, std::string_view owner) const;
@@ -60,6 +61,7 @@ class DxfDocument {
   std::size_t read_section(std::size_t at);
   [[noreturn]] void fail(std::size_t at, std::string_view expected) const;
 
+  std::string_view text_;
   TextMap map_;
   std::size_t end_ = 0;
   std::vector<DxfGroup> groups_;

@@ -77,6 +77,7 @@ struct Format {
   Reading (*read)(const Source&, const ReadHint&) = nullptr;
   std::string (*write)(const Content&) = nullptr;
   Recognition (*recognise_numbers)(const Tokens&) = nullptr;
+  Reading (*read_tokens)(const Tokens&, const ReadHint&) = nullptr;  ///< as `read`, of a text already split
 };
 
 }  // namespace keyblock::formats

@@ -18,7 +18,13 @@ constexpr std::size_t kQuoted = 40;      // characters of what was found that a 
 constexpr std::size_t kLeastOfNode = 2;  // characters that a value takes with what parts it from the next
 constexpr std::string_view kBetween = " \t\r\n,:";
 
-/// Characters of the text for the parser, counted as they are taken.
+/// Line ends and tabs; within a string they are a fault, between values one stands for any number of them.
+bool is_control_space(char c) {
+  return c == '\n' || c == '\r' || c == '\t';
+}
+
+/// Characters of the text for the parser, counted as they are taken. Of a run of line ends it gets one: its messages
+/// repeat what it has passed over, eight characters a line end.
 struct CountedCharacters {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -27,11 +33,14 @@ struct CountedCharacters {
   using reference = const char&;
 
   const char* at = nullptr;
+  const char* last = nullptr;
   const char** reached = nullptr;
 
   reference operator*() const { return *at; }
   CountedCharacters& operator++() {
-    *reached = ++at;
+    const bool skips = is_control_space(*at++);
+    while (skips && at != last && is_control_space(*at)) ++at;
+    *reached = at;
     return *this;
   }
   CountedCharacters operator++(int) {
@@ -63,8 +72,9 @@ class JsonReader {
   }
 
   bool read() {
-    const CountedCharacters first{text_.data(), &reached_};
-    const CountedCharacters last{text_.data() + text_.size(), &reached_};
+    const char* const end = text_.data() + text_.size();
+    const CountedCharacters first{text_.data(), end, &reached_};
+    const CountedCharacters last{end, end, &reached_};
     return nlohmann::json::sax_parse(first, last, this, nlohmann::json::input_format_t::json, true, true);
   }
 
@@ -86,9 +96,10 @@ class JsonReader {
     // 406: a number that no double holds.
     const bool is_number = error.id == 406;
     const std::string found = at == text_.size() ? "the end of the file" : "\"" + clipped(text_.substr(at)) + "\"";
-    throw InputError(into_.map_.place(at),
-                     fmt::format("expected {}, found {}", is_number ? "a number of double precision" : "sound JSON",
-                                 is_number || last.empty() || at == text_.size() ? found : "\"" + clipped(printable(last)) + "\""));
+    throw InputError(
+        into_.map_.place(at),
+        fmt::format("expected {}, found {}", is_number ? "a number of double precision" : "sound JSON",
+                    is_number || last.empty() || at == text_.size() ? found : "\"" + clipped(printable(last)) + "\""));
   }
 
  private:

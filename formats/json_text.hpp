@@ -54,7 +54,7 @@ class JsonValue {
   std::size_t node_;
 };
 
-/// A well-formed JSON text; comments as in C++ are passed over. Two words of memory a value.
+/// A well-formed JSON text; comments as in C++ are passed over. Two words of memory a value. Views the source: keep it alive.
 class JsonText {
  public:
   /// Throws InputError at the place where the text stops being well-formed, or nests deeper than any case file does.

@@ -34,7 +34,7 @@ class Shake {
 
  private:
   Tokens tokens_between(std::size_t first, std::size_t last, Syntax syntax) const {
-    Tokens tokens{map_, text_, syntax, {}, {}, last};
+    Tokens tokens{map_, text_, syntax, last};
     add_words(tokens, first, last - first);
     return tokens;
   }
@@ -46,10 +46,11 @@ class Shake {
 };
 
 bool holds_eight_a_line(const Tokens& values) {
+  std::size_t before = values.start_of(0);
   for (std::size_t i = 1; i < values.numbers.size(); ++i) {
-    const bool is_new_line =
-        values.text.substr(values.starts[i - 1], values.starts[i] - values.starts[i - 1]).find('\n') !=
-        std::string_view::npos;
+    const std::size_t start = values.start_of(i);
+    const bool is_new_line = values.text.substr(before, start - before).find('\n') != std::string_view::npos;
+    before = start;
     if (is_new_line != (i % kShakeValuesALine == 0)) return false;
   }
   return true;
@@ -70,8 +71,8 @@ Recognition recognise_shake(const Source& source) {
 /// The first line holds two numbers: what tells it from an analysis with as many steps.
 bool has_head_of_two(const Tokens& tokens) {
   if (tokens.numbers.size() < 3) return false;
-  const std::size_t end = line_end(tokens.text, tokens.starts[0]);
-  return tokens.starts[1] < end && end < tokens.starts[2];
+  const std::size_t end = line_end(tokens.text, tokens.start_of(0));
+  return tokens.start_of(1) < end && end < tokens.start_of(2);
 }
 
 Recognition recognise_matlab(const Tokens& tokens) {
@@ -82,6 +83,8 @@ Recognition recognise_matlab(const Tokens& tokens) {
 
 TimeCurve next_values(Cursor& cursor, int count, double time_step) {
   TimeCurve motion;
+  motion.times.reserve(std::min(static_cast<std::size_t>(count), cursor.numbers_left()));
+  motion.values.reserve(motion.times.capacity());
   motion.place = {cursor.place().file};
   for (int i = 0; i < count; ++i) {
     cursor.enter({"value", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});

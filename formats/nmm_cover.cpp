@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 #include <span>
 #include <stdexcept>
@@ -108,8 +109,8 @@ class CoverReader {
       if (point.element >= 0)
         points.push_back(point);
       else
-        warnings_.push_back({"point_outside_elements", point.place,
-                             fmt::format("a {} in element 0, that is in none, is left out", noun)});
+        add_warning(warnings_, {"point_outside_elements", point.place,
+                                fmt::format("a {} in element 0, that is in none, is left out", noun)});
     }
   }
 
@@ -171,10 +172,9 @@ class CoverReader {
   Warnings warnings_;
 };
 
-Reading read(const Source& source, const ReadHint&) {
-  const Tokens tokens = tokenise(source);
+Reading read_tokens(const Tokens& tokens, const ReadHint&) {
   Reading reading = CoverReader(tokens).read();
-  reading.content.cover->place = {source.name};
+  reading.content.cover->place = {tokens.map->file()};
   return reading;
 }
 
@@ -185,31 +185,48 @@ void write_points(std::string& text, const std::vector<CoverPoint>& points) {
                    format_real(point.position.y), point.element + 1);
 }
 
+void write_row(std::string& text, std::initializer_list<int> row) {
+  for (const int value : row) {
+    append_integer(text, value);
+    text += ' ';
+  }
+  text.back() = '\n';
+}
+
+void write_positions(std::string& text, const std::vector<Point>& points) {
+  for (const Point& point : points) {
+    append_real(text, point.x);
+    text += ' ';
+    append_real(text, point.y);
+    text += '\n';
+  }
+}
+
 std::string write(const Content& content) {
   if (!content.cover) throw std::invalid_argument("a cover file needs a cover");
   const Cover& cover = *content.cover;
   std::string text = fmt::format("{} {} {} {}\n{} {} {} {}\n", cover.elements.size(), cover.fixed_points.size(),
                                  cover.loading_points.size(), cover.measured_points.size(), cover.vertices.size(),
                                  cover.nodes.size(), cover.loops.size(), cover.loop_vertices.size());
-  const auto out = std::back_inserter(text);
   write_points(text, cover.fixed_points);
   write_points(text, cover.loading_points);
   write_points(text, cover.measured_points);
+  for (const CoverElement& element : cover.elements) {
+    const SlotRange& slots = element.vertices;
+    write_row(text, {slots.first + 1, slots.first + slots.size, element.material + 1});
+  }
+  write_positions(text, cover.vertices);
+  write_positions(text, cover.nodes);
   for (const CoverElement& element : cover.elements)
-    fmt::format_to(out, "{} {} {}\n", element.vertices.first + 1, element.vertices.first + element.vertices.size,
-                   element.material + 1);
-  for (const auto* points : {&cover.vertices, &cover.nodes})
-    for (const Point& point : *points) fmt::format_to(out, "{} {}\n", format_real(point.x), format_real(point.y));
-  for (const CoverElement& element : cover.elements)
-    fmt::format_to(out, "{} {} {}\n", element.covers[0] + 1, element.covers[1] + 1, element.covers[2] + 1);
-  for (const SlotRange& loop : cover.loops) fmt::format_to(out, "{} {}\n", loop.first + 1, loop.first + loop.size);
-  for (const LoopVertex& vertex : cover.loop_vertices)
-    fmt::format_to(out, "{} {}\n", vertex.slot + 1, vertex.joint_material + 1);
+    write_row(text, {element.covers[0] + 1, element.covers[1] + 1, element.covers[2] + 1});
+  for (const SlotRange& loop : cover.loops) write_row(text, {loop.first + 1, loop.first + loop.size});
+  for (const LoopVertex& vertex : cover.loop_vertices) write_row(text, {vertex.slot + 1, vertex.joint_material + 1});
   return text;
 }
 
 }  // namespace
 
-constinit const Format kNmmCover{"nmm-cover", "NMM cover file (cv)", nullptr, read, write, recognise};
+constinit const Format kNmmCover{"nmm-cover", "NMM cover file (cv)", nullptr, read_split<read_tokens>, write, recognise,
+                                 read_tokens};
 
 }  // namespace keyblock::formats

@@ -62,14 +62,22 @@ bool is_blank(std::string_view text) {
   return std::ranges::all_of(text, [](unsigned char c) { return std::isspace(c) != 0; });
 }
 
-/// The first byte that no text holds; npos where there is none.
+bool is_binary(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  const bool is_white = byte >= '\t' && byte <= '\r';
+  return (byte < 0x20) & !is_white & (byte != 0x1a);
+}
+
+/// The first byte that no text holds; npos where there is none. Counted piece by piece: compilers make that fast.
 std::size_t find_binary(std::string_view text) {
-  const auto is_binary = [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r' && byte != '\f' && byte != '\v' && byte != 0x1a;
-  };
-  const auto found = std::ranges::find_if(text, is_binary);
-  return found == text.end() ? std::string_view::npos : static_cast<std::size_t>(found - text.begin());
+  constexpr std::size_t kPiece = 4096;
+  for (std::size_t at = 0; at < text.size(); at += kPiece) {
+    const std::string_view piece = text.substr(at, kPiece);
+    unsigned char any = 0;
+    for (const char c : piece) any |= static_cast<unsigned char>(is_binary(c));
+    if (any != 0) return at + static_cast<std::size_t>(std::ranges::find_if(piece, is_binary) - piece.begin());
+  }
+  return std::string_view::npos;
 }
 
 bool is_html(std::string_view text) {
@@ -114,7 +122,7 @@ bool is_poor_dda_analysis(const Choice& choice) {
 }
 
 [[noreturn]] void refuse_nothing_fits(const Source& source, const Tokens& tokens) {
-  if (tokens.starts.empty()) refuse({source.name}, "nothing but comments");
+  if (tokens.word_count == 0) refuse({source.name}, "nothing but comments");
   Cursor(tokens).fail("a DDA geometry, block or analysis file");
 }
 
@@ -146,13 +154,17 @@ Source load(const std::string& path) {
   return {path, std::move(text)};
 }
 
-Choice recognise(const Source& source, GeometryKind geometry) {
-  if (Recognition measured = kBerkeleyMeasured.recognise(source); measured.fit == Fit::exact)
+const Tokens& Opened::tokens() {
+  if (!tokens_) tokens_ = tokenise(source_);
+  return *tokens_;
+}
+
+Choice Opened::recognise(GeometryKind geometry) {
+  if (Recognition measured = kBerkeleyMeasured.recognise(source_); measured.fit == Fit::exact)
     return {&kBerkeleyMeasured, std::move(measured)};  // it may hold zero bytes, which elsewhere mean a binary file
-  refuse_other_files(source);
-  const Tokens tokens = tokenise(source);
-  const std::vector<Choice> found = choices(source, tokens);
-  if (found.empty()) refuse_nothing_fits(source, tokens);
+  refuse_other_files(source_);
+  const std::vector<Choice> found = choices(source_, tokens());
+  if (found.empty()) refuse_nothing_fits(source_, tokens());
   const auto fit = [](const Choice& choice) { return choice.recognition.fit; };
   const auto best = std::ranges::max_element(found, {}, fit);  // the first of equals: order of trial
   if (geometry == GeometryKind::cover && is_poor_dda_analysis(*best))
@@ -162,22 +174,33 @@ Choice recognise(const Source& source, GeometryKind geometry) {
   if (best->format != &kDdaAnalysisShi || fit(*best) != Fit::exact || rival == found.end()) return *best;
   if (geometry == GeometryKind::unknown)
     throw InputError(
-        {source.name},
+        {source_.name},
         fmt::format("expected the geometry beside this file, which fits two formats: {} and {}; found none",
                     describe(*best), describe(*rival)));
   return geometry == GeometryKind::cover ? *rival : *best;
 }
 
+Reading Opened::read_as(const Choice& choice, const ReadHint& hint) {
+  if (choice.format->read_tokens) return choice.format->read_tokens(tokens(), hint);
+  if (choice.format->read) {
+    tokens_.reset();  // this reader splits the text in its own way
+    return choice.format->read(source_, hint);
+  }
+  throw InputError({source_.name}, fmt::format("expected a file this version reads, found {}: recognised, not yet read",
+                                               describe(choice)));
+}
+
+Choice recognise(const Source& source, GeometryKind geometry) {
+  return Opened(source).recognise(geometry);
+}
+
 Reading read(const Source& source, const ReadHint& hint) {
-  return read_as(recognise(source, hint.geometry), source, hint);
+  Opened opened(source);
+  return opened.read_as(opened.recognise(hint.geometry), hint);
 }
 
 Reading read_as(const Choice& choice, const Source& source, const ReadHint& hint) {
-  if (!choice.format->read)
-    throw InputError(
-        {source.name},
-        fmt::format("expected a file this version reads, found {}: recognised, not yet read", describe(choice)));
-  return choice.format->read(source, hint);
+  return Opened(source).read_as(choice, hint);
 }
 
 }  // namespace keyblock::formats

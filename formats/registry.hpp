@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "formats/format.hpp"
+#include "formats/tokens.hpp"
 
 namespace keyblock::formats {
 
@@ -21,6 +23,22 @@ Source load(const std::string& path);
 struct Choice {
   const Format* format = nullptr;
   Recognition recognition;
+};
+
+/// A file whose numbers are split once, for the choice and for reading. Views the source: keep that alive where it is.
+class Opened {
+ public:
+  explicit Opened(const Source& source) : source_(source) {}
+
+  /// As `formats::recognise` and `formats::read_as`.
+  Choice recognise(GeometryKind geometry = GeometryKind::unknown);
+  Reading read_as(const Choice& choice, const ReadHint& hint = {});
+
+ private:
+  const Tokens& tokens();
+
+  const Source& source_;
+  std::optional<Tokens> tokens_;
 };
 
 /// An exact fit wins, then a variant, then surplus numbers, then what the file begins like; among equals the

@@ -14,16 +14,25 @@
 
 namespace keyblock::formats {
 
-/// Offsets of a text to line and column (bytes, both from 1). LF, CRLF and a lone CR all end a line.
+/// Offsets of a text to line and column (bytes, both from 1). LF, CRLF and a lone CR all end a line. Views the text:
+/// lines are counted when a place is asked for, from the nearest place before that is known.
 class TextMap {
  public:
-  TextMap(std::string file, std::string_view text);
+  TextMap(FileName file, std::string_view text) : file_(std::move(file)), text_(text) {}
   Place place(std::size_t offset) const;
+  const FileName& file() const { return file_; }
 
  private:
-  std::string file_;
-  std::size_t size_ = 0;
-  std::vector<std::size_t> line_starts_;
+  /// Where a stretch of the text begins: its line, and the offset at which that line begins.
+  struct Mark {
+    std::size_t line;
+    std::size_t line_start;
+  };
+  Mark advanced(Mark mark, std::size_t first, std::size_t last) const;
+
+  FileName file_;
+  std::string_view text_;
+  mutable std::vector<Mark> marks_;  ///< one a stretch of text, as far as places were asked for
 };
 
 /// The text without its UTF-8 byte order mark.
@@ -37,16 +46,25 @@ enum class Syntax {
   xml,     ///< white space, commas and semicolons separate; no comments (the XML reader has dropped them)
 };
 
-/// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive. Two words of
-/// memory a token, because files of a hundred megabytes are read through it.
+/// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive. Little more than one
+/// double a token, because files of a hundred megabytes are read through it: only every so many-th word's offset is kept.
 struct Tokens {
+  /// A word and the offset it begins at; no piece of text begins between it and the next mark.
+  struct Mark {
+    std::size_t word = 0;
+    std::size_t offset = 0;
+  };
+
   std::shared_ptr<const TextMap> map;
   std::string_view text;
   Syntax syntax = Syntax::native;
-  std::vector<std::size_t> starts;  ///< offset of every word: a run of characters between separators
-  std::vector<double> numbers;      ///< the leading words that are finite numbers
-  std::size_t end = 0;              ///< offset at which the text ends
+  std::size_t end = 0;               ///< offset at which the text ends
+  std::size_t word_count = 0;        ///< words: runs of characters between separators
+  std::vector<double> numbers = {};  ///< the leading words that are finite numbers
+  std::vector<Mark> marks = {};
 
+  /// The offset of a word, index below `word_count`; found from the mark before it.
+  std::size_t start_of(std::size_t index) const;
   std::string_view word(std::size_t index) const;
   /// First word that is no number; `pen=0.1*g0` in mf13, `nan` anywhere.
   std::optional<std::string_view> junk() const;
@@ -54,8 +72,17 @@ struct Tokens {
 };
 
 Tokens tokenise(const Source& source);
+/// Reads a text through a reader of its tokens.
+template <Reading (*ReadTokens)(const Tokens&, const ReadHint&)>
+Reading read_split(const Source& source, const ReadHint& hint) {
+  return ReadTokens(tokenise(source), hint);
+}
 /// Adds the words of a piece of `tokens.text`, which lies behind those that are there.
 void add_words(Tokens& tokens, std::size_t first, std::size_t size);
+
+inline bool is_whole(double value) {
+  return value >= -2147483647 && value <= 2147483647 && static_cast<double>(static_cast<int>(value)) == value;
+}
 
 /// What a number must satisfy, and the words by which a message says so.
 struct Demand {
@@ -80,12 +107,24 @@ class Cursor {
   void enter(Record record) { record_ = record; }
   void leave() { record_.reset(); }
 
-  double next_real(std::string_view name);
+  double next_real(std::string_view name) {
+    if (numbers_left() == 0) fail(full_name(name));
+    return tokens_.numbers[position_++];
+  }
   double next_real(std::string_view name, const Demand& demand);
   double next_real_above(double limit, std::string_view name);
-  int next_integer(std::string_view name);
+  int next_integer(std::string_view name) {
+    if (numbers_left() > 0 && !is_whole(tokens_.numbers[position_])) fail_whole(name);
+    return static_cast<int>(next_real(name));
+  }
   int next_integer(std::string_view name, const Demand& demand);
-  int next_integer_between(int least, int most, std::string_view name);
+  int next_integer_between(int least, int most, std::string_view name) {
+    if (numbers_left() == 0) fail_between(least, most, name);
+    const double value = tokens_.numbers[position_];
+    if (!is_whole(value) || value < least || value > most) fail_between(least, most, name);
+    ++position_;
+    return static_cast<int>(value);
+  }
   /// An integer ≥ 0 that announces as many records; refused where fewer words than that follow, so that
   /// nothing is ever allocated for records that cannot exist.
   int next_count(std::string_view name);
@@ -97,7 +136,7 @@ class Cursor {
 
   std::size_t position() const { return position_; }
   std::size_t numbers_left() const { return tokens_.numbers.size() - position_; }
-  bool at_end() const { return position_ == tokens_.starts.size(); }
+  bool at_end() const { return position_ == tokens_.word_count; }
   Place place() const { return tokens_.place_of(position_); }
   /// Throws InputError at the next token.
   [[noreturn]] void fail(std::string_view expected) const;
@@ -105,6 +144,8 @@ class Cursor {
   Warnings remainder() const;
 
  private:
+  [[noreturn]] void fail_whole(std::string_view name) const;
+  [[noreturn]] void fail_between(int least, int most, std::string_view name) const;
   std::string full_name(std::string_view name) const;
   std::string found() const;
 
@@ -113,7 +154,5 @@ class Cursor {
   std::size_t position_ = 0;
   std::optional<Record> record_;
 };
-
-bool is_whole(double value);
 
 }  // namespace keyblock::formats

@@ -122,7 +122,7 @@ Json warning_list_json(const Warnings& warnings) {
   Json all = Json::array();
   for (const Warning& w : warnings) {
     all.push_back({{"name", w.name},
-                   {"file", w.place.file},
+                   {"file", w.place.file.text()},
                    {"line", w.place.line},
                    {"column", w.place.column},
                    {"sentence", w.sentence}});

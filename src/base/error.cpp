@@ -7,15 +7,22 @@
 namespace keyblock {
 
 std::string to_string(const Place& place) {
-  if (place.line == 0) return place.file;
-  if (place.column == 0) return fmt::format("{}:{}", place.file, place.line);
-  return fmt::format("{}:{}:{}", place.file, place.line, place.column);
+  if (place.line == 0) return place.file.text();
+  if (place.column == 0) return fmt::format("{}:{}", place.file.text(), place.line);
+  return fmt::format("{}:{}:{}", place.file.text(), place.line, place.column);
 }
 
 InputError::InputError(Place place, const std::string& sentence)
     : std::runtime_error(fmt::format("{}: error: {}", to_string(place), sentence)),
       place_(std::move(place)),
       sentence_(sentence) {}
+
+void add_warning(Warnings& warnings, Warning warning) {
+  if (warnings.size() < kMostWarnings)
+    warnings.push_back(std::move(warning));
+  else if (warnings.size() == kMostWarnings)
+    warnings.push_back({"more_warnings", warning.place, "what is odd from here on is not listed"});
+}
 
 std::string to_string(const Warning& warning) {
   return fmt::format("{}: warning: {} [{}]", to_string(warning.place), warning.sentence, warning.name);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,9 +10,27 @@
 
 namespace keyblock {
 
+/// The name of a file, held once for all the places in it: a problem has one for every line of its drawing.
+class FileName {
+ public:
+  FileName() = default;
+  FileName(std::string text) : text_(std::make_shared<const std::string>(std::move(text))) {}
+  FileName(const char* text) : FileName(std::string(text)) {}
+
+  const std::string& text() const {
+    static const std::string kNone;
+    return text_ ? *text_ : kNone;
+  }
+  operator const std::string&() const { return text(); }
+  friend bool operator==(const FileName& a, const FileName& b) { return a.text_ == b.text_ || a.text() == b.text(); }
+
+ private:
+  std::shared_ptr<const std::string> text_;
+};
+
 /// A place in a text file; line and column count from 1, 0 means "the file as a whole".
 struct Place {
-  std::string file;
+  FileName file;
   int line = 0;
   int column = 0;
 
@@ -44,6 +63,11 @@ struct Warning {
 };
 
 using Warnings = std::vector<Warning>;
+
+/// Adds a warning about one record of many. A list that holds `kMostWarnings` takes one more, which says that the rest is
+/// not listed, and then none: a file may be odd in every record.
+void add_warning(Warnings& warnings, Warning warning);
+inline constexpr std::size_t kMostWarnings = 1000;
 
 /// Both lists, in that order.
 inline Warnings joined(Warnings first, const Warnings& second) {

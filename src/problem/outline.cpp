@@ -81,8 +81,8 @@ Outline outline_of(const SlopeShape& s) {
   Outline outline{{s.x - s.toe, s.y - s.base}, {top.x + s.crest, s.y - s.base}, {top.x + s.crest, top.y}};
   outline.insert(outline.end(), face.rbegin(), face.rend());
   outline.push_back({s.x - s.toe, s.y});
-  const auto repeats = std::ranges::unique(outline);
-  outline.erase(repeats.begin(), repeats.end());
+  const auto kept = std::unique(outline.begin(), outline.end());
+  outline.erase(kept, outline.end());
   if (outline.front() == outline.back()) outline.pop_back();
   return outline;
 }

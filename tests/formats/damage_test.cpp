@@ -11,6 +11,7 @@
 #include "formats/joint_spec.hpp"
 #include "formats/registry.hpp"
 #include "tests/formats/dxf_samples.hpp"
+#include "tests/support/mutated.hpp"
 #include "tests/support/two_triangles.hpp"
 
 namespace keyblock::formats {
@@ -56,36 +57,6 @@ void read_and_check(const std::string& text) {
   }
 }
 
-/// A byte replaced, removed or put in, a stretch removed or doubled.
-std::string mutated(std::string text, std::mt19937& random) {
-  static const std::string kBytes =
-      std::string("0123456789.-+eEdD \n\r\t,;#<>/\"'=&!?nai") + std::string("\0\xff\x1a", 3);
-  const auto below = [&](std::size_t limit) {
-    return static_cast<std::size_t>(random()) % std::max<std::size_t>(limit, 1);
-  };
-  for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
-    const std::size_t at = below(text.size() + 1);
-    const char byte = kBytes[below(kBytes.size())];
-    switch (below(5)) {
-      case 0:
-        if (at < text.size()) text[at] = byte;
-        break;
-      case 1:
-        text.insert(at, 1, byte);
-        break;
-      case 2:
-        text.erase(at, 1);
-        break;
-      case 3:
-        text.erase(at, below(40));
-        break;
-      default:
-        text.insert(at, text.substr(below(text.size()), below(40)));
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 TEST(Damage, files_cut_off_at_any_byte_are_read_or_refused) {
@@ -98,7 +69,7 @@ TEST(Damage, files_changed_at_random_are_read_or_refused) {
   std::mt19937 random(20010520);
   for (const std::string& text : sound_files())
     for (int i = 0; i < kMutationsAFile; ++i) {
-      const std::string changed = mutated(text, random);
+      const std::string changed = testing::mutated(text, random);
       ASSERT_NO_THROW(read_and_check(changed)) << changed;
     }
 }
@@ -111,7 +82,7 @@ TEST(Damage, specifications_of_joint_sets_changed_at_random_are_read_or_refused)
   ASSERT_NO_THROW(joint_scene_of(read_json({"f", sound})));
   std::mt19937 random(20010520);
   for (int i = 0; i < kMutationsAFile; ++i) {
-    const std::string changed = mutated(sound, random);
+    const std::string changed = testing::mutated(sound, random);
     try {
       joint_scene_of(read_json({"f", changed}));
     } catch (const InputError&) {

@@ -8,7 +8,8 @@ namespace keyblock::formats {
 namespace {
 
 Place place_of_last(const std::string& text) {
-  const JsonText json({"f", text});
+  const Source source{"f", text};
+  const JsonText json(source);
   JsonValue last = json.root();
   for (const JsonValue item : json.root()) last = item;
   return last.place();
@@ -33,7 +34,8 @@ TEST(JsonText, values_know_their_place) {
 }
 
 TEST(JsonText, values_are_what_was_written) {
-  const JsonText json({"f", R"({"a": -0.25, "b": ["x\u0041", false, null], "": {}})"});
+  const Source source{"f", R"({"a": -0.25, "b": ["x\u0041", false, null], "": {}})"};
+  const JsonText json(source);
   EXPECT_EQ(json.root().member("a")->number(), -0.25);
   EXPECT_EQ((*json.root().member("b")->begin()).string(), "xA");
   EXPECT_EQ(json.root().member("")->kind(), JsonKind::object);

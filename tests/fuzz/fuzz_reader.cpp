@@ -1,0 +1,68 @@
+// The libFuzzer program: holds one reader against whatever the fuzzer makes up.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//   fuzz_reader list             names of the readers
+//   fuzz_reader seeds FOLDER     writes the sample of every format there, to start from
+//   fuzz_reader READER FLAGS…    libFuzzer with that reader; FLAGS and folders are libFuzzer's
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "formats/knowledge.hpp"
+#include "formats/registry.hpp"
+#include "tests/fuzz/exercise.hpp"
+#include "tests/fuzz/meter.hpp"
+
+namespace {
+
+using namespace keyblock;
+
+/// The sanitizers and the coverage counters slow a reader so much at most.
+constexpr double kSlowdown = 20;
+
+testing::Reader& reader_under_test() {
+  static testing::Reader reader;
+  return reader;
+}
+
+void list_readers() {
+  for (const testing::Reader& reader : testing::all_readers()) fmt::print("{}\n", reader.name);
+}
+
+void write_seeds(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const formats::Format* format : formats::all_formats())
+    std::ofstream(folder / format->name, std::ios::binary) << formats::knowledge_of(*format).sample;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  const std::string_view word = *argc > 1 ? (*argv)[1] : "list";
+  if (word == "list") {
+    list_readers();
+    std::exit(0);
+  }
+  if (word == "seeds" && *argc > 2) {
+    write_seeds((*argv)[2]);
+    std::exit(0);
+  }
+  reader_under_test() = testing::find_reader(word);
+  testing::count_xml();
+  for (int i = 1; i < *argc; ++i) (*argv)[i] = (*argv)[i + 1];
+  --*argc;
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const testing::Cost cost = testing::exercise(reader_under_test(), text);
+  if (const std::string words = testing::excess(cost, size, kSlowdown); !words.empty()) {
+    fmt::print(stderr, "error: {}\n", words);
+    std::abort();
+  }
+  return 0;
+}
