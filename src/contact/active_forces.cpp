@@ -1,6 +1,8 @@
-// Numbering of the unknown forces, assembly, and one of two factorisations by size.
+// Numbering of the unknown forces, and one of two factorisations by their number.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/active_forces.hpp"
+
+#include "contact/forces_of_blocks.hpp"
 
 namespace keyblock {
 namespace {
@@ -10,75 +12,89 @@ constexpr std::size_t kMostDense = 48;
 
 }  // namespace
 
-ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips,
-                           const Eigen::VectorXd& added)
-    : problem_(problem) {
-  number(grips);
-  assemble(added);
-}
-
-void ActiveForces::number(const std::vector<Grip>& grips) {
+ActiveSet::ActiveSet(const std::vector<ForceLaw>& laws, const std::vector<Grip>& grips) {
   for (std::size_t i = 0; i < grips.size(); ++i) {
-    const ForceLaw& law = problem_.laws[i];
+    const ForceLaw& law = laws[i];
     const auto n = static_cast<Eigen::Index>(2 * i);
-    const auto unknown = static_cast<Eigen::Index>(rows_.size());
+    const auto unknown = static_cast<Eigen::Index>(rows.size());
     const auto add_unknown = [&](Eigen::Index force) {
-      columns_.push_back({static_cast<Eigen::Index>(rows_.size()), 1, 0});
-      rows_.push_back(force);
+      columns.push_back({static_cast<Eigen::Index>(rows.size()), 1, 0});
+      rows.push_back(force);
     };
     if (is_open(grips[i]))
-      columns_.push_back({-1, 0, law.least});
+      columns.push_back({-1, 0, law.least});
     else
       add_unknown(n);
     if (grips[i] == Grip::open) {
-      columns_.push_back({});
+      columns.push_back({});
     } else if (grips[i] == Grip::stick || grips[i] == Grip::open_stick) {
       add_unknown(n + 1);
     } else {
       const double sign = grips[i] == Grip::slip_forward ? 1 : -1;
-      columns_.push_back({unknown, sign * law.friction, sign * law.cohesion});
+      columns.push_back({unknown, sign * law.friction, sign * law.cohesion});
+      slips = slips || law.friction != 0;
     }
   }
 }
 
-void ActiveForces::assemble(const Eigen::VectorXd& added) {
-  const auto size = static_cast<Eigen::Index>(rows_.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  from_given_ = Eigen::VectorXd::Zero(size);
-  const auto add = [&](Eigen::Index row, Eigen::Index force, double w) {
-    const Column& column = columns_[static_cast<std::size_t>(force)];
-    if (column.unknown >= 0) entries.emplace_back(row, column.unknown, w * column.factor);
-    from_given_[row] += w * column.given;
-  };
-  for (Eigen::Index row = 0; row < size; ++row) {
-    const Eigen::Index force = rows_[static_cast<std::size_t>(row)];
-    for (ContactMatrix::InnerIterator w(problem_.w, force); w; ++w) add(row, w.col(), w.value());
-    add(row, force, added[force]);
+Eigen::VectorXd ActiveSet::forces(const Eigen::VectorXd& unknowns, double share) const {
+  Eigen::VectorXd all(static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Column& column = columns[i];
+    all[static_cast<Eigen::Index>(i)] =
+        (share == 0 ? 0 : share * column.given) + (column.unknown < 0 ? 0 : column.factor * unknowns[column.unknown]);
   }
-  if (rows_.size() <= kMostDense) {
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
-    for (const auto& entry : entries) a(entry.row(), entry.col()) += entry.value();
-    if (size > 0) dense_.compute(a);
-    return;
+  return all;
+}
+
+Eigen::VectorXd ActiveSet::kept(const Eigen::VectorXd& all) const {
+  Eigen::VectorXd entries(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) entries[static_cast<Eigen::Index>(i)] = all[rows[i]];
+  return entries;
+}
+
+ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips,
+                           const Eigen::VectorXd& added)
+    : problem_(problem), set_(problem.laws, grips), added_(added) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(set_.rows.size()));
+  const Eigen::VectorXd given = set_.forces(none, 1);
+  from_given_ = set_.kept(problem.w * given + added.cwiseProduct(given));
+  if (set_.rows.size() <= kMostDense)
+    factorise_dense();
+  else
+    sparse_ = std::make_unique<ForcesOfBlocks>(problem.w, set_, added);
+}
+
+ActiveForces::ActiveForces(ActiveForces&&) noexcept = default;
+ActiveForces::~ActiveForces() = default;
+
+bool ActiveForces::is_regular() const {
+  return !sparse_ || sparse_->is_regular();
+}
+
+void ActiveForces::factorise_dense() {
+  const auto size = static_cast<Eigen::Index>(set_.rows.size());
+  if (size == 0) return;
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
+  for (Eigen::Index r = 0; r < size; ++r) {
+    const Eigen::Index force = set_.rows[static_cast<std::size_t>(r)];
+    const RowThrough row(problem_.w, force);
+    for (std::size_t i = 0; i < set_.columns.size(); ++i) {
+      const ActiveSet::Column& column = set_.columns[i];
+      if (column.unknown < 0) continue;
+      const auto other = static_cast<Eigen::Index>(i);
+      const double own = other == force ? problem_.w.added()[force] + added_[force] : 0;
+      a(r, column.unknown) += column.factor * (row.times(problem_.w.row(other)) + own);
+    }
   }
-  Eigen::SparseMatrix<double> a(size, size);
-  a.setFromTriplets(entries.begin(), entries.end());
-  sparse_ = std::make_unique<Eigen::SparseLU<Eigen::SparseMatrix<double>>>(a);
+  dense_.compute(a);
 }
 
 Eigen::VectorXd ActiveForces::solve(const Eigen::VectorXd& b) const {
-  Eigen::VectorXd right = -from_given_;
-  for (Eigen::Index row = 0; row < right.size(); ++row) right[row] -= b[rows_[static_cast<std::size_t>(row)]];
+  const Eigen::VectorXd right = -from_given_ - set_.kept(b);
   Eigen::VectorXd unknowns = right;
-  if (right.size() > 0)
-    unknowns = sparse_ ? Eigen::VectorXd(sparse_->solve(right)) : Eigen::VectorXd(dense_.solve(right));
-  Eigen::VectorXd forces(static_cast<Eigen::Index>(columns_.size()));
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const Column& column = columns_[i];
-    forces[static_cast<Eigen::Index>(i)] =
-        column.given + (column.unknown < 0 ? 0 : column.factor * unknowns[column.unknown]);
-  }
-  return forces;
+  if (right.size() > 0) unknowns = sparse_ ? sparse_->solve(right) : Eigen::VectorXd(dense_.solve(right));
+  return set_.forces(unknowns, 1);
 }
 
 }  // namespace keyblock

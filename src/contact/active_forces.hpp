@@ -3,43 +3,57 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <Eigen/SparseLU>
 #include <memory>
 
 #include "contact/frictional_problem.hpp"
 
 namespace keyblock {
 
-/// Open pairs have their least normal force, slipping ones λt = ± (cohesion + μ λn): what is left are one unknown a slipping pair and
-/// two a sticking one, with yn = 0 and, sticking, yt = 0. The slip makes the matrix nonsymmetric. It is factorised once
-/// and serves any right side.
-class ActiveForces {
- public:
-  /// `added` stands on the diagonal of W beside its own entries.
-  ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips, const Eigen::VectorXd& added);
+class ForcesOfBlocks;
 
-  /// False where no factor was found: the active set leaves forces open.
-  bool is_regular() const { return !sparse_ || sparse_->info() == Eigen::Success; }
-
-  /// The forces of all pairs for y = (W + added) λ + b.
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-
- private:
+/// Which forces of an active set are unknown. Open pairs have their least normal force, slipping ones λt = ± (cohesion + μ λn):
+/// what is left are one unknown a slipping pair and two a sticking one, with yn = 0 and, sticking, yt = 0.
+struct ActiveSet {
   struct Column {
     Eigen::Index unknown = -1;  ///< of the force; none if it is given
     double factor = 0;          ///< force = factor × unknown + given
     double given = 0;
   };
+  std::vector<Column> columns;     ///< of each force
+  std::vector<Eigen::Index> rows;  ///< force whose y is zero, of each unknown
+  bool slips = false;
 
-  void number(const std::vector<Grip>& grips);
-  void assemble(const Eigen::VectorXd& added);
+  ActiveSet(const std::vector<ForceLaw>& laws, const std::vector<Grip>& grips);
+  /// The forces under these unknowns; `share` 0 leaves out what is given.
+  Eigen::VectorXd forces(const Eigen::VectorXd& unknowns, double share) const;
+  /// The entries of the rows kept.
+  Eigen::VectorXd kept(const Eigen::VectorXd& all) const;
+};
+
+/// The slip makes the matrix nonsymmetric. It is factorised once and serves any right side: the dense matrix of a few forces, else
+/// the sparse one of the blocks that they act on.
+class ActiveForces {
+ public:
+  /// `added` stands on the diagonal of W beside its own entries; where an unknown force has neither, few forces can be solved only.
+  ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips, const Eigen::VectorXd& added);
+  ActiveForces(ActiveForces&&) noexcept;
+  ~ActiveForces();
+
+  /// False where no factor was found: the active set leaves forces open.
+  bool is_regular() const;
+
+  /// The forces of all pairs for y = (W + added) λ + b.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+
+ private:
+  void factorise_dense();
 
   const FrictionalProblem& problem_;
-  std::vector<Column> columns_;     ///< of each force
-  std::vector<Eigen::Index> rows_;  ///< force whose y is zero, of each unknown
-  Eigen::VectorXd from_given_;      ///< W times the given forces, in the rows kept
+  ActiveSet set_;
+  Eigen::VectorXd added_;
+  Eigen::VectorXd from_given_;  ///< y of the given forces, in the rows kept
   Eigen::PartialPivLU<Eigen::MatrixXd> dense_;
-  std::unique_ptr<Eigen::SparseLU<Eigen::SparseMatrix<double>>> sparse_;
+  std::unique_ptr<ForcesOfBlocks> sparse_;
 };
 
 }  // namespace keyblock

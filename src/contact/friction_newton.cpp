@@ -28,9 +28,8 @@ class Newton {
   FrictionalSolution run() {
     for (std::size_t attempt = 0; attempt < kProximal.size(); ++attempt) {
       if (solution_.residual <= (attempt == 0 ? problem_.goal : problem_.acceptable)) break;
-      weights_ = attempt == 0 && problem_.proximal.size() > 0
-                     ? problem_.proximal
-                     : Eigen::VectorXd(kProximal[attempt] * problem_.w.diagonal());
+      weights_ = kProximal[attempt] * problem_.w.diagonal();
+      if (attempt == 0 && problem_.proximal.size() > 0) weights_ = chosen_weights();
       system_.reset();
       forces_ = solution_.forces;
       for (int round = 0; round < kMostRounds && !is_solved(); ++round) {
@@ -64,6 +63,14 @@ class Newton {
       grips = next;
     }
     return false;
+  }
+
+  // Those of the problem, with ours where neither they nor a compliance make a force unique.
+  Eigen::VectorXd chosen_weights() const {
+    Eigen::VectorXd weights = problem_.proximal;
+    for (Eigen::Index i = 0; i < weights.size(); ++i)
+      if (weights[i] + problem_.w.added()[i] == 0) weights[i] = weights_[i];
+    return weights;
   }
 
   void factorise(const std::vector<Grip>& grips) {

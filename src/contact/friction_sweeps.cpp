@@ -10,37 +10,63 @@ namespace {
 // The residual costs as much as a sweep: it is looked at this often.
 constexpr int kLook = 10;
 
-double row_times(const FrictionalProblem& p, Eigen::Index row, const Eigen::VectorXd& forces) {
-  double sum = p.b[row];
-  for (ContactMatrix::InnerIterator w(p.w, row); w; ++w) sum += w.value() * forces[w.col()];
-  return sum;
-}
-
-void sweep_once(const FrictionalProblem& p, const Eigen::VectorXd& diagonal, Eigen::VectorXd& forces) {
-  for (std::size_t i = 0; i < p.count(); ++i) {
-    const auto n = static_cast<Eigen::Index>(2 * i);
-    const Eigen::Index t = n + 1;
-    const double normal = forces[n] - row_times(p, n, forces) / diagonal[n];
-    const bool open = normal <= p.laws[i].least;
-    forces[n] = open ? p.laws[i].least : normal;
-    const double limit = open ? p.laws[i].limit_open() : p.laws[i].limit(normal);
-    forces[t] = std::clamp(forces[t] - row_times(p, t, forces) / diagonal[t], -limit, limit);
+// y of one force after another, with what the elements answer kept up to date.
+class Sweep {
+ public:
+  Sweep(const FrictionalProblem& problem, Eigen::VectorXd forces) : p_(problem), forces_(std::move(forces)) {
+    ContactRows rows;
+    for (Eigen::Index i = 0; i < forces_.size(); ++i) rows.push_back(p_.w.row(i));
+    answer_ = answer(rows, p_.w.flexibility(), forces_);
   }
-}
+
+  const Eigen::VectorXd& forces() const { return forces_; }
+
+  void once() {
+    for (std::size_t i = 0; i < p_.count(); ++i) {
+      const ForceLaw& law = p_.laws[i];
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const double normal = wanted(n);
+      const bool open = normal <= law.least;
+      put(n, open ? law.least : normal);
+      const double limit = open ? law.limit_open() : law.limit(normal);
+      put(n + 1, std::clamp(wanted(n + 1), -limit, limit));
+    }
+  }
+
+ private:
+  double wanted(Eigen::Index i) const {
+    const ContactRow& row = p_.w.row(i);
+    const double y = p_.b[i] + p_.w.added()[i] * forces_[i] +
+                     row.of_vertex.dot(answer_[row.vertex_element].transpose()) +
+                     row.of_edge.dot(answer_[row.edge_element].transpose());
+    return forces_[i] - y / p_.w.diagonal()[i];
+  }
+  void put(Eigen::Index i, double force) {
+    const ContactRow& row = p_.w.row(i);
+    const double change = force - forces_[i];
+    if (change == 0) return;
+    forces_[i] = force;
+    answer_[row.vertex_element] += change * (p_.w.flexibility()[row.vertex_element] * row.of_vertex.transpose());
+    answer_[row.edge_element] += change * (p_.w.flexibility()[row.edge_element] * row.of_edge.transpose());
+  }
+
+  const FrictionalProblem& p_;
+  Eigen::VectorXd forces_;
+  UnknownsTable answer_;
+};
 
 }  // namespace
 
 FrictionalSolution sweep(const FrictionalProblem& problem, FrictionalSolution solution, int most_sweeps) {
-  const Eigen::VectorXd diagonal = problem.w.diagonal();
-  Eigen::VectorXd forces = solution.forces;
+  Sweep sweeps(problem, solution.forces);
   for (int i = 1; i <= most_sweeps && solution.residual > problem.acceptable; ++i) {
-    sweep_once(problem, diagonal, forces);
+    sweeps.once();
     ++solution.sweeps;
     if (i % kLook != 0 && i != most_sweeps) continue;
-    const double now = residual(problem, forces);
+    const double now = residual(problem, sweeps.forces());
     if (i < most_sweeps && now >= solution.residual) continue;
     solution.residual = now;
-    solution.forces = forces;
+    solution.forces = sweeps.forces();
   }
   return solution;
 }

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+#include "contact/contact_matrix.hpp"
 
 namespace keyblock {
 
@@ -29,8 +30,6 @@ inline constexpr ForceLaw kHeld{0, std::numeric_limits<double>::infinity(), -std
 
 /// The normal force keeps yn = 0, pushing or pulling, and there is no other: a bolt, or a face that must not move.
 inline constexpr ForceLaw kTie{0, 0, -std::numeric_limits<double>::infinity()};
-
-using ContactMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// y = W λ + b with entries 2i (normal) and 2i + 1 (tangential) of pair i:
 ///     λn − least ≥ 0 ⊥ yn ≥ 0,   |λt| ≤ limit,   λt opposes yt, and yt = 0 while |λt| < limit.

@@ -1,4 +1,4 @@
-// Rows from the points of a touch; products with them block by block.
+// Rows from the points of a touch.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/gap.hpp"
 
@@ -52,11 +52,6 @@ class Rows {
   Table<VertexIndex, Point> vertices_;
 };
 
-struct PartOfRow {
-  Eigen::Index row;
-  const ContactRow::Row* values;
-};
-
 }  // namespace
 
 ContactRows contact_rows(const Model& model, const Reference& reference, const UnknownsTable& q,
@@ -66,51 +61,6 @@ ContactRows contact_rows(const Model& model, const Reference& reference, const U
   const Rows maker(model, reference, q);
   for (const Touch& touch : touches) maker.add(touch, rows);
   return rows;
-}
-
-Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const ContactRow& row = rows[i];
-    result[static_cast<Eigen::Index>(i)] =
-        row.of_vertex.dot(x[row.vertex_element].transpose()) + row.of_edge.dot(x[row.edge_element].transpose());
-  }
-  return result;
-}
-
-UnknownsTable answer(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks,
-                     const Eigen::VectorXd& forces) {
-  UnknownsTable sum;
-  for (ElementIndex e : indices(blocks)) sum.push_back(Unknowns::Zero(blocks[e].rows()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double f = forces[static_cast<Eigen::Index>(i)];
-    sum[rows[i].vertex_element] += f * rows[i].of_vertex.transpose();
-    sum[rows[i].edge_element] += f * rows[i].of_edge.transpose();
-  }
-  for (ElementIndex e : indices(blocks)) sum[e] = blocks[e] * sum[e];
-  return sum;
-}
-
-ContactMatrix contact_matrix(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks) {
-  Table<ElementIndex, std::vector<PartOfRow>> parts(blocks.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    if (rows[i].of_vertex.size() > 0) parts[rows[i].vertex_element].push_back({row, &rows[i].of_vertex});
-    if (rows[i].of_edge.size() > 0) parts[rows[i].edge_element].push_back({row, &rows[i].of_edge});
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (ElementIndex e : indices(blocks)) {
-    for (const PartOfRow& part : parts[e]) {
-      const ContactRow::Row side = *part.values * blocks[e];
-      for (const PartOfRow& other : parts[e]) entries.emplace_back(part.row, other.row, side.dot(*other.values));
-    }
-  }
-  // An entry on every diagonal, so that compliance finds its place.
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, 0.0);
-  ContactMatrix w(count, count);
-  w.setFromTriplets(entries.begin(), entries.end());
-  return w;
 }
 
 }  // namespace keyblock

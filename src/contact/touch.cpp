@@ -88,7 +88,7 @@ class PairTouches {
       const double value = separation(edge, from);
       const double tie = kTie * length(along(edge));
       const bool leads = value > best.separation + tie;
-      const bool ties = !edge.is_inner && value >= best.separation - tie;
+      const bool ties = i > 0 && !edge.is_inner && value >= best.separation - tie;
       const bool replaces = ties && (best.edge.is_inner || (!is_over(best.edge, from) && is_over(edge, from)));
       if (i == 0 || leads || replaces) best = {edge, value};
     }

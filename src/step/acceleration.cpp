@@ -67,7 +67,7 @@ UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion
   const ContactRows rows = rows_with_points(scene, motion.q, closed);
   const auto blocks = every(scene.bodies, &Body::mass_inverse);
   const double goal = kTolerance * largest_force(scene, motion.a) + kSmallest;
-  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, motion.a), {}, goal, kLooser * goal, {}};
+  FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, motion.a), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : closed) {
     const ContactMemory& memory = *motion.closed.of(touch);
     const double limit = contact_law(scene, motion.bonds, touch).force.limit(memory.normal);

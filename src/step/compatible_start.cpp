@@ -86,7 +86,7 @@ class Settling {
     const double dt = scene_.settings.time_step;
     forces_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
     if (!rows_.empty()) {
-      FrictionalProblem problem{dt * contact_matrix(rows_, rigid_),
+      FrictionalProblem problem{ContactMatrix(rows_, scaled(dt, rigid_)),
                                 dt * rates(rows_, product(rigid_, loads_)),
                                 {},
                                 tolerance_,
@@ -139,16 +139,16 @@ class Settling {
       increments.push_back(flexibility[e] * unbalanced);
     }
     FrictionalProblem problem{
-        contact_matrix(rows_, flexibility), rates(rows_, increments), {}, tolerance_, kLooser * tolerance_, {}};
+        ContactMatrix(rows_, flexibility), rates(rows_, increments), {}, tolerance_, kLooser * tolerance_, {}};
     const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
     const double beyond = kBeyond * problem.b.cwiseAbs().maxCoeff() +
-                          kBeyond * Eigen::VectorXd(problem.w.diagonal()).maxCoeff() * forces_.cwiseAbs().maxCoeff();
+                          kBeyond * problem.w.diagonal().maxCoeff() * forces_.cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
       const Eigen::Index n = tangential(i) - 1;
       problem.laws.push_back(law.force);
-      problem.w.coeffRef(n, n) += law.normal_compliance;
-      problem.w.coeffRef(n + 1, n + 1) += law.tangential_compliance;
+      problem.w.add_to_diagonal(n, law.normal_compliance);
+      problem.w.add_to_diagonal(n + 1, law.tangential_compliance);
       problem.b[n] += gap_of(touches_[i], vertices) - law.rest_gap;
       const double force = forces_[n + 1];
       if (std::abs(force) > 0 && std::abs(force) >= kSliding * law.force.limit(normal(i)))
@@ -178,7 +178,7 @@ class Settling {
   // Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of pushes that
   // would close a gap by a large shift only to the elastic contact.
   void shift() {
-    FrictionalProblem problem{contact_matrix(rows_, rigid_), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
+    FrictionalProblem problem{ContactMatrix(rows_, rigid_), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
     const std::vector<double> gaps = gaps_from_wanted();
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       problem.laws.push_back(normal(i) != 0 ? kTie : ForceLaw{});
@@ -192,7 +192,7 @@ class Settling {
       missing += off.cwiseAbs().sum();
     }
     if (missing == 0) return;
-    problem.goal = problem.acceptable = kShiftTolerance * missing / Eigen::VectorXd(problem.w.diagonal()).maxCoeff();
+    problem.goal = problem.acceptable = kShiftTolerance * missing / problem.w.diagonal().maxCoeff();
     const UnknownsTable by = answer(rows_, rigid_, newton(problem, Eigen::VectorXd::Zero(forces_.size())).forces);
     motion_.q = plus(motion_.q, 1, by);
     asked_ += missing;
@@ -270,6 +270,10 @@ class Settling {
     Table<ElementIndex, UnknownBlock> all = rigid_;
     for (UnknownBlock& block : all) block.setIdentity();
     return all;
+  }
+  static Table<ElementIndex, UnknownBlock> scaled(double by, Table<ElementIndex, UnknownBlock> blocks) {
+    for (UnknownBlock& block : blocks) block *= by;
+    return blocks;
   }
   static UnknownsTable product(const Table<ElementIndex, UnknownBlock>& blocks, const UnknownsTable& x) {
     UnknownsTable result = x;

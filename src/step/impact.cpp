@@ -93,11 +93,11 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
     for (std::size_t i = 0; i < all.size(); ++i) room[i] -= least[i];
     if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable; })) break;
     const ContactRows rows = rows_with_points(scene, q, all);
-    FrictionalProblem problem{contact_matrix(rows, blocks), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
+    FrictionalProblem problem{ContactMatrix(rows, blocks), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
     problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
     problem.b = Eigen::VectorXd::Zero(problem.w.rows());
     for (std::size_t i = 0; i < all.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
-    problem.goal = tolerable / Eigen::VectorXd(problem.w.diagonal()).maxCoeff();
+    problem.goal = tolerable / problem.w.diagonal().maxCoeff();
     problem.acceptable = kLooser * problem.goal;
     const Eigen::VectorXd push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
     q = plus(q, 1, answer(rows, blocks, push));
@@ -120,7 +120,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
   const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
-  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, rigid_part(v)), {}, goal, kLooser * goal, {}};
+  FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, rigid_part(v)), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
@@ -146,7 +146,7 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   const auto blocks = every(scene.bodies, &Body::mass_inverse);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
   const ContactRows rows = rows_with_points(scene, q, closed);
-  FrictionalProblem problem{contact_matrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
+  FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
   problem.laws.assign(closed.size(), kTie);
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);

@@ -100,15 +100,15 @@ class SmoothSolve {
     rows_ = contact_rows(scene_.model, scene_.reference, middle, touches_);
     const ContactRows of_ties = ties_.rows(middle);
     rows_.insert(rows_.end(), of_ties.begin(), of_ties.end());
-    problem_.w = contact_matrix(rows_, inverse_);
+    problem_.w = ContactMatrix(rows_, inverse_);
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const ContactLaw& law = laws_[i];
       problem_.laws.push_back(law.force);
-      problem_.w.coeffRef(n, n) += normal_scale() * law.normal_compliance;
-      problem_.w.coeffRef(n + 1, n + 1) += of_stretch() * law.tangential_compliance;
+      problem_.w.add_to_diagonal(n, normal_scale() * law.normal_compliance);
+      problem_.w.add_to_diagonal(n + 1, of_stretch() * law.tangential_compliance);
       if (problem_.proximal.size() == 0) continue;
       problem_.proximal[n] = law.normal_weight + kWeakTerm * normal_scale() * law.normal_compliance;
       problem_.proximal[n + 1] = of_stretch() * (law.tangential_weight + kWeakTerm * law.tangential_compliance);
@@ -116,8 +116,8 @@ class SmoothSolve {
     for (std::size_t i = 0; i < ties_.count(); ++i) {
       const Eigen::Index n = first_tie() + static_cast<Eigen::Index>(2 * i);
       problem_.laws.push_back(ties_.law(i));
-      problem_.w.coeffRef(n, n) += ties_.compliance(i);
-      if (i < ties_.bolt_count()) problem_.w.coeffRef(n + 1, n + 1) += 1;  // across a bolt there is no force
+      problem_.w.add_to_diagonal(n, ties_.compliance(i));
+      if (i < ties_.bolt_count()) problem_.w.add_to_diagonal(n + 1, 1);  // across a bolt there is no force
     }
   }
   Eigen::Index first_tie() const { return static_cast<Eigen::Index>(2 * touches_.size()); }

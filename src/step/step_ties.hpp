@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "contact/frictional_problem.hpp"
 #include "contact/ties.hpp"
 #include "step/standard_scene.hpp"
 

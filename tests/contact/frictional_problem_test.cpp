@@ -12,19 +12,23 @@
 namespace keyblock {
 namespace {
 
-ContactMatrix sparse(const Eigen::MatrixXd& w) {
-  return w.sparseView();
+// Forces that act on the unknowns of one element each, whose flexibility is W.
+ContactMatrix directly(const Eigen::MatrixXd& w) {
+  ContactRows rows;
+  for (Eigen::Index i = 0; i < w.rows(); ++i)
+    rows.push_back({{0}, {0}, Eigen::RowVectorXd::Unit(w.cols(), i), Eigen::RowVectorXd::Zero(w.cols())});
+  return {rows, {UnknownBlock(w)}};
 }
 
 // A unit mass over one contact, pressed with `press` and pushed with `push`.
 FrictionalProblem one_contact(double press, double push, double friction) {
-  return {sparse(Eigen::Matrix2d::Identity()), Eigen::Vector2d(-press, push), {{friction}}, 1e-12, 1e-12, {}};
+  return {directly(Eigen::Matrix2d::Identity()), Eigen::Vector2d(-press, push), {{friction}}, 1e-12, 1e-12, {}};
 }
 
 // The same mass on two contacts at one place: W has rank two of four.
 FrictionalProblem twice(const FrictionalProblem& p) {
   FrictionalProblem two = p;
-  two.w = sparse(Eigen::MatrixXd(p.w).replicate(2, 2));
+  two.w = ContactMatrix({p.w.row(0), p.w.row(1), p.w.row(0), p.w.row(1)}, p.w.flexibility());
   two.b = p.b.replicate(2, 1);
   two.laws.push_back(p.laws[0]);
   return two;
@@ -56,7 +60,7 @@ TEST(FrictionalProblem, redundant_contacts_carry_together_what_one_would) {
 
 TEST(FrictionalProblem, sweeps_find_what_newton_finds) {
   FrictionalProblem problem = one_contact(10, -8, 0.5);
-  problem.w = sparse(Eigen::Matrix2d{{2, 0.3}, {0.3, 1}});
+  problem.w = directly(Eigen::Matrix2d{{2, 0.3}, {0.3, 1}});
   const FrictionalSolution exact = newton(problem, zeros(problem));
   const FrictionalSolution swept =
       sweep(problem, {zeros(problem), residual(problem, zeros(problem)), 0, 0, false, {}}, 100);
@@ -68,7 +72,7 @@ TEST(FrictionalProblem, sweeps_find_what_newton_finds) {
 TEST(FrictionalProblem, an_open_contact_has_no_force_at_all) {
   Eigen::Matrix4d w = Eigen::Matrix4d::Identity();
   w(0, 2) = w(2, 0) = 1e-17;
-  const FrictionalProblem problem{sparse(w), Eigen::Vector4d(-10, 0.1, 1e-9, 0.2), {{0.5}, {0.5}}, 1e-9, 1e-9, {}};
+  const FrictionalProblem problem{directly(w), Eigen::Vector4d(-10, 0.1, 1e-9, 0.2), {{0.5}, {0.5}}, 1e-9, 1e-9, {}};
   const Eigen::VectorXd forces = solve(problem, Eigen::Vector4d(10, -0.1, 1e-11, 0)).forces;
   EXPECT_EQ(forces[2], 0);
   EXPECT_EQ(forces[3], 0);

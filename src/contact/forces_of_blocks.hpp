@@ -1,0 +1,42 @@
+// The forces of an active set by way of the blocks that they act on: as many equations as unknowns of blocks, and sparse.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/active_forces.hpp"
+#include "system/block_factor.hpp"
+
+namespace keyblock {
+
+/// (R W F + R D F) u = f, with R the rows kept, F the columns and D > 0 what is added to the diagonal, is
+///     (A + Gᵀ F D⁻¹ R G) x = Gᵀ F D⁻¹ f,   u = D⁻¹ (f − R G x),   A = B⁻¹,
+/// for D stands alone in the row of each unknown. It is what penalty springs of stiffness 1/D put between blocks (Shi 1988), slip
+/// included, and is refined on the equations of the forces.
+class ForcesOfBlocks {
+ public:
+  ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added);
+
+  bool is_regular() const { return is_regular_; }
+  /// u for one f, an entry an unknown each.
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+
+ private:
+  void number();
+  void assemble();
+  void add_unknown(std::size_t unknown);
+  int size_of(int block) const;
+  Eigen::VectorXd on_blocks(const Eigen::VectorXd& forces) const;
+  double rate(Eigen::Index row, const Eigen::VectorXd& x) const;
+  Eigen::VectorXd once(const Eigen::VectorXd& right) const;
+
+  const ContactMatrix& w_;
+  const ActiveSet& set_;
+  Eigen::VectorXd added_;
+  Eigen::VectorXd compliance_;       ///< D, of each unknown
+  Table<ElementIndex, int> blocks_;  ///< of the factor; −1 where nothing can move
+  std::vector<int> sizes_;           ///< of blocks
+  std::vector<int> first_rows_;
+  std::unique_ptr<BlockFactor> factor_;
+  bool is_regular_ = false;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,96 @@
+// The block factor against a dense solution, with fill, blocks of several sizes and values that are not symmetric.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/block_factor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <random>
+
+namespace keyblock {
+namespace {
+
+// A wall of `columns` × `rows` blocks, each coupled with the next to the right and above.
+struct Wall {
+  std::vector<int> sizes;
+  BlockPattern::Pairs coupled;
+};
+
+Wall wall(int columns, int rows, std::vector<int> sizes_in_turn) {
+  Wall made;
+  for (int i = 0; i < columns * rows; ++i)
+    made.sizes.push_back(sizes_in_turn[static_cast<std::size_t>(i) % sizes_in_turn.size()]);
+  for (int i = 0; i < columns * rows; ++i) {
+    if (i % columns + 1 < columns) made.coupled.emplace_back(i + 1, i);
+    if (i + columns < columns * rows) made.coupled.emplace_back(i, i + columns);
+    if (i + columns < columns * rows) made.coupled.emplace_back(i, i + columns);
+  }
+  return made;
+}
+
+struct Random {
+  std::mt19937 engine{7};
+  std::uniform_real_distribution<double> number{-1, 1};
+  BlockFactor::Block block(int rows, int columns) {
+    BlockFactor::Block made(rows, columns);
+    for (int r = 0; r < rows; ++r)
+      for (int c = 0; c < columns; ++c) made(r, c) = number(engine);
+    return made;
+  }
+};
+
+// Largest error of the solution, with diagonal blocks great enough to need no pivoting.
+double error_on(const Wall& wall, bool is_symmetric) {
+  Random random;
+  std::vector<int> first{0};
+  for (int size : wall.sizes) first.push_back(first.back() + size);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(first.back(), first.back());
+  const int count = static_cast<int>(wall.sizes.size());
+  BlockFactor factor(std::make_shared<BlockPattern>(count, wall.coupled), wall.sizes);
+  const auto add = [&](int i, int j, const BlockFactor::Block& block) {
+    factor.add(i, j, block);
+    dense.block(first[static_cast<std::size_t>(i)], first[static_cast<std::size_t>(j)], block.rows(), block.cols()) +=
+        block;
+  };
+  const auto size = [&](int i) { return wall.sizes[static_cast<std::size_t>(i)]; };
+  for (int i = 0; i < count; ++i) {
+    const BlockFactor::Block block = random.block(size(i), size(i));
+    const BlockFactor::Block great = 20 * BlockFactor::Block::Identity(size(i), size(i));
+    add(i, i, is_symmetric ? BlockFactor::Block(great + block + block.transpose()) : BlockFactor::Block(great + block));
+  }
+  for (const auto& [i, j] : wall.coupled) {
+    const BlockFactor::Block block = random.block(size(i), size(j));
+    add(i, j, block);
+    add(j, i, is_symmetric ? BlockFactor::Block(block.transpose()) : random.block(size(j), size(i)));
+  }
+  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(first.back(), -1, 2);
+  const Eigen::VectorXd b = dense * x;
+  std::vector<double> solved(b.begin(), b.end());
+  EXPECT_TRUE(factor.factorise(is_symmetric));
+  factor.solve(solved);
+  return (Eigen::Map<Eigen::VectorXd>(solved.data(), x.size()) - x).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+TEST(BlockFactor, solves_walls_of_rigid_deformable_and_mixed_blocks) {
+  for (const std::vector<int>& sizes : {std::vector{3}, std::vector{6}, std::vector{6, 3, 2}, std::vector{1}})
+    for (bool is_symmetric : {true, false}) EXPECT_LE(error_on(wall(9, 7, sizes), is_symmetric), 1e-12);
+}
+
+TEST(BlockFactor, a_block_that_nothing_holds_has_no_factor) {
+  BlockFactor factor(std::make_shared<BlockPattern>(2, BlockPattern::Pairs{{0, 1}}), {3, 3});
+  factor.add(0, 0, BlockFactor::Block::Identity(3, 3));
+  EXPECT_FALSE(factor.factorise(true));
+}
+
+// A chain is eliminated without fill, a ring of n blocks with n − 3 entries more than it has.
+TEST(BlockPattern, fills_no_more_than_it_must) {
+  BlockPattern::Pairs chain;
+  for (int i = 0; i + 1 < 20; ++i) chain.emplace_back(i, i + 1);
+  EXPECT_EQ(BlockPattern(20, chain).entry_count(), 19);
+  chain.emplace_back(0, 19);
+  EXPECT_EQ(BlockPattern(20, chain).entry_count(), 20 + 17);
+}
+
+}  // namespace keyblock
