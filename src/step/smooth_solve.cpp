@@ -22,8 +22,10 @@ constexpr double kSettled = 1e-12;
 // light block moves far by what is nothing to a heavy one.
 constexpr int kMostRounds = 8;
 constexpr double kTolerable = 1e-6;
-// Rows and matrix are made anew about the first estimates; later ones differ by less than what the gaps are settled to.
+// Rows and matrix are made anew about the first estimates, and where these moved by more than the second figure: directions of
+// forces are then as good as that, and gaps are those of the estimate itself in any case.
 constexpr int kMostRows = 2;
+constexpr double kSameRows = 1e-9;
 // Where every touch has a spring, the springs make the forces unique: the first proximal term is this share of their
 // compliance, which may be far below that of the blocks.
 constexpr double kWeakTerm = 1e-3;
@@ -43,7 +45,7 @@ class SmoothSolve {
         bonds_(start.bonds),
         ties_(scene, start, time, dt) {
     for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
-    increments_ = free_;
+    increments_ = touches.empty() && ties_.count() == 0 ? free_ : steady();
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) size_ = std::max(size_, body.size);
     problem_.goal = tolerance.goal;
@@ -73,7 +75,7 @@ class SmoothSolve {
     double change = touches_.empty() && ties_.count() == 0 ? 0 : 1;
     double unsolved = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
-      if (round < kMostRows) linearise();
+      if (round == 0 || (round < kMostRows && greatest_change(increments_, linearised_) > kSameRows)) linearise();
       set_right_side(increments_);
       unsolved = residual(problem_, result_.forces);
       UnknownsTable next = next_increments();
@@ -92,10 +94,19 @@ class SmoothSolve {
     known_acceleration_.push_back(std::move(equations.known_acceleration));
   }
 
+  static UnknownsTable times(double by, UnknownsTable x) {
+    for (Unknowns& of : x) of *= by;
+    return x;
+  }
+
   // Slip velocities are counted as increments: the displacement that alone would give them.
   double rate() const { return rule_.end_velocity.increment; }
 
+  // Increments of a motion that goes on as it is: at rest none.
+  UnknownsTable steady() const { return times(1 / rate(), plus(start_.v, -1, known_velocity_)); }
+
   void linearise() {
+    linearised_ = increments_;
     const UnknownsTable middle = plus(start_.q, 0.5, increments_);
     rows_ = contact_rows(scene_.model, scene_.reference, middle, touches_);
     const ContactRows of_ties = ties_.rows(middle);
@@ -214,6 +225,7 @@ class SmoothSolve {
   ContactRows rows_;
   FrictionalProblem problem_;
   UnknownsTable increments_;
+  UnknownsTable linearised_;  ///< increments about which rows and matrix were made
   double size_ = 0;  ///< of the largest moving block
   Table<ElementIndex, UnknownBlock> inverse_;
   UnknownsTable free_;                ///< increments without contact
