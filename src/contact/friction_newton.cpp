@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-// Weights of the proximal term over W_ii, tried in turn: small ones need few rounds but cycle on jointed masses.
+// Weights of the proximal term over the compliance of a force, tried in turn: small ones need few rounds but cycle on jointed masses.
 constexpr std::array<double, 3> kProximal{1e-3, 1e-2, 1e-1};
 // Each round shrinks the part of the error that W sees by about the weight: five reach round-off at 1e-3, the rest is reserve.
 constexpr int kMostRounds = 30;
@@ -28,7 +28,7 @@ class Newton {
   FrictionalSolution run() {
     for (std::size_t attempt = 0; attempt < kProximal.size(); ++attempt) {
       if (solution_.residual <= (attempt == 0 ? problem_.goal : problem_.acceptable)) break;
-      weights_ = kProximal[attempt] * problem_.w.diagonal();
+      weights_ = kProximal[attempt] * problem_.compliance();
       if (attempt == 0 && problem_.proximal.size() > 0) weights_ = chosen_weights();
       system_.reset();
       forces_ = solution_.forces;

@@ -22,15 +22,15 @@ double ForceLaw::limit(double normal) const {
 
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal) {
   const Eigen::VectorXd y = problem.w * forces + problem.b + proximal.weights.cwiseProduct(forces - proximal.reference);
-  const Eigen::VectorXd diagonal = problem.w.diagonal() + proximal.weights;
+  const Eigen::VectorXd compliance = problem.compliance() + proximal.weights;
   NaturalMap map{forces, {}};
   map.grips.reserve(problem.count());
   for (std::size_t i = 0; i < problem.count(); ++i) {
     const ForceLaw& law = problem.laws[i];
     const auto n = static_cast<Eigen::Index>(2 * i);
     const Eigen::Index t = n + 1;
-    const double wanted = forces[n] - y[n] / diagonal[n];
-    const double tangential = forces[t] - y[t] / diagonal[t];
+    const double wanted = forces[n] - y[n] / compliance[n];
+    const double tangential = forces[t] - y[t] / compliance[t];
     const bool open = wanted <= law.least;
     const double limit = open ? law.limit_open() : law.limit(wanted);
     map.forces[n] = open ? law.least : wanted;

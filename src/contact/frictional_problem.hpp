@@ -42,7 +42,9 @@ struct FrictionalProblem {
   double acceptable = 0;  ///< residual that counts as solved where the goal is out of reach; at least the goal
   Eigen::VectorXd
       proximal;  ///< weights of the first proximal term, as 1/p of an augmented Lagrangian; empty: our choice
+  Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
 
+  const Eigen::VectorXd& compliance() const { return scale.size() > 0 ? scale : w.diagonal(); }
   std::size_t count() const { return laws.size(); }
 };
 
@@ -63,7 +65,7 @@ struct FrictionalSolution {
       undecided;  ///< pairs whose state went round in a cycle, or which hold the residual up at the end
 };
 
-/// What λ would become under the natural map (Alart & Curnier 1991), with r = 1 / W_ii:
+/// What λ would become under the natural map (Alart & Curnier 1991), with r one over the compliance by which y is judged, W_ii:
 ///     λn → max(least, λn − rn yn),  λt → clamp(λt − rt yt, ± limit of the new λn).
 struct NaturalMap {
   Eigen::VectorXd forces;

@@ -7,6 +7,9 @@
 namespace keyblock {
 namespace {
 
+// Without inertia forces are judged as over a step of 30 over the slowest frequency of a body: nearly elastic, not quite free.
+constexpr double kJudging = 1.0 / 900;
+
 StepRule weighted(const StandardChoices& choices, double dt) {
   const double by = 1 / (choices.velocity_weight * dt);
   const StepSum acceleration{by / dt, -by, 0};
@@ -74,7 +77,11 @@ StepRule step_rule(const StandardChoices& choices, double dt) {
 }
 
 StepRule resting_rule(double tau) {
-  return {.inertia = {1 / (tau * tau), 0, 0}, .damping = {}, .end_velocity = {1, 1, 0}, .end_acceleration = {}};
+  return {.inertia = {1 / (tau * tau), 0, 0},
+          .damping = {},
+          .end_velocity = {1, 1, 0},
+          .end_acceleration = {},
+          .judging_inertia = kJudging};
 }
 
 double damping_of_rule(const StandardChoices& choices, double dt) {

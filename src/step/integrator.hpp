@@ -27,6 +27,9 @@ struct StepRule {
   double velocity_lead = 0;
   double acceleration_lead = 0;
   double inertia_lead = 0;
+  /// Inertia, over that of the slowest strain mode of a body, with which forces are judged at least; 0: with that of the step.
+  /// Without inertia a body answers to force mostly as a whole, and how far a contact force is from settled drowns in that.
+  double judging_inertia = 0;
   double error_of_change = 0;        ///< local error of the position over dt² (a1 − a0)
   double error_of_acceleration = 0;  ///< and over dt² a: of first-order rules
 

@@ -89,6 +89,7 @@ class SmoothSolve {
   void prepare(ElementIndex e, const Unknowns& load) {
     StepEquations equations = step_equations(scene_.bodies[e], {start_.q[e], start_.v[e], start_.a[e]}, load, rule_);
     inverse_.push_back(std::move(equations.inverse));
+    if (rule_.judging_inertia > 0) judging_.push_back(std::move(equations.judging));
     free_.push_back(std::move(equations.free));
     known_velocity_.push_back(std::move(equations.known_velocity));
     known_acceleration_.push_back(std::move(equations.known_acceleration));
@@ -112,14 +113,15 @@ class SmoothSolve {
     const ContactRows of_ties = ties_.rows(middle);
     rows_.insert(rows_.end(), of_ties.begin(), of_ties.end());
     problem_.w = ContactMatrix(rows_, inverse_);
+    if (!judging_.empty()) problem_.scale = ContactMatrix(rows_, judging_).diagonal();
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const ContactLaw& law = laws_[i];
       problem_.laws.push_back(law.force);
-      problem_.w.add_to_diagonal(n, normal_scale() * law.normal_compliance);
-      problem_.w.add_to_diagonal(n + 1, of_stretch() * law.tangential_compliance);
+      add_compliance(n, normal_scale() * law.normal_compliance);
+      add_compliance(n + 1, of_stretch() * law.tangential_compliance);
       if (problem_.proximal.size() == 0) continue;
       problem_.proximal[n] = law.normal_weight + kWeakTerm * normal_scale() * law.normal_compliance;
       problem_.proximal[n + 1] = of_stretch() * (law.tangential_weight + kWeakTerm * law.tangential_compliance);
@@ -127,9 +129,13 @@ class SmoothSolve {
     for (std::size_t i = 0; i < ties_.count(); ++i) {
       const Eigen::Index n = first_tie() + static_cast<Eigen::Index>(2 * i);
       problem_.laws.push_back(ties_.law(i));
-      problem_.w.add_to_diagonal(n, ties_.compliance(i));
-      if (i < ties_.bolt_count()) problem_.w.add_to_diagonal(n + 1, 1);  // across a bolt there is no force
+      add_compliance(n, ties_.compliance(i));
+      if (i < ties_.bolt_count()) add_compliance(n + 1, 1);  // across a bolt there is no force
     }
+  }
+  void add_compliance(Eigen::Index row, double compliance) {
+    problem_.w.add_to_diagonal(row, compliance);
+    if (problem_.scale.size() > 0) problem_.scale[row] += compliance;
   }
   Eigen::Index first_tie() const { return static_cast<Eigen::Index>(2 * touches_.size()); }
   bool has_proximal() const {
@@ -228,6 +234,7 @@ class SmoothSolve {
   UnknownsTable linearised_;  ///< increments about which rows and matrix were made
   double size_ = 0;  ///< of the largest moving block
   Table<ElementIndex, UnknownBlock> inverse_;
+  Table<ElementIndex, UnknownBlock> judging_;  ///< inverses by which forces are judged, where these are others
   UnknownsTable free_;                ///< increments without contact
   UnknownsTable known_velocity_;      ///< what the increments leave of the velocities at the end
   UnknownsTable known_acceleration_;  ///< the same of the accelerations

@@ -29,8 +29,8 @@ constexpr double kAimed = 0.5;  // share of it that τ is chosen for
 constexpr double kGrowth = 4;
 constexpr double kGrowthAfterCut = 1.2;  // once contact forces did not settle under a longer τ
 // Longest τ times the slowest frequency of a block: what is left of an elastic error after one iteration is its square
-// inverse; more would drown the elastic part of the contact matrix in the rigid one.
-constexpr double kLongest = 30;
+// inverse, where blocks bend as a whole more by as much as that is slower.
+constexpr double kLongest = 3e3;
 constexpr int kLook = 10;  // iterations between two looks at what is out of balance
 constexpr double kFalls = 0.5;
 constexpr double kLonger = 2;

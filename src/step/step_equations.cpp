@@ -3,12 +3,17 @@
 #include "step/step_equations.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 namespace keyblock {
 namespace {
 
 Unknowns known(const StepSum& sum, const BodyMotion& start) {
   return sum.velocity * start.v + sum.acceleration * start.a;
+}
+
+UnknownBlock inverse_of(const UnknownBlock& a) {
+  return a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()));
 }
 
 }  // namespace
@@ -18,8 +23,13 @@ StepEquations step_equations(const Body& body, const BodyMotion& start, const Un
       rule.inertia.increment * body.mass + rule.stiffness * body.stiffness + rule.damping.increment * body.damping;
   const Unknowns r = load + body.initial_stress - body.stiffness * start.q - body.damping * known(rule.damping, start) -
                      body.mass * known(rule.inertia, start);
-  StepEquations equations{a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
-  if (a.rows() > 0) equations.inverse = a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()));
+  StepEquations equations{a, a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
+  if (a.rows() > 0) {
+    const double missing = std::max(0.0, rule.judging_inertia * body.slowest_frequency * body.slowest_frequency -
+                                             rule.inertia.increment);
+    equations.inverse = inverse_of(a);
+    equations.judging = missing > 0 ? inverse_of(a + missing * body.mass) : equations.inverse;
+  }
   equations.free = equations.inverse * r;
   return equations;
 }

@@ -17,6 +17,7 @@ struct BodyMotion {
 /// Δq = free + inverse Gᵀ λ. Velocity and acceleration at the end are the known part and the rule's share of Δq.
 struct StepEquations {
   UnknownBlock inverse;
+  UnknownBlock judging;  ///< the same with the inertia by which forces are judged
   Unknowns free;  ///< increment without contact
   Unknowns known_velocity;
   Unknowns known_acceleration;
