@@ -97,7 +97,7 @@ CONSTANT = {'step_control': 'constant', 'penalty_control': 'constant'}
 
 
 def write_case(folder, scene, analysis, expected, about, **case):
-    """Writes a case folder. `expected`: (quantity, block, time, value, tolerance, reason, source[, judged])."""
+    """Writes a case folder. `expected`: (quantity, block, time, value, tolerance, reason, source[, judged[, listed miss]])."""
     os.makedirs(folder, exist_ok=True)
     name = os.path.join(folder, os.path.basename(os.path.normpath(folder)))
     with open(name + '.blk', 'w') as file:
@@ -105,12 +105,16 @@ def write_case(folder, scene, analysis, expected, about, **case):
     with open(name + '.ana', 'w') as file:
         file.write(analysis)
     columns = ['quantity', 'block', 'time', 'value', 'tolerance', 'tolerance_reason', 'source', 'judged']
+    if any(len(row) > len(columns) for row in expected):
+        columns.append('listed_miss')
     with open(os.path.join(folder, 'expected.csv'), 'w', newline='') as file:
         table = csv.writer(file, lineterminator='\n')
         table.writerow(columns)
         for row in expected:
             row = ['%.10g' % (v + 0.0) if isinstance(v, float) else v for v in row]
-            table.writerow(row + ['standard'] * (len(columns) - len(row)))
+            if len(row) < 8:
+                row.append('standard')
+            table.writerow(row + [''] * (len(columns) - len(row)))
     overrides = case.pop('set', {})
     overrides['both'] = {**CONSTANT, **overrides.get('both', {})}
     with open(os.path.join(folder, 'case.json'), 'w') as file:

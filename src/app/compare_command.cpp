@@ -46,6 +46,7 @@ Json json_of(const ComparedValue& v) {
           {"tolerance_reason", v.tolerance_reason},
           {"source", v.source},
           {"judged", v.is_judged},
+          {"listed_miss", v.listed_miss},
           {"holds", v.holds()}};
 }
 
@@ -132,6 +133,16 @@ struct Comparison {
       if (!t.holds()) names.push_back(t.name);
     return names;
   }
+
+  /// Of all runs.
+  std::size_t listed_misses() const {
+    std::size_t count = 0;
+    for (const CaseComparison& c : cases)
+      for (const auto* runs : {&c.plain, &c.variants})
+        for (const ComparedCase& run : *runs)
+          count += static_cast<std::size_t>(std::ranges::count_if(run.values, &ComparedValue::is_listed_miss));
+    return count;
+  }
 };
 
 void print_json(const Comparison& all) {
@@ -143,8 +154,9 @@ void print_json(const Comparison& all) {
 
 ExitCode verdict(const Comparison& all) {
   const std::vector<std::string> missed = all.missed();
-  spdlog::info("{}, {}, {} missed{}", counted(all.cases.size(), "case"), counted(all.traces.size(), "trace"),
-               missed.size(),
+  const std::size_t listed = all.listed_misses();
+  spdlog::info("{}, {}, {} missed{}{}", counted(all.cases.size(), "case"), counted(all.traces.size(), "trace"),
+               missed.size(), listed == 0 ? "" : fmt::format("; {} listed as missed", counted(listed, "value")),
                all.slow == 0 ? "" : fmt::format("; {} left out (--all runs them)", counted(all.slow, "slow case")));
   if (!missed.empty()) spdlog::info("missed: {}", fmt::join(missed, ", "));
   if (all.cases.empty() && all.traces.empty()) return all.slow == 0 ? ExitCode::unreadable : ExitCode::usage;

@@ -45,7 +45,10 @@ std::string verdict_of(const std::vector<ComparedCase>& runs, std::size_t row) {
     if (run.values[row].is_missed()) missed.push_back(run.profile);
   }
   if (judged.empty()) return "not judged";
-  if (!missed.empty()) return fmt::format("MISSED: {}", fmt::join(missed, ", "));
+  const bool is_listed = !runs.front().values[row].listed_miss.empty();
+  if (!missed.empty())
+    return fmt::format("{}: {}", is_listed ? "HOLDS BUT IS LISTED" : "MISSED", fmt::join(missed, ", "));
+  if (is_listed) return fmt::format("listed miss: {}", fmt::join(judged, ", "));
   return judged.size() == runs.size() ? "ok" : fmt::format("ok: {} only", fmt::join(judged, ", "));
 }
 
@@ -136,6 +139,8 @@ std::string table_of(const CaseComparison& comparison, Detail detail) {
   }
   for (const ComparedCase& run : comparison.variants) text += variant_line(run);
   for (std::size_t i = 0; i < sources.size(); ++i) text += wrapped(fmt::format("  [{}]", i + 1), sources[i]);
+  for (const std::string& reason : texts_of(values, &ComparedValue::listed_miss))
+    if (!reason.empty()) text += wrapped("  listed miss:", reason);
   if (detail == Detail::brief) return text;
   for (const std::string& reason : texts_of(values, &ComparedValue::tolerance_reason))
     text += wrapped("  tolerance:", reason);

@@ -232,12 +232,12 @@ class SmoothSolve {
   FrictionalProblem problem_;
   UnknownsTable increments_;
   UnknownsTable linearised_;  ///< increments about which rows and matrix were made
-  double size_ = 0;  ///< of the largest moving block
+  double size_ = 0;           ///< of the largest moving block
   Table<ElementIndex, UnknownBlock> inverse_;
   Table<ElementIndex, UnknownBlock> judging_;  ///< inverses by which forces are judged, where these are others
-  UnknownsTable free_;                ///< increments without contact
-  UnknownsTable known_velocity_;      ///< what the increments leave of the velocities at the end
-  UnknownsTable known_acceleration_;  ///< the same of the accelerations
+  UnknownsTable free_;                         ///< increments without contact
+  UnknownsTable known_velocity_;               ///< what the increments leave of the velocities at the end
+  UnknownsTable known_acceleration_;           ///< the same of the accelerations
   SmoothMotion result_;
 };
 

@@ -25,8 +25,8 @@ StepEquations step_equations(const Body& body, const BodyMotion& start, const Un
                      body.mass * known(rule.inertia, start);
   StepEquations equations{a, a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
   if (a.rows() > 0) {
-    const double missing = std::max(0.0, rule.judging_inertia * body.slowest_frequency * body.slowest_frequency -
-                                             rule.inertia.increment);
+    const double missing =
+        std::max(0.0, rule.judging_inertia * body.slowest_frequency * body.slowest_frequency - rule.inertia.increment);
     equations.inverse = inverse_of(a);
     equations.judging = missing > 0 ? inverse_of(a + missing * body.mass) : equations.inverse;
   }

@@ -18,7 +18,7 @@ struct BodyMotion {
 struct StepEquations {
   UnknownBlock inverse;
   UnknownBlock judging;  ///< the same with the inertia by which forces are judged
-  Unknowns free;  ///< increment without contact
+  Unknowns free;         ///< increment without contact
   Unknowns known_velocity;
   Unknowns known_acceleration;
 };

@@ -34,8 +34,16 @@ Loaded load(const CaseFolder& folder) {
 std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expected, const std::string& profile) {
   std::vector<ComparedValue> values;
   for (const ExpectedValue& e : expected)
-    values.push_back(
-        {e.quantity, e.block, e.time, e.value, {}, e.tolerance, e.tolerance_reason, e.source, e.is_judged_in(profile)});
+    values.push_back({e.quantity,
+                      e.block,
+                      e.time,
+                      e.value,
+                      {},
+                      e.tolerance,
+                      e.tolerance_reason,
+                      e.source,
+                      e.listed_miss,
+                      e.is_judged_in(profile)});
   return values;
 }
 

@@ -25,12 +25,14 @@ struct ComparedValue {
   double tolerance = 0;            ///< absolute
   std::string tolerance_reason;
   std::string source;
-  bool is_judged = true;  ///< in this run; otherwise only shown
+  std::string listed_miss;  ///< why it is known to miss; empty if it should hold
+  bool is_judged = true;    ///< in this run; otherwise only shown
 
   double error() const { return computed.value_or(0) - expected; }
   bool holds() const;
-  /// Judged and outside its tolerance.
-  bool is_missed() const { return is_judged && !holds(); }
+  /// Judged and outside its tolerance without being listed, or within it although it is: then the list is out of date.
+  bool is_missed() const { return is_judged && holds() != listed_miss.empty(); }
+  bool is_listed_miss() const { return is_judged && !holds() && !listed_miss.empty(); }
 };
 
 /// A case rerun once.

@@ -39,7 +39,10 @@ std::vector<ExpectedValue> read_expected(const std::filesystem::path& file) {
   const std::size_t quantity = column("quantity"), block = column("block"), time = column("time"),
                     value = column("value"), tolerance = column("tolerance"), reason = column("tolerance_reason"),
                     source = column("source");
-  const auto judged = std::ranges::find(table.header, "judged") - table.header.begin();
+  const auto optional_cell = [&](const formats::CsvRow& row, const char* name) {
+    const auto place = std::ranges::find(table.header, name) - table.header.begin();
+    return place < std::ssize(row.cells) ? row.cells[static_cast<std::size_t>(place)] : std::string();
+  };
   std::vector<ExpectedValue> values;
   for (const formats::CsvRow& row : table.rows) {
     ExpectedValue v;
@@ -50,7 +53,8 @@ std::vector<ExpectedValue> read_expected(const std::filesystem::path& file) {
     v.tolerance = formats::csv_real(table, row, tolerance);
     v.tolerance_reason = row.cells[reason];
     v.source = row.cells[source];
-    if (judged < std::ssize(row.cells)) v.judged = row.cells[static_cast<std::size_t>(judged)];
+    if (const std::string judged = optional_cell(row, "judged"); !judged.empty()) v.judged = judged;
+    v.listed_miss = optional_cell(row, "listed_miss");
     const Place place{file.string(), row.line, 1};
     require_quantity(v, place);
     require_judged(v, place);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Columns: quantity,block,time,value,tolerance,tolerance_reason,source and, where wanted, judged: `both` (as without the
-// column), `legacy` or `standard`, the profile whose value is held against the tolerance.
+// column), `legacy` or `standard`, the profile whose value is held against the tolerance; and listed_miss: why a benchmark is known
+// not to be met, empty where it is.
 #pragma once
 
 #include <filesystem>
@@ -21,6 +22,7 @@ struct ExpectedValue {
   std::string tolerance_reason;
   std::string source;
   std::string judged = "both";
+  std::string listed_miss;  ///< a miss that is published with this reason; to hold is then the surprise
 
   bool is_judged_in(const std::string& profile) const { return judged == "both" || judged == profile; }
 };
