@@ -31,7 +31,11 @@ constexpr double kGrowthAfterCut = 1.2;  // once contact forces did not settle u
 // Longest τ times the slowest frequency of a block: what is left of an elastic error after one iteration is its square
 // inverse, where blocks bend as a whole more by as much as that is slower.
 constexpr double kLongest = 3e3;
-constexpr int kLook = 10;  // iterations between two looks at what is out of balance
+// Loads that turn with a block are not part of the linearisation: a τ beyond what they allow throws a hanging block over its rest,
+// further each time. Where blocks turn back and more is out of balance than before, τ stays below a share of the one that did it.
+constexpr double kAfterRise = 0.5;
+constexpr double kRaised = 1.2;  // in each iteration that it falls again
+constexpr int kLook = 10;        // iterations between two looks at what is out of balance
 constexpr double kFalls = 0.5;
 constexpr double kLonger = 2;
 constexpr double kBalanceAcceptable = 1e-6;  // where no more can be had
@@ -58,6 +62,7 @@ class StaticSolve {
     for (; iterations_ < kMostIterations && result_.failure.empty() && result_.converged; ++iterations_) {
       if (!iterate()) continue;
       const Balance balance = balance_of(scene_, now_, time_, load_);
+      bound_by(balance.share);
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
       result_.failure = why_far(balance);
@@ -105,6 +110,11 @@ class StaticSolve {
     return true;
   }
 
+  void bound_by(double share) {
+    bound_ = turned_back_ && share > result_.residual ? kAfterRise * std::min(used_, bound_) : kRaised * bound_;
+    tau_ = std::min(tau_, bound_);
+  }
+
   // Every few iterations: where forces out of balance fall no more, they may be as small as contact forces can be told; if not,
   // a longer τ moves what is slow, or shows what accelerates.
   bool settles_for_less() {
@@ -142,6 +152,7 @@ class StaticSolve {
     if ((!made.converged || !(moved <= kFarthest)) && cut(made, touches)) return false;
     if (!made.converged) return false;
     accept(made, touches, tolerance.goal);
+    used_ = tau_;
     const double wanted = tau_ * std::clamp(std::sqrt(kAimed * kFarthest / moved), 1 / kGrowth, growth_);
     tau_ = std::min(wanted, longest_);
     cuts_in_row_ = 0;
@@ -164,6 +175,9 @@ class StaticSolve {
 
   void accept(const SmoothMotion& made, const Touches& touches, double least_force) {
     result_.touches = touches;
+    const UnknownsTable moved = plus(made.q, -1, now_.q);
+    turned_back_ = !moved_.empty() && work_of_mass(moved, moved_) < 0;
+    moved_ = moved;
     now_.q = made.q;
     now_.bonds = made.bonds;
     now_.ties = made.ties;
@@ -184,6 +198,12 @@ class StaticSolve {
       memory.stretch = known ? known->stretch : 0;
       now_.closed.add(touch, memory);
     }
+  }
+
+  double work_of_mass(const UnknownsTable& a, const UnknownsTable& b) const {
+    double sum = 0;
+    for (ElementIndex e : indices(a)) sum += a[e].dot(scene_.bodies[e].mass * b[e]);
+    return sum;
   }
 
   // A touch is closed that was open where slip is counted from.
@@ -209,8 +229,12 @@ class StaticSolve {
   ClosedContacts closed_;  ///< with their present stretch
   double load_ = 0;        ///< the largest, or what drives held points
   double tau_ = 0;
+  double used_ = 0;                                         ///< τ of the last iteration that stands
+  double bound_ = std::numeric_limits<double>::infinity();  ///< of τ, by what has risen
   double longest_ = 0;
   double growth_ = kGrowth;
+  UnknownsTable moved_;  ///< in the last iteration that stands
+  bool turned_back_ = false;
   int since_look_ = 0;                                          ///< iterations
   double last_look_ = std::numeric_limits<double>::infinity();  ///< share out of balance then
   int iterations_ = 0;
