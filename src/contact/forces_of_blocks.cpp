@@ -66,33 +66,43 @@ int ForcesOfBlocks::size_of(int block) const {
 void ForcesOfBlocks::assemble() {
   for (ElementIndex e : indices(w_.flexibility()))
     if (blocks_[e] >= 0) factor_->add(blocks_[e], blocks_[e], inverse_of(w_.flexibility()[e], size_of(blocks_[e])));
-  for (std::size_t u = 0; u < set_.rows.size(); ++u) add_unknown(u);
+  for (std::size_t first = 0; first < set_.rows.size();) {
+    const Eigen::Index pair = set_.rows[first] - set_.rows[first] % 2;
+    const bool is_two = first + 1 < set_.rows.size() && set_.rows[first + 1] == pair + 1;
+    add_pair(pair, first, is_two ? 2 : 1);
+    first += is_two ? 2 : 1;
+  }
 }
 
-// Both forces of a pair act between the same two elements.
-void ForcesOfBlocks::add_unknown(std::size_t unknown) {
-  const Eigen::Index kept = set_.rows[unknown];
-  const ContactRow& row = w_.row(kept);
-  Row of_vertex = Row::Zero(row.of_vertex.size());
-  Row of_edge = Row::Zero(row.of_edge.size());
-  const Eigen::Index first = kept - kept % 2;
-  for (const Eigen::Index force : {first, first + 1}) {
-    const ActiveSet::Column& column = set_.columns[static_cast<std::size_t>(force)];
-    if (column.unknown != static_cast<Eigen::Index>(unknown)) continue;
-    of_vertex += column.factor * w_.row(force).of_vertex;
-    of_edge += column.factor * w_.row(force).of_edge;
+// Both forces of a pair act between the same two elements: four blocks in all, each the sum over its unknowns.
+void ForcesOfBlocks::add_pair(Eigen::Index pair, std::size_t first_unknown, int count) {
+  const ContactRow& any = w_.row(pair);
+  const int blocks[2] = {blocks_[any.vertex_element], blocks_[any.edge_element]};
+  BlockFactor::Block sums[2][2];
+  for (int i : {0, 1})
+    for (int j : {0, 1}) sums[i][j].setZero(size_of(blocks[i]), size_of(blocks[j]));
+  for (int k = 0; k < count; ++k) {
+    const std::size_t unknown = first_unknown + static_cast<std::size_t>(k);
+    const ContactRow& row = w_.row(set_.rows[unknown]);
+    Row of_vertex = Row::Zero(any.of_vertex.size());
+    Row of_edge = Row::Zero(any.of_edge.size());
+    for (const Eigen::Index force : {pair, pair + 1}) {
+      const ActiveSet::Column& column = set_.columns[static_cast<std::size_t>(force)];
+      if (column.unknown != static_cast<Eigen::Index>(unknown)) continue;
+      of_vertex += column.factor * w_.row(force).of_vertex;
+      of_edge += column.factor * w_.row(force).of_edge;
+    }
+    const double stiffness = 1 / compliance_[static_cast<Eigen::Index>(unknown)];
+    const Row* columns[2] = {&of_vertex, &of_edge};
+    const Row* across[2] = {&row.of_vertex, &row.of_edge};
+    for (int i : {0, 1})
+      for (int j : {0, 1})
+        sums[i][j].noalias() +=
+            (stiffness * columns[i]->head(size_of(blocks[i]))).transpose() * across[j]->head(size_of(blocks[j]));
   }
-  const double stiffness = 1 / compliance_[static_cast<Eigen::Index>(unknown)];
-  const int a = blocks_[row.vertex_element];
-  const int b = blocks_[row.edge_element];
-  const auto add = [&](int i, const Row& column, int j, const Row& across) {
-    if (i < 0 || j < 0) return;
-    factor_->add(i, j, stiffness * column.head(size_of(i)).transpose() * across.head(size_of(j)));
-  };
-  add(a, of_vertex, a, row.of_vertex);
-  add(a, of_vertex, b, row.of_edge);
-  add(b, of_edge, a, row.of_vertex);
-  add(b, of_edge, b, row.of_edge);
+  for (int i : {0, 1})
+    for (int j : {0, 1})
+      if (blocks[i] >= 0 && blocks[j] >= 0) factor_->add(blocks[i], blocks[j], sums[i][j]);
 }
 
 // Gᵀ f on the unknowns that answer.

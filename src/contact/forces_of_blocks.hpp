@@ -22,7 +22,7 @@ class ForcesOfBlocks {
  private:
   void number();
   void assemble();
-  void add_unknown(std::size_t unknown);
+  void add_pair(Eigen::Index pair, std::size_t first_unknown, int count);
   int size_of(int block) const;
   Eigen::VectorXd on_blocks(const Eigen::VectorXd& forces) const;
   double rate(Eigen::Index row, const Eigen::VectorXd& x) const;

@@ -24,6 +24,9 @@ constexpr int kMostSearches = 4;
 // Residual of the contact forces over the largest load on a block: few contacts reach the first, assemblies the second.
 constexpr double kForceGoal = 1e-10;
 constexpr double kForceAcceptable = 1e-6;
+// In assemblies of more touches than the second figure the goal is what round-off of gaps leaves of a force in a short step.
+constexpr double kForceGoalOfMany = 1e-8;
+constexpr std::size_t kMany = 50;
 // Where nothing loads the blocks, forces come from momentum alone: the same over momentum / dt.
 constexpr double kMomentumGoal = 1e-13;
 constexpr double kMomentumAcceptable = 1e-9;
@@ -106,8 +109,10 @@ class Attempt {
  private:
   // Again where blocks came to overlap at corners that nobody reckoned with.
   void move_smoothly() {
+    const double goal = found_.touches.size() > kMany ? kForceGoalOfMany * scales_.force : 0;
     const ForceTolerance tolerance{
-        least_force_, std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
+        std::max(least_force_, goal),
+        std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
     for (int search = 0; search < kMostSearches; ++search) {
       parts_ = split(scene_, start_, found_.touches, slow_speed(scales_, start_.v, dt_));
       smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_);
