@@ -27,7 +27,7 @@ class Newton {
 
   FrictionalSolution run() {
     for (std::size_t attempt = 0; attempt < kProximal.size(); ++attempt) {
-      if (solution_.residual <= (attempt == 0 ? problem_.goal : problem_.acceptable)) break;
+      if (attempt == 0 ? is_solved() : solution_.converged) break;
       weights_ = kProximal[attempt] * problem_.compliance();
       if (attempt == 0 && problem_.proximal.size() > 0) weights_ = chosen_weights();
       system_.reset();
@@ -35,7 +35,7 @@ class Newton {
       for (int round = 0; round < kMostRounds && !is_solved(); ++round) {
         const double before = solution_.residual;
         if (!settle({weights_, forces_})) break;
-        if (solution_.residual <= problem_.acceptable && solution_.residual > kProgress * before) break;
+        if (solution_.converged && solution_.residual > kProgress * before) break;
       }
     }
     return std::move(solution_);
@@ -87,6 +87,7 @@ class Newton {
     if (!(now < solution_.residual)) return;
     solution_.residual = now;
     solution_.forces = forces_;
+    solution_.converged = is_acceptable(problem_, forces_);
   }
 
   void name_undecided(const std::vector<Grip>& a, const std::vector<Grip>& b) {
@@ -109,6 +110,7 @@ FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorX
   FrictionalSolution so_far;
   so_far.forces = start;
   so_far.residual = residual(problem, start);
+  so_far.converged = is_acceptable(problem, start);
   return newton(problem, std::move(so_far));
 }
 

@@ -59,7 +59,8 @@ class Sweep {
 
 FrictionalSolution sweep(const FrictionalProblem& problem, FrictionalSolution solution, int most_sweeps) {
   Sweep sweeps(problem, solution.forces);
-  for (int i = 1; i <= most_sweeps && solution.residual > problem.acceptable; ++i) {
+  solution.converged = is_acceptable(problem, solution.forces);
+  for (int i = 1; i <= most_sweeps && !solution.converged; ++i) {
     sweeps.once();
     ++solution.sweeps;
     if (i % kLook != 0 && i != most_sweeps) continue;
@@ -67,6 +68,7 @@ FrictionalSolution sweep(const FrictionalProblem& problem, FrictionalSolution so
     if (i < most_sweeps && now >= solution.residual) continue;
     solution.residual = now;
     solution.forces = sweeps.forces();
+    solution.converged = is_acceptable(problem, solution.forces);
   }
   return solution;
 }

@@ -57,23 +57,31 @@ double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces)
 // The pairs that the natural map would still change by more than is acceptable.
 std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
   const Eigen::VectorXd change = (natural_map(problem, forces).forces - forces).cwiseAbs();
+  const auto is_settled = [&](Eigen::Index i) {
+    return change[i] <= std::max(problem.acceptable, problem.gap_tolerance / problem.compliance()[i]);
+  };
   std::vector<std::size_t> pairs;
-  for (std::size_t i = 0; i < problem.count(); ++i)
-    if (!(change.segment<2>(static_cast<Eigen::Index>(2 * i)).maxCoeff() <= problem.acceptable)) pairs.push_back(i);
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    if (!is_settled(n) || !is_settled(n + 1)) pairs.push_back(i);
+  }
   return pairs;
+}
+
+bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
+  return unsettled(problem, forces).empty();
 }
 
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
   FrictionalSolution solution = newton(problem, start);
   FrictionalSolution best = solution;
-  for (int turn = 0; turn < kMostTurns && solution.residual > problem.acceptable; ++turn) {
+  for (int turn = 0; turn < kMostTurns && !solution.converged; ++turn) {
     solution = sweep(problem, std::move(solution), kSweepsBetween << turn);
-    if (solution.residual > problem.acceptable) solution = newton(problem, std::move(solution));
-    if (solution.residual < best.residual) best = solution;
+    if (!solution.converged) solution = newton(problem, std::move(solution));
+    if (solution.converged || solution.residual < best.residual) best = solution;
   }
   solution.forces = best.forces;
   solution.residual = best.residual;
-  solution.converged = solution.residual <= problem.acceptable;
   if (!solution.converged && solution.undecided.empty()) solution.undecided = unsettled(problem, solution.forces);
   // Round-off on an open touch would pass for a closed one.
   const NaturalMap map = natural_map(problem, solution.forces);

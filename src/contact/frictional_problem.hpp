@@ -42,6 +42,8 @@ struct FrictionalProblem {
   double acceptable = 0;  ///< residual that counts as solved where the goal is out of reach; at least the goal
   Eigen::VectorXd
       proximal;  ///< weights of the first proximal term, as 1/p of an augmented Lagrangian; empty: our choice
+  /// |y| that counts as zero: redundant forces may be asked to close gaps that round-off made unequal, and then no forces do.
+  double gap_tolerance = 0;
   Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
 
   const Eigen::VectorXd& compliance() const { return scale.size() > 0 ? scale : w.diagonal(); }
@@ -60,7 +62,7 @@ struct FrictionalSolution {
   double residual = 0;
   int solves = 0;          ///< linear systems factorised
   int sweeps = 0;          ///< of projected Gauss-Seidel, 0 if it was not needed
-  bool converged = false;  ///< residual ≤ acceptable
+  bool converged = false;  ///< acceptable
   std::vector<std::size_t>
       undecided;  ///< pairs whose state went round in a cycle, or which hold the residual up at the end
 };
@@ -82,6 +84,9 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
 
 /// Largest change of λ by the natural map: zero at the solution and only there.
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
+
+/// Whether no force is further from settled than is acceptable, nor, as a gap, than is tolerated.
+bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 
 /// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and Newton
 /// in turn from the best forces seen. The forces of open touches are exactly zero.

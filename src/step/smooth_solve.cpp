@@ -29,6 +29,8 @@ constexpr double kSameRows = 1e-9;
 // Where every touch has a spring, the springs make the forces unique: the first proximal term is this share of their
 // compliance, which may be far below that of the blocks.
 constexpr double kWeakTerm = 1e-3;
+// Gaps of this share of block size need not be closed further by forces without springs.
+constexpr double kGapTolerance = 1e-9;
 // A bond that opens by more than this share of block size in a step is broken; less is round-off of the solution.
 constexpr double kBroken = 1e-11;
 
@@ -113,6 +115,8 @@ class SmoothSolve {
     const ContactRows of_ties = ties_.rows(middle);
     rows_.insert(rows_.end(), of_ties.begin(), of_ties.end());
     problem_.w = ContactMatrix(rows_, inverse_);
+    const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
+    problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * size_;
     if (!judging_.empty()) problem_.scale = ContactMatrix(rows_, judging_).diagonal();
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
