@@ -38,7 +38,7 @@ enum class MotionRule { dynamic, equilibrium, relaxation };
 
 struct StandardChoices {
   MotionRule motion = MotionRule::dynamic;
-  int load_steps = 1;  ///< equilibria from no load to that of the start
+  int load_steps = 1;  ///< equilibria from no load to that of the start: one a step, or several where steps are fewer
   PerMaterial<BlockBasis> basis = BlockBasis::affine;             ///< by block material
   PerMaterial<Enforcement> enforcement = Enforcement::automatic;  ///< by joint material
   StartRule start = StartRule::compatible;

@@ -66,11 +66,10 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
 Warnings without_effect(const std::vector<Override>& overrides, const Settings& settings, const Place& place) {
   Warnings warnings;
   for (const auto& [name, value] : overrides) {
-    const std::optional<Dynamics> dynamics = dynamics_of(name);
-    if (!dynamics || *dynamics == settings.dynamics) continue;
-    warnings.push_back({"setting_without_effect", place,
-                        fmt::format("setting {} is read by dynamics {} alone and has no effect here", name,
-                                    *dynamics == Dynamics::shi ? "shi" : "standard")});
+    const std::string why = why_unread(settings, name);
+    if (why.empty()) continue;
+    warnings.push_back(
+        {"setting_without_effect", place, fmt::format("setting {} {} and has no effect here", name, why)});
   }
   return warnings;
 }
@@ -123,10 +122,6 @@ void require_consistent(const Settings& settings, int joint_materials) {
       refuse_value("step_control", "constant or shi under dynamics shi", "error");
     return;
   }
-  const StandardChoices& choices = settings.standard;
-  if (choices.motion != MotionRule::dynamic && choices.load_steps > settings.step_count)
-    refuse_value("load_steps", fmt::format("at most the number of steps, {}", settings.step_count),
-                 fmt::format("{}", choices.load_steps));
   require_springs(settings, joint_materials);
 }
 
@@ -169,7 +164,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
-  cut.warnings = joined(std::move(cut.warnings), without_effect(overrides, settings, problem.analysis->place));
+  cut.warnings = joined(std::move(cut.warnings), without_effect(all, settings, problem.analysis->place));
   auto [model, needs] =
       plan_of(with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor),
               settings, cut.blocks.place);

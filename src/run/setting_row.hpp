@@ -58,6 +58,12 @@ ValueText<E> one_of(const std::vector<std::pair<E, std::string>>& words) {
 
 enum class Materials { of_blocks, of_joints };
 
+/// The choice that has to be made for a setting to be read, beside its dynamics: "integrator = newmark".
+struct ReadUnder {
+  std::string choice;
+  std::function<bool(const Settings&)> holds;
+};
+
 /// The values that a setting has for single materials, numbered from 0.
 struct MaterialRow {
   Materials materials;
@@ -75,6 +81,7 @@ struct SettingRow {
   std::optional<MaterialRow> per_material;
   std::string expected;              ///< permitted values, in words
   std::optional<Dynamics> dynamics;  ///< that read it; nothing: both
+  std::optional<ReadUnder> read_under = std::nullopt;
 };
 
 /// `of` gives the member of the settings, constant or not.

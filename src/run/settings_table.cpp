@@ -43,6 +43,17 @@ SettingRow of(std::optional<Dynamics> dynamics, SettingRow row) {
   return row;
 }
 
+SettingRow under(ReadUnder choice, SettingRow row) {
+  row.read_under = std::move(choice);
+  return row;
+}
+
+ReadUnder integrator(Integrator wanted, const char* word) {
+  return {fmt::format("integrator = {} outside motion = static", word), [wanted](const Settings& s) {
+            return s.standard.integrator == wanted && s.standard.motion != MotionRule::equilibrium;
+          }};
+}
+
 SettingRow quirk(const std::string& name, const std::string& meaning, bool BerkeleyQuirks::*member) {
   return of(Dynamics::shi,
             row(
@@ -180,8 +191,12 @@ std::vector<SettingRow> rows_of_standard() {
           one_of<MotionRule>({{MotionRule::dynamic, "dynamic"},
                               {MotionRule::equilibrium, "static"},
                               {MotionRule::relaxation, "relaxation"}})),
-      row("load_steps", "equilibria from no load to that of the start, in a run without dynamics", at(&C::load_steps),
-          whole(1)),
+      under(
+          {"motion = static or relaxation", [](const Settings& s) { return s.standard.motion != MotionRule::dynamic; }},
+          row("load_steps",
+              "equilibria from no load to that of the start, in a run without dynamics: one a step, or several where "
+              "there are fewer steps",
+              at(&C::load_steps), whole(1))),
       row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 or 6", at(&C::basis),
           one_of<BlockBasis>({{BlockBasis::rigid, "rigid"}, {BlockBasis::affine, "affine"}})),
       row(Materials::of_joints, "enforcement",
@@ -197,29 +212,39 @@ std::vector<SettingRow> rows_of_standard() {
           one_of<SpringPoints>({{SpringPoints::ends, "ends"}, {SpringPoints::lobatto, "lobatto"}})),
       row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
           one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
-      row("start", "strains and contact forces at the start", at(&C::start),
-          one_of<StartRule>({{StartRule::compatible, "compatible"}, {StartRule::sudden, "sudden"}})),
+      under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},
+            row("start", "strains and contact forces at the start", at(&C::start),
+                one_of<StartRule>({{StartRule::compatible, "compatible"}, {StartRule::sudden, "sudden"}}))),
       row("strain_damping", "stiffness damping of the strain modes", at(&C::strain_damping),
           one_of<StrainDamping>({{StrainDamping::critical, "critical"}, {StrainDamping::none, "none"}})),
       row("integrator", "sums of a step: the two weights below, Newmark's, or generalised alpha's", at(&C::integrator),
           one_of<Integrator>({{Integrator::weighted, "weighted"},
                               {Integrator::newmark, "newmark"},
                               {Integrator::generalized_alpha, "generalized_alpha"}})),
-      row("velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order",
-          at(&C::velocity_weight), real(kFromHalf)),
-      row("force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
-          at(&C::force_weight), real(kFromHalf)),
-      row("newmark_beta", "beta of Newmark: 0.25 average acceleration, 0.5 Shi; unstable below half of gamma",
-          at(&C::newmark_beta), real({0, true, 1})),
-      row("newmark_gamma", "gamma of Newmark: 0.5 average acceleration, 1 Shi", at(&C::newmark_gamma), real(kFromHalf)),
-      row("rho_infinity", "what generalised alpha leaves of the highest frequencies in a step", at(&C::rho_infinity),
-          real(kShare)),
-      row("step_tolerance", "error of a step over block size, under step control error", at(&C::step_tolerance),
-          real(kAboveZero)),
-      row("least_step_share", "of the time step, below which controlled steps are not cut", at(&C::least_step_share),
-          real({0, true, 1})),
-      row(Materials::of_joints, "restitution", "rebound over approach speed of an impact, where impact = jump",
-          at(&C::restitution), real(kShare)),
+      under(integrator(Integrator::weighted, "weighted"),
+            row("velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order",
+                at(&C::velocity_weight), real(kFromHalf))),
+      under(integrator(Integrator::weighted, "weighted"),
+            row("force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
+                at(&C::force_weight), real(kFromHalf))),
+      under(integrator(Integrator::newmark, "newmark"),
+            row("newmark_beta", "beta of Newmark: 0.25 average acceleration, 0.5 Shi; unstable below half of gamma",
+                at(&C::newmark_beta), real({0, true, 1}))),
+      under(integrator(Integrator::newmark, "newmark"),
+            row("newmark_gamma", "gamma of Newmark: 0.5 average acceleration, 1 Shi", at(&C::newmark_gamma),
+                real(kFromHalf))),
+      under(integrator(Integrator::generalized_alpha, "generalized_alpha"),
+            row("rho_infinity", "what generalised alpha leaves of the highest frequencies in a step",
+                at(&C::rho_infinity), real(kShare))),
+      under({"step_control = error", [](const Settings& s) { return s.step_control == StepControl::error; }},
+            row("step_tolerance", "error of a step over block size, under step control error", at(&C::step_tolerance),
+                real(kAboveZero))),
+      under({"step_control = shi or error", [](const Settings& s) { return s.step_control != StepControl::constant; }},
+            row("least_step_share", "of the time step, below which controlled steps are not cut",
+                at(&C::least_step_share), real({0, true, 1}))),
+      under({"impact = jump", [](const Settings& s) { return s.standard.impact == ImpactLaw::jump; }},
+            row(Materials::of_joints, "restitution", "rebound over approach speed of an impact, where impact = jump",
+                at(&C::restitution), real(kShare))),
   };
 }
 
@@ -295,10 +320,15 @@ void set(Settings& settings, const std::string& name, const std::string& value) 
   row->per_material->read(settings, material, name, value);
 }
 
-std::optional<Dynamics> dynamics_of(const std::string& name) {
+std::string why_unread(const Settings& settings, const std::string& name) {
   const SettingRow* row = find_row(name);
   if (row == nullptr) row = material_setting(name).row;
-  return row == nullptr ? std::nullopt : row->dynamics;
+  if (row == nullptr) return {};
+  if (row->dynamics && *row->dynamics != settings.dynamics)
+    return fmt::format("is read by dynamics {} alone", *row->dynamics == Dynamics::shi ? "shi" : "standard");
+  if (row->read_under && !row->read_under->holds(settings))
+    return fmt::format("is read under {} alone", row->read_under->choice);
+  return {};
 }
 
 void require_materials(const Settings& settings, int block_materials, int joint_materials) {

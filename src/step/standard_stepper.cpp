@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 
 #include "contact/gap.hpp"
@@ -79,6 +80,15 @@ StandardStep unchanged(const StandardScene& scene, const Motion& motion, double 
   step.motion = motion;
   step.residual = balance_of(scene, motion, time).share;
   return step;
+}
+
+// The later of two equilibria of one step, with the work of both.
+StandardStep joined(const StandardStep& earlier, StandardStep later) {
+  later.account += earlier.account;
+  later.solves += earlier.solves;
+  later.fallbacks += earlier.fallbacks;
+  later.halvings += earlier.halvings;
+  return later;
 }
 
 std::vector<PointState> carried(const StandardScene& scene, const Motion& motion,
@@ -197,14 +207,29 @@ ControlledStep StandardStepper::make_step() {
 // Loads grow in equal shares over the first steps. Where neither they nor held points changed since the last step, its
 // equilibrium holds.
 StandardStep StandardStepper::static_equilibrium(double time) {
-  const double share = std::min(1.0, (state_.step + 1.0) / scene_.settings.standard.load_steps);
   const UnknownsTable last = loads_at(scene_, motion_.q, state_.time);
-  scene_.load_share = share;
   const auto stays = [&](const CarriedPoint& point) { return point.curve.at(state_.time) == point.curve.at(time); };
+  const int wanted = scene_.settings.standard.load_steps;
+  const int growing = std::min(wanted, scene_.settings.step_count);  // steps
+  const auto shares_after = [&](int steps) {
+    return static_cast<int>(std::int64_t{wanted} * std::min(steps, growing) / growing);
+  };
+  const int end = shares_after(state_.step + 1);
+  int share = std::min(shares_after(state_.step) + 1, end);
+  scene_.load_share = static_cast<double>(share) / wanted;
   if (state_.step > 0 && last == loads_at(scene_, motion_.q, time) && std::ranges::all_of(scene_.held, stays))
     return unchanged(scene_, motion_, time);
-  return scene_.settings.standard.motion == MotionRule::equilibrium ? static_step(scene_, motion_, time)
-                                                                    : relaxation_step(scene_, motion_, time);
+  StandardStep made = equilibrium_from(motion_, time);
+  while (++share <= end && made.converged && made.failure.empty()) {
+    scene_.load_share = static_cast<double>(share) / wanted;
+    made = joined(made, equilibrium_from(made.motion, time));
+  }
+  return made;
+}
+
+StandardStep StandardStepper::equilibrium_from(const Motion& motion, double time) const {
+  return scene_.settings.standard.motion == MotionRule::equilibrium ? static_step(scene_, motion, time)
+                                                                    : relaxation_step(scene_, motion, time);
 }
 
 void StandardStepper::book(const StandardStep& step) {

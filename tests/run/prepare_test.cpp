@@ -152,9 +152,7 @@ TEST(Prepare, settings_that_do_not_go_together_are_refused) {
   EXPECT_EQ(refused("legacy", {{"step_control", "error"}}),
             "setting step_control: expected constant or shi under dynamics shi, found \"error\"");
   EXPECT_EQ(refused("standard", {{"step_control", "error"}}), "");
-  EXPECT_EQ(refused("standard", {{"motion", "static"}, {"load_steps", "11"}}),
-            "setting load_steps: expected at most the number of steps, 10, found \"11\"");
-  EXPECT_EQ(refused("standard", {{"motion", "static"}, {"load_steps", "10"}}), "");
+  EXPECT_EQ(refused("standard", {{"motion", "static"}, {"load_steps", "11"}}), "");
   EXPECT_EQ(refused("standard", {{"impact", "springs"}}), "");
   EXPECT_EQ(refused("standard", {{"impact", "springs"}, {"enforcement", "penalty"}}), "");
   for (const char* other : {"lagrange", "augmented"})
@@ -179,6 +177,11 @@ TEST(Prepare, a_setting_that_the_chosen_dynamics_do_not_read_is_warned_of) {
   EXPECT_EQ(told("standard", {{"pass_limit", "5"}}), warned);
   EXPECT_TRUE(told("standard", {{"restitution.1", "0.5"}, {"steps", "3"}}).empty());
   EXPECT_TRUE(told("legacy", {{"restitution.1", "0.5"}, {"dynamics", "standard"}}).empty());
+  EXPECT_EQ(told("standard", {{"newmark_beta", "0.3"}}), warned);
+  EXPECT_TRUE(told("standard", {{"newmark_beta", "0.3"}, {"integrator", "newmark"}}).empty());
+  Problem with_choices{one_block(), analysis_of_file()};
+  with_choices.choices.settings = {{"newmark_beta", "0.3"}};
+  EXPECT_EQ(names(prepare(with_choices, "standard", {}).warnings), warned);
 }
 
 }  // namespace keyblock

@@ -74,11 +74,43 @@ TEST(SettingsTable, numbers_that_name_no_material_are_refused) {
 }
 
 TEST(SettingsTable, a_setting_knows_who_reads_it_and_what_it_may_be) {
-  EXPECT_EQ(dynamics_of("pass_limit"), Dynamics::shi);
-  EXPECT_EQ(dynamics_of("quirk.cut_step_stays"), Dynamics::shi);
-  EXPECT_EQ(dynamics_of("quirk.weight_of_first_material"), std::nullopt);
-  EXPECT_EQ(dynamics_of("restitution.2"), Dynamics::standard);
-  EXPECT_EQ(dynamics_of("steps"), std::nullopt);
+  Settings shi;
+  shi.dynamics = Dynamics::shi;
+  Settings standard;
+  standard.dynamics = Dynamics::standard;
+  const char* kShi = "is read by dynamics shi alone";
+  EXPECT_EQ(why_unread(standard, "pass_limit"), kShi);
+  EXPECT_EQ(why_unread(standard, "quirk.cut_step_stays"), kShi);
+  EXPECT_EQ(why_unread(shi, "quirk.cut_step_stays"), "");
+  EXPECT_EQ(why_unread(standard, "quirk.weight_of_first_material"), "");
+  EXPECT_EQ(why_unread(shi, "restitution.2"), "is read by dynamics standard alone");
+  EXPECT_EQ(why_unread(shi, "steps"), "");
+}
+
+TEST(SettingsTable, choices_that_others_leave_unread_say_so) {
+  const auto why = [](const std::string& name, const std::vector<std::pair<std::string, std::string>>& chosen) {
+    Settings settings;
+    settings.dynamics = Dynamics::standard;
+    settings.step_control = StepControl::constant;
+    for (const auto& [key, value] : chosen) set(settings, key, value);
+    return why_unread(settings, name);
+  };
+  for (const char* of_newmark : {"newmark_beta", "newmark_gamma"}) {
+    EXPECT_EQ(why(of_newmark, {}), "is read under integrator = newmark outside motion = static alone");
+    EXPECT_EQ(why(of_newmark, {{"integrator", "newmark"}}), "");
+    EXPECT_NE(why(of_newmark, {{"integrator", "newmark"}, {"motion", "static"}}), "");
+  }
+  EXPECT_EQ(why("velocity_weight", {}), "");
+  EXPECT_NE(why("force_weight", {{"integrator", "generalized_alpha"}}), "");
+  EXPECT_EQ(why("rho_infinity", {{"integrator", "generalized_alpha"}}), "");
+  EXPECT_NE(why("rho_infinity", {{"integrator", "newmark"}}), "");
+  EXPECT_EQ(why("load_steps", {}), "is read under motion = static or relaxation alone");
+  EXPECT_EQ(why("load_steps", {{"motion", "relaxation"}}), "");
+  EXPECT_EQ(why("start", {{"motion", "static"}}), "is read under motion = dynamic alone");
+  EXPECT_EQ(why("step_tolerance", {{"step_control", "shi"}}), "is read under step_control = error alone");
+  EXPECT_EQ(why("least_step_share", {{"step_control", "shi"}}), "");
+  EXPECT_NE(why("least_step_share", {}), "");
+  EXPECT_EQ(why("restitution.3", {{"impact", "springs"}}), "is read under impact = jump alone");
   for (const SettingText& s : list(Settings{})) EXPECT_FALSE(s.expected.empty()) << s.name;
 }
 

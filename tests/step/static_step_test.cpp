@@ -185,6 +185,29 @@ TEST(StaticStep, loads_put_on_in_shares_end_at_the_same_equilibrium) {
   }
 }
 
+// As above, but within one step, and within two: 5 equilibria are 2 and 3.
+TEST(StaticStep, more_shares_than_steps_are_made_within_the_steps) {
+  const Scene once = scene_of_stack(kStacks[0], MotionRule::equilibrium, Enforcement::lagrange);
+  StandardStepper one(once);
+  ASSERT_EQ(step(one), "");
+  const auto share_of = [&](StandardStepper& stepper) {
+    return stepper.state().measured_points[0].displacement.y / one.state().measured_points[0].displacement.y;
+  };
+  Scene whole = once;
+  whole.settings.standard.load_steps = 5;
+  StandardStepper in_one_step(whole);
+  ASSERT_EQ(step(in_one_step), "");
+  EXPECT_NEAR(share_of(in_one_step), 1, 1e-5);
+  Scene halves = whole;
+  halves.settings.step_count = 2;
+  StandardStepper in_two_steps(halves);
+  ASSERT_EQ(step(in_two_steps), "");
+  EXPECT_NEAR(share_of(in_two_steps), 2.0 / 5, 1e-5);
+  ASSERT_EQ(step(in_two_steps), "");
+  EXPECT_NEAR(share_of(in_two_steps), 1, 1e-5);
+  EXPECT_EQ(in_two_steps.ledger().step, 2);
+}
+
 // Steps after the loads stand cost nothing and change nothing.
 TEST(StaticStep, an_equilibrium_stays_while_loads_do) {
   Scene scene = scene_of_stack(kStacks[2], MotionRule::equilibrium, Enforcement::penalty);
