@@ -42,6 +42,19 @@ double largest_modulus(const Analysis& analysis) {
 
 }  // namespace
 
+ReadHint counted_points(const Content& geometry) {
+  const auto count = [](const auto& points) { return static_cast<int>(points.size()); };
+  const auto is_one_point = [](const FixedLine& line) { return line.segment.start == line.segment.end; };
+  if (geometry.cover) return {std::nullopt, count(geometry.cover->loading_points), GeometryKind::cover};
+  if (geometry.blocks)
+    return {count(geometry.blocks->fixed_points), count(geometry.blocks->loading_points), GeometryKind::blocks};
+  if (!geometry.drawing) return {};
+  const Drawing& drawing = *geometry.drawing;
+  ReadHint hint{std::nullopt, count(drawing.loading_points), GeometryKind::drawing};
+  if (std::ranges::all_of(drawing.fixed_lines, is_one_point)) hint.fixed_points = count(drawing.fixed_lines);
+  return hint;
+}
+
 std::pair<Analysis, MaterialCounts> next_controls(Cursor& cursor, AnalysisDialect dialect) {
   Analysis analysis;
   analysis.dialect = dialect;

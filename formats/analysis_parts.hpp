@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/format.hpp"
 #include "formats/tokens.hpp"
 #include "problem/analysis.hpp"
 
@@ -15,6 +16,10 @@ struct MaterialCounts {
   int blocks = 0;
   int joints = 0;
 };
+
+/// What the geometry says of the points that an analysis file has curves for. A drawing knows its fixed points where each of
+/// its fixed lines is one point.
+ReadHint counted_points(const Content& geometry);
 
 /// The head `k01 n5 nb nj g2 g1`, and the choices Berkeley's reader makes for what no native file says.
 std::pair<Analysis, MaterialCounts> next_controls(Cursor& cursor, AnalysisDialect dialect);

@@ -242,10 +242,10 @@ std::string write_berkeley(const Content& content) {
   return controls_text(analysis) + materials_text(analysis);
 }
 
-/// The curves as the file has room for them: one a point of the blocks where these are known; a curve of one row holds
+/// The curves as the file has room for them: one a point of the geometry where its points are known; a curve of one row holds
 /// its value to the end of the old program's time.
-std::vector<TimeCurve> curves_to_write(std::vector<TimeCurve> curves, std::optional<std::size_t> points) {
-  if (points) curves.resize(*points);
+std::vector<TimeCurve> curves_to_write(std::vector<TimeCurve> curves, std::optional<int> points) {
+  if (points) curves.resize(static_cast<std::size_t>(*points));
   for (TimeCurve& curve : curves)
     if (curve.times.size() == 1) {
       curve.times.push_back(curve.times.front() + kEndOfTime);
@@ -265,15 +265,10 @@ std::string rows_text(const std::vector<TimeCurve>& curves) {
 
 std::string write_shi(const Content& content) {
   const Analysis& analysis = analysis_of(content);
-  std::optional<std::size_t> fixed, loading;
-  if (content.blocks) {
-    fixed = content.blocks->fixed_points.size();
-    loading = content.blocks->loading_points.size();
-  } else if (content.drawing) {
-    loading = content.drawing->loading_points.size();
-  }
-  std::vector<TimeCurve> curves = curves_to_write(analysis.fixed_point_motions, fixed);
-  for (TimeCurve& curve : curves_to_write(analysis.point_loads, loading)) curves.push_back(std::move(curve));
+  const ReadHint points = counted_points(content);
+  std::vector<TimeCurve> curves = curves_to_write(analysis.fixed_point_motions, points.fixed_points);
+  for (TimeCurve& curve : curves_to_write(analysis.point_loads, points.loading_points))
+    curves.push_back(std::move(curve));
   std::string text = controls_text(analysis) + contact_stiffness_text(analysis);
   for (const TimeCurve& curve : curves) text += fmt::format("{}\n", curve.times.size());
   text += rows_text(curves) + materials_text(analysis);

@@ -130,7 +130,7 @@ std::string write(const Content& content) {
   if (!content.analysis) throw std::invalid_argument("an analysis file needs an analysis");
   const Analysis& analysis = *content.analysis;
   std::vector<TimeCurve> loads = analysis.point_loads;
-  if (content.cover) loads.resize(content.cover->loading_points.size());
+  if (const auto points = counted_points(content).loading_points) loads.resize(static_cast<std::size_t>(*points));
   std::string text = controls_text(analysis) + contact_stiffness_text(analysis);
   for (const TimeCurve& load : loads) {
     const Point force = constant_load(load);

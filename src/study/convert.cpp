@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
+#include "formats/analysis_parts.hpp"
 #include "formats/dda_analysis.hpp"
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
@@ -107,16 +110,14 @@ const std::string* unchanged(const std::vector<formats::FileReading>& files, con
   return nullptr;
 }
 
+// As the writers count: an analysis has as many curves as the geometry beside it has points.
 formats::ReadHint hint_of(const Content& content) {
-  using formats::GeometryKind;
-  formats::ReadHint hint{std::nullopt, std::nullopt,
-                         content.cover    ? GeometryKind::cover
-                         : content.blocks ? GeometryKind::blocks
-                                          : GeometryKind::drawing};
-  if (content.analysis) {
-    hint.fixed_points = static_cast<int>(content.analysis->fixed_point_motions.size());
-    hint.loading_points = static_cast<int>(content.analysis->point_loads.size());
-  }
+  formats::ReadHint hint = formats::counted_points(content);
+  if (hint.geometry == formats::GeometryKind::unknown) hint.geometry = formats::GeometryKind::drawing;
+  if (!content.analysis) return hint;
+  const auto count = [](const auto& curves) { return static_cast<int>(curves.size()); };
+  if (!hint.fixed_points) hint.fixed_points = count(content.analysis->fixed_point_motions);
+  if (!hint.loading_points) hint.loading_points = count(content.analysis->point_loads);
   return hint;
 }
 
@@ -127,41 +128,35 @@ void complete_curves(Content& content, const Target& target) {
   };
   const bool is_shi = is_part(formats::kDdaAnalysisShi);
   if (!content.analysis || (!is_shi && !is_part(formats::kNmmAnalysis))) return;
-  const auto grow = [](std::vector<TimeCurve>& curves, std::size_t size) {
-    if (curves.size() < size) curves.resize(size);
+  const formats::ReadHint counts = hint_of(content);
+  const auto grow = [](std::vector<TimeCurve>& curves, std::optional<int> size) {
+    curves.resize(std::max(curves.size(), static_cast<std::size_t>(size.value_or(0))));
   };
-  const auto points = [&](const auto& geometry) {
-    if (is_shi) grow(content.analysis->fixed_point_motions, geometry.fixed_points.size());
-    grow(content.analysis->point_loads, geometry.loading_points.size());
-  };
-  if (content.blocks) points(*content.blocks);
-  if (content.cover) points(*content.cover);
+  if (is_shi) grow(content.analysis->fixed_point_motions, counts.fixed_points);
+  grow(content.analysis->point_loads, counts.loading_points);
 }
 
 bool is_lacking(const Content& content, const Format& format) {
   return written(format, content).empty();
 }
 
-// The geometry that one of the parts can write, where it cannot write the one there is.
-Loss derive_geometry(Content& content, const Target& target) {
+// Blocks or lines, where the target holds these and not the geometry there is.
+std::optional<Derivation> derived_geometry(const Content& content, const Target& target) {
   const auto writes = [&](const Content& trial) {
     return std::ranges::any_of(target.parts,
                                [&](const Target::Part& part) { return !is_lacking(trial, *part.format); });
   };
-  const Content whole = content;
-  Content geometry;
+  Content geometry, no_blocks, no_lines;
   geometry.drawing = content.drawing;
   geometry.blocks = content.blocks;
   geometry.cover = content.cover;
-  if (!has_geometry(geometry) || writes(geometry)) return {};
-  for (Derivation& derivation : derivations(geometry)) {
-    if (!writes(derivation.content)) continue;
-    content.drawing = derivation.content.drawing;
-    content.blocks = derivation.content.blocks;
-    content.cover.reset();
-    return {derivation.from, 1, derivation.sentence};
-  }
-  return {};
+  no_blocks.blocks.emplace();
+  no_lines.drawing.emplace();
+  if (!has_geometry(geometry) || writes(geometry)) return std::nullopt;
+  std::optional<Derivation> derived;
+  if (writes(no_blocks)) derived = as_blocks(geometry);
+  if (!derived && writes(no_lines)) derived = as_lines(geometry);
+  return derived;
 }
 
 }  // namespace
@@ -204,7 +199,12 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   Content content;
   for (const formats::FileReading& file : files) add_to(content, file.reading->content, file.path);
   if (faults == Faults::berkeley) conversion.warnings = joined(conversion.warnings, take_as_berkeley(content));
-  if (const Loss derived = derive_geometry(content, target); derived.times > 0) conversion.losses.push_back(derived);
+  if (std::optional<Derivation> derived = derived_geometry(content, target)) {
+    content.drawing = std::move(derived->content.drawing);
+    content.blocks = std::move(derived->content.blocks);
+    content.cover.reset();
+    conversion.losses.push_back({derived->from, 1, derived->sentence});
+  }
   complete_curves(content, target);
   conversion.hint = hint_of(content);
   Content back;

@@ -11,6 +11,7 @@
 #include "formats/dda_geometry.hpp"
 #include "formats/keyblock_case.hpp"
 #include "tests/support/random_contents.hpp"
+#include "tests/support/two_triangles.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -172,6 +173,35 @@ TEST(Convert, lines_become_blocks_and_blocks_become_lines) {
   std::ranges::sort(materials);
   EXPECT_EQ(materials, (std::vector<int>{0, 1}));
   EXPECT_EQ(same.blocks->fixed_points.size(), 1U);
+}
+
+// One loading point with two curves: the second loads nothing, and no file beside that geometry has room for it.
+TEST(Convert, a_curve_without_its_point_is_a_loss) {
+  const auto two_loads = [](Content content) {
+    content.analysis = Analysis{};
+    content.analysis->step_count = 10;
+    content.analysis->time_step = content.analysis->allowed_displacement_ratio = 0.01;
+    content.analysis->contact_penalty = 1e8;
+    content.analysis->over_relaxation = 1.5;
+    content.analysis->automatic_time_step = content.analysis->automatic_penalty = true;
+    content.analysis->block_materials.emplace_back().density = 1;
+    content.analysis->block_materials.back().youngs_modulus = 1;
+    content.analysis->joint_materials.emplace_back();
+    content.analysis->point_loads = {{{0}, {{1, 2}}, {}}, {{0}, {{3, 4}}, {}}};
+    return content;
+  };
+  Content cover, lines;
+  cover.cover = testing::two_triangles();
+  lines.drawing.emplace().edge_node_ratio = 0.001;
+  for (const Segment& line : {Segment{{0, 0}, {2, 0}}, Segment{{2, 0}, {1, 2}}, Segment{{1, 2}, {0, 0}}})
+    lines.drawing->joints.push_back({line, 0, {}});
+  lines.drawing->loading_points = {{{1, 0.5}, {}}};
+  for (const auto& [content, target] : {std::pair{two_loads(cover), "manifold"}, std::pair{two_loads(lines), "shi"}}) {
+    const Conversion conversion = converted(content, *find_target(target));
+    EXPECT_TRUE(std::ranges::count(conversion.losses, Loss{"analysis.point_loads", 1, "2 items → 1 item"}) == 1)
+        << target << ": " << fmt::format("{}", fmt::join(items(conversion.losses), ", "));
+    EXPECT_EQ(read_back(conversion).analysis->point_loads.at(0).at(0), (Point{1, 2})) << target;
+  }
 }
 
 TEST(Convert, what_an_old_format_cannot_hold_is_named) {
