@@ -45,6 +45,7 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.cover, content.cover, file, "cover");
   put(all.analysis, content.analysis, file, "analysis");
   all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
+  all.tracks.insert(all.tracks.end(), content.tracks.begin(), content.tracks.end());
   put(all.motion, content.motion, file, "motion");
   put(all.units, content.units, file, "set of units");
   put(all.choices, content.choices, file, "run");

@@ -16,8 +16,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShown = 40;  // characters of a value
 
+std::string counted_items(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "item" : "items");
+}
+
 std::string shown(const Json& value) {
-  if (value.is_array()) return fmt::format("{} {}", value.size(), value.size() == 1 ? "item" : "items");
+  if (value.is_array()) return counted_items(value.size());
   if (value.is_object()) return "an object";
   const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   return text.size() > kShown ? text.substr(0, kShown) + "…" : text;
@@ -67,14 +71,28 @@ class Walk {
   std::map<std::string, std::size_t> index_;
 };
 
+Json case_of(const formats::Content& content) {
+  return formats::fits_a_case(content) ? Json::parse(formats::kKeyblockCase.write(content)) : Json::object();
+}
+
+// No format that is read holds results and is written: those that come back are those that went.
+void note_lost(const char* item, std::size_t before, std::size_t after, std::vector<Loss>& found) {
+  if (before > after)
+    found.push_back({item, 1, counted_items(before) + " → " + (after == 0 ? "nothing" : counted_items(after))});
+}
+
 }  // namespace
 
 std::vector<Loss> losses(const formats::Content& original, const formats::Content& converted) {
-  const Json schema = Json::parse(formats::case_schema());
   Walk walk;
-  walk.compare("", schema, Json::parse(formats::kKeyblockCase.write(original)),
-               Json::parse(formats::kKeyblockCase.write(converted)));
-  return walk.found();
+  Json before = case_of(original), after = case_of(converted);
+  before.erase("keyblock");
+  after.erase("keyblock");
+  walk.compare("", Json::parse(formats::case_schema()), before, after);
+  std::vector<Loss> found = walk.found();
+  note_lost("frames", original.frames.size(), converted.frames.size(), found);
+  note_lost("tracks", original.tracks.size(), converted.tracks.size(), found);
+  return found;
 }
 
 }  // namespace keyblock::study

@@ -18,7 +18,7 @@ struct Loss {
   bool operator==(const Loss&) const = default;
 };
 
-/// In the order of the case file. The dialect of an analysis is no item: it is what is converted.
+/// In the order of the case file, then frames and tracks of measured points. The dialect of an analysis is no item: it is what is converted.
 std::vector<Loss> losses(const formats::Content& original, const formats::Content& converted);
 
 }  // namespace keyblock::study

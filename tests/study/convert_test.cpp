@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "formats/berkeley_replay.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/keyblock_case.hpp"
 #include "tests/support/random_contents.hpp"
@@ -19,13 +20,17 @@ namespace {
 using formats::Content;
 using Json = nlohmann::ordered_json;
 
-formats::FileReading file_of(const formats::Format& format, const Content& content) {
+formats::FileReading file_of(const formats::Format& format, const std::string& text, const Content& content) {
   formats::FileReading file;
   file.path = "f";
-  file.source = {"f", format.write(content)};
-  file.choice = formats::recognise(file.source);
+  file.source = {"f", text};
+  file.choice = formats::Choice{&format, {}};
   file.reading = formats::Reading{content, {}};
   return file;
+}
+
+formats::FileReading file_of(const formats::Format& format, const Content& content) {
+  return file_of(format, format.write(content), content);
 }
 
 Conversion converted(const Content& content, const Target& target) {
@@ -138,6 +143,19 @@ TEST(Convert, everything_fits_the_case_file) {
     Dice dice(7);
     EXPECT_EQ(items(converted(kind.draw(dice), *find_target("keyblock-case")).losses), std::vector<std::string>{});
   }
+}
+
+TEST(Convert, a_case_file_holds_no_results_and_says_so) {
+  Content content;
+  content.choices = RunChoices{"legacy", {}};
+  Content frames = content, tracks = content;
+  frames.frames.resize(3);
+  tracks.tracks.resize(1);
+  const Target& target = *find_target("keyblock-case");
+  EXPECT_EQ(converted(frames, target).losses, (std::vector<Loss>{{"frames", 1, "3 items → nothing"}}));
+  EXPECT_EQ(converted(tracks, target).losses, (std::vector<Loss>{{"tracks", 1, "1 item → nothing"}}));
+  frames.choices.reset();
+  EXPECT_THROW(convert({file_of(formats::kBerkeleyReplay, "", frames)}, target, Faults::none), InputError);
 }
 
 TEST(Convert, a_file_whose_content_stays_comes_out_with_the_same_bytes) {
