@@ -175,8 +175,8 @@ const std::vector<Target>& targets() {
       {"dda-analysis-shi", "analysis file, Shi", {{&kDdaAnalysisShi, ".df"}}},
       {"nmm-cover", "cover of the manifold program", {{&kNmmCover, ".cv"}}},
       {"nmm-analysis", "analysis of the manifold program", {{&kNmmAnalysis, ".mf"}}},
-      {"vtk", "for ParaView", {{&kVtk, ".vtu"}}},
-      {"csv", "a table of corners and marks, or of frames", {{&kCsv, ".csv"}}},
+      {"vtk", "for ParaView", {{&kVtk, ".vtu", left_out_by_vtk}}},
+      {"csv", "a table of corners and marks, or of frames", {{&kCsv, ".csv", left_out_by_csv}}},
       {"berkeley",
        "lines and analysis, as Berkeley's program takes them",
        {{&kDdaGeometry, ".geo"}, {&kDdaAnalysisBerkeley, ".ana"}}},
@@ -219,8 +219,9 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   if (conversion.files.empty())
     throw InputError({files.front().path}, fmt::format("expected something that {} holds, found none: {}", target.name,
                                                        why_not(*target.parts.back().format, content)));
-  if (!target.parts.front().format->read) return conversion;  // a view: nothing is meant to come back
-  for (Loss& loss : losses(content, back)) conversion.losses.push_back(std::move(loss));
+  const auto left_out = target.parts.front().left_out;
+  for (Loss& loss : left_out != nullptr ? losses(content, left_out(content)) : losses(content, back))
+    conversion.losses.push_back(std::move(loss));
   return conversion;
 }
 

@@ -19,6 +19,7 @@ struct Target {
   struct Part {
     const formats::Format* format;
     std::string_view ending;
+    formats::LeftOut (*left_out)(const formats::Content&) = nullptr;  ///< of a view, from which nothing is read back
   };
   std::vector<Part> parts;
 };

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "formats/keyblock_case.hpp"
 
@@ -29,14 +31,18 @@ std::string shown(const Json& value) {
 
 class Walk {
  public:
+  explicit Walk(std::span<const std::string_view> left_out = {}) : left_out_(left_out) {}
+
   void compare(const std::string& item, const Json& layout, const Json& a, const Json& b) {
-    if (a == b) return;
+    if (std::ranges::find(left_out_, item) != left_out_.end()) return note(item, shown(a) + " → not shown");
+    if (a == b && (left_out_.empty() || a.is_primitive())) return;
     if (a.is_object() && b.is_object()) return compare_keys(item, layout, a, b);
     const bool same_length = a.is_array() && b.is_array() && a.size() == b.size();
     if (!same_length) return note(item, shown(a) + " → " + shown(b));
     const bool is_row = layout.contains("prefixItems");
+    const Json& items = layout.contains("items") ? layout["items"] : empty_;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      const Json& part = is_row ? layout["prefixItems"][i] : layout.value("items", empty_);
+      const Json& part = is_row ? layout["prefixItems"][i] : items;
       compare(is_row ? item + '.' + part.value("title", "") : item + "[]", part, a[i], b[i]);
     }
   }
@@ -67,6 +73,7 @@ class Walk {
   }
 
   const Json empty_ = Json::object();
+  std::span<const std::string_view> left_out_;
   std::vector<Loss> found_;
   std::map<std::string, std::size_t> index_;
 };
@@ -92,6 +99,21 @@ std::vector<Loss> losses(const formats::Content& original, const formats::Conten
   std::vector<Loss> found = walk.found();
   note_lost("frames", original.frames.size(), converted.frames.size(), found);
   note_lost("tracks", original.tracks.size(), converted.tracks.size(), found);
+  return found;
+}
+
+std::vector<Loss> losses(const formats::Content& original, const formats::LeftOut& left_out) {
+  Walk walk(left_out.items);
+  Json all = case_of(original);
+  all.erase("keyblock");
+  walk.compare("", Json::parse(formats::case_schema()), all, all);
+  std::vector<Loss> found = walk.found();
+  const std::size_t count = original.frames.size();
+  if (count > left_out.frames_shown)
+    found.push_back({"frames", 1, fmt::format("{} → the last {}", counted_items(count), left_out.frames_shown)});
+  for (const std::string_view item : left_out.items)
+    if (item.starts_with("frames")) found.push_back({std::string(item), static_cast<int>(count), "not shown"});
+  if (!original.tracks.empty()) found.push_back({"tracks", 1, counted_items(original.tracks.size()) + " → not shown"});
   return found;
 }
 

@@ -268,4 +268,25 @@ TEST(Convert, blocks_are_shown_as_polygons_and_as_a_table) {
   EXPECT_NE(grid.find("NumberOfPoints=\"3\" NumberOfCells=\"1\""), std::string::npos);
 }
 
+TEST(Convert, what_a_view_does_not_show_is_lost) {
+  Content content;
+  content.blocks.emplace().blocks = {{1, {{{0, 0}, 2}, {{1, 0}, 0}, {{0, 1}, 0}}, {}}};
+  content.blocks->fixed_points = {{{0.25, 0.5}, 0, {}}};
+  content.units = Units{"m", "t", "s"};
+  EXPECT_EQ(converted(content, *find_target("csv")).losses,
+            (std::vector<Loss>{{"units", 1, "an object → not shown"},
+                               {"blocks.blocks[].material", 1, "2 → not shown"},
+                               {"blocks.fixed_points[].block", 1, "1 → not shown"}}));
+  EXPECT_EQ(converted(content, *find_target("vtk")).losses,
+            (std::vector<Loss>{{"units", 1, "an object → not shown"},
+                               {"blocks.blocks[].outer[].joint_material", 3, "3 → not shown"},
+                               {"blocks.fixed_points", 1, "1 item → not shown"}}));
+  content.frames.resize(3);
+  content.tracks.resize(1);
+  const std::vector<Loss> of_grid = converted(content, *find_target("vtk")).losses;
+  for (const Loss& loss : {Loss{"blocks", 1, "an object → not shown"}, Loss{"frames", 1, "3 items → the last 1"},
+                           Loss{"tracks", 1, "1 item → not shown"}, Loss{"frames[].bolts", 3, "not shown"}})
+    EXPECT_EQ(std::ranges::count(of_grid, loss), 1) << loss.item;
+}
+
 }  // namespace keyblock::study
