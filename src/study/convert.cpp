@@ -205,6 +205,7 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
     content.blocks = std::move(derived->content.blocks);
     content.cover.reset();
     conversion.losses.push_back({derived->from, 1, derived->sentence});
+    conversion.warnings = joined(std::move(conversion.warnings), derived->warnings);
   }
   complete_curves(content, target);
   conversion.hint = hint_of(content);

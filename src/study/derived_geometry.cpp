@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cut/cut_blocks.hpp"
+#include "cut/place_points.hpp"
 #include "geometry/polygon.hpp"
 
 namespace keyblock::study {
@@ -50,6 +51,42 @@ class Edges {
   std::map<std::pair<Key, Key>, int> known_;
 };
 
+struct Extent {
+  Point low, high;
+  bool has(Point p) const { return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y; }
+};
+
+Extent extent_of(const BlockPolygon& block) {
+  Extent extent{block.outer.front().position, block.outer.front().position};
+  for (const BlockVertex& vertex : block.outer) {
+    const Point p = vertex.position;
+    extent = {{std::min(extent.low.x, p.x), std::min(extent.low.y, p.y)},
+              {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y)}};
+  }
+  return extent;
+}
+
+std::vector<std::vector<Point>> loops_of(const BlockPolygon& block) {
+  std::vector<std::vector<Point>> loops{points_of(block.outer)};
+  for (const BlockLoop& hole : block.holes) loops.push_back(points_of(hole));
+  return loops;
+}
+
+// Where the edges enclose what is no block: cut, it would become one.
+std::vector<MarkedPoint> voids_within(const Drawing& edges, const Blocks& blocks) {
+  std::vector<Extent> extents;
+  for (const BlockPolygon& block : blocks.blocks) extents.push_back(extent_of(block));
+  const auto is_filled = [&](Point p) {
+    for (std::size_t i = 0; i < extents.size(); ++i)
+      if (extents[i].has(p) && holds(blocks.blocks[i], p)) return true;
+    return false;
+  };
+  std::vector<MarkedPoint> voids;
+  for (const BlockPolygon& face : cut_blocks(edges).blocks.blocks)
+    if (const auto inside = point_inside(loops_of(face)); inside && !is_filled(*inside)) voids.push_back({*inside, {}});
+  return voids;
+}
+
 Drawing lines_of(const Blocks& blocks) {
   Edges edges;
   edges.drawing.edge_node_ratio = kEdgeNodeRatio;
@@ -59,6 +96,7 @@ Drawing lines_of(const Blocks& blocks) {
     for (const BlockLoop& hole : block.holes) edges.add(hole);
   }
   Drawing drawing = std::move(edges.drawing);
+  drawing.hole_points = voids_within(drawing, blocks);
   for (const BlockPolygon& block : blocks.blocks)
     if (block.material != 0) drawing.material_lines.push_back({inner_segment(block.outer), block.material, {}});
   for (const BlockBolt& bolt : blocks.bolts)
@@ -176,7 +214,8 @@ std::optional<Derivation> as_blocks(const formats::Content& geometry) {
   if (geometry.cover) return BlocksOfCover(*geometry.cover).make();
   if (!geometry.drawing) return std::nullopt;
   CutResult cut = cut_blocks(*geometry.drawing);
-  Derivation derivation{{}, "drawing", fmt::format("cut into {} blocks", cut.blocks.blocks.size()), {}};
+  Derivation derivation{
+      {}, "drawing", fmt::format("cut into {} blocks", cut.blocks.blocks.size()), std::move(cut.warnings)};
   derivation.content.blocks = std::move(cut.blocks);
   return derivation;
 }

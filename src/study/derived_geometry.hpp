@@ -21,7 +21,8 @@ struct Derivation {
 /// content has neither drawing nor cover.
 std::optional<Derivation> as_blocks(const formats::Content& geometry);
 
-/// Lines of blocks, or of the blocks of a cover: every edge once, and a material line across each block.
+/// Lines of blocks, or of the blocks of a cover: every edge once, a material line across each block, and a hole point in each gap that
+/// they enclose. Throws InputError where the edges close no block.
 std::optional<Derivation> as_lines(const formats::Content& geometry);
 
 }  // namespace keyblock::study

@@ -11,6 +11,7 @@
 #include "formats/berkeley_replay.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/keyblock_case.hpp"
+#include "geometry/polygon.hpp"
 #include "tests/support/random_contents.hpp"
 #include "tests/support/two_triangles.hpp"
 
@@ -194,6 +195,30 @@ TEST(Convert, lines_become_blocks_and_blocks_become_lines) {
 }
 
 // One loading point with two curves: the second loads nothing, and no file beside that geometry has room for it.
+// As lines, each edge once: nothing but the kind of the geometry is lost.
+TEST(Convert, blocks_become_the_lines_of_a_dxf_drawing) {
+  Content content;
+  content.blocks.emplace().blocks = {{0, {{{0, 0}, 0}, {{2, 0}, 0}, {{2, 2}, 2}, {{0, 2}, 0}}, {}},
+                                     {1, {{{2, 0}, 0}, {{4, 0}, 1}, {{4, 3}, 0}, {{2, 2}, 0}}, {}}};
+  content.blocks->blocks[1].outer[0].joint_material = 2;  // both sides of the contact
+  content.blocks->fixed_points = {{{1, 0.1}, 0, {}}};
+  content.blocks->bolts = {{{{1, 1}, {3, 1}}, 0, 1, 5, 6, 7}};
+  const Conversion drawn = converted(content, *find_target("dxf"));
+  EXPECT_EQ(drawn.losses, (std::vector<Loss>{{"blocks", 1, "2 blocks as the 7 lines of their edges"}}));
+  const Content cut = read_back(converted(read_back(drawn), *find_target("dda-blocks")));
+  ASSERT_EQ(cut.blocks->blocks.size(), 2U);
+  for (const BlockPolygon& block : cut.blocks->blocks) {
+    const bool is_left = block.material == 0;
+    EXPECT_EQ(area(points_of(block.outer)), is_left ? 4 : 5);
+    std::vector<int> joints;
+    for (const BlockVertex& vertex : block.outer) joints.push_back(vertex.joint_material);
+    std::ranges::sort(joints);
+    EXPECT_EQ(joints, is_left ? (std::vector<int>{0, 0, 0, 2}) : (std::vector<int>{0, 0, 1, 2}));
+  }
+  EXPECT_EQ(cut.blocks->fixed_points.size(), 1U);
+  EXPECT_EQ(cut.blocks->bolts.at(0).pretension, 7);
+}
+
 TEST(Convert, a_curve_without_its_point_is_a_loss) {
   const auto two_loads = [](Content content) {
     content.analysis = Analysis{};

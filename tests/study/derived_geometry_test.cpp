@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "geometry/polygon.hpp"
 #include "tests/support/two_triangles.hpp"
 
 namespace keyblock::study {
@@ -18,6 +21,38 @@ Content cover_of(Cover cover) {
 }
 
 }  // namespace
+
+// Four blocks round a gap (a tunnel), the first with a hole that a smaller block partly fills.
+TEST(DerivedGeometry, gaps_within_blocks_stay_empty_as_lines) {
+  const auto box = [](double x, double y, double width, double height) {
+    return BlockPolygon{0, {{{x, y}, 0}, {{x + width, y}, 0}, {{x + width, y + height}, 0}, {{x, y + height}, 0}}, {}};
+  };
+  Blocks blocks;
+  blocks.blocks = {box(0, 0, 9, 3), box(0, 3, 3, 3), box(6, 3, 3, 3), box(0, 6, 9, 3), box(1, 1, 0.5, 1)};
+  blocks.blocks[0].holes = {{{{1, 1}, 0}, {{1, 2}, 0}, {{2, 2}, 0}, {{2, 1}, 0}}};
+  Content content;
+  content.blocks = blocks;
+  const Derivation lines = as_lines(content).value();
+  EXPECT_EQ(lines.content.drawing->hole_points.size(), 2U) << "half the hole, and the gap";
+  const Derivation again = as_blocks(lines.content).value();
+  std::vector<double> areas, cut_areas;
+  for (const BlockPolygon& block : blocks.blocks) areas.push_back(area(points_of(block.outer)));
+  for (const BlockPolygon& block : again.content.blocks->blocks) cut_areas.push_back(area(points_of(block.outer)));
+  std::ranges::sort(areas);
+  std::ranges::sort(cut_areas);
+  EXPECT_EQ(cut_areas, areas);
+}
+
+TEST(DerivedGeometry, what_cutting_leaves_out_is_said) {
+  Content content;
+  content.drawing.emplace().edge_node_ratio = 0.001;
+  for (const Segment& line : {Segment{{0, 0}, {2, 0}}, Segment{{2, 0}, {1, 2}}, Segment{{1, 2}, {0, 0}}})
+    content.drawing->joints.push_back({line, 0, {}});
+  content.drawing->measured_points = {{{5, 5}, {"a.geo", 9, 1}}};
+  const Derivation cut = as_blocks(content).value();
+  ASSERT_EQ(cut.warnings.size(), 1U);
+  EXPECT_EQ(cut.warnings[0].name, "point_outside_blocks");
+}
 
 TEST(DerivedGeometry, the_loops_of_a_cover_are_its_blocks) {
   const Derivation derived = as_blocks(cover_of(testing::two_triangles())).value();
