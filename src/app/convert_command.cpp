@@ -113,9 +113,10 @@ Action configure_convert(CLI::App& app) {
   app.add_option("--to", options->target, "format: " + target_names() + " (default: by the ending of the output)");
   app.add_flag("--strict", options->is_strict, "write nothing and exit 1 where the target cannot hold all");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist; what was there is kept as .bak");
-  app.add_flag(
-      "--bug-compatible", options->takes_faults,
-      "take the files as the Berkeley program does: first material line and bolts lost, Ivelocity and Istrain changed");
+  app.add_flag("--bug-compatible", options->takes_faults,
+               "take native and XML files with the faults of the Berkeley program's readers: first material line and "
+               "bolts lost, "
+               "boundary lines of XML dropped, one set of numbers for both stress gradient and initial velocity");
   app.add_flag("--json", options->as_json, "print outputs, losses and warnings as JSON");
   return [options] { return convert_files(*options); };
 }

@@ -18,6 +18,7 @@
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
 #include "formats/views.hpp"
+#include "study/berkeley_faults.hpp"
 #include "study/derived_geometry.hpp"
 
 namespace keyblock::study {
@@ -49,39 +50,6 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.motion, content.motion, file, "motion");
   put(all.units, content.units, file, "set of units");
   put(all.choices, content.choices, file, "run");
-}
-
-// As the Berkeley program takes what it reads (legacy-formats 2.6 and 4).
-Warnings take_as_berkeley(Content& content) {
-  Warnings warnings;
-  const auto warn = [&](const char* name, const Place& place, const char* sentence) {
-    warnings.push_back({name, place, sentence});
-  };
-  if (content.drawing && !content.drawing->material_lines.empty()) {
-    warn("first_material_line_lost", content.drawing->material_lines.front().place, "the first material line is lost");
-    content.drawing->material_lines.erase(content.drawing->material_lines.begin());
-  }
-  if (content.drawing && !content.drawing->bolts.empty()) {
-    warn("bolts_lost", content.drawing->bolts.front().place, "bolts are not read");
-    content.drawing->bolts.clear();
-  }
-  if (!content.analysis) return warnings;
-  Analysis& analysis = *content.analysis;
-  if (analysis.velocity_carry_over > 0 && analysis.velocity_carry_over < 1) {
-    warn("carry_over_cut", analysis.place, "the carry-over of velocities is read as a whole number: 0");
-    analysis.velocity_carry_over = 0;
-  }
-  if (analysis.dialect != AnalysisDialect::ddaml) return warnings;
-  for (BlockMaterial& material : analysis.block_materials) {
-    Velocity& v = material.initial_velocity;
-    std::array<double, 3>& e = material.initial_strain;
-    if (v == Velocity{} && e == std::array<double, 3>{}) continue;
-    warn("velocity_and_strain_swapped", material.place, "Ivelocity and Istrain change places");
-    const Velocity old = v;
-    v = {e[0], e[1], e[2]};
-    e = {old.x, old.y, old.rotation};
-  }
-  return warnings;
 }
 
 // What of the content the format writes: what its own text gives back.
@@ -193,13 +161,13 @@ const Target* find_target(std::string_view name) {
 
 Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults) {
   Conversion conversion;
+  Content content;
   for (const formats::FileReading& file : files) {
     if (file.error) throw *file.error;
-    conversion.warnings = joined(conversion.warnings, file.reading->warnings);
+    const formats::Reading reading = faults == Faults::berkeley ? as_berkeley_reads(file) : *file.reading;
+    conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
+    add_to(content, reading.content, file.path);
   }
-  Content content;
-  for (const formats::FileReading& file : files) add_to(content, file.reading->content, file.path);
-  if (faults == Faults::berkeley) conversion.warnings = joined(conversion.warnings, take_as_berkeley(content));
   if (std::optional<Derivation> derived = derived_geometry(content, target)) {
     content.drawing = std::move(derived->content.drawing);
     content.blocks = std::move(derived->content.blocks);

@@ -275,12 +275,11 @@ TEST(Convert, faults_of_the_berkeley_program_are_taken_on_request) {
   drawing.edge_node_ratio = 0.01;
   drawing.joints = {{{{0, 0}, {1, 0}}, 0, {}}};
   drawing.material_lines = {{{{0, 0}, {1, 0}}, 1, {}}, {{{0, 1}, {1, 1}}, 2, {}}};
-  const Conversion faulty =
-      convert({file_of(formats::kKeyblockCase, content)}, *find_target("dda-geometry"), Faults::berkeley);
-  EXPECT_EQ(faulty.warnings.at(0).name, "first_material_line_lost");
-  const Content read = formats::kDdaGeometry.read({"f", faulty.files.at(0).text}, {}).content;
-  ASSERT_EQ(read.drawing->material_lines.size(), 1U);
-  EXPECT_EQ(read.drawing->material_lines[0].block_material, 2);
+  const std::vector<formats::FileReading> files{file_of(formats::kDdaGeometry, content)};
+  const Content faulty = read_back(convert(files, *find_target("dda-geometry"), Faults::berkeley));
+  ASSERT_EQ(faulty.drawing->material_lines.size(), 1U);
+  EXPECT_EQ(faulty.drawing->material_lines[0].block_material, 2);
+  EXPECT_EQ(read_back(convert(files, *find_target("dda-geometry"), Faults::none)).drawing->material_lines.size(), 2U);
 }
 
 TEST(Convert, blocks_are_shown_as_polygons_and_as_a_table) {
