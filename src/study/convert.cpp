@@ -17,6 +17,7 @@
 #include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
+#include "formats/tokens.hpp"
 #include "formats/views.hpp"
 #include "study/berkeley_faults.hpp"
 #include "study/derived_geometry.hpp"
@@ -70,12 +71,20 @@ std::string why_not(const Format& format, const Content& content) {
   }
 }
 
+// Points of 3 numbers or 4, a head without its last count: one reader takes several layouts of which the writer has one.
+bool has_layout_of(const formats::FileReading& file, const Format& format, const std::string& text) {
+  if (file.choice->format->read != format.read) return false;
+  const bool is_marked = format.recognise != nullptr;
+  if (is_marked || file.choice->recognition.fit == formats::Recognition::Fit::surplus)
+    return file.choice->format == &format;
+  return formats::tokenise(file.source).numbers.size() == formats::tokenise({"converted", text}).numbers.size();
+}
+
 // The bytes of the file that already says this, in this format.
 const std::string* unchanged(const std::vector<formats::FileReading>& files, const Format& format,
                              const std::string& text) {
   for (const formats::FileReading& file : files)
-    if (file.choice->format->name == format.name && written(format, file.reading->content) == text)
-      return &file.source.text;
+    if (has_layout_of(file, format, text) && written(format, file.reading->content) == text) return &file.source.text;
   return nullptr;
 }
 

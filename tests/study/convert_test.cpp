@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/berkeley_replay.hpp"
+#include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/keyblock_case.hpp"
 #include "geometry/polygon.hpp"
@@ -167,6 +168,25 @@ TEST(Convert, a_file_whose_content_stays_comes_out_with_the_same_bytes) {
   file.reading = formats::read(file.source);
   const Conversion same = convert({file}, *find_target("dda-geometry"), Faults::none);
   EXPECT_EQ(same.files.at(0).text, file.source.text);
+}
+
+// One reader takes points of 3 numbers and of 4; each target writes its own.
+TEST(Convert, bytes_stay_only_where_points_have_the_size_of_the_target) {
+  Content content;
+  content.blocks.emplace().blocks = {{0, {{{0, 0}, 0}, {{1, 0}, 0}, {{0, 1}, 0}}, {}}};
+  content.blocks->measured_points = {{{0.25, 0.25}, 0, {}}};
+  const auto commented = [&](const formats::Format& format) {
+    formats::FileReading file = file_of(format, "# mine\n" + format.write(content), content);
+    file.choice = formats::recognise(file.source);
+    return file;
+  };
+  for (const formats::Format* from : {&formats::kDdaBlocks, &formats::kDdaBlocksOfThree})
+    for (const formats::Format* to : {&formats::kDdaBlocks, &formats::kDdaBlocksOfThree}) {
+      const std::string kept = from == to ? "# mine\n" : "";
+      EXPECT_EQ(convert({commented(*from)}, *find_target(to->name), Faults::none).files.at(0).text,
+                kept + to->write(content))
+          << from->name << " to " << to->name;
+    }
 }
 
 // A square of two halves as lines: cut into blocks, and the blocks as lines again.
