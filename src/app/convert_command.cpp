@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -48,10 +49,13 @@ const study::Target& target_of(const ConvertOptions& options) {
   throw UsageError(fmt::format("expected --to FORMAT, one of {}: \"{}\" says none", target_names(), options.output));
 }
 
-// One file is the output itself; of several, each has its ending.
+// One file is the output itself; of several, each has its ending, in place of one of the target's if there is one.
 std::filesystem::path path_of(const ConvertOptions& options, const study::Target& target, std::string_view ending) {
   if (target.parts.size() == 1) return options.output;
-  return std::filesystem::path(options.output).replace_extension(ending);
+  std::filesystem::path file = options.output;
+  if (std::ranges::any_of(target.parts, [&](const auto& part) { return file.extension() == part.ending; }))
+    file.replace_extension();
+  return file += ending;
 }
 
 // What was there stays beside it, under the first free name.
