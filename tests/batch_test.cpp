@@ -221,6 +221,33 @@ TEST(Batch, a_file_too_large_is_named_and_not_read) {
   EXPECT_TRUE(contains(jobs_in(root / "out")[0]["message"], "expected at most 1 MiB")) << jobs_in(root / "out")[0];
 }
 
+// Names of old archives: "Böschung" in a code page, a per cent sign, and what looks like an escape.
+TEST(Batch, files_whose_names_are_not_utf_8_are_in_the_catalogue) {
+  const fs::path root = fresh_folder("batch_names");
+  copy_case("stack/five_blocks/five_blocks", root / "one");
+  for (const std::string& name : {std::string("B\xF6schung"), std::string("50%"), std::string("50%25")})
+    for (const char* ending : {".geo", ".ana"}) {
+      fs::create_directories(root / "in");
+      fs::copy_file(root / "one" / (std::string("five_blocks") + ending), root / "in" / (name + ending));
+    }
+  for (const std::vector<std::string>& task : {std::vector<std::string>{"--check"}, {"--convert", "berkeley"}}) {
+    const fs::path out = root / ("out" + task.front());
+    std::vector<std::string> batch{"batch", root / "in", "-o", out};
+    batch.insert(batch.end(), task.begin(), task.end());
+    const ProgramRun run = run_keyblock(batch);
+    EXPECT_EQ(run.exit_code, 0) << run.messages;
+    const auto jobs = jobs_in(out);
+    ASSERT_EQ(jobs.size(), 3U) << jobs;
+    EXPECT_EQ(jobs[0]["job"], "50%25.geo");
+    EXPECT_EQ(jobs[1]["job"], "50%2525.geo");
+    EXPECT_EQ(jobs[2]["job"], "B%F6schung.geo");
+    for (const auto& job : jobs)
+      for (const std::string output : job["outputs"]) EXPECT_TRUE(fs::exists(out / output)) << output;
+    batch.emplace_back("--resume");
+    EXPECT_TRUE(contains(run_keyblock(batch).messages, "3 jobs done before, 0 to do"));
+  }
+}
+
 TEST(Batch, every_case_is_converted_and_comes_back_as_the_same_scene) {
   const fs::path root = fresh_folder("batch_convert");
   copy_case("stack/five_blocks/five_blocks", root / "in");

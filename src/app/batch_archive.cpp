@@ -19,7 +19,7 @@ namespace {
 
 SeenFile see(const fs::path& root, const std::string& path, int largest_mebibytes) {
   SeenFile seen{{path, study::FileRole::unreadable, {}, std::nullopt}, {path, {}, {}}, {}};
-  const fs::path file = root / path;
+  const fs::path file = study::place_of(root, path);
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (!error && size > static_cast<std::uintmax_t>(largest_mebibytes) << 20U) {

@@ -176,8 +176,11 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
 // Rows come from the journal's lines, done now or before, so that both give the same bytes.
 std::vector<CatalogueRow> rows_of(const FileTree& archive, const study::Journal& journal) {
   std::vector<CatalogueRow> rows;
-  for (const study::BatchJob& job : archive.jobs)
-    if (const CatalogueRow* row = journal.find(job.name, archive.files_of(job))) rows.push_back(*row);
+  for (const study::BatchJob& job : archive.jobs) {
+    const CatalogueRow* row = journal.find(job.name, archive.files_of(job));
+    if (row == nullptr) throw OutputError(fmt::format("journal.jsonl does not hold {}, which was done", job.name));
+    rows.push_back(*row);
+  }
   return rows;
 }
 

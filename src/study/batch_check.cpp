@@ -20,7 +20,7 @@ using report::CatalogueRow;
 
 std::vector<std::string> paths_of(const fs::path& root, const std::vector<std::string>& files) {
   std::vector<std::string> paths;
-  for (const std::string& file : files) paths.push_back((root / file).string());
+  for (const std::string& file : files) paths.push_back(place_of(root, file).string());
   return paths;
 }
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 #include "formats/registry.hpp"
 
@@ -19,6 +22,38 @@ constexpr std::array<std::string_view, 36> kForeignEndings{
     ".gz",  ".h",   ".hpp", ".htm", ".html", ".jpg", ".jpeg", ".js",  ".json", ".log", ".m",    ".md",
     ".pdf", ".png", ".ps",  ".pvd", ".py",   ".svg", ".tar",  ".txt", ".vtu",  ".xls", ".xlsx", ".zip"};
 
+/// Bytes of the UTF-8 character that the text begins with (Unicode, table 3-7); 0 where it begins with none.
+std::size_t character_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned first = byte(0), second = byte(1);
+  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool is_range = !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F);
+    return is_range && follows(1) && follows(2) ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool is_range = !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
+    return is_range && follows(1) && follows(2) && follows(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+// Journal and catalogue hold UTF-8 only; old archives have names in code pages.
+std::string escaped(std::string_view name) {
+  std::string text;
+  while (!name.empty()) {
+    const std::size_t size = name.front() == '%' ? 0 : character_size(name);
+    if (size == 0)
+      text += fmt::format("%{:02X}", static_cast<unsigned char>(name.front()));
+    else
+      text += name.substr(0, size);
+    name.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return text;
+}
+
 bool is_hidden(const fs::path& path) {
   return path.filename().string().starts_with('.');
 }
@@ -28,7 +63,8 @@ void visit(const fs::path& folder, const fs::path& root, const fs::path& left_ou
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     if (is_hidden(entry.path()) || fs::equivalent(entry.path(), left_out, ignored)) continue;
     if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) visit(entry.path(), root, left_out, files);
-    if (entry.is_regular_file(ignored)) files.push_back(entry.path().lexically_relative(root).generic_string());
+    if (entry.is_regular_file(ignored))
+      files.push_back(escaped(entry.path().lexically_relative(root).generic_string()));
   }
 }
 
@@ -120,6 +156,18 @@ std::vector<std::string> files_below(const fs::path& root, const fs::path& left_
   visit(root, root, left_out, files);
   std::ranges::sort(files);
   return files;
+}
+
+fs::path place_of(const fs::path& root, const std::string& path) {
+  std::string name;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    unsigned byte = 0;
+    const bool is_escape = path[i] == '%' && i + 2 < path.size();
+    if (is_escape) std::from_chars(&path[i + 1], &path[i + 1] + 2, byte, 16);
+    name += is_escape ? static_cast<char>(byte) : path[i];
+    if (is_escape) i += 2;
+  }
+  return root / name;
 }
 
 std::optional<FitCounts> counts_of(const formats::Content& content) {
