@@ -1,6 +1,7 @@
 // A batch as a user meets it: an archive of many habits catalogued, killed in the middle and resumed, run and compared.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <csignal>
@@ -246,6 +247,26 @@ TEST(Batch, files_whose_names_are_not_utf_8_are_in_the_catalogue) {
     batch.emplace_back("--resume");
     EXPECT_TRUE(contains(run_keyblock(batch).messages, "3 jobs done before, 0 to do"));
   }
+}
+
+// Address space is limited for the whole batch; the file's numbers alone take more.
+TEST(Batch, a_file_that_memory_does_not_suffice_for_fails_alone) {
+  const fs::path root = fresh_folder("batch_memory");
+  copy_case("stack/five_blocks/five_blocks", root / "in");
+  std::string ones(30U << 20U, '1');
+  for (std::size_t i = 1; i < ones.size(); i += 2) ones[i] = ' ';
+  write_text(root / "in/ones.geo", ones);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  const rlimit narrow{350U << 20U, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &narrow), 0);
+  const ProgramRun run = run_keyblock({"batch", root / "in", "--check", "--jobs", "1", "-o", root / "out"});
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  const auto jobs = jobs_in(root / "out");
+  ASSERT_EQ(jobs.size(), 2U) << jobs;
+  EXPECT_NE(jobs[0]["outcome"], "failed") << jobs[0];
+  EXPECT_EQ(jobs[1]["message"], "ones.geo: error: there is not enough memory for this");
 }
 
 TEST(Batch, every_case_is_converted_and_comes_back_as_the_same_scene) {

@@ -122,9 +122,13 @@ CatalogueRow check_job(const fs::path& root, const BatchJob& job, const std::vec
 }
 
 bool fit_together(const fs::path& root, const BatchFile& geometry, const BatchFile& analysis) {
-  const auto readings = formats::read_files(paths_of(root, {geometry.path, analysis.path}));
-  if (!readings[0].reading || !readings[1].reading) return false;
-  return counts_of(readings[0].reading->content) == counts_of(readings[1].reading->content);
+  try {
+    const auto readings = formats::read_files(paths_of(root, {geometry.path, analysis.path}));
+    if (!readings[0].reading || !readings[1].reading) return false;
+    return counts_of(readings[0].reading->content) == counts_of(readings[1].reading->content);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 }  // namespace keyblock::study
