@@ -89,6 +89,10 @@ Problem with_content(Problem problem, const Content& content) {
     if (problem.analysis) refuse_second(content.analysis->place, problem.analysis->place, "analysis");
     problem.analysis = content.analysis;
   }
+  if (content.motion) {
+    if (problem.motion) refuse_second(content.motion->place, problem.motion->place, "motion");
+    problem.motion = content.motion;
+  }
   if (content.units) problem.units = *content.units;
   if (content.choices) problem.choices = *content.choices;
   return problem;
