@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "formats/demands.hpp"
 #include "formats/numbers.hpp"
@@ -13,6 +15,7 @@ namespace keyblock::formats {
 namespace {
 
 constexpr double kPenaltyFactor = 50;  // of the old programs, over the largest Young's modulus
+constexpr double kEndOfTime = 100000;  // of the rows that they insert themselves
 
 int next_material_count(Cursor& cursor, std::string_view name) {
   const Place place = cursor.place();
@@ -105,6 +108,15 @@ std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count) {
   }
   cursor.leave();
   return materials;
+}
+
+TimeCurve with_two_rows(TimeCurve curve) {
+  if (curve.times.size() != 1) return curve;
+  const double start = curve.times.front();
+  const double end = start + std::max(kEndOfTime, std::abs(start));
+  curve.times.push_back(std::min(end, std::numeric_limits<double>::max()));
+  curve.values.push_back(curve.values.front());
+  return curve;
 }
 
 std::string controls_text(const Analysis& analysis) {

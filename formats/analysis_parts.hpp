@@ -31,6 +31,10 @@ Stress next_stress(Cursor& cursor, std::string_view xx, std::string_view yy, std
 Velocity next_velocity(Cursor& cursor);
 std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count);
 
+/// A curve of one row as two, for formats that ask for two: it holds its value to the end of the old programs' time, or to twice its
+/// own where that is later.
+TimeCurve with_two_rows(TimeCurve curve);
+
 /// The same parts as text; the stiffness is 0 where the program chooses as it does by itself.
 std::string controls_text(const Analysis& analysis);
 std::string contact_stiffness_text(const Analysis& analysis);

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::int64_t kBlockMaterialSize = 13;
 constexpr std::int64_t kJointMaterialSize = 3;
-constexpr double kEndOfTime = 100000;  // of the rows that the old program inserts itself
 constexpr Demand kRowCount{[](double v) { return is_whole(v) && (v == 0 || v >= 2); }, "0, or 2 and more"};
 
 /// Numbers taken by the materials a head announces; nothing where the head cannot be one.
@@ -242,15 +241,10 @@ std::string write_berkeley(const Content& content) {
   return controls_text(analysis) + materials_text(analysis);
 }
 
-/// The curves as the file has room for them: one a point of the geometry where its points are known; a curve of one row holds
-/// its value to the end of the old program's time.
+/// The curves as the file has room for them: one a point of the geometry where its points are known.
 std::vector<TimeCurve> curves_to_write(std::vector<TimeCurve> curves, std::optional<int> points) {
   if (points) curves.resize(static_cast<std::size_t>(*points));
-  for (TimeCurve& curve : curves)
-    if (curve.times.size() == 1) {
-      curve.times.push_back(curve.times.front() + kEndOfTime);
-      curve.values.push_back(curve.values.front());
-    }
+  for (TimeCurve& curve : curves) curve = with_two_rows(std::move(curve));
   return curves;
 }
 
