@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 
+#include "formats/numbers.hpp"
 #include "formats/registry.hpp"
 
 namespace keyblock::study {
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Files so named that fit no format are no broken cases.
+// Files so named that fit no format are no broken cases, but for numbers in .txt and our keys in .json.
 constexpr std::array<std::string_view, 36> kForeignEndings{
     ".bat", ".bmp", ".c",   ".cpp", ".csv",  ".doc", ".docx", ".exe", ".f",    ".for", ".f90",  ".gif",
     ".gz",  ".h",   ".hpp", ".htm", ".html", ".jpg", ".jpeg", ".js",  ".json", ".log", ".m",    ".md",
@@ -106,11 +107,34 @@ FileRole role_by_format(std::string_view format) {
   return FileRole::unreadable;
 }
 
-FileRole role_by_name(const fs::path& path) {
+// Where most of the first words are numbers, a table was meant, not a text.
+bool looks_numeric(std::string_view text) {
+  constexpr std::size_t kWords = 100, kFewest = 6;
+  constexpr std::string_view kSpace = " \t\r\n,";
+  std::size_t words = 0, numbers = 0;
+  for (std::size_t at = text.find_first_not_of(kSpace); at != std::string_view::npos && words < kWords;) {
+    const std::size_t end = std::min(text.find_first_of(kSpace, at), text.size());
+    ++words;
+    numbers += formats::parse_real(text.substr(at, end - at)) ? 1 : 0;
+    at = text.find_first_not_of(kSpace, end);
+  }
+  return words >= kFewest && 2 * numbers > words;
+}
+
+// Keys that every geometry or analysis of our case file has, for one whose mark is lost.
+bool looks_like_a_case(std::string_view text) {
+  return std::ranges::any_of(
+      std::array<std::string_view, 4>{"\"youngs_modulus\"", "\"boundary_count\"", "\"outer\"", "\"loop_vertices\""},
+      [&](std::string_view key) { return text.find(key) != std::string_view::npos; });
+}
+
+FileRole role_by_name(const fs::path& path, std::string_view text) {
   if (path.filename() == "expected.csv") return FileRole::side_file;
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::ranges::find(kForeignEndings, ending) == kForeignEndings.end() ? FileRole::unreadable : FileRole::foreign;
+  const bool is_broken = (ending == ".txt" && looks_numeric(text)) || (ending == ".json" && looks_like_a_case(text));
+  const bool is_foreign = std::ranges::find(kForeignEndings, ending) != kForeignEndings.end();
+  return is_foreign && !is_broken ? FileRole::foreign : FileRole::unreadable;
 }
 
 /// One more than the greatest number; 1 where nothing is numbered, because material 1 is always there.
@@ -180,11 +204,11 @@ std::optional<FitCounts> counts_of(const formats::Content& content) {
 
 BatchFile look_at(const formats::Source& source, const std::string& path) {
   const auto choice = choice_of(source);
-  if (!choice) return {path, role_by_name(path), {}, std::nullopt};
+  if (!choice) return {path, role_by_name(path, source.text), {}, std::nullopt};
   BatchFile file{path, role_by_format(choice->format->name), std::string(choice->format->name), std::nullopt};
   if (file.role == FileRole::side_file) return file;
   if (file.role == FileRole::unreadable && choice->recognition.fit == formats::Recognition::Fit::damaged)
-    return {path, role_by_name(path), {}, std::nullopt};  // JSON or XML of some kind, without our mark
+    return {path, role_by_name(path, source.text), {}, std::nullopt};  // JSON or XML of some kind, without our mark
   const auto content = content_of(*choice, source);
   if (!content) return file;
   if (file.role == FileRole::unreadable) file.role = role_by_content(*content);

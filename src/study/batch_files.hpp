@@ -45,7 +45,8 @@ std::vector<std::string> files_below(const std::filesystem::path& root, const st
 /// Where a file of the archive lies: the path below `root` with its bytes as the file system has them.
 std::filesystem::path place_of(const std::filesystem::path& root, const std::string& path);
 
-/// What a file is, from its content; its name counts only where no format fits. `path` is the one below the root.
+/// What a file is, from its content; its name counts only where no format fits, and then a
+/// .txt of numbers or a .json with keys of ours is unreadable whatever its name says. `path` is the one below the root.
 BatchFile look_at(const formats::Source& source, const std::string& path);
 
 /// Of a geometry or an analysis; nothing for other contents.
