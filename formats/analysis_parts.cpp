@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "formats/demands.hpp"
 #include "formats/numbers.hpp"
@@ -24,6 +25,22 @@ int next_material_count(Cursor& cursor, std::string_view name) {
   return count;
 }
 
+Stress next_stress(Cursor& cursor, std::string_view xx, std::string_view yy, std::string_view xy) {
+  Stress stress;
+  stress.xx = cursor.next_real(xx);
+  stress.yy = cursor.next_real(yy);
+  stress.xy = cursor.next_real(xy);
+  return stress;
+}
+
+Velocity next_velocity(Cursor& cursor) {
+  Velocity velocity;
+  velocity.x = cursor.next_real("the initial velocity in x");
+  velocity.y = cursor.next_real("the initial velocity in y");
+  velocity.rotation = cursor.next_real("the initial rotation rate");
+  return velocity;
+}
+
 JointMaterial next_joint_material(Cursor& cursor) {
   JointMaterial material;
   material.place = cursor.place();
@@ -35,12 +52,6 @@ JointMaterial next_joint_material(Cursor& cursor) {
 
 std::string line(double a, double b, double c) {
   return fmt::format("{} {} {}\n", format_real(a), format_real(b), format_real(c));
-}
-
-double largest_modulus(const Analysis& analysis) {
-  double largest = 0;
-  for (const BlockMaterial& material : analysis.block_materials) largest = std::max(largest, material.youngs_modulus);
-  return largest;
 }
 
 }  // namespace
@@ -84,20 +95,23 @@ Warnings next_contact_stiffness(Cursor& cursor, Analysis& analysis) {
            "contact stiffness 0 taken as \"program chooses\": 50 × the largest Young's modulus"}};
 }
 
-Stress next_stress(Cursor& cursor, std::string_view xx, std::string_view yy, std::string_view xy) {
-  Stress stress;
-  stress.xx = cursor.next_real(xx);
-  stress.yy = cursor.next_real(yy);
-  stress.xy = cursor.next_real(xy);
-  return stress;
-}
-
-Velocity next_velocity(Cursor& cursor) {
-  Velocity velocity;
-  velocity.x = cursor.next_real("the initial velocity in x");
-  velocity.y = cursor.next_real("the initial velocity in y");
-  velocity.rotation = cursor.next_real("the initial rotation rate");
-  return velocity;
+std::vector<BlockMaterial> next_block_materials(Cursor& cursor, int count,
+                                                void (*next_head)(Cursor& cursor, BlockMaterial& material)) {
+  std::vector<BlockMaterial> materials;
+  for (int i = 0; i < count; ++i) {
+    cursor.enter({"block material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
+    BlockMaterial material;
+    material.place = cursor.place();
+    next_head(cursor, material);
+    material.initial_stress =
+        next_stress(cursor, "the initial stress xx", "the initial stress yy", "the initial stress xy");
+    material.stress_gradient =
+        next_stress(cursor, "the stress gradient xx", "the stress gradient yy", "the stress gradient xy");
+    material.initial_velocity = next_velocity(cursor);
+    materials.push_back(material);
+  }
+  cursor.leave();
+  return materials;
 }
 
 std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count) {
@@ -108,6 +122,12 @@ std::vector<JointMaterial> next_joint_materials(Cursor& cursor, int count) {
   }
   cursor.leave();
   return materials;
+}
+
+double largest_modulus(const Analysis& analysis) {
+  double largest = 0;
+  for (const BlockMaterial& material : analysis.block_materials) largest = std::max(largest, material.youngs_modulus);
+  return largest;
 }
 
 TimeCurve with_two_rows(TimeCurve curve) {
@@ -131,12 +151,9 @@ std::string contact_stiffness_text(const Analysis& analysis) {
   return format_real(analysis.contact_penalty.value_or(by_factor)) + '\n';
 }
 
-std::string text_of(const Stress& stress) {
-  return line(stress.xx, stress.yy, stress.xy);
-}
-
-std::string text_of(const Velocity& velocity) {
-  return line(velocity.x, velocity.y, velocity.rotation);
+std::string state_text(const BlockMaterial& material) {
+  const auto& [s, t, v] = std::tie(material.initial_stress, material.stress_gradient, material.initial_velocity);
+  return line(s.xx, s.yy, s.xy) + line(t.xx, t.yy, t.xy) + line(v.x, v.y, v.rotation);
 }
 
 std::string text_of(const std::vector<JointMaterial>& materials) {

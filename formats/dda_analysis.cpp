@@ -111,36 +111,18 @@ Recognition recognise_shi(const Tokens& tokens) {
                                                fmt::join(counts, " or "), tokens.numbers.size())};
 }
 
-BlockMaterial next_block_material(Cursor& cursor) {
-  BlockMaterial material;
-  material.place = cursor.place();
+void next_head_of_material(Cursor& cursor, BlockMaterial& material) {
   material.density = cursor.next_real("the mass per unit area", kPositive);
   material.unit_weight = cursor.next_real("the weight per unit area");
   material.youngs_modulus = cursor.next_real("Young's modulus", kPositive);
   material.poissons_ratio = cursor.next_real("Poisson's ratio", kPoissonPlaneStress);
-  material.initial_stress =
-      next_stress(cursor, "the initial stress xx", "the initial stress yy", "the initial stress xy");
-  material.stress_gradient =
-      next_stress(cursor, "the stress gradient xx", "the stress gradient yy", "the stress gradient xy");
-  material.initial_velocity = next_velocity(cursor);
-  return material;
-}
-
-std::vector<BlockMaterial> next_block_materials(Cursor& cursor, int count) {
-  std::vector<BlockMaterial> materials;
-  for (int i = 0; i < count; ++i) {
-    cursor.enter({"block material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
-    materials.push_back(next_block_material(cursor));
-  }
-  cursor.leave();
-  return materials;
 }
 
 Reading read_berkeley(const Source& source, const ReadHint&) {
   const Tokens tokens = tokenise(source);
   Cursor cursor(tokens);
   auto [analysis, counts] = next_controls(cursor, AnalysisDialect::berkeley);
-  analysis.block_materials = next_block_materials(cursor, counts.blocks);
+  analysis.block_materials = next_block_materials(cursor, counts.blocks, next_head_of_material);
   analysis.joint_materials = next_joint_materials(cursor, counts.joints);
   return {{{}, {}, std::move(analysis)}, cursor.remainder()};
 }
@@ -212,7 +194,7 @@ Reading read_shi(const Source& source, const ReadHint& hint) {
   Warnings warnings = next_contact_stiffness(cursor, analysis);
   const CurveCounts counts = curve_counts(tokens, hint);
   analysis = with_curves(std::move(analysis), next_curves(cursor, counts.points), counts);
-  analysis.block_materials = next_block_materials(cursor, materials.blocks);
+  analysis.block_materials = next_block_materials(cursor, materials.blocks, next_head_of_material);
   analysis.joint_materials = next_joint_materials(cursor, materials.joints);
   if (cursor.numbers_left() > 0) analysis.over_relaxation = cursor.next_real("the over-relaxation factor");
   warnings = joined(std::move(warnings), cursor.remainder());
@@ -222,7 +204,7 @@ Reading read_shi(const Source& source, const ReadHint& hint) {
 std::string block_material_text(const BlockMaterial& material) {
   return fmt::format("{} {} {} {}\n", format_real(material.density), format_real(material.unit_weight),
                      format_real(material.youngs_modulus), format_real(material.poissons_ratio)) +
-         text_of(material.initial_stress) + text_of(material.stress_gradient) + text_of(material.initial_velocity);
+         state_text(material);
 }
 
 const Analysis& analysis_of(const Content& content) {

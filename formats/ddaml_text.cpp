@@ -169,8 +169,7 @@ class Writer {
   }
 
   static double penalty_factor_of(const Analysis& analysis) {
-    double largest = 0;
-    for (const BlockMaterial& material : analysis.block_materials) largest = std::max(largest, material.youngs_modulus);
+    const double largest = largest_modulus(analysis);
     return analysis.contact_penalty && largest > 0 ? *analysis.contact_penalty / largest : analysis.penalty_factor;
   }
 

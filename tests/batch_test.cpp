@@ -160,15 +160,32 @@ TEST(Batch, a_job_beyond_its_limits_fails_alone) {
   EXPECT_EQ(jobs_in(root / "starved")[0]["outcome"], "failed");
 }
 
+// Ctrl-C, `kill`, and a terminal that is closed.
 TEST(Batch, an_interrupted_batch_finishes_what_runs_and_exits_130) {
-  const fs::path root = fresh_folder("batch_stopped");
-  testing::write_mixed_archive(root / "in", 40, 0, 5);
-  const ProgramRun run = testing::interrupt_keyblock(
-      {"batch", root / "in", "--run", "--profile", "legacy", "--time-limit", "20", "-o", root / "out", "--jobs", "1"},
-      (root / "out" / "jobs").string());
-  EXPECT_EQ(run.exit_code, 130) << run.messages;
-  EXPECT_FALSE(fs::exists(root / "out" / "catalogue.csv"));
-  EXPECT_TRUE(read_text(root / "out" / "journal.jsonl").ends_with("}\n"));
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const fs::path root = fresh_folder("batch_stopped");
+    testing::write_mixed_archive(root / "in", 40, 0, 5);
+    const ProgramRun run = testing::interrupt_keyblock(
+        {"batch", root / "in", "--run", "--profile", "legacy", "--time-limit", "20", "-o", root / "out", "--jobs", "1"},
+        (root / "out" / "jobs").string(), signal);
+    EXPECT_EQ(run.exit_code, 130) << signal << ": " << run.messages;
+    EXPECT_FALSE(fs::exists(root / "out" / "catalogue.csv"));
+    EXPECT_TRUE(read_text(root / "out" / "journal.jsonl").ends_with("}\n"));
+  }
+}
+
+TEST(Batch, begun_again_it_leaves_nothing_of_the_earlier_one) {
+  const fs::path root = fresh_folder("batch_force");
+  copy_case("stack/five_blocks/five_blocks", root / "in");
+  const std::string in = root / "in", out = root / "out";
+  ASSERT_EQ(run_keyblock({"batch", in, "--convert", "berkeley", "-o", out}).exit_code, 0);
+  ASSERT_TRUE(fs::exists(root / "out/jobs"));
+  write_text(root / "out/jobs/mark", "");
+  fs::remove_all(root / "in");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in");
+  ASSERT_EQ(run_keyblock({"batch", in, "--check", "-o", out, "--force"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(root / "out/jobs"));
+  EXPECT_EQ(jobs_in(root / "out").at(0)["job"], "a30_p20.geo");
 }
 
 TEST(Batch, wrong_usage_and_folders_in_use_are_exit_2) {

@@ -53,21 +53,16 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.choices, content.choices, file, "run");
 }
 
-// What of the content the format writes: what its own text gives back.
-std::string written(const Format& format, const Content& content) {
-  try {
-    return format.write(content);
-  } catch (const std::invalid_argument&) {
-    return {};
-  }
-}
+struct Written {
+  std::string text;     ///< empty where the format cannot hold anything of the content
+  std::string why_not;  ///< the reason then
+};
 
-std::string why_not(const Format& format, const Content& content) {
+Written written(const Format& format, const Content& content) {
   try {
-    format.write(content);
-    return {};
+    return {format.write(content), {}};
   } catch (const std::invalid_argument& error) {
-    return error.what();
+    return {{}, error.what()};
   }
 }
 
@@ -84,7 +79,8 @@ bool has_layout_of(const formats::FileReading& file, const Format& format, const
 const std::string* unchanged(const std::vector<formats::FileReading>& files, const Format& format,
                              const std::string& text) {
   for (const formats::FileReading& file : files)
-    if (has_layout_of(file, format, text) && written(format, file.reading->content) == text) return &file.source.text;
+    if (has_layout_of(file, format, text) && written(format, file.reading->content).text == text)
+      return &file.source.text;
   return nullptr;
 }
 
@@ -115,7 +111,7 @@ void complete_curves(Content& content, const Target& target) {
 }
 
 bool is_lacking(const Content& content, const Format& format) {
-  return written(format, content).empty();
+  return written(format, content).text.empty();
 }
 
 // Blocks or lines, where the target holds these and not the geometry there is.
@@ -187,16 +183,18 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   complete_curves(content, target);
   conversion.hint = hint_of(content);
   Content back;
+  std::string why_not;
   for (const Target::Part& part : target.parts) {
-    std::string text = written(*part.format, content);
+    auto [text, reason] = written(*part.format, content);
+    why_not = std::move(reason);
     if (text.empty()) continue;
     if (part.format->read) add_to(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
     const std::string* same = unchanged(files, *part.format, text);
     conversion.files.push_back({part.format, part.ending, same ? *same : std::move(text)});
   }
   if (conversion.files.empty())
-    throw InputError({files.front().path}, fmt::format("expected something that {} holds, found none: {}", target.name,
-                                                       why_not(*target.parts.back().format, content)));
+    throw InputError({files.front().path},
+                     fmt::format("expected something that {} holds, found none: {}", target.name, why_not));
   const auto left_out = target.parts.front().left_out;
   for (Loss& loss : left_out != nullptr ? losses(content, left_out(content)) : losses(content, back))
     conversion.losses.push_back(std::move(loss));
