@@ -26,8 +26,9 @@ Warnings apply_motion(Analysis& analysis, const TimeCurve& motion) {
     throw InputError(motion.place,
                      "expected one motion of the blocks, found a second: the analysis has a body acceleration");
   const std::vector<BlockMaterial>& materials = analysis.block_materials;
-  double gravity = materials.empty() ? 0 : gravity_of(materials.front());
-  if (gravity == 0) gravity = analysis.gravity.value_or(0);
+  const bool is_stated = analysis.gravity.value_or(0) != 0;
+  const double of_first = materials.empty() ? 0 : gravity_of(materials.front());
+  const double gravity = is_stated ? *analysis.gravity : of_first;
   if (gravity == 0)
     throw InputError(motion.place,
                      "expected weights of blocks, to know the gravity that the motion is a multiple of; found none");
@@ -39,7 +40,7 @@ Warnings apply_motion(Analysis& analysis, const TimeCurve& motion) {
                    "never applied them",
                    gravity)}};
   const auto is_other = [&](const BlockMaterial& material) { return differs(gravity_of(material), gravity); };
-  if (const auto count = std::ranges::count_if(materials, is_other); count > 0)
+  if (const auto count = std::ranges::count_if(materials, is_other); !is_stated && count > 0)
     warnings.push_back(
         {"motion_of_one_gravity", motion.place,
          fmt::format("{} of {} block materials have another gravity, weight over mass; the motion takes that "

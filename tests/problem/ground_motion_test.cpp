@@ -42,13 +42,19 @@ TEST(GroundMotion, of_materials_without_one_gravity_takes_the_first_and_says_so)
   EXPECT_EQ(analysis.body_acceleration.values.at(0), (Point{2.5, 0}));
 }
 
-TEST(GroundMotion, without_weights_is_a_multiple_of_the_gravity_of_the_analysis_or_refused) {
+TEST(GroundMotion, is_a_multiple_of_the_gravity_that_the_analysis_states) {
+  Analysis analysis = analysis_with({{2, 20}, {2, 0}});
+  analysis.gravity = 8;
+  EXPECT_EQ(names(apply_motion(analysis, kMotion)), std::vector<std::string>{"motion_applied"});
+  EXPECT_EQ(analysis.body_acceleration.values.at(0), (Point{2, 0}));
+}
+
+TEST(GroundMotion, without_gravity_or_beside_another_acceleration_is_refused) {
   Analysis analysis = analysis_with({{2, 0}});
   EXPECT_THROW(apply_motion(analysis, kMotion), InputError);
   analysis.gravity = 8;
   apply_motion(analysis, kMotion);
-  EXPECT_EQ(analysis.body_acceleration.values.at(0), (Point{2, 0}));
-  EXPECT_THROW(apply_motion(analysis, kMotion), InputError) << "a second acceleration";
+  EXPECT_THROW(apply_motion(analysis, kMotion), InputError);
 }
 
 TEST(GroundMotion, a_checked_problem_has_it_in_its_analysis_once) {
