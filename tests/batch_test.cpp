@@ -264,6 +264,10 @@ TEST(Batch, files_whose_names_are_not_utf_8_are_in_the_catalogue) {
     batch.emplace_back("--resume");
     EXPECT_TRUE(contains(run_keyblock(batch).messages, "3 jobs done before, 0 to do"));
   }
+  write_text(root / "in" / "\xF6.geo", "broken");
+  EXPECT_EQ(run_keyblock({"batch", root / "in", "--check", "-o", root / "broken"}).exit_code, 1);
+  EXPECT_TRUE(jobs_in(root / "broken")[0]["message"].get<std::string>().starts_with("%F6.geo:"))
+      << jobs_in(root / "broken")[0];
 }
 
 // Address space is limited for the whole batch; the file's numbers alone take more.

@@ -24,8 +24,16 @@ std::vector<std::string> paths_of(const fs::path& root, const std::vector<std::s
   return paths;
 }
 
-// Paths stand at the start of a message or behind a space.
-std::string below(const fs::path& root, std::string text) {
+void replace_all(std::string& text, const std::string& old_text, const std::string& new_text) {
+  for (std::size_t at = text.find(old_text); at != std::string::npos; at = text.find(old_text, at + new_text.size()))
+    text.replace(at, old_text.size(), new_text);
+}
+
+// Names as the archive has them. Paths stand at the start of a message or behind a space.
+std::string below(const fs::path& root, const BatchJob& job, std::string text) {
+  for (const std::string& file : job.files)
+    if (const std::string place = place_of(root, file).string(); place != (root / file).string())
+      replace_all(text, place, (root / file).string());
   const std::string prefix = (root / "").string();
   for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {
     if (at == 0 || text[at - 1] == ' ')
@@ -111,12 +119,12 @@ CatalogueRow check_job(const fs::path& root, const BatchJob& job, const std::vec
     row.message = "there is not enough memory for this";
   } catch (const std::exception& error) {
     row.outcome = "failed";
-    row.message = below(root, error.what());
+    row.message = below(root, job, error.what());
   }
   row.warnings = static_cast<int>(warnings.size());
   if (row.outcome == "ok" && !warnings.empty()) {
     row.outcome = "warnings";
-    row.message = below(root, to_string(warnings.front()));
+    row.message = below(root, job, to_string(warnings.front()));
   }
   return row;
 }
