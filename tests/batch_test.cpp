@@ -274,12 +274,12 @@ TEST(Batch, files_whose_names_are_not_utf_8_are_in_the_catalogue) {
 TEST(Batch, a_file_that_memory_does_not_suffice_for_fails_alone) {
   const fs::path root = fresh_folder("batch_memory");
   copy_case("stack/five_blocks/five_blocks", root / "in");
-  std::string ones(30U << 20U, '1');
+  std::string ones(60U << 20U, '1');
   for (std::size_t i = 1; i < ones.size(); i += 2) ones[i] = ' ';
   write_text(root / "in/ones.geo", ones);
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
-  const rlimit narrow{350U << 20U, before.rlim_max};
+  const rlimit narrow{250U << 20U, before.rlim_max};
   ASSERT_EQ(setrlimit(RLIMIT_AS, &narrow), 0);
   const ProgramRun run = run_keyblock({"batch", root / "in", "--check", "--jobs", "1", "-o", root / "out"});
   ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
