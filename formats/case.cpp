@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "formats/analysis_parts.hpp"
 #include "formats/dda_analysis.hpp"
 #include "formats/nmm_analysis.hpp"
 
@@ -55,25 +56,13 @@ FileReading open(const std::string& path) {
   return file;
 }
 
-bool is_one_point(const FixedLine& line) {
-  return line.segment.start == line.segment.end;
-}
-
 /// The numbers stay unknown where points were dropped: the analysis file still has their flags.
 ReadHint hint_of(const Reading& reading) {
   const Content& content = reading.content;
   const auto is_dropped_point = [](const Warning& warning) { return warning.name == "point_outside_blocks"; };
   const bool lacks_points = std::ranges::any_of(reading.warnings, is_dropped_point);
-  const auto count = [](const auto& points) { return static_cast<int>(points.size()); };
-  if (content.cover) return {std::nullopt, count(content.cover->loading_points), GeometryKind::cover};
   if (content.blocks && lacks_points) return {std::nullopt, std::nullopt, GeometryKind::blocks};
-  if (content.blocks)
-    return {count(content.blocks->fixed_points), count(content.blocks->loading_points), GeometryKind::blocks};
-  if (!content.drawing) return {};
-  const Drawing& drawing = *content.drawing;
-  ReadHint hint{std::nullopt, count(drawing.loading_points), GeometryKind::drawing};
-  if (std::ranges::all_of(drawing.fixed_lines, is_one_point)) hint.fixed_points = count(drawing.fixed_lines);
-  return hint;
+  return counted_points(content);
 }
 
 [[noreturn]] void refuse_second(const Place& second, const Place& first, std::string_view noun) {
@@ -99,6 +88,10 @@ Problem with_content(Problem problem, const Content& content) {
   if (content.analysis) {
     if (problem.analysis) refuse_second(content.analysis->place, problem.analysis->place, "analysis");
     problem.analysis = content.analysis;
+  }
+  if (content.motion) {
+    if (problem.motion) refuse_second(content.motion->place, problem.motion->place, "motion");
+    problem.motion = content.motion;
   }
   if (content.units) problem.units = *content.units;
   if (content.choices) problem.choices = *content.choices;

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::int64_t kBlockMaterialSize = 13;
 constexpr std::int64_t kJointMaterialSize = 3;
-constexpr double kEndOfTime = 100000;  // of the rows that the old program inserts itself
 constexpr Demand kRowCount{[](double v) { return is_whole(v) && (v == 0 || v >= 2); }, "0, or 2 and more"};
 
 /// Numbers taken by the materials a head announces; nothing where the head cannot be one.
@@ -112,36 +111,18 @@ Recognition recognise_shi(const Tokens& tokens) {
                                                fmt::join(counts, " or "), tokens.numbers.size())};
 }
 
-BlockMaterial next_block_material(Cursor& cursor) {
-  BlockMaterial material;
-  material.place = cursor.place();
+void next_head_of_material(Cursor& cursor, BlockMaterial& material) {
   material.density = cursor.next_real("the mass per unit area", kPositive);
   material.unit_weight = cursor.next_real("the weight per unit area");
   material.youngs_modulus = cursor.next_real("Young's modulus", kPositive);
   material.poissons_ratio = cursor.next_real("Poisson's ratio", kPoissonPlaneStress);
-  material.initial_stress =
-      next_stress(cursor, "the initial stress xx", "the initial stress yy", "the initial stress xy");
-  material.stress_gradient =
-      next_stress(cursor, "the stress gradient xx", "the stress gradient yy", "the stress gradient xy");
-  material.initial_velocity = next_velocity(cursor);
-  return material;
-}
-
-std::vector<BlockMaterial> next_block_materials(Cursor& cursor, int count) {
-  std::vector<BlockMaterial> materials;
-  for (int i = 0; i < count; ++i) {
-    cursor.enter({"block material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
-    materials.push_back(next_block_material(cursor));
-  }
-  cursor.leave();
-  return materials;
 }
 
 Reading read_berkeley(const Source& source, const ReadHint&) {
   const Tokens tokens = tokenise(source);
   Cursor cursor(tokens);
   auto [analysis, counts] = next_controls(cursor, AnalysisDialect::berkeley);
-  analysis.block_materials = next_block_materials(cursor, counts.blocks);
+  analysis.block_materials = next_block_materials(cursor, counts.blocks, next_head_of_material);
   analysis.joint_materials = next_joint_materials(cursor, counts.joints);
   return {{{}, {}, std::move(analysis)}, cursor.remainder()};
 }
@@ -213,7 +194,7 @@ Reading read_shi(const Source& source, const ReadHint& hint) {
   Warnings warnings = next_contact_stiffness(cursor, analysis);
   const CurveCounts counts = curve_counts(tokens, hint);
   analysis = with_curves(std::move(analysis), next_curves(cursor, counts.points), counts);
-  analysis.block_materials = next_block_materials(cursor, materials.blocks);
+  analysis.block_materials = next_block_materials(cursor, materials.blocks, next_head_of_material);
   analysis.joint_materials = next_joint_materials(cursor, materials.joints);
   if (cursor.numbers_left() > 0) analysis.over_relaxation = cursor.next_real("the over-relaxation factor");
   warnings = joined(std::move(warnings), cursor.remainder());
@@ -223,7 +204,7 @@ Reading read_shi(const Source& source, const ReadHint& hint) {
 std::string block_material_text(const BlockMaterial& material) {
   return fmt::format("{} {} {} {}\n", format_real(material.density), format_real(material.unit_weight),
                      format_real(material.youngs_modulus), format_real(material.poissons_ratio)) +
-         text_of(material.initial_stress) + text_of(material.stress_gradient) + text_of(material.initial_velocity);
+         state_text(material);
 }
 
 const Analysis& analysis_of(const Content& content) {
@@ -242,15 +223,10 @@ std::string write_berkeley(const Content& content) {
   return controls_text(analysis) + materials_text(analysis);
 }
 
-/// The curves as the file has room for them: one a point of the blocks where these are known; a curve of one row holds
-/// its value to the end of the old program's time.
-std::vector<TimeCurve> curves_to_write(std::vector<TimeCurve> curves, std::optional<std::size_t> points) {
-  if (points) curves.resize(*points);
-  for (TimeCurve& curve : curves)
-    if (curve.times.size() == 1) {
-      curve.times.push_back(curve.times.front() + kEndOfTime);
-      curve.values.push_back(curve.values.front());
-    }
+/// The curves as the file has room for them: one a point of the geometry where its points are known.
+std::vector<TimeCurve> curves_to_write(std::vector<TimeCurve> curves, std::optional<int> points) {
+  if (points) curves.resize(static_cast<std::size_t>(*points));
+  for (TimeCurve& curve : curves) curve = with_two_rows(std::move(curve));
   return curves;
 }
 
@@ -265,15 +241,10 @@ std::string rows_text(const std::vector<TimeCurve>& curves) {
 
 std::string write_shi(const Content& content) {
   const Analysis& analysis = analysis_of(content);
-  std::optional<std::size_t> fixed, loading;
-  if (content.blocks) {
-    fixed = content.blocks->fixed_points.size();
-    loading = content.blocks->loading_points.size();
-  } else if (content.drawing) {
-    loading = content.drawing->loading_points.size();
-  }
-  std::vector<TimeCurve> curves = curves_to_write(analysis.fixed_point_motions, fixed);
-  for (TimeCurve& curve : curves_to_write(analysis.point_loads, loading)) curves.push_back(std::move(curve));
+  const ReadHint points = counted_points(content);
+  std::vector<TimeCurve> curves = curves_to_write(analysis.fixed_point_motions, points.fixed_points);
+  for (TimeCurve& curve : curves_to_write(analysis.point_loads, points.loading_points))
+    curves.push_back(std::move(curve));
   std::string text = controls_text(analysis) + contact_stiffness_text(analysis);
   for (const TimeCurve& curve : curves) text += fmt::format("{}\n", curve.times.size());
   text += rows_text(curves) + materials_text(analysis);

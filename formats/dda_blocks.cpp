@@ -174,6 +174,24 @@ void refuse_outside(const std::vector<BlockPoint>& loading_points) {
     if (point.block < 0) throw InputError(point.place, "expected a loading point within a block, found one in block 0");
 }
 
+/// Slots between those of blocks may hold anything; in a block's own a fraction is no joint material.
+Warnings fraction_warnings(const Tokens& tokens, const Head& head) {
+  Warnings warnings;
+  for (std::int64_t block = 0; block < head.blocks; ++block) {
+    const auto at = static_cast<std::size_t>(6 + 3 * block);
+    const auto first = static_cast<std::int64_t>(tokens.numbers[at + 1]) - 1;
+    const auto last = static_cast<std::int64_t>(tokens.numbers[at + 2]) - 1;
+    for (std::int64_t slot = first; slot <= last; ++slot) {
+      const auto material = static_cast<std::size_t>(6 + 3 * head.blocks + 3 * slot);
+      if (is_whole(tokens.numbers[material])) continue;
+      add_warning(warnings, {"joint_material_not_whole", tokens.place_of(material),
+                             fmt::format("joint material {} is no whole number; taken as 0, that is none",
+                                         format_real(tokens.numbers[material]))});
+    }
+  }
+  return warnings;
+}
+
 std::vector<BlockPoint> inside_only(std::vector<BlockPoint> points) {
   std::erase_if(points, [](const BlockPoint& point) { return point.block < 0; });
   return points;
@@ -241,7 +259,7 @@ Reading read_tokens(const Tokens& tokens, const ReadHint&) {
   const Head head = next_head(cursor);
   Blocks blocks = next_blocks(cursor, head, point_size(head, tokens.numbers.size()).value_or(4));
   refuse_outside(blocks.loading_points);
-  Warnings warnings = bolt_warnings(blocks.bolts, start);
+  Warnings warnings = joined(fraction_warnings(tokens, head), bolt_warnings(blocks.bolts, start));
   warnings = joined(std::move(warnings), outside_warnings(blocks.fixed_points, "a fixed point"));
   warnings = joined(std::move(warnings), outside_warnings(blocks.measured_points, "a measured point"));
   blocks = without_outsiders(std::move(blocks));

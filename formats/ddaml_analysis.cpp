@@ -18,20 +18,6 @@ namespace {
 constexpr std::string_view kEnd = "end of element";
 constexpr std::string_view kNothing = "nothing";
 
-double attribute_real(const Element& element, std::string_view attribute, const Demand& demand) {
-  const Tokens tokens = element.attribute_tokens(attribute);
-  Cursor cursor(tokens, kNothing);
-  cursor.enter({element.name()});
-  return cursor.next_real(attribute, demand);
-}
-
-int attribute_integer(const Element& element, std::string_view attribute, const Demand& demand) {
-  const Tokens tokens = element.attribute_tokens(attribute);
-  Cursor cursor(tokens, kNothing);
-  cursor.enter({element.name()});
-  return cursor.next_integer(attribute, demand);
-}
-
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -51,6 +37,8 @@ constexpr std::array<Default, 7> kDefaults{{{"Analysistype", "static"},
                                             {"Autopenalty", "no adaptation, penalty factor 50"},
                                             {"Planestrain", "no (plane stress)"}}};
 constexpr std::array<std::string_view, 3> kRequired{"Numtimesteps", "Maxtimestep", "Maxdisplacement"};
+constexpr std::array<std::string_view, 4> kManyTimes{"Blockmaterial", "Jointproperties", "Boltproperties",
+                                                     "Loadpointlist"};
 constexpr std::array<std::string_view, 2> kPassedOver{"Mintimestep", "Writevertices"};
 
 class AnalysisReader {
@@ -87,8 +75,20 @@ class AnalysisReader {
       add_warning(warnings_, ignored(child));
       return;
     }
-    seen_.insert(std::string(child.name()));
+    if (!seen_.insert(std::string(child.name())).second && !stands_often(child.name()))
+      warn("repeated_element", child.place(), fmt::format("{} stands here again; the last counts", child.name()));
     (this->*handler->read)(child);
+  }
+
+  static bool stands_often(std::string_view name) { return std::ranges::find(kManyTimes, name) != kManyTimes.end(); }
+
+  /// Of parts that may stand once; `taken`: which of several counts.
+  void warn_of_repeated(const Element& element, std::string_view taken) {
+    std::set<std::string_view> names;
+    for (const Element& child : element.children())
+      if (!names.insert(child.name()).second)
+        warn("repeated_element", child.place(),
+             fmt::format("{} of {} stands here again; the {} counts", child.name(), element.name(), taken));
   }
 
   void require(const Element& analysis) const {
@@ -110,6 +110,24 @@ class AnalysisReader {
 
   void warn(std::string name, Place place, std::string sentence) {
     add_warning(warnings_, {std::move(name), std::move(place), std::move(sentence)});
+  }
+
+  double attribute_real(const Element& element, std::string_view attribute, const Demand& demand) {
+    const Tokens tokens = element.attribute_tokens(attribute);
+    Cursor cursor(tokens, kNothing);
+    cursor.enter({element.name()});
+    const double value = cursor.next_real(attribute, demand);
+    keep_remainder(cursor);
+    return value;
+  }
+
+  int attribute_integer(const Element& element, std::string_view attribute, const Demand& demand) {
+    const Tokens tokens = element.attribute_tokens(attribute);
+    Cursor cursor(tokens, kNothing);
+    cursor.enter({element.name()});
+    const int value = cursor.next_integer(attribute, demand);
+    keep_remainder(cursor);
+    return value;
   }
 
   /// The choice an attribute makes among words, the first of which is taken for anything else, with a
@@ -182,6 +200,7 @@ class AnalysisReader {
   }
 
   void read_constants(const Element& element) {
+    warn_of_repeated(element, "last");
     OpenCloseConstants& constants = analysis_.open_close;
     for (const Element& child : element.children()) {
       const std::string_view name = child.name();
@@ -248,6 +267,7 @@ class AnalysisReader {
   }
 
   void read_block_material(const Element& element) {
+    warn_of_repeated(element, "first");
     BlockMaterial material;
     material.place = element.place();
     material.density = child_real(element, "Unitmass", kPositive);
@@ -265,6 +285,7 @@ class AnalysisReader {
   }
 
   void read_joint_material(const Element& element) {
+    warn_of_repeated(element, "first");
     JointMaterial material;
     material.place = element.place();
     material.friction_angle_deg = child_real(element, "Friction", kFrictionAngle);

@@ -43,6 +43,10 @@ class GeometryReader {
     const Tokens tokens = element.attribute_tokens("distance");
     Cursor cursor(tokens, "nothing");
     result_.drawing.edge_node_ratio = cursor.next_real("the edge-node ratio", kEdgeNodeRatio);
+    keep_remainder(cursor);
+    if (edge_node_seen_)
+      add_warning(result_.warnings,
+                  {"repeated_element", element.place(), "Edgenodedist stands here again; the last counts"});
     edge_node_seen_ = true;
   }
 
@@ -90,11 +94,13 @@ class GeometryReader {
     return {point, item.place()};
   }
 
-  static int type_of(const Element& item, std::string_view meaning, const Record& record) {
+  int type_of(const Element& item, std::string_view meaning, const Record& record) {
     const Tokens tokens = item.attribute_tokens("type");
     Cursor cursor(tokens, "nothing");
     cursor.enter(record);
-    return cursor.next_index(meaning);
+    const int type = cursor.next_index(meaning);
+    keep_remainder(cursor);
+    return type;
   }
 
   void read_joint(const Element& item, const Record& record) {

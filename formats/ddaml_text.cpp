@@ -8,12 +8,11 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "formats/analysis_parts.hpp"
 #include "formats/numbers.hpp"
 
 namespace keyblock::formats {
 namespace {
-
-constexpr double kEndOfTime = 100000;  // of the rows that the old program inserts itself
 
 std::string numbers(std::initializer_list<double> values) {
   std::string text;
@@ -154,10 +153,7 @@ class Writer {
   static std::string load_text(const TimeCurve& curve) {
     TimeCurve rows = curve;
     if (rows.times.empty()) rows.times.push_back(0), rows.values.push_back({});
-    if (rows.times.size() == 1) {
-      rows.times.push_back(rows.times.front() + kEndOfTime);
-      rows.values.push_back(rows.values.front());
-    }
+    rows = with_two_rows(std::move(rows));
     std::string text = fmt::format("<Loadpoint numpoints=\"{}\">", rows.times.size());
     for (std::size_t i = 0; i < rows.times.size(); ++i)
       text += fmt::format(" {};", numbers({rows.times[i], rows.values[i].x, rows.values[i].y}));
@@ -173,8 +169,7 @@ class Writer {
   }
 
   static double penalty_factor_of(const Analysis& analysis) {
-    double largest = 0;
-    for (const BlockMaterial& material : analysis.block_materials) largest = std::max(largest, material.youngs_modulus);
+    const double largest = largest_modulus(analysis);
     return analysis.contact_penalty && largest > 0 ? *analysis.contact_penalty / largest : analysis.penalty_factor;
   }
 

@@ -1,4 +1,4 @@
-// DXF, the exchange format of drawing programs: lines by layer to a drawing, drawings and blocks to lines by layer.
+// DXF, the exchange format of drawing programs: lines by layer to a drawing and back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ASCII text of groups: a line with a code, a line with its value [D]. Sections between 0 SECTION and 0 ENDSEC, 0 EOF at
@@ -13,9 +13,8 @@
 //     POINT       10 20
 //   999 keyblock edge-node ratio R  a comment: the edge-node ratio of the drawing; absent: kDxfEdgeNodeRatio
 // Arcs, circles and bulges become chords (dxf_curves.hpp). Everything else is skipped and listed, one warning a kind.
-// Written: R12, metres, a LINE or POINT a record; blocks as closed POLYLINEs on BLOCK_n, each VERTEX on the layer
-// JOINT_n of the side that begins there. Read again, a block gives its sides and a point that carries its material;
-// gaps that blocks enclose need a HOLE point to stay empty when cut.
+// Written: R12, metres, a LINE or POINT a record. A closed POLYLINE on BLOCK_n gives the sides of a block, each a joint of the
+// material that the layer JOINT_n of the VERTEX where it begins names, and a point that carries the block material.
 #pragma once
 
 #include "formats/format.hpp"

@@ -18,28 +18,6 @@
 namespace keyblock::formats {
 namespace {
 
-/// A point inside a closed chain: on the level in the middle of the highest gap between its vertices. Nothing where the
-/// chain encloses nothing.
-std::optional<Point> point_inside(const std::vector<Point>& loop) {
-  std::vector<double> heights;
-  for (const Point p : loop) heights.push_back(p.y);
-  std::ranges::sort(heights);
-  double y = heights.front(), widest = 0;
-  for (std::size_t i = 1; i < heights.size(); ++i)
-    if (heights[i] - heights[i - 1] > widest) {
-      widest = heights[i] - heights[i - 1];
-      y = heights[i - 1] + widest / 2;
-    }
-  std::vector<double> crossings;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
-    if ((a.y < y) != (b.y < y)) crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-  }
-  std::ranges::sort(crossings);
-  if (crossings.size() < 2 || crossings[0] == crossings[1]) return std::nullopt;
-  return Point{(crossings[0] + crossings[1]) / 2, y};
-}
-
 class DrawingMaker {
  public:
   DrawingMaker(DxfShapes shapes, double scale) : shapes_(std::move(shapes)), scale_(scale) {}
@@ -183,7 +161,7 @@ class DrawingMaker {
         !outline_.empty() && area(shape.points) < 0 && keyblock::side(outline_, shape.points.front()) == Side::inside;
     if (is_hole) return;
     outline_ = shape.points;
-    if (const auto inside = point_inside(shape.points))
+    if (const auto inside = point_inside({&shape.points, 1}))
       result_.drawing.material_lines.push_back({{*inside, *inside}, layer.index, shape.place});
   }
 

@@ -31,18 +31,6 @@ class EntityWriter {
     position(10, at);
   }
 
-  void loop(const std::string& layer, const BlockLoop& loop) {
-    head("POLYLINE", layer);
-    text_ += "66\n1\n70\n1\n";
-    position(10, {});
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const BlockVertex& next = loop[i + 1 == loop.size() ? 0 : i + 1];
-      head("VERTEX", fmt::format("JOINT_{}", next.joint_material + 1));
-      position(10, loop[i].position);
-    }
-    head("SEQEND", layer);
-  }
-
   const std::string& text() const { return text_; }
   const std::map<std::string, int>& layers() const { return layers_; }
 
@@ -99,18 +87,6 @@ void add(EntityWriter& writer, const Drawing& drawing) {
   for (const MarkedPoint& point : drawing.hole_points) writer.point("HOLE", point.position);
 }
 
-void add(EntityWriter& writer, const Blocks& blocks) {
-  for (const BlockPolygon& block : blocks.blocks) {
-    writer.loop(numbered("BLOCK", block.material), block.outer);
-    for (const BlockLoop& hole : block.holes) writer.loop(numbered("BLOCK", block.material), hole);
-  }
-  for (const BlockBolt& bolt : blocks.bolts)
-    writer.line("BOLT_1", bolt.segment, extended_data(bolt.stiffness, bolt.strength, bolt.pretension));
-  for (const BlockPoint& point : blocks.fixed_points) writer.point("FIXED", point.position);
-  for (const BlockPoint& point : blocks.loading_points) writer.point("LOAD", point.position);
-  for (const BlockPoint& point : blocks.measured_points) writer.point("MEASURED", point.position);
-}
-
 std::string table(std::string_view name, std::size_t count, const std::string& entries) {
   return fmt::format("0\nTABLE\n2\n{}\n70\n{}\n{}0\nENDTAB\n", name, count, entries);
 }
@@ -130,15 +106,10 @@ std::string tables(const std::map<std::string, int>& layers) {
 }  // namespace
 
 std::string write_dxf(const Content& content) {
-  if (!content.drawing && !content.blocks) throw std::invalid_argument("a DXF file needs a drawing or blocks");
+  if (!content.drawing) throw std::invalid_argument("a DXF file needs a drawing");
   EntityWriter writer;
-  std::string text;
-  if (content.drawing) {
-    add(writer, *content.drawing);
-    text = fmt::format("999\n{}{}\n", kDxfRatioComment, format_real(content.drawing->edge_node_ratio));
-  } else {
-    add(writer, *content.blocks);
-  }
+  add(writer, *content.drawing);
+  std::string text = fmt::format("999\n{}{}\n", kDxfRatioComment, format_real(content.drawing->edge_node_ratio));
   text += section("HEADER", "9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n6\n");
   text += section("TABLES", tables(writer.layers()));
   text += section("ENTITIES", writer.text());

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <stdexcept>
 
 #include "formats/case_fields.hpp"
 #include "formats/case_reading.hpp"
@@ -145,6 +146,7 @@ Reading read(const Source& source, const ReadHint&) {
 }
 
 std::string write(const Content& content) {
+  if (!fits_a_case(content)) throw std::invalid_argument("a case file needs a geometry, an analysis or a motion");
   std::string text;
   CaseWriting fields(text, CaseWriting::Shape::object, 0);
   fields.integer("keyblock", kCaseVersion, {});
@@ -155,6 +157,11 @@ std::string write(const Content& content) {
 }
 
 }  // namespace
+
+bool fits_a_case(const Content& content) {
+  return content.drawing || content.blocks || content.cover || content.analysis || content.motion || content.units ||
+         content.choices;
+}
 
 const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read, write};
 

@@ -22,6 +22,9 @@ inline constexpr int kCaseVersion = 1;
 
 extern const Format kKeyblockCase;
 
+/// Whether a case file has a place for anything of it: all but frames and tracks, which are results.
+bool fits_a_case(const Content& content);
+
 /// The layout as JSON Schema (draft 2020-12).
 std::string case_schema();
 

@@ -69,20 +69,12 @@ std::vector<TimeCurve> next_loads(Cursor& cursor, std::size_t count) {
   return loads;
 }
 
-BlockMaterial next_block_material(Cursor& cursor) {
-  BlockMaterial material;
-  material.place = cursor.place();
+void next_head_of_material(Cursor& cursor, BlockMaterial& material) {
   material.density = cursor.next_real("the mass per unit area", kPositive);
   material.horizontal_force = cursor.next_real("the force per unit area in x");
   material.unit_weight = 0 - cursor.next_real("the force per unit area in y");
   material.youngs_modulus = cursor.next_real("Young's modulus", kPositive);
   material.poissons_ratio = cursor.next_real("Poisson's ratio", kPoissonPlaneStress);
-  material.initial_stress =
-      next_stress(cursor, "the initial stress xx", "the initial stress yy", "the initial stress xy");
-  material.stress_gradient =
-      next_stress(cursor, "the stress gradient xx", "the stress gradient yy", "the stress gradient xy");
-  material.initial_velocity = next_velocity(cursor);
-  return material;
 }
 
 Warnings next_final_numbers(Cursor& cursor) {
@@ -101,11 +93,7 @@ Reading read(const Source& source, const ReadHint& hint) {
   auto [analysis, counts] = next_controls(cursor, AnalysisDialect::manifold);
   Warnings warnings = next_contact_stiffness(cursor, analysis);
   analysis.point_loads = next_loads(cursor, load_count(cursor, tokens, hint));
-  for (int i = 0; i < counts.blocks; ++i) {
-    cursor.enter({"block material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(counts.blocks)});
-    analysis.block_materials.push_back(next_block_material(cursor));
-  }
-  cursor.leave();
+  analysis.block_materials = next_block_materials(cursor, counts.blocks, next_head_of_material);
   analysis.joint_materials = next_joint_materials(cursor, counts.joints);
   analysis.over_relaxation = cursor.next_real("the over-relaxation factor");
   warnings = joined(std::move(warnings), next_final_numbers(cursor));
@@ -123,14 +111,14 @@ std::string block_material_text(const BlockMaterial& material) {
   return fmt::format("{}\n{} {}\n{} {}\n", format_real(material.density), format_real(material.horizontal_force),
                      format_real(0 - material.unit_weight), format_real(material.youngs_modulus),
                      format_real(material.poissons_ratio)) +
-         text_of(material.initial_stress) + text_of(material.stress_gradient) + text_of(material.initial_velocity);
+         state_text(material);
 }
 
 std::string write(const Content& content) {
   if (!content.analysis) throw std::invalid_argument("an analysis file needs an analysis");
   const Analysis& analysis = *content.analysis;
   std::vector<TimeCurve> loads = analysis.point_loads;
-  if (content.cover) loads.resize(content.cover->loading_points.size());
+  if (const auto points = counted_points(content).loading_points) loads.resize(static_cast<std::size_t>(*points));
   std::string text = controls_text(analysis) + contact_stiffness_text(analysis);
   for (const TimeCurve& load : loads) {
     const Point force = constant_load(load);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <initializer_list>
 #include <stdexcept>
 
 #include "formats/csv.hpp"
@@ -126,7 +128,59 @@ std::string write_csv(const Content& content) {
   throw std::invalid_argument("there is no geometry and there are no frames to write");
 }
 
+constexpr std::array<std::string_view, 4> kNeverShown{"units", "analysis", "motion", "run"};
+
+// Everything but the part that the view takes.
+LeftOut all_but(std::string_view part) {
+  LeftOut left_out{{kNeverShown.begin(), kNeverShown.end()}, 0};
+  for (const std::string_view geometry : {"drawing", "blocks", "cover"})
+    if (geometry != part) left_out.items.push_back(geometry);
+  return left_out;
+}
+
+LeftOut with(LeftOut left_out, std::initializer_list<std::string_view> items) {
+  left_out.items.insert(left_out.items.end(), items);
+  return left_out;
+}
+
 }  // namespace
+
+LeftOut left_out_by_vtk(const Content& content) {
+  if (!content.frames.empty()) {
+    LeftOut left_out = with(all_but("frames"), {"frames[].fixed_points", "frames[].loading_points",
+                                                "frames[].measured_points", "frames[].bolts"});
+    left_out.frames_shown = 1;
+    return left_out;
+  }
+  if (content.blocks)
+    return with(all_but("blocks"),
+                {"blocks.blocks[].outer[].joint_material", "blocks.blocks[].holes[][].joint_material", "blocks.bolts",
+                 "blocks.fixed_points", "blocks.loading_points", "blocks.measured_points"});
+  return with(all_but("cover"), {"cover.elements[].cover_1", "cover.elements[].cover_2", "cover.elements[].cover_3",
+                                 "cover.nodes", "cover.loops", "cover.loop_vertices", "cover.fixed_points",
+                                 "cover.loading_points", "cover.measured_points"});
+}
+
+LeftOut left_out_by_csv(const Content& content) {
+  if (!content.frames.empty()) {
+    LeftOut left_out =
+        with(all_but("frames"), {"frames[].elements[].loops", "frames[].elements[].velocity", "frames[].fixed_points",
+                                 "frames[].loading_points", "frames[].measured_points", "frames[].bolts"});
+    left_out.frames_shown = content.frames.size();
+    return left_out;
+  }
+  if (content.drawing)
+    return with(all_but("drawing"), {"drawing.edge_node_ratio", "drawing.boundary_count", "drawing.bolts[].stiffness",
+                                     "drawing.bolts[].strength", "drawing.bolts[].pretension"});
+  if (content.blocks)
+    return with(all_but("blocks"),
+                {"blocks.blocks[].material", "blocks.bolts[].first_block", "blocks.bolts[].second_block",
+                 "blocks.bolts[].stiffness", "blocks.bolts[].strength", "blocks.bolts[].pretension",
+                 "blocks.fixed_points[].block", "blocks.loading_points[].block", "blocks.measured_points[].block"});
+  return with(all_but("cover"),
+              {"cover.elements[].cover_1", "cover.elements[].cover_2", "cover.elements[].cover_3", "cover.nodes",
+               "cover.fixed_points[].element", "cover.loading_points[].element", "cover.measured_points[].element"});
+}
 
 constinit const Format kVtk{"vtk", "VTK unstructured grid, for ParaView", nullptr, nullptr, write_vtk, nullptr};
 constinit const Format kCsv{"csv", "table of corners and marks, or of frames", nullptr, nullptr, write_csv, nullptr};

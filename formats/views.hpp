@@ -8,11 +8,24 @@
 //                                 that leaves a loop's, of the block or element else; a line takes two rows, its ends
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "formats/format.hpp"
 
 namespace keyblock::formats {
 
 extern const Format kVtk;
 extern const Format kCsv;
+
+/// What of a content a view leaves out: tracks, the frames but the last `frames_shown`, and items as a case file names them; those
+/// of frames as their members are named.
+struct LeftOut {
+  std::vector<std::string_view> items;
+  std::size_t frames_shown = 0;
+};
+
+LeftOut left_out_by_vtk(const Content& content);
+LeftOut left_out_by_csv(const Content& content);
 
 }  // namespace keyblock::formats

@@ -1,6 +1,7 @@
 // A batch as a user meets it: an archive of many habits catalogued, killed in the middle and resumed, run and compared.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <csignal>
@@ -159,15 +160,32 @@ TEST(Batch, a_job_beyond_its_limits_fails_alone) {
   EXPECT_EQ(jobs_in(root / "starved")[0]["outcome"], "failed");
 }
 
+// Ctrl-C, `kill`, and a terminal that is closed.
 TEST(Batch, an_interrupted_batch_finishes_what_runs_and_exits_130) {
-  const fs::path root = fresh_folder("batch_stopped");
-  testing::write_mixed_archive(root / "in", 40, 0, 5);
-  const ProgramRun run = testing::interrupt_keyblock(
-      {"batch", root / "in", "--run", "--profile", "legacy", "--time-limit", "20", "-o", root / "out", "--jobs", "1"},
-      (root / "out" / "jobs").string());
-  EXPECT_EQ(run.exit_code, 130) << run.messages;
-  EXPECT_FALSE(fs::exists(root / "out" / "catalogue.csv"));
-  EXPECT_TRUE(read_text(root / "out" / "journal.jsonl").ends_with("}\n"));
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const fs::path root = fresh_folder("batch_stopped");
+    testing::write_mixed_archive(root / "in", 40, 0, 5);
+    const ProgramRun run = testing::interrupt_keyblock(
+        {"batch", root / "in", "--run", "--profile", "legacy", "--time-limit", "20", "-o", root / "out", "--jobs", "1"},
+        (root / "out" / "jobs").string(), signal);
+    EXPECT_EQ(run.exit_code, 130) << signal << ": " << run.messages;
+    EXPECT_FALSE(fs::exists(root / "out" / "catalogue.csv"));
+    EXPECT_TRUE(read_text(root / "out" / "journal.jsonl").ends_with("}\n"));
+  }
+}
+
+TEST(Batch, begun_again_it_leaves_nothing_of_the_earlier_one) {
+  const fs::path root = fresh_folder("batch_force");
+  copy_case("stack/five_blocks/five_blocks", root / "in");
+  const std::string in = root / "in", out = root / "out";
+  ASSERT_EQ(run_keyblock({"batch", in, "--convert", "berkeley", "-o", out}).exit_code, 0);
+  ASSERT_TRUE(fs::exists(root / "out/jobs"));
+  write_text(root / "out/jobs/mark", "");
+  fs::remove_all(root / "in");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in");
+  ASSERT_EQ(run_keyblock({"batch", in, "--check", "-o", out, "--force"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(root / "out/jobs"));
+  EXPECT_EQ(jobs_in(root / "out").at(0)["job"], "a30_p20.geo");
 }
 
 TEST(Batch, wrong_usage_and_folders_in_use_are_exit_2) {
@@ -219,6 +237,57 @@ TEST(Batch, a_file_too_large_is_named_and_not_read) {
   write_text(root / "in" / "large.geo", std::string(1100000, '1'));
   EXPECT_EQ(run_keyblock({"batch", root / "in", "--check", "--largest-file", "1", "-o", root / "out"}).exit_code, 1);
   EXPECT_TRUE(contains(jobs_in(root / "out")[0]["message"], "expected at most 1 MiB")) << jobs_in(root / "out")[0];
+}
+
+// Names of old archives: "Böschung" in a code page, a per cent sign, and what looks like an escape.
+TEST(Batch, files_whose_names_are_not_utf_8_are_in_the_catalogue) {
+  const fs::path root = fresh_folder("batch_names");
+  copy_case("stack/five_blocks/five_blocks", root / "one");
+  for (const std::string& name : {std::string("B\xF6schung"), std::string("50%"), std::string("50%25")})
+    for (const char* ending : {".geo", ".ana"}) {
+      fs::create_directories(root / "in");
+      fs::copy_file(root / "one" / (std::string("five_blocks") + ending), root / "in" / (name + ending));
+    }
+  for (const std::vector<std::string>& task : {std::vector<std::string>{"--check"}, {"--convert", "berkeley"}}) {
+    const fs::path out = root / ("out" + task.front());
+    std::vector<std::string> batch{"batch", root / "in", "-o", out};
+    batch.insert(batch.end(), task.begin(), task.end());
+    const ProgramRun run = run_keyblock(batch);
+    EXPECT_EQ(run.exit_code, 0) << run.messages;
+    const auto jobs = jobs_in(out);
+    ASSERT_EQ(jobs.size(), 3U) << jobs;
+    EXPECT_EQ(jobs[0]["job"], "50%25.geo");
+    EXPECT_EQ(jobs[1]["job"], "50%2525.geo");
+    EXPECT_EQ(jobs[2]["job"], "B%F6schung.geo");
+    for (const auto& job : jobs)
+      for (const std::string output : job["outputs"]) EXPECT_TRUE(fs::exists(out / output)) << output;
+    batch.emplace_back("--resume");
+    EXPECT_TRUE(contains(run_keyblock(batch).messages, "3 jobs done before, 0 to do"));
+  }
+  write_text(root / "in" / "\xF6.geo", "broken");
+  EXPECT_EQ(run_keyblock({"batch", root / "in", "--check", "-o", root / "broken"}).exit_code, 1);
+  EXPECT_TRUE(jobs_in(root / "broken")[0]["message"].get<std::string>().starts_with("%F6.geo:"))
+      << jobs_in(root / "broken")[0];
+}
+
+// Address space is limited for the whole batch; the file's numbers alone take more.
+TEST(Batch, a_file_that_memory_does_not_suffice_for_fails_alone) {
+  const fs::path root = fresh_folder("batch_memory");
+  copy_case("stack/five_blocks/five_blocks", root / "in");
+  std::string ones(60U << 20U, '1');
+  for (std::size_t i = 1; i < ones.size(); i += 2) ones[i] = ' ';
+  write_text(root / "in/ones.geo", ones);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  const rlimit narrow{250U << 20U, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &narrow), 0);
+  const ProgramRun run = run_keyblock({"batch", root / "in", "--check", "--jobs", "1", "-o", root / "out"});
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  const auto jobs = jobs_in(root / "out");
+  ASSERT_EQ(jobs.size(), 2U) << jobs;
+  EXPECT_NE(jobs[0]["outcome"], "failed") << jobs[0];
+  EXPECT_EQ(jobs[1]["message"], "ones.geo: error: there is not enough memory for this");
 }
 
 TEST(Batch, every_case_is_converted_and_comes_back_as_the_same_scene) {

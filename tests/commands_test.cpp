@@ -30,7 +30,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST(Commands, every_command_explains_itself) {
   const ProgramRun help = run_keyblock({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"check", "cut", "joints", "run", "compare", "batch"}) {
+  for (const char* command : {"check", "cut", "joints", "run", "compare", "batch", "convert", "formats", "info"}) {
     EXPECT_TRUE(contains(help.output, command)) << command;
     const ProgramRun own = run_keyblock({command, "--help"});
     EXPECT_EQ(own.exit_code, 0) << command;
@@ -174,6 +174,19 @@ TEST(Commands, an_interrupted_run_saves_its_state_and_exits_130) {
       {"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"}, out + "/frames/00000000.vtu");
   EXPECT_EQ(run.exit_code, 130) << run.messages;
   EXPECT_EQ(nlohmann::json::parse(read_text(out + "/run.json"))["outcome"]["end"], "stopped");
+}
+
+// A quarter of gravity sideways: the block that falls by g t^2/2 = 19.62 m in 2 s moves by a quarter of it.
+TEST(Commands, a_motion_of_the_ground_beside_a_case_moves_its_blocks) {
+  const std::string folder = fresh_folder("quake");
+  testing::write_text(folder + "/quake", "0.02 3\n.25\n.25\n.25\n");
+  const ProgramRun run = run_keyblock({"run", kFall + "/released.geo", kFall + "/released.ana", folder + "/quake", "-o",
+                                       folder + "/out", "--profile", "standard"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "[motion_applied]")) << run.messages;
+  const auto table = formats::read_csv(formats::load(folder + "/out/history.csv"));
+  EXPECT_NEAR(formats::csv_real(table, table.rows.back(), formats::csv_column(table, "dx2 [L]")), 19.62 / 4, 1e-9);
+  EXPECT_NEAR(formats::csv_real(table, table.rows.back(), formats::csv_column(table, "dy2 [L]")), -19.62, 1e-9);
 }
 
 TEST(Commands, a_cut_block_file_runs_like_its_drawing) {

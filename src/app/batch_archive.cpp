@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <new>
+
 #include "app/files.hpp"
 #include "app/parallel.hpp"
 #include "base/sha256.hpp"
@@ -19,7 +21,7 @@ namespace {
 
 SeenFile see(const fs::path& root, const std::string& path, int largest_mebibytes) {
   SeenFile seen{{path, study::FileRole::unreadable, {}, std::nullopt}, {path, {}, {}}, {}};
-  const fs::path file = root / path;
+  const fs::path file = study::place_of(root, path);
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (!error && size > static_cast<std::uintmax_t>(largest_mebibytes) << 20U) {
@@ -34,6 +36,10 @@ SeenFile see(const fs::path& root, const std::string& path, int largest_mebibyte
     seen.record.format = seen.file.format;
   } catch (const InputError& input_error) {
     seen.problem = fmt::format("{}: error: {}", path, input_error.sentence());
+  } catch (const std::bad_alloc&) {
+    seen.problem = fmt::format("{}: error: there is not enough memory for this", path);
+  } catch (const std::exception& other_error) {
+    seen.problem = fmt::format("{}: error: {}", path, other_error.what());
   }
   return seen;
 }

@@ -116,6 +116,12 @@ study::Journal journal_in(const BatchPlan& plan) {
   return journal;
 }
 
+/// Of an earlier batch: beside a new journal they would pass for its own.
+void remove_results(const fs::path& folder) {
+  fs::remove_all(folder / "jobs");
+  for (const char* name : {"catalogue.csv", "catalogue.json", "catalogue.html"}) fs::remove(folder / name);
+}
+
 /// What is done already, where this batch goes on with an earlier one of the same task. Leaves whole lines on the disk.
 study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan) {
   const std::string task = plan.task_text();
@@ -123,6 +129,7 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
   if (!journal.task.empty() && !options.is_resumed && !options.may_overwrite)
     throw UsageError(
         fmt::format("{} holds a batch; --resume goes on with it, --force begins it again", plan.folder.string()));
+  if (!journal.task.empty() && !options.is_resumed) remove_results(plan.folder);
   if (!options.is_resumed) journal = {};
   if (!journal.task.empty() && journal.task != task)
     throw UsageError(fmt::format("{} holds a batch of another task ({}, now {}); give another folder",
@@ -176,8 +183,11 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
 // Rows come from the journal's lines, done now or before, so that both give the same bytes.
 std::vector<CatalogueRow> rows_of(const FileTree& archive, const study::Journal& journal) {
   std::vector<CatalogueRow> rows;
-  for (const study::BatchJob& job : archive.jobs)
-    if (const CatalogueRow* row = journal.find(job.name, archive.files_of(job))) rows.push_back(*row);
+  for (const study::BatchJob& job : archive.jobs) {
+    const CatalogueRow* row = journal.find(job.name, archive.files_of(job));
+    if (row == nullptr) throw OutputError(fmt::format("journal.jsonl does not hold {}, which was done", job.name));
+    rows.push_back(*row);
+  }
   return rows;
 }
 
@@ -191,8 +201,8 @@ void write_catalogue(const BatchPlan& plan, const std::vector<CatalogueRow>& row
 
 ExitCode run_batch(const BatchOptions& options) {
   const BatchPlan plan = plan_of(options);
-  std::signal(SIGINT, stop_after_running_jobs);
-  std::signal(SIGTERM, stop_after_running_jobs);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, stop_after_running_jobs) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks for
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options), is_stopped);
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);

@@ -62,7 +62,7 @@ fs::path empty_folder_for(const BatchPlan& plan, const study::BatchJob& job) {
 
 std::vector<std::string> with_inputs(const std::string& verb, const BatchPlan& plan, const study::BatchJob& job) {
   std::vector<std::string> arguments{verb};
-  for (const std::string& file : job.files) arguments.push_back((plan.root / file).string());
+  for (const std::string& file : job.files) arguments.push_back(study::place_of(plan.root, file).string());
   return arguments;
 }
 
@@ -89,18 +89,18 @@ CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const 
 
 // Expected values speak of the case that bears its folder's name.
 bool is_the_case_of_its_folder(const BatchPlan& plan, const study::BatchJob& job) {
-  const fs::path folder = (plan.root / job.files.front()).parent_path();
+  const fs::path folder = study::place_of(plan.root, job.files.front()).parent_path();
   if (!fs::exists(folder / "expected.csv")) return false;
   const std::vector<std::string> inputs = study::CaseFolder{folder, {}, true, false}.inputs();
   return std::ranges::equal(inputs, job.files, [&](const std::string& input, const std::string& file) {
-    return fs::path(input) == plan.root / file;
+    return fs::path(input) == study::place_of(plan.root, file);
   });
 }
 
 std::string compare_with_expected(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder) {
   if (!is_the_case_of_its_folder(plan, job)) return {};
-  std::vector<std::string> arguments{"compare", (plan.root / job.files.front()).parent_path().string(), "--json",
-                                     "--all"};
+  const fs::path of_case = study::place_of(plan.root, job.files.front()).parent_path();
+  std::vector<std::string> arguments{"compare", of_case.string(), "--json", "--all"};
   if (!plan.profile.empty()) arguments.insert(arguments.end(), {"--profile", plan.profile});
   const ChildEnd end = run_logged(plan, folder, "compare", arguments);
   return end.ran_out_of_time ? "not compared: the limit of processor time was reached"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -48,10 +49,13 @@ const study::Target& target_of(const ConvertOptions& options) {
   throw UsageError(fmt::format("expected --to FORMAT, one of {}: \"{}\" says none", target_names(), options.output));
 }
 
-// One file is the output itself; of several, each has its ending.
+// One file is the output itself; of several, each has its ending, in place of one of the target's if there is one.
 std::filesystem::path path_of(const ConvertOptions& options, const study::Target& target, std::string_view ending) {
   if (target.parts.size() == 1) return options.output;
-  return std::filesystem::path(options.output).replace_extension(ending);
+  std::filesystem::path file = options.output;
+  if (std::ranges::any_of(target.parts, [&](const auto& part) { return file.extension() == part.ending; }))
+    file.replace_extension();
+  return file += ending;
 }
 
 // What was there stays beside it, under the first free name.
@@ -113,9 +117,10 @@ Action configure_convert(CLI::App& app) {
   app.add_option("--to", options->target, "format: " + target_names() + " (default: by the ending of the output)");
   app.add_flag("--strict", options->is_strict, "write nothing and exit 1 where the target cannot hold all");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist; what was there is kept as .bak");
-  app.add_flag(
-      "--bug-compatible", options->takes_faults,
-      "take the files as the Berkeley program does: first material line and bolts lost, Ivelocity and Istrain changed");
+  app.add_flag("--bug-compatible", options->takes_faults,
+               "take native and XML files with the faults of the Berkeley program's readers: first material line and "
+               "bolts lost, "
+               "boundary lines of XML dropped, one set of numbers for both stress gradient and initial velocity");
   app.add_flag("--json", options->as_json, "print outputs, losses and warnings as JSON");
   return [options] { return convert_files(*options); };
 }

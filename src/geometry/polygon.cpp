@@ -51,4 +51,27 @@ Side side(std::span<const Point> loop, Point p) {
   return is_inside ? Side::inside : Side::outside;
 }
 
+std::optional<Point> point_inside(std::span<const std::vector<Point>> loops) {
+  std::vector<double> heights;
+  for (const std::vector<Point>& loop : loops)
+    for (const Point p : loop) heights.push_back(p.y);
+  if (heights.empty()) return std::nullopt;
+  std::ranges::sort(heights);
+  double y = heights.front(), widest = 0;
+  for (std::size_t i = 1; i < heights.size(); ++i)
+    if (heights[i] - heights[i - 1] > widest) {
+      widest = heights[i] - heights[i - 1];
+      y = heights[i - 1] + widest / 2;
+    }
+  std::vector<double> crossings;
+  for (const std::vector<Point>& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Point a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
+      if ((a.y < y) != (b.y < y)) crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  std::ranges::sort(crossings);
+  if (crossings.size() < 2 || crossings[0] == crossings[1]) return std::nullopt;
+  return Point{(crossings[0] + crossings[1]) / 2, y};
+}
+
 }  // namespace keyblock

@@ -1,8 +1,10 @@
-// Area, centroid, orientation and containment of a closed chain of points (the first not repeated).
+// Area, centroid, orientation, containment and an inner point of closed chains of points (the first not repeated).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "geometry/point.hpp"
 
@@ -19,5 +21,9 @@ enum class Side { outside, on_edge, inside };
 
 /// Where a point lies, by exact crossing counts (even-odd): no ray direction to be unlucky with.
 Side side(std::span<const Point> loop, Point p);
+
+/// A point that an odd number of the closed chains enclose (a polygon and its holes): on the level in the middle of the highest gap
+/// between their vertices. Nothing where they enclose nothing there.
+std::optional<Point> point_inside(std::span<const std::vector<Point>> loops);
 
 }  // namespace keyblock

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/polygon.hpp"
+#include "problem/ground_motion.hpp"
 
 namespace keyblock {
 namespace {
@@ -130,11 +131,21 @@ class Checker {
 
   Checked check() {
     std::visit([this](auto& geometry) { look_at(geometry); }, checked_.problem.geometry);
+    if (checked_.problem.analysis && checked_.problem.motion) take_motion();
     return std::move(checked_);
   }
 
  private:
   void look_at(std::monostate) {}
+
+  void take_motion() {
+    try {
+      warn(apply_motion(*checked_.problem.analysis, *checked_.problem.motion));
+      checked_.problem.motion.reset();
+    } catch (const InputError& error) {
+      checked_.errors.push_back(error);
+    }
+  }
 
   void look_at(Drawing& drawing) {
     warn(zero_length_lines(drawing));

@@ -22,6 +22,8 @@ struct Problem {
   std::optional<Analysis> analysis;
   Units units = {};         ///< as a case file names them
   RunChoices choices = {};  ///< of a case file
+  std::optional<TimeCurve> motion =
+      std::nullopt;  ///< of the ground, a multiple of gravity; once checked, in the analysis
 };
 
 /// A problem made sound, and what was said about it: warnings for what was mended, errors for what cannot be.
@@ -32,7 +34,7 @@ struct Checked {
 };
 
 /// Brings material numbers into their range (as the old analysis programs do, but not silently), gives bolts
-/// their properties, and complains about what is odd or cannot be. One warning a kind and number, at its
+/// their properties, accelerates blocks by a motion of the ground, and complains about what is odd or cannot be. One warning a kind and number, at its
 /// first place.
 Checked check(Problem problem);
 

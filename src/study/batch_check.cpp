@@ -20,12 +20,20 @@ using report::CatalogueRow;
 
 std::vector<std::string> paths_of(const fs::path& root, const std::vector<std::string>& files) {
   std::vector<std::string> paths;
-  for (const std::string& file : files) paths.push_back((root / file).string());
+  for (const std::string& file : files) paths.push_back(place_of(root, file).string());
   return paths;
 }
 
-// Paths stand at the start of a message or behind a space.
-std::string below(const fs::path& root, std::string text) {
+void replace_all(std::string& text, const std::string& old_text, const std::string& new_text) {
+  for (std::size_t at = text.find(old_text); at != std::string::npos; at = text.find(old_text, at + new_text.size()))
+    text.replace(at, old_text.size(), new_text);
+}
+
+// Names as the archive has them. Paths stand at the start of a message or behind a space.
+std::string below(const fs::path& root, const BatchJob& job, std::string text) {
+  for (const std::string& file : job.files)
+    if (const std::string place = place_of(root, file).string(); place != (root / file).string())
+      replace_all(text, place, (root / file).string());
   const std::string prefix = (root / "").string();
   for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {
     if (at == 0 || text[at - 1] == ' ')
@@ -111,20 +119,24 @@ CatalogueRow check_job(const fs::path& root, const BatchJob& job, const std::vec
     row.message = "there is not enough memory for this";
   } catch (const std::exception& error) {
     row.outcome = "failed";
-    row.message = below(root, error.what());
+    row.message = below(root, job, error.what());
   }
   row.warnings = static_cast<int>(warnings.size());
   if (row.outcome == "ok" && !warnings.empty()) {
     row.outcome = "warnings";
-    row.message = below(root, to_string(warnings.front()));
+    row.message = below(root, job, to_string(warnings.front()));
   }
   return row;
 }
 
 bool fit_together(const fs::path& root, const BatchFile& geometry, const BatchFile& analysis) {
-  const auto readings = formats::read_files(paths_of(root, {geometry.path, analysis.path}));
-  if (!readings[0].reading || !readings[1].reading) return false;
-  return counts_of(readings[0].reading->content) == counts_of(readings[1].reading->content);
+  try {
+    const auto readings = formats::read_files(paths_of(root, {geometry.path, analysis.path}));
+    if (!readings[0].reading || !readings[1].reading) return false;
+    return counts_of(readings[0].reading->content) == counts_of(readings[1].reading->content);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 }  // namespace keyblock::study

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <charconv>
 
+#include "formats/numbers.hpp"
 #include "formats/registry.hpp"
 
 namespace keyblock::study {
@@ -13,11 +17,43 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Files so named that fit no format are no broken cases.
+// Files so named that fit no format are no broken cases, but for numbers in .txt and our keys in .json.
 constexpr std::array<std::string_view, 36> kForeignEndings{
     ".bat", ".bmp", ".c",   ".cpp", ".csv",  ".doc", ".docx", ".exe", ".f",    ".for", ".f90",  ".gif",
     ".gz",  ".h",   ".hpp", ".htm", ".html", ".jpg", ".jpeg", ".js",  ".json", ".log", ".m",    ".md",
     ".pdf", ".png", ".ps",  ".pvd", ".py",   ".svg", ".tar",  ".txt", ".vtu",  ".xls", ".xlsx", ".zip"};
+
+/// Bytes of the UTF-8 character that the text begins with (Unicode, table 3-7); 0 where it begins with none.
+std::size_t character_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned first = byte(0), second = byte(1);
+  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool is_range = !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F);
+    return is_range && follows(1) && follows(2) ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool is_range = !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
+    return is_range && follows(1) && follows(2) && follows(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+// Journal and catalogue hold UTF-8 only; old archives have names in code pages.
+std::string escaped(std::string_view name) {
+  std::string text;
+  while (!name.empty()) {
+    const std::size_t size = name.front() == '%' ? 0 : character_size(name);
+    if (size == 0)
+      text += fmt::format("%{:02X}", static_cast<unsigned char>(name.front()));
+    else
+      text += name.substr(0, size);
+    name.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return text;
+}
 
 bool is_hidden(const fs::path& path) {
   return path.filename().string().starts_with('.');
@@ -28,7 +64,8 @@ void visit(const fs::path& folder, const fs::path& root, const fs::path& left_ou
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     if (is_hidden(entry.path()) || fs::equivalent(entry.path(), left_out, ignored)) continue;
     if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) visit(entry.path(), root, left_out, files);
-    if (entry.is_regular_file(ignored)) files.push_back(entry.path().lexically_relative(root).generic_string());
+    if (entry.is_regular_file(ignored))
+      files.push_back(escaped(entry.path().lexically_relative(root).generic_string()));
   }
 }
 
@@ -70,11 +107,34 @@ FileRole role_by_format(std::string_view format) {
   return FileRole::unreadable;
 }
 
-FileRole role_by_name(const fs::path& path) {
+// Where most of the first words are numbers, a table was meant, not a text.
+bool looks_numeric(std::string_view text) {
+  constexpr std::size_t kWords = 100, kFewest = 6;
+  constexpr std::string_view kSpace = " \t\r\n,";
+  std::size_t words = 0, numbers = 0;
+  for (std::size_t at = text.find_first_not_of(kSpace); at != std::string_view::npos && words < kWords;) {
+    const std::size_t end = std::min(text.find_first_of(kSpace, at), text.size());
+    ++words;
+    numbers += formats::parse_real(text.substr(at, end - at)) ? 1 : 0;
+    at = text.find_first_not_of(kSpace, end);
+  }
+  return words >= kFewest && 2 * numbers > words;
+}
+
+// Keys that every geometry or analysis of our case file has, for one whose mark is lost.
+bool looks_like_a_case(std::string_view text) {
+  return std::ranges::any_of(
+      std::array<std::string_view, 4>{"\"youngs_modulus\"", "\"boundary_count\"", "\"outer\"", "\"loop_vertices\""},
+      [&](std::string_view key) { return text.find(key) != std::string_view::npos; });
+}
+
+FileRole role_by_name(const fs::path& path, std::string_view text) {
   if (path.filename() == "expected.csv") return FileRole::side_file;
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::ranges::find(kForeignEndings, ending) == kForeignEndings.end() ? FileRole::unreadable : FileRole::foreign;
+  const bool is_broken = (ending == ".txt" && looks_numeric(text)) || (ending == ".json" && looks_like_a_case(text));
+  const bool is_foreign = std::ranges::find(kForeignEndings, ending) != kForeignEndings.end();
+  return is_foreign && !is_broken ? FileRole::foreign : FileRole::unreadable;
 }
 
 /// One more than the greatest number; 1 where nothing is numbered, because material 1 is always there.
@@ -122,6 +182,18 @@ std::vector<std::string> files_below(const fs::path& root, const fs::path& left_
   return files;
 }
 
+fs::path place_of(const fs::path& root, const std::string& path) {
+  std::string name;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    unsigned byte = 0;
+    const bool is_escape = path[i] == '%' && i + 2 < path.size();
+    if (is_escape) std::from_chars(&path[i + 1], &path[i + 1] + 2, byte, 16);
+    name += is_escape ? static_cast<char>(byte) : path[i];
+    if (is_escape) i += 2;
+  }
+  return root / name;
+}
+
 std::optional<FitCounts> counts_of(const formats::Content& content) {
   if (content.drawing) return counts_of(*content.drawing);
   if (content.blocks) return counts_of(*content.blocks);
@@ -132,11 +204,11 @@ std::optional<FitCounts> counts_of(const formats::Content& content) {
 
 BatchFile look_at(const formats::Source& source, const std::string& path) {
   const auto choice = choice_of(source);
-  if (!choice) return {path, role_by_name(path), {}, std::nullopt};
+  if (!choice) return {path, role_by_name(path, source.text), {}, std::nullopt};
   BatchFile file{path, role_by_format(choice->format->name), std::string(choice->format->name), std::nullopt};
   if (file.role == FileRole::side_file) return file;
   if (file.role == FileRole::unreadable && choice->recognition.fit == formats::Recognition::Fit::damaged)
-    return {path, role_by_name(path), {}, std::nullopt};  // JSON or XML of some kind, without our mark
+    return {path, role_by_name(path, source.text), {}, std::nullopt};  // JSON or XML of some kind, without our mark
   const auto content = content_of(*choice, source);
   if (!content) return file;
   if (file.role == FileRole::unreadable) file.role = role_by_content(*content);

@@ -32,17 +32,21 @@ struct FitCounts {
 };
 
 struct BatchFile {
-  std::string path;  ///< below the root, with `/`
+  std::string path;  ///< below the root, with `/`, its bytes that are no UTF-8 as %XX, % as %25
   FileRole role = FileRole::unreadable;
   std::string format;               ///< name of the format; empty where none fits
   std::optional<FitCounts> counts;  ///< of geometries and analyses that can be read alone
 };
 
-/// The regular files at or below `root`, sorted by path, without hidden ones and those below `left_out`. Links to folders
+/// The regular files at or below `root`, their paths as `BatchFile` has them, sorted, without hidden ones and those below `left_out`. Links to folders
 /// are not followed. Throws InputError where `root` is no folder.
 std::vector<std::string> files_below(const std::filesystem::path& root, const std::filesystem::path& left_out);
 
-/// What a file is, from its content; its name counts only where no format fits. `path` is the one below the root.
+/// Where a file of the archive lies: the path below `root` with its bytes as the file system has them.
+std::filesystem::path place_of(const std::filesystem::path& root, const std::string& path);
+
+/// What a file is, from its content; its name counts only where no format fits, and then a
+/// .txt of numbers or a .json with keys of ours is unreadable whatever its name says. `path` is the one below the root.
 BatchFile look_at(const formats::Source& source, const std::string& path);
 
 /// Of a geometry or an analysis; nothing for other contents.

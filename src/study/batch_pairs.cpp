@@ -97,7 +97,8 @@ void pair_by_stem(Folder& folder) {
   };
   for (const auto& [stem, group] : geometries)
     for (const BatchFile* geometry : group)
-      for (const BatchFile* analysis : of(analyses, stem)) folder.take(geometry, analysis, "the same name");
+      for (const BatchFile* analysis : of(analyses, stem))
+        if (!contradict(*geometry, *analysis)) folder.take(geometry, analysis, "the same name");
   const std::string guessed = "the same name, though one file is unreadable";
   for (const auto& [stem, group] : unreadable) {
     const Files known_geometries = of(geometries, stem);

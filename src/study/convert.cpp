@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
+#include "formats/analysis_parts.hpp"
 #include "formats/dda_analysis.hpp"
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
@@ -14,7 +17,9 @@
 #include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
+#include "formats/tokens.hpp"
 #include "formats/views.hpp"
+#include "study/berkeley_faults.hpp"
 #include "study/derived_geometry.hpp"
 
 namespace keyblock::study {
@@ -42,81 +47,51 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.cover, content.cover, file, "cover");
   put(all.analysis, content.analysis, file, "analysis");
   all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
+  all.tracks.insert(all.tracks.end(), content.tracks.begin(), content.tracks.end());
   put(all.motion, content.motion, file, "motion");
   put(all.units, content.units, file, "set of units");
   put(all.choices, content.choices, file, "run");
 }
 
-// As the Berkeley program takes what it reads (legacy-formats 2.6 and 4).
-Warnings take_as_berkeley(Content& content) {
-  Warnings warnings;
-  const auto warn = [&](const char* name, const Place& place, const char* sentence) {
-    warnings.push_back({name, place, sentence});
-  };
-  if (content.drawing && !content.drawing->material_lines.empty()) {
-    warn("first_material_line_lost", content.drawing->material_lines.front().place, "the first material line is lost");
-    content.drawing->material_lines.erase(content.drawing->material_lines.begin());
-  }
-  if (content.drawing && !content.drawing->bolts.empty()) {
-    warn("bolts_lost", content.drawing->bolts.front().place, "bolts are not read");
-    content.drawing->bolts.clear();
-  }
-  if (!content.analysis) return warnings;
-  Analysis& analysis = *content.analysis;
-  if (analysis.velocity_carry_over > 0 && analysis.velocity_carry_over < 1) {
-    warn("carry_over_cut", analysis.place, "the carry-over of velocities is read as a whole number: 0");
-    analysis.velocity_carry_over = 0;
-  }
-  if (analysis.dialect != AnalysisDialect::ddaml) return warnings;
-  for (BlockMaterial& material : analysis.block_materials) {
-    Velocity& v = material.initial_velocity;
-    std::array<double, 3>& e = material.initial_strain;
-    if (v == Velocity{} && e == std::array<double, 3>{}) continue;
-    warn("velocity_and_strain_swapped", material.place, "Ivelocity and Istrain change places");
-    const Velocity old = v;
-    v = {e[0], e[1], e[2]};
-    e = {old.x, old.y, old.rotation};
-  }
-  return warnings;
-}
+struct Written {
+  std::string text;     ///< empty where the format cannot hold anything of the content
+  std::string why_not;  ///< the reason then
+};
 
-// What of the content the format writes: what its own text gives back.
-std::string written(const Format& format, const Content& content) {
+Written written(const Format& format, const Content& content) {
   try {
-    return format.write(content);
-  } catch (const std::invalid_argument&) {
-    return {};
-  }
-}
-
-std::string why_not(const Format& format, const Content& content) {
-  try {
-    format.write(content);
-    return {};
+    return {format.write(content), {}};
   } catch (const std::invalid_argument& error) {
-    return error.what();
+    return {{}, error.what()};
   }
+}
+
+// Points of 3 numbers or 4, a head without its last count: one reader takes several layouts of which the writer has one.
+bool has_layout_of(const formats::FileReading& file, const Format& format, const std::string& text) {
+  if (file.choice->format->read != format.read) return false;
+  const bool is_marked = format.recognise != nullptr;
+  if (is_marked || file.choice->recognition.fit == formats::Recognition::Fit::surplus)
+    return file.choice->format == &format;
+  return formats::tokenise(file.source).numbers.size() == formats::tokenise({"converted", text}).numbers.size();
 }
 
 // The bytes of the file that already says this, in this format.
 const std::string* unchanged(const std::vector<formats::FileReading>& files, const Format& format,
                              const std::string& text) {
   for (const formats::FileReading& file : files)
-    if (file.choice->format->name == format.name && written(format, file.reading->content) == text)
+    if (has_layout_of(file, format, text) && written(format, file.reading->content).text == text)
       return &file.source.text;
   return nullptr;
 }
 
+// As the writers count: an analysis has as many curves as the geometry beside it has points.
 formats::ReadHint hint_of(const Content& content) {
-  using formats::GeometryKind;
-  formats::ReadHint hint{std::nullopt, std::nullopt,
-                         content.cover    ? GeometryKind::cover
-                         : content.blocks ? GeometryKind::blocks
-                                          : GeometryKind::drawing};
-  if (content.analysis) {
-    hint.fixed_points = static_cast<int>(content.analysis->fixed_point_motions.size());
-    hint.loading_points = static_cast<int>(content.analysis->point_loads.size());
-  }
+  formats::ReadHint hint = formats::counted_points(content);
+  if (hint.geometry == formats::GeometryKind::unknown) hint.geometry = formats::GeometryKind::drawing;
+  if (!content.analysis) return hint;
+  const auto count = [](const auto& curves) { return static_cast<int>(curves.size()); };
+  if (!hint.fixed_points) hint.fixed_points = count(content.analysis->fixed_point_motions);
+  if (!hint.loading_points) hint.loading_points = count(content.analysis->point_loads);
   return hint;
 }
 
@@ -127,41 +102,35 @@ void complete_curves(Content& content, const Target& target) {
   };
   const bool is_shi = is_part(formats::kDdaAnalysisShi);
   if (!content.analysis || (!is_shi && !is_part(formats::kNmmAnalysis))) return;
-  const auto grow = [](std::vector<TimeCurve>& curves, std::size_t size) {
-    if (curves.size() < size) curves.resize(size);
+  const formats::ReadHint counts = hint_of(content);
+  const auto grow = [](std::vector<TimeCurve>& curves, std::optional<int> size) {
+    curves.resize(std::max(curves.size(), static_cast<std::size_t>(size.value_or(0))));
   };
-  const auto points = [&](const auto& geometry) {
-    if (is_shi) grow(content.analysis->fixed_point_motions, geometry.fixed_points.size());
-    grow(content.analysis->point_loads, geometry.loading_points.size());
-  };
-  if (content.blocks) points(*content.blocks);
-  if (content.cover) points(*content.cover);
+  if (is_shi) grow(content.analysis->fixed_point_motions, counts.fixed_points);
+  grow(content.analysis->point_loads, counts.loading_points);
 }
 
 bool is_lacking(const Content& content, const Format& format) {
-  return written(format, content).empty();
+  return written(format, content).text.empty();
 }
 
-// The geometry that one of the parts can write, where it cannot write the one there is.
-Loss derive_geometry(Content& content, const Target& target) {
+// Blocks or lines, where the target holds these and not the geometry there is.
+std::optional<Derivation> derived_geometry(const Content& content, const Target& target) {
   const auto writes = [&](const Content& trial) {
     return std::ranges::any_of(target.parts,
                                [&](const Target::Part& part) { return !is_lacking(trial, *part.format); });
   };
-  const Content whole = content;
-  Content geometry;
+  Content geometry, no_blocks, no_lines;
   geometry.drawing = content.drawing;
   geometry.blocks = content.blocks;
   geometry.cover = content.cover;
-  if (!has_geometry(geometry) || writes(geometry)) return {};
-  for (Derivation& derivation : derivations(geometry)) {
-    if (!writes(derivation.content)) continue;
-    content.drawing = derivation.content.drawing;
-    content.blocks = derivation.content.blocks;
-    content.cover.reset();
-    return {derivation.from, 1, derivation.sentence};
-  }
-  return {};
+  no_blocks.blocks.emplace();
+  no_lines.drawing.emplace();
+  if (!has_geometry(geometry) || writes(geometry)) return std::nullopt;
+  std::optional<Derivation> derived;
+  if (writes(no_blocks)) derived = as_blocks(geometry);
+  if (!derived && writes(no_lines)) derived = as_lines(geometry);
+  return derived;
 }
 
 }  // namespace
@@ -179,8 +148,8 @@ const std::vector<Target>& targets() {
       {"dda-analysis-shi", "analysis file, Shi", {{&kDdaAnalysisShi, ".df"}}},
       {"nmm-cover", "cover of the manifold program", {{&kNmmCover, ".cv"}}},
       {"nmm-analysis", "analysis of the manifold program", {{&kNmmAnalysis, ".mf"}}},
-      {"vtk", "for ParaView", {{&kVtk, ".vtu"}}},
-      {"csv", "a table of corners and marks, or of frames", {{&kCsv, ".csv"}}},
+      {"vtk", "for ParaView", {{&kVtk, ".vtu", left_out_by_vtk}}},
+      {"csv", "a table of corners and marks, or of frames", {{&kCsv, ".csv", left_out_by_csv}}},
       {"berkeley",
        "lines and analysis, as Berkeley's program takes them",
        {{&kDdaGeometry, ".geo"}, {&kDdaAnalysisBerkeley, ".ana"}}},
@@ -197,29 +166,38 @@ const Target* find_target(std::string_view name) {
 
 Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults) {
   Conversion conversion;
+  Content content;
   for (const formats::FileReading& file : files) {
     if (file.error) throw *file.error;
-    conversion.warnings = joined(conversion.warnings, file.reading->warnings);
+    const formats::Reading reading = faults == Faults::berkeley ? as_berkeley_reads(file) : *file.reading;
+    conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
+    add_to(content, reading.content, file.path);
   }
-  Content content;
-  for (const formats::FileReading& file : files) add_to(content, file.reading->content, file.path);
-  if (faults == Faults::berkeley) conversion.warnings = joined(conversion.warnings, take_as_berkeley(content));
-  if (const Loss derived = derive_geometry(content, target); derived.times > 0) conversion.losses.push_back(derived);
+  if (std::optional<Derivation> derived = derived_geometry(content, target)) {
+    content.drawing = std::move(derived->content.drawing);
+    content.blocks = std::move(derived->content.blocks);
+    content.cover.reset();
+    conversion.losses.push_back({derived->from, 1, derived->sentence});
+    conversion.warnings = joined(std::move(conversion.warnings), derived->warnings);
+  }
   complete_curves(content, target);
   conversion.hint = hint_of(content);
   Content back;
+  std::string why_not;
   for (const Target::Part& part : target.parts) {
-    std::string text = written(*part.format, content);
+    auto [text, reason] = written(*part.format, content);
+    why_not = std::move(reason);
     if (text.empty()) continue;
     if (part.format->read) add_to(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
     const std::string* same = unchanged(files, *part.format, text);
     conversion.files.push_back({part.format, part.ending, same ? *same : std::move(text)});
   }
   if (conversion.files.empty())
-    throw InputError({files.front().path}, fmt::format("expected something that {} holds, found none: {}", target.name,
-                                                       why_not(*target.parts.back().format, content)));
-  if (!target.parts.front().format->read) return conversion;  // a view: nothing is meant to come back
-  for (Loss& loss : losses(content, back)) conversion.losses.push_back(std::move(loss));
+    throw InputError({files.front().path},
+                     fmt::format("expected something that {} holds, found none: {}", target.name, why_not));
+  const auto left_out = target.parts.front().left_out;
+  for (Loss& loss : left_out != nullptr ? losses(content, left_out(content)) : losses(content, back))
+    conversion.losses.push_back(std::move(loss));
   return conversion;
 }
 

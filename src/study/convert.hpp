@@ -19,6 +19,7 @@ struct Target {
   struct Part {
     const formats::Format* format;
     std::string_view ending;
+    formats::LeftOut (*left_out)(const formats::Content&) = nullptr;  ///< of a view, from which nothing is read back
   };
   std::vector<Part> parts;
 };
@@ -45,7 +46,7 @@ enum class Faults { none, berkeley };
 
 /// Lines are cut where the target holds blocks, blocks and covers become their edges where it holds lines, loops of a cover become
 /// blocks: each said as a loss. A file already in the target's format whose content stays comes out with the same bytes.
-/// `Faults::berkeley` takes the files as the Berkeley program does (legacy-formats 2.6, 4): each fault a warning.
+/// `Faults::berkeley` takes the files as the Berkeley program does (berkeley_faults.hpp).
 /// Throws the InputError of a file that cannot be read, or where nothing of the files fits the target.
 Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cut/cut_blocks.hpp"
+#include "cut/place_points.hpp"
 #include "geometry/polygon.hpp"
 
 namespace keyblock::study {
@@ -50,6 +51,42 @@ class Edges {
   std::map<std::pair<Key, Key>, int> known_;
 };
 
+struct Extent {
+  Point low, high;
+  bool has(Point p) const { return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y; }
+};
+
+Extent extent_of(const BlockPolygon& block) {
+  Extent extent{block.outer.front().position, block.outer.front().position};
+  for (const BlockVertex& vertex : block.outer) {
+    const Point p = vertex.position;
+    extent = {{std::min(extent.low.x, p.x), std::min(extent.low.y, p.y)},
+              {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y)}};
+  }
+  return extent;
+}
+
+std::vector<std::vector<Point>> loops_of(const BlockPolygon& block) {
+  std::vector<std::vector<Point>> loops{points_of(block.outer)};
+  for (const BlockLoop& hole : block.holes) loops.push_back(points_of(hole));
+  return loops;
+}
+
+// Where the edges enclose what is no block: cut, it would become one.
+std::vector<MarkedPoint> voids_within(const Drawing& edges, const Blocks& blocks) {
+  std::vector<Extent> extents;
+  for (const BlockPolygon& block : blocks.blocks) extents.push_back(extent_of(block));
+  const auto is_filled = [&](Point p) {
+    for (std::size_t i = 0; i < extents.size(); ++i)
+      if (extents[i].has(p) && holds(blocks.blocks[i], p)) return true;
+    return false;
+  };
+  std::vector<MarkedPoint> voids;
+  for (const BlockPolygon& face : cut_blocks(edges).blocks.blocks)
+    if (const auto inside = point_inside(loops_of(face)); inside && !is_filled(*inside)) voids.push_back({*inside, {}});
+  return voids;
+}
+
 Drawing lines_of(const Blocks& blocks) {
   Edges edges;
   edges.drawing.edge_node_ratio = kEdgeNodeRatio;
@@ -59,6 +96,7 @@ Drawing lines_of(const Blocks& blocks) {
     for (const BlockLoop& hole : block.holes) edges.add(hole);
   }
   Drawing drawing = std::move(edges.drawing);
+  drawing.hole_points = voids_within(drawing, blocks);
   for (const BlockPolygon& block : blocks.blocks)
     if (block.material != 0) drawing.material_lines.push_back({inner_segment(block.outer), block.material, {}});
   for (const BlockBolt& bolt : blocks.bolts)
@@ -82,71 +120,121 @@ BlockLoop loop_of(const Cover& cover, const SlotRange& range) {
   return loop;
 }
 
-std::size_t block_at(const Blocks& blocks, Point point) {
-  for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
-    if (side(points_of(blocks.blocks[i].outer), point) != Side::outside) return i;
-  return blocks.blocks.size();
-}
+// Points find their blocks by where they lie; elements give theirs the material.
+class BlocksOfCover {
+ public:
+  explicit BlocksOfCover(const Cover& cover) : cover_(cover) { blocks_.place = cover.place; }
 
-Blocks blocks_of(const Cover& cover) {
-  Blocks blocks;
-  blocks.place = cover.place;
-  std::vector<BlockLoop> holes;
-  for (const SlotRange& range : cover.loops) {
-    BlockLoop loop = loop_of(cover, range);
-    if (area(points_of(loop)) > 0)
-      blocks.blocks.push_back({0, std::move(loop), {}});
-    else
-      holes.push_back(std::move(loop));
+  Derivation make() {
+    add_loops();
+    set_materials();
+    carry("fixed point", cover_.fixed_points, blocks_.fixed_points);
+    for (const CoverPoint& point : cover_.loading_points) add_loading(point);
+    carry("measured point", cover_.measured_points, blocks_.measured_points);
+    const std::string sentence =
+        fmt::format("{} elements as the {} blocks of their loops", cover_.elements.size(), blocks_.blocks.size());
+    Derivation derivation{{}, "cover", sentence, std::move(warnings_)};
+    derivation.content.blocks = std::move(blocks_);
+    return derivation;
   }
-  for (BlockLoop& hole : holes)
-    if (const std::size_t i = block_at(blocks, hole.front().position); i < blocks.blocks.size())
-      blocks.blocks[i].holes.push_back(std::move(hole));
-  for (const CoverElement& element : cover.elements) {
-    const auto polygon = cover.polygon(element);
-    const std::size_t i = block_at(blocks, centroid(std::vector<Point>(polygon.begin(), polygon.end())));
-    if (i < blocks.blocks.size()) blocks.blocks[i].material = element.material;
+
+ private:
+  std::optional<std::size_t> block_at(Point point) const {
+    for (std::size_t i = 0; i < blocks_.blocks.size(); ++i)
+      if (side(points_of(blocks_.blocks[i].outer), point) != Side::outside) return i;
+    return std::nullopt;
   }
-  const auto carry = [&](const std::vector<CoverPoint>& from, std::vector<BlockPoint>& to) {
+
+  void add_loops() {
+    std::vector<BlockLoop> holes;
+    for (const SlotRange& range : cover_.loops) {
+      BlockLoop loop = loop_of(cover_, range);
+      if (area(points_of(loop)) > 0)
+        blocks_.blocks.push_back({0, std::move(loop), {}});
+      else
+        holes.push_back(std::move(loop));
+    }
+    for (BlockLoop& hole : holes) {
+      const Point first = hole.front().position;
+      if (const auto block = block_at(first))
+        blocks_.blocks[*block].holes.push_back(std::move(hole));
+      else
+        warn_outside("loop of a hole", first, cover_.place);
+    }
+  }
+
+  void set_materials() {
+    std::vector<char> is_known(blocks_.blocks.size(), 0);
+    std::vector<char> is_mixed(blocks_.blocks.size(), 0);
+    for (const CoverElement& element : cover_.elements) {
+      const auto polygon = cover_.polygon(element);
+      const auto block = block_at(centroid(polygon));
+      if (!block) continue;
+      int& material = blocks_.blocks[*block].material;
+      if (is_known[*block] && material != element.material) is_mixed[*block] = 1;
+      if (!is_known[*block]) material = element.material;
+      is_known[*block] = 1;
+    }
+    if (const auto count = std::ranges::count(is_mixed, 1); count > 0)
+      warnings_.push_back({"one_material_a_block", cover_.place,
+                           fmt::format("{} of {} blocks hold elements of several materials and take that of the first",
+                                       count, blocks_.blocks.size())});
+  }
+
+  void carry(std::string_view noun, const std::vector<CoverPoint>& from, std::vector<BlockPoint>& to) {
     for (const CoverPoint& point : from)
-      if (const std::size_t i = block_at(blocks, point.position); i < blocks.blocks.size())
-        to.push_back({point.position, static_cast<int>(i), point.place});
-  };
-  carry(cover.fixed_points, blocks.fixed_points);
-  carry(cover.loading_points, blocks.loading_points);
-  carry(cover.measured_points, blocks.measured_points);
-  return blocks;
-}
+      if (const auto block = block_at(point.position))
+        to.push_back({point.position, static_cast<int>(*block), point.place});
+      else
+        warn_outside(noun, point.position, point.place);
+  }
 
-Derivation as_lines(const Blocks& blocks, const std::string& from) {
-  Derivation lines{{}, from, {}};
-  lines.content.drawing = lines_of(blocks);
-  lines.sentence = fmt::format("{} blocks as the {} lines of their edges", blocks.blocks.size(),
-                               lines.content.drawing->joints.size());
-  return lines;
-}
+  void add_loading(const CoverPoint& point) {
+    const auto block = block_at(point.position);
+    if (!block)
+      throw InputError(point.place, fmt::format("expected a loading point inside a block, found ({}, {}) outside all "
+                                                "loops of the cover",
+                                                point.position.x, point.position.y));
+    blocks_.loading_points.push_back({point.position, static_cast<int>(*block), point.place});
+  }
+
+  void warn_outside(std::string_view noun, Point at, const Place& place) {
+    add_warning(warnings_, {"point_outside_blocks", place,
+                            fmt::format("{} ({}, {}) lies outside all blocks and is left out", noun, at.x, at.y)});
+  }
+
+  const Cover& cover_;
+  Blocks blocks_;
+  Warnings warnings_;
+};
 
 }  // namespace
 
-std::vector<Derivation> derivations(const formats::Content& geometry) {
-  std::vector<Derivation> all;
-  if (geometry.drawing) {
-    Derivation cut{{}, "drawing", {}};
-    cut.content.blocks = cut_blocks(*geometry.drawing).blocks;
-    cut.sentence = fmt::format("cut into {} blocks", cut.content.blocks->blocks.size());
-    all.push_back(std::move(cut));
-  }
-  if (geometry.blocks) all.push_back(as_lines(*geometry.blocks, "blocks"));
+std::optional<Derivation> as_blocks(const formats::Content& geometry) {
+  if (geometry.cover) return BlocksOfCover(*geometry.cover).make();
+  if (!geometry.drawing) return std::nullopt;
+  CutResult cut = cut_blocks(*geometry.drawing);
+  Derivation derivation{
+      {}, "drawing", fmt::format("cut into {} blocks", cut.blocks.blocks.size()), std::move(cut.warnings)};
+  derivation.content.blocks = std::move(cut.blocks);
+  return derivation;
+}
+
+std::optional<Derivation> as_lines(const formats::Content& geometry) {
+  Derivation lines{{}, "blocks", {}, {}};
+  const Blocks* blocks = geometry.blocks ? &*geometry.blocks : nullptr;
+  std::optional<Derivation> loops;
   if (geometry.cover) {
-    Derivation loops{{}, "cover", {}};
-    loops.content.blocks = blocks_of(*geometry.cover);
-    loops.sentence = fmt::format("{} elements as the {} blocks of their loops", geometry.cover->elements.size(),
-                                 loops.content.blocks->blocks.size());
-    Derivation lines = as_lines(*loops.content.blocks, "cover");
-    all.push_back(std::move(loops));
-    all.push_back(std::move(lines));
+    loops = as_blocks(geometry);
+    lines.from = loops->from;
+    lines.warnings = std::move(loops->warnings);
+    blocks = &*loops->content.blocks;
   }
-  return all;
+  if (blocks == nullptr) return std::nullopt;
+  lines.content.drawing = lines_of(*blocks);
+  lines.sentence = fmt::format("{} blocks as the {} lines of their edges", blocks->blocks.size(),
+                               lines.content.drawing->joints.size());
+  return lines;
 }
 
 }  // namespace keyblock::study

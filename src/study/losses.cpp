@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "formats/keyblock_case.hpp"
 
@@ -16,8 +18,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShown = 40;  // characters of a value
 
+std::string counted_items(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "item" : "items");
+}
+
 std::string shown(const Json& value) {
-  if (value.is_array()) return fmt::format("{} {}", value.size(), value.size() == 1 ? "item" : "items");
+  if (value.is_array()) return counted_items(value.size());
   if (value.is_object()) return "an object";
   const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   return text.size() > kShown ? text.substr(0, kShown) + "…" : text;
@@ -25,14 +31,18 @@ std::string shown(const Json& value) {
 
 class Walk {
  public:
+  explicit Walk(std::span<const std::string_view> left_out = {}) : left_out_(left_out) {}
+
   void compare(const std::string& item, const Json& layout, const Json& a, const Json& b) {
-    if (a == b) return;
+    if (std::ranges::find(left_out_, item) != left_out_.end()) return note(item, shown(a) + " → not shown");
+    if (a == b && (left_out_.empty() || a.is_primitive())) return;
     if (a.is_object() && b.is_object()) return compare_keys(item, layout, a, b);
     const bool same_length = a.is_array() && b.is_array() && a.size() == b.size();
     if (!same_length) return note(item, shown(a) + " → " + shown(b));
     const bool is_row = layout.contains("prefixItems");
+    const Json& items = layout.contains("items") ? layout["items"] : empty_;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      const Json& part = is_row ? layout["prefixItems"][i] : layout.value("items", empty_);
+      const Json& part = is_row ? layout["prefixItems"][i] : items;
       compare(is_row ? item + '.' + part.value("title", "") : item + "[]", part, a[i], b[i]);
     }
   }
@@ -63,18 +73,48 @@ class Walk {
   }
 
   const Json empty_ = Json::object();
+  std::span<const std::string_view> left_out_;
   std::vector<Loss> found_;
   std::map<std::string, std::size_t> index_;
 };
 
+Json case_of(const formats::Content& content) {
+  return formats::fits_a_case(content) ? Json::parse(formats::kKeyblockCase.write(content)) : Json::object();
+}
+
+// No format that is read holds results and is written: those that come back are those that went.
+void note_lost(const char* item, std::size_t before, std::size_t after, std::vector<Loss>& found) {
+  if (before > after)
+    found.push_back({item, 1, counted_items(before) + " → " + (after == 0 ? "nothing" : counted_items(after))});
+}
+
 }  // namespace
 
 std::vector<Loss> losses(const formats::Content& original, const formats::Content& converted) {
-  const Json schema = Json::parse(formats::case_schema());
   Walk walk;
-  walk.compare("", schema, Json::parse(formats::kKeyblockCase.write(original)),
-               Json::parse(formats::kKeyblockCase.write(converted)));
-  return walk.found();
+  Json before = case_of(original), after = case_of(converted);
+  before.erase("keyblock");
+  after.erase("keyblock");
+  walk.compare("", Json::parse(formats::case_schema()), before, after);
+  std::vector<Loss> found = walk.found();
+  note_lost("frames", original.frames.size(), converted.frames.size(), found);
+  note_lost("tracks", original.tracks.size(), converted.tracks.size(), found);
+  return found;
+}
+
+std::vector<Loss> losses(const formats::Content& original, const formats::LeftOut& left_out) {
+  Walk walk(left_out.items);
+  Json all = case_of(original);
+  all.erase("keyblock");
+  walk.compare("", Json::parse(formats::case_schema()), all, all);
+  std::vector<Loss> found = walk.found();
+  const std::size_t count = original.frames.size();
+  if (count > left_out.frames_shown)
+    found.push_back({"frames", 1, fmt::format("{} → the last {}", counted_items(count), left_out.frames_shown)});
+  for (const std::string_view item : left_out.items)
+    if (item.starts_with("frames")) found.push_back({std::string(item), static_cast<int>(count), "not shown"});
+  if (!original.tracks.empty()) found.push_back({"tracks", 1, counted_items(original.tracks.size()) + " → not shown"});
+  return found;
 }
 
 }  // namespace keyblock::study

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/format.hpp"
+#include "formats/views.hpp"
 
 namespace keyblock::study {
 
@@ -18,7 +19,10 @@ struct Loss {
   bool operator==(const Loss&) const = default;
 };
 
-/// In the order of the case file. The dialect of an analysis is no item: it is what is converted.
+/// In the order of the case file, then frames and tracks of measured points. The dialect of an analysis is no item: it is what is converted.
 std::vector<Loss> losses(const formats::Content& original, const formats::Content& converted);
+
+/// What a view, from which nothing can be read back, leaves out.
+std::vector<Loss> losses(const formats::Content& original, const formats::LeftOut& left_out);
 
 }  // namespace keyblock::study

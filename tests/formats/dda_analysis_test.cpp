@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/ddaml.hpp"
 #include "formats/registry.hpp"
 #include "tests/formats/reading.hpp"
 
@@ -81,6 +82,19 @@ TEST(DdaAnalysis, shi_text_has_a_flag_for_every_point_of_the_blocks_and_two_rows
   const std::string text = kDdaAnalysisShi.write(content);
   EXPECT_NE(text.find("1e+07\n0\n2\n0\n2\n0\n0 0 0\n5 0.1 0.2\n0 7 8\n1e+05 7 8\n5 161 "), std::string::npos) << text;
   EXPECT_TRUE(text.ends_with("\n1.5\n"));
+}
+
+// The second row stands behind the first whatever its time.
+TEST(DdaAnalysis, a_constant_that_begins_late_is_written_and_read) {
+  Content content = read({"f", shi("0 0")}, {1, 1}).content;
+  for (const double time : {1e30, -1e30, 1e308}) {
+    content.analysis->point_loads = {{{time}, {{7, 8}}, {}}};
+    for (const Format* format : {&kDdaAnalysisShi, &kDdaml}) {
+      const TimeCurve load = format->read({"f", format->write(content)}, {1, 1}).content.analysis->point_loads.at(0);
+      EXPECT_EQ(load.times.at(0), time) << format->name;
+      EXPECT_EQ(load.at(time), (Point{7, 8})) << format->name;
+    }
+  }
 }
 
 TEST(DdaAnalysis, shi_file_without_curves_is_read_without_geometry) {

@@ -69,6 +69,17 @@ TEST(DdaBlocks, materials_of_leaving_edges_are_found_out_and_moved) {
   EXPECT_EQ(reading.content.blocks->blocks, two_squares().blocks);
 }
 
+// The slot behind a block's corners repeats the first, those behind hold measures: only corners have materials.
+TEST(DdaBlocks, a_fraction_as_the_material_of_a_corner_is_a_warning) {
+  std::string text = kDdaBlocks.write({{}, two_squares(), {}});
+  const std::size_t corner = text.find("\n1 1 0\n");
+  ASSERT_NE(corner, std::string::npos) << text;
+  const Reading reading = read({"f", text.replace(corner, 7, "\n1.5 1 0\n")});
+  ASSERT_EQ(names(reading.warnings), std::vector<std::string>{"joint_material_not_whole"}) << text;
+  EXPECT_EQ(reading.warnings[0].place.line, 6);
+  EXPECT_EQ(reading.content.blocks->blocks.at(0).outer.at(1).joint_material, -1);
+}
+
 TEST(DdaBlocks, fixed_point_in_block_0_is_left_out_and_loading_point_refused) {
   const Reading reading = read({"f", kRanges + kLeavingSlots + ".5 .1 0\n1.5 .9 2\n1.5 .5 2\n"});
   EXPECT_EQ(names(reading.warnings), (std::vector<std::string>{"point_outside_blocks", "leaving_edge_materials"}));

@@ -167,6 +167,28 @@ TEST(Ddaml, pipe_flow_and_unknown_elements_are_skipped_with_a_warning) {
   EXPECT_EQ(names(reading.warnings), (std::vector<std::string>{"pipe_flow_ignored", "unknown_element"}));
 }
 
+TEST(Ddaml, what_stands_again_or_behind_a_value_is_a_warning) {
+  const auto read_with = [](const std::string& from, const std::string& to) {
+    return read({"f", with(analysis(""), from, to)});
+  };
+  using Names = std::vector<std::string>;
+  const Reading two = read_with("timesteps='10'", "timesteps='10 20'");
+  EXPECT_EQ(two.content.analysis->step_count, 10);
+  EXPECT_EQ(names(two.warnings), Names{"surplus_numbers"});
+  EXPECT_EQ(names(read_with("timesteps='10'", "timesteps='10 x'").warnings), Names{"trailing_text"});
+  const Reading again = read_with("<Numtimesteps", "<Numtimesteps timesteps='5'/><Numtimesteps");
+  EXPECT_EQ(again.content.analysis->step_count, 10) << "the last";
+  EXPECT_EQ(names(again.warnings), Names{"repeated_element"});
+  const Reading stress = read_with("<Istress>", "<Istress>7 8 9</Istress><Istress>");
+  EXPECT_EQ(stress.content.analysis->block_materials.at(0).initial_stress, (Stress{7, 8, 9})) << "the first";
+  EXPECT_EQ(names(stress.warnings), Names{"repeated_element"});
+  EXPECT_EQ(
+      names(read({"f", with(document(kGeometry), "<Edgenodedist", "<Edgenodedist distance='.3 4'/><Edgenodedist")})
+                .warnings),
+      (Names{"surplus_numbers", "repeated_element"}));
+  EXPECT_EQ(names(read({"f", with(document(kGeometry), "type='2'", "type='2 1'")}).warnings), Names{"surplus_numbers"});
+}
+
 TEST(Ddaml, faults_are_found_at_their_line_and_column) {
   EXPECT_EQ(error_of("<DDA>\n<Geometry><Edgenodedist distance='.01'/>\n<Jointlist>\r\n<Joint type='x'>0 0 1 1</Joint>"
                      "</Jointlist></Geometry></DDA>"),

@@ -56,4 +56,15 @@ TEST(Polygon, edges_and_vertices_are_neither_inside_nor_outside) {
   }
 }
 
+TEST(Polygon, an_inner_point_avoids_the_holes) {
+  const std::vector<std::vector<Point>> ring{{{0, 0}, {3, 0}, {3, 3}, {0, 3}},
+                                             {{1, 0.5}, {1, 2.5}, {2, 2.5}, {2, 0.5}}};
+  const auto inside = point_inside(ring);
+  ASSERT_TRUE(inside);
+  EXPECT_EQ(side(ring[0], *inside), Side::inside);
+  EXPECT_EQ(side(ring[1], *inside), Side::outside);
+  EXPECT_FALSE(point_inside({}));
+  EXPECT_FALSE(point_inside(std::vector<std::vector<Point>>{{{0, 0}, {1, 0}, {2, 0}}})) << "no area";
+}
+
 }  // namespace keyblock

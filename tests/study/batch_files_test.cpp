@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "formats/registry.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -39,6 +41,25 @@ TEST(BatchFiles, a_name_counts_only_where_no_format_fits) {
   EXPECT_EQ(look_at({"f", "{\"about\": \"a slope\"}"}, "case.json").role, FileRole::foreign);
   EXPECT_EQ(look_at({"f", "# Notes\n"}, "slope.geo").role, FileRole::unreadable);
   EXPECT_EQ(look_at({"f", testing::kTwoTrianglesFile}, "cover.txt").role, FileRole::geometry);
+}
+
+TEST(BatchFiles, a_garbled_case_is_not_taken_for_another_file) {
+  EXPECT_EQ(look_at({"f", "12\n3O 0 0 0 0\n1 2 3 4 1\n"}, "case.txt").role, FileRole::unreadable);
+  EXPECT_EQ(look_at({"f", "Slope 3 was cut on 12 May with 30 joints in 2 sets."}, "notes.txt").role, FileRole::foreign);
+  EXPECT_EQ(look_at({"f", "{\"kyblock\": 1, \"drawing\": {\"boundary_count\": 0}}"}, "case.json").role,
+            FileRole::unreadable);
+}
+
+TEST(BatchFiles, names_that_are_no_utf_8_are_escaped_and_found_again) {
+  const fs::path root = testing::fresh_folder("batch_escapes");
+  const std::vector<std::string> raw{"50%", "50%25", "B\xF6schung", "B\xC3\xB6schung", "\xED\xA0\x80", "\xC0\xAF"};
+  for (const std::string& name : raw) testing::write_text(root / name, name);
+  const std::vector<std::string> names = files_below(root, {});
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"%C0%AF", "%ED%A0%80", "50%25", "50%2525", "B%F6schung", "B\xC3\xB6schung"}));
+  std::vector<std::string> found;
+  for (const std::string& name : names) found.push_back(testing::read_text(place_of(root, name)));
+  EXPECT_TRUE(std::ranges::is_permutation(found, raw));
 }
 
 TEST(BatchFiles, counts_of_a_cover_are_those_its_analysis_must_have) {

@@ -46,6 +46,13 @@ TEST(BatchPairs, files_of_one_name_in_one_folder_belong_together) {
             (Strings{"a/x.geo + a/x.ana: the same name", "b/x.geo + b/X.ANA: the same name"}));
 }
 
+TEST(BatchPairs, a_cover_never_goes_with_an_analysis_of_blocks) {
+  EXPECT_EQ(jobs_of({geometry("x.cv", kManifold), analysis("x.ana", kDda), analysis("y.mf", kManifold)}),
+            (Strings{"x.ana: an analysis alone",
+                     "x.cv + y.mf: counts that fit nothing else: 1 block materials, 1 joint materials, 0 loading "
+                     "points"}));
+}
+
 TEST(BatchPairs, the_same_name_in_another_folder_is_another_case) {
   EXPECT_EQ(jobs_of({geometry("a/x.geo"), analysis("b/x.ana")}),
             (Strings{"a/x.geo: a geometry alone", "b/x.ana: an analysis alone"}));

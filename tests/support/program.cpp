@@ -80,10 +80,10 @@ ProgramRun run_keyblock(const std::vector<std::string>& arguments) {
   return run_program(arguments, [](pid_t) {});
 }
 
-ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file) {
+ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file, int signal) {
   return run_program(arguments, [&](pid_t child) {
     while (!fs::exists(file) && is_running(child)) usleep(kMicrosecondsBetweenLooks);
-    kill(child, SIGINT);
+    kill(child, signal);
   });
 }
 

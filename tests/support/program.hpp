@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@ struct ProgramRun {
 /// `keyblock ARGUMENTS…`, in the current folder.
 ProgramRun run_keyblock(const std::vector<std::string>& arguments);
 
-/// The same, interrupted (SIGINT) as soon as `file` exists.
-ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file);
+/// The same, sent `signal` as soon as `file` exists.
+ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file, int signal = SIGINT);
 
 /// The same, killed (SIGKILL) after so many seconds, if it still runs.
 ProgramRun kill_keyblock(const std::vector<std::string>& arguments, double seconds);

@@ -317,6 +317,7 @@ Content anything(Dice& dice) {
   if (dice.happens(0.5)) content.units = Units{"m", "t", "ms"};
   if (dice.happens(0.3)) content.motion = curve(dice);
   if (dice.happens(0.5)) content.choices = RunChoices{"standard", {{"motion", "static"}, {"odd \"name\"", "5"}}};
+  if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }
 

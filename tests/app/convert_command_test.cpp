@@ -1,0 +1,110 @@
+// `keyblock convert` as a user meets it: names of outputs, what is refused, kept and reported.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::fresh_folder;
+using testing::ProgramRun;
+using testing::read_text;
+using testing::run_keyblock;
+using testing::write_text;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// A triangle with two material lines, and an analysis with an initial velocity.
+const std::string kLines =
+    "0.001\n3 0\n2\n0\n1\n0\n0\n0\n0 0 2 0 1\n2 0 1 2 1\n1 2 0 0 1\n0.9 0.5 1.1 0.5 1\n0.9 0.6 1.1 0.6 1\n1 0.2 1 "
+    "0.2\n";
+const std::string kControls = "1\n10\n1\n1\n0.01\n0.1\n2 20 1e6 0.2\n0 0 0\n0 0 0\n1 0 0\n30 0 0\n";
+
+class ConvertCommand : public ::testing::Test {
+ protected:
+  ConvertCommand() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fresh_folder(std::string("convert_") + test->name()) + "/";
+    write_text(folder_ + "a.geo", kLines);
+    write_text(folder_ + "a.ana", kControls);
+  }
+
+  ProgramRun convert(std::vector<std::string> more) const {
+    more.insert(more.begin(), {"convert", folder_ + "a.geo", folder_ + "a.ana"});
+    return run_keyblock(more);
+  }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ + name); }
+
+  std::string folder_;
+};
+
+}  // namespace
+
+TEST_F(ConvertCommand, two_files_have_the_endings_behind_the_whole_name) {
+  EXPECT_EQ(convert({"-o", folder_ + "slope1.5", "--to", "berkeley"}).exit_code, 0);
+  EXPECT_TRUE(exists("slope1.5.geo") && exists("slope1.5.ana"));
+  EXPECT_EQ(convert({"-o", folder_ + "b.ana", "--to", "berkeley"}).exit_code, 0);
+  EXPECT_TRUE(exists("b.geo") && exists("b.ana")) << "an ending of the target is replaced";
+}
+
+TEST_F(ConvertCommand, strict_writes_nothing_where_the_target_cannot_hold_all) {
+  const ProgramRun loose = convert({"-o", folder_ + "loose.csv"});
+  EXPECT_EQ(loose.exit_code, 0);
+  EXPECT_TRUE(contains(loose.output, "lost: analysis: an object → not shown")) << loose.output;
+  const ProgramRun strict = convert({"-o", folder_ + "strict.csv", "--strict"});
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_TRUE(contains(strict.messages, "csv cannot hold all")) << strict.messages;
+  EXPECT_FALSE(exists("strict.csv"));
+  EXPECT_EQ(convert({"-o", folder_ + "whole.json", "--strict"}).exit_code, 0);
+  EXPECT_TRUE(exists("whole.json"));
+}
+
+TEST_F(ConvertCommand, what_is_overwritten_by_force_is_kept) {
+  write_text(folder_ + "b.json", "first");
+  EXPECT_EQ(convert({"-o", folder_ + "b.json"}).exit_code, 2);
+  EXPECT_EQ(read_text(folder_ + "b.json"), "first");
+  EXPECT_EQ(convert({"-o", folder_ + "b.json", "--force"}).exit_code, 0);
+  EXPECT_EQ(read_text(folder_ + "b.json.bak"), "first");
+  EXPECT_EQ(convert({"-o", folder_ + "b.json", "--force"}).exit_code, 0);
+  EXPECT_EQ(read_text(folder_ + "b.json.bak"), "first");
+  EXPECT_EQ(read_text(folder_ + "b.json.bak2"), read_text(folder_ + "b.json"));
+  EXPECT_EQ(convert({"-o", folder_ + "a.geo", "--force", "--to", "dda-geometry"}).exit_code, 2) << "an input";
+}
+
+TEST_F(ConvertCommand, faults_of_the_old_program_are_taken_on_request) {
+  ASSERT_EQ(convert({"-o", folder_ + "faulty", "--to", "berkeley", "--bug-compatible"}).exit_code, 0);
+  EXPECT_TRUE(contains(read_text(folder_ + "faulty.geo"), "3 0\n1\n")) << "one material line left";
+  EXPECT_FALSE(contains(read_text(folder_ + "faulty.ana"), "\n1 0 0\n")) << "the velocity is that of the gradient";
+  ASSERT_EQ(convert({"-o", folder_ + "sound", "--to", "berkeley"}).exit_code, 0);
+  EXPECT_EQ(read_text(folder_ + "sound.geo"), kLines);
+  EXPECT_EQ(read_text(folder_ + "sound.ana"), kControls);
+}
+
+TEST_F(ConvertCommand, json_names_outputs_losses_and_warnings) {
+  const ProgramRun run = convert({"-o", folder_ + "b.dxf", "--json"});
+  ASSERT_EQ(run.exit_code, 0);
+  const auto json = nlohmann::json::parse(run.output);
+  EXPECT_EQ(json["outputs"], nlohmann::json::array({folder_ + "b.dxf"}));
+  EXPECT_EQ(json["losses"], nlohmann::json::parse(
+                                R"([{"item": "analysis", "times": 1, "change": "an object → nothing"}])"));
+  EXPECT_TRUE(json["warnings"].empty());
+}
+
+TEST_F(ConvertCommand, wrong_usage_and_bad_input_have_their_exit_codes) {
+  EXPECT_EQ(convert({}).exit_code, 2) << "no output";
+  EXPECT_EQ(convert({"-o", folder_ + "b.unknown"}).exit_code, 2) << "an ending of no target";
+  EXPECT_EQ(convert({"-o", folder_ + "b", "--to", "tex"}).exit_code, 2);
+  write_text(folder_ + "a.geo", "0.001\n3 0\nx\n");
+  const ProgramRun run = convert({"-o", folder_ + "b.json"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_TRUE(contains(run.messages, "a.geo:3:1: error: expected")) << run.messages;
+}
+
+}  // namespace keyblock

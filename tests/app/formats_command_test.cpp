@@ -1,0 +1,51 @@
+// `keyblock formats` and `keyblock info`: every format with what is known of it, one with a sample, the layout of the case file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "formats/registry.hpp"
+#include "tests/support/program.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::ProgramRun;
+using testing::run_keyblock;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST(FormatsCommand, every_format_is_listed) {
+  const ProgramRun table = run_keyblock({"formats"});
+  EXPECT_EQ(table.exit_code, 0);
+  const auto json = nlohmann::json::parse(run_keyblock({"formats", "--json"}).output);
+  ASSERT_EQ(json.size(), formats::all_formats().size());
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const formats::Format& format = *formats::all_formats()[i];
+    EXPECT_TRUE(contains(table.output, "\n" + std::string(format.name) + " ")) << format.name;
+    EXPECT_EQ(json[i]["name"], format.name);
+    EXPECT_EQ(json[i]["reads"], format.read != nullptr);
+    EXPECT_EQ(json[i]["writes"], format.write != nullptr);
+    EXPECT_FALSE(json[i]["evidence"].get<std::string>().empty()) << format.name;
+  }
+  EXPECT_EQ(run_keyblock({"info"}).output, table.output);
+}
+
+TEST(FormatsCommand, one_format_has_a_sample) {
+  const ProgramRun run = run_keyblock({"formats", "dda-geometry"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.output, "reads: yes, writes: yes")) << run.output;
+  EXPECT_TRUE(contains(run.output, "a sample:\n\n")) << run.output;
+  EXPECT_EQ(run_keyblock({"formats", "no-such"}).exit_code, 2);
+}
+
+TEST(FormatsCommand, the_schema_is_json) {
+  const auto schema = nlohmann::json::parse(run_keyblock({"formats", "--schema"}).output);
+  EXPECT_TRUE(schema["properties"].contains("analysis"));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,69 @@
+// What a run of a batch came to: the last point of its history, or why there is none.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/batch_answers.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::study {
+namespace {
+
+using report::CatalogueAnswer;
+using testing::write_text;
+
+std::filesystem::path run_folder(const std::string& name, const std::string& record, const std::string& history) {
+  const std::filesystem::path folder = testing::fresh_folder("answers_" + name);
+  write_text(folder / "run.json", record);
+  write_text(folder / "history.csv", history);
+  return folder;
+}
+
+const std::string kHistory =
+    "step,time [T],x1 [L],y1 [L],dx1 [L],dy1 [L],x2 [L],y2 [L],dx2 [L],dy2 [L]\n0,0,1,1,0,0,2,2,0,0\n4,0.5,1,1,7,8,2,2,3,-4\n";
+
+std::string record(int measured_points) {
+  return R"({"outcome": {"end": "finished", "steps": 4, "time": 0.5}, "counts": {"measured_points": )" +
+         std::to_string(measured_points) + "}}";
+}
+
+}  // namespace
+
+TEST(BatchAnswers, the_last_point_of_the_last_row_is_the_answer) {
+  const CatalogueAnswer answer = answer_in(run_folder("measured", record(2), kHistory), "legacy");
+  EXPECT_EQ(answer.profile, "legacy");
+  EXPECT_EQ(answer.end, "finished");
+  EXPECT_EQ(answer.steps, 4);
+  EXPECT_EQ(answer.time, 0.5);
+  EXPECT_EQ(answer.of_what, "measured point 2");
+  EXPECT_EQ(answer.dx, 3);
+  EXPECT_EQ(answer.dy, -4);
+  EXPECT_EQ(answer_in(run_folder("centroids", record(0), kHistory), "legacy").of_what, "centroid of block 2");
+}
+
+TEST(BatchAnswers, a_missing_or_damaged_record_is_an_end_too) {
+  EXPECT_EQ(answer_in("/no/such", "legacy").end, "no result");
+  EXPECT_TRUE(answer_in(run_folder("torn", "{\"outcome\"", kHistory), "legacy").end.starts_with("run.json cannot be read"));
+  const std::string failed =
+      R"({"outcome": {"end": "failed", "reason": "too far", "steps": 4, "time": 0.5}, "counts": {"measured_points": 2}})";
+  EXPECT_EQ(answer_in(run_folder("failed", failed, kHistory), "legacy").end, "failed: too far");
+}
+
+TEST(BatchAnswers, verdicts_of_a_comparison_are_one_sentence) {
+  EXPECT_EQ(verdict_of(R"({"cases": [{"runs": [{"profile": "legacy", "holds": true}, {"profile": "standard", "holds": false},
+                           {"profile": "draft", "not_run": "no"}, {"profile": "legacy", "variant": "b", "holds": false}]}]})"),
+            "legacy: hold, standard: missed, draft: not run");
+  EXPECT_EQ(verdict_of("no json"), "not compared");
+}
+
+TEST(BatchAnswers, only_whole_answers_differ) {
+  const CatalogueAnswer first{"legacy", "finished", 1, 1, "measured point 1", 1, 2};
+  CatalogueAnswer last{"standard", "finished", 1, 1, "measured point 1", 4, 6};
+  EXPECT_EQ(difference_of({first, last}), 5);
+  EXPECT_EQ(difference_of({first}), std::nullopt);
+  last.end = "failed";
+  EXPECT_EQ(difference_of({first, last}), std::nullopt);
+}
+
+}  // namespace keyblock::study
