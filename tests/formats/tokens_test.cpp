@@ -35,6 +35,22 @@ TEST(Tokens, lines_count_alike_for_every_kind_of_line_end) {
     EXPECT_EQ(tokens_of(text).place_of(2), (Place{"f", 3, 2})) << text;
 }
 
+TEST(Tokens, every_word_of_a_long_text_knows_its_place_in_any_order) {
+  std::string text;
+  std::vector<Place> places;
+  for (int line = 1; line <= 400; ++line) {
+    text += std::string(static_cast<std::size_t>(line % 7), ' ');
+    for (int i = 0, column = line % 7 + 1; i < line % 5; ++i, column += 5) {
+      places.push_back({"f", line, column});
+      text += i % 2 == 0 ? "12.5 " : "-777,";
+    }
+    text += "# a comment 1 2\n";
+  }
+  const Tokens tokens = tokens_of(text);
+  ASSERT_EQ(tokens.word_count, places.size());
+  for (std::size_t i = places.size(); i-- > 0;) EXPECT_EQ(tokens.place_of(i), places[i]) << i;
+}
+
 TEST(Tokens, byte_order_mark_is_no_column) {
   EXPECT_EQ(tokens_of("\xEF\xBB\xBF"
                       "7")
