@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/split.hpp"
+
 namespace keyblock::formats {
 namespace {
 
@@ -27,7 +29,7 @@ std::string message(Action action) {
 
 TEST(Tokens, white_space_and_commas_separate_and_comments_end_with_their_line) {
   const Tokens tokens = tokens_of("1,2\t3 # four 4\n5 % 6\n7!8\r\n9;10\n11//12\n13");
-  EXPECT_EQ(tokens.numbers, (std::vector<double>{1, 2, 3, 5, 7, 9, 11, 13}));
+  EXPECT_EQ(tokens.numbers, (Numbers{1, 2, 3, 5, 7, 9, 11, 13}));
 }
 
 TEST(Tokens, lines_count_alike_for_every_kind_of_line_end) {
