@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 
 namespace keyblock::formats {

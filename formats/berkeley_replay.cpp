@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 #include "geometry/polygon.hpp"
 

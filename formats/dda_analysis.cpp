@@ -11,6 +11,7 @@
 #include "formats/analysis_parts.hpp"
 #include "formats/demands.hpp"
 #include "formats/numbers.hpp"
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 
 namespace keyblock::formats {

@@ -12,6 +12,7 @@
 
 #include "formats/edge_convention.hpp"
 #include "formats/numbers.hpp"
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 #include "geometry/polygon.hpp"
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <functional>
 
+#include "formats/split.hpp"
+
 namespace keyblock::formats {
 namespace {
 

@@ -57,7 +57,8 @@ class JsonValue {
 /// A well-formed JSON text; comments as in C++ are passed over. Two words of memory a value. Views the source: keep it alive.
 class JsonText {
  public:
-  /// Throws InputError at the place where the text stops being well-formed, or nests deeper than any case file does.
+  /// Views the source: keep that alive. Throws InputError at the place where the text stops being well-formed, or nests
+  /// deeper than any case file does.
   explicit JsonText(const Source& source);
 
   JsonValue root() const { return {*this, 0}; }

@@ -6,6 +6,7 @@
 
 #include "formats/demands.hpp"
 #include "formats/numbers.hpp"
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 
 namespace keyblock::formats {
@@ -60,7 +61,7 @@ Recognition recognise_shake(const Source& source) {
   const std::string_view text = without_bom(source.text);
   if (parse_real(text.substr(0, text.find_first_of(" \t\r\n")))) return {};  // most files: spare the rest of a long one
   const Shake shake(source);
-  const std::vector<double> head = shake.second_line().numbers;
+  const Numbers head = shake.second_line().numbers;
   if (!shake.title().junk() || head.empty()) return {};
   const Tokens values = shake.values();
   const std::size_t have = values.numbers.size();
@@ -76,7 +77,7 @@ bool has_head_of_two(const Tokens& tokens) {
 }
 
 Recognition recognise_matlab(const Tokens& tokens) {
-  const std::vector<double>& n = tokens.numbers;
+  const Numbers& n = tokens.numbers;
   if (!has_head_of_two(tokens) || !(n[0] > 0) || n[1] != static_cast<double>(n.size() - 2)) return {};
   return {Recognition::Fit::exact, fmt::format("its first line announces the {} values that follow", n.size() - 2)};
 }

@@ -5,18 +5,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 #include <initializer_list>
 #include <iterator>
 #include <span>
 #include <stdexcept>
 
+#include "base/large_pages.hpp"
 #include "formats/numbers.hpp"
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 
 namespace keyblock::formats {
 namespace {
 
 constexpr std::size_t kHeadSize = 8;
+constexpr std::size_t kManyNumbers = 1000000;  // some milliseconds of work: worth a thread
 
 struct Head {
   int elements, fixed, loading, measured, slots, covers, loops, loop_slots;
@@ -59,12 +63,7 @@ class CoverReader {
     read_points("fixed point", head_.fixed, 0, cover_.fixed_points);
     read_points("loading point", head_.loading, 1, cover_.loading_points);
     read_points("measured point", head_.measured, 0, cover_.measured_points);
-    read_elements();
-    read_positions("vertex slot", head_.slots, cover_.vertices);
-    read_positions("physical cover", head_.covers, cover_.nodes);
-    read_covers_of_elements();
-    read_loops();
-    read_loop_vertices();
+    read_lists();
     cursor_.leave();
     Reading reading;
     reading.content.cover = std::move(cover_);
@@ -90,6 +89,33 @@ class CoverReader {
     head_.loop_slots = next(0, "the number of loop-vertex slots");
   }
 
+  /// The positions, most of a long file, on a thread of their own. An error is told of the list that stands first.
+  void read_lists() {
+    CoverReader positions = *this;
+    const std::size_t count = 2 * (static_cast<std::size_t>(head_.slots) + static_cast<std::size_t>(head_.covers));
+    const auto policy = count > kManyNumbers ? std::launch::async : std::launch::deferred;
+    std::future<void> positions_read = std::async(policy, [&] { positions.skip_elements_and_read_positions(); });
+    read_elements();
+    try {
+      cursor_.skip(count);
+      read_covers_of_elements();
+      read_loops();
+      read_loop_vertices();
+    } catch (const InputError&) {
+      positions_read.get();
+      throw;
+    }
+    positions_read.get();
+    cover_.vertices = std::move(positions.cover_.vertices);
+    cover_.nodes = std::move(positions.cover_.nodes);
+  }
+
+  void skip_elements_and_read_positions() {
+    cursor_.skip(3 * static_cast<std::size_t>(head_.elements));
+    read_positions("vertex slot", head_.slots, cover_.vertices);
+    read_positions("physical cover", head_.covers, cover_.nodes);
+  }
+
   void enter(std::string_view noun, int number, int of) {
     cursor_.enter({noun, static_cast<std::size_t>(number) + 1, static_cast<std::size_t>(of)});
   }
@@ -98,7 +124,7 @@ class CoverReader {
 
   /// `least_element` 0: a point that sits in no element is left out; 1: it is refused.
   void read_points(std::string_view noun, int count, int least_element, std::vector<CoverPoint>& points) {
-    points.reserve(static_cast<std::size_t>(count));
+    reserve_large(points, static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
       enter(noun, i, count);
       CoverPoint point;
@@ -122,7 +148,7 @@ class CoverReader {
   }
 
   void read_elements() {
-    cover_.elements.reserve(static_cast<std::size_t>(head_.elements));
+    reserve_large(cover_.elements, static_cast<std::size_t>(head_.elements));
     for (int i = 0; i < head_.elements; ++i) {
       enter("element", i, head_.elements);
       CoverElement element{};
@@ -133,7 +159,7 @@ class CoverReader {
   }
 
   void read_positions(std::string_view noun, int count, std::vector<Point>& points) {
-    points.reserve(static_cast<std::size_t>(count));
+    reserve_large(points, static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
       enter(noun, i, count);
       const double x = cursor_.next_real("x");
@@ -150,7 +176,7 @@ class CoverReader {
   }
 
   void read_loops() {
-    cover_.loops.reserve(static_cast<std::size_t>(head_.loops));
+    reserve_large(cover_.loops, static_cast<std::size_t>(head_.loops));
     for (int i = 0; i < head_.loops; ++i) {
       enter("loop", i, head_.loops);
       cover_.loops.push_back(next_range(head_.loop_slots, "the first loop-vertex slot", "the last loop-vertex slot"));
@@ -158,7 +184,7 @@ class CoverReader {
   }
 
   void read_loop_vertices() {
-    cover_.loop_vertices.reserve(static_cast<std::size_t>(head_.loop_slots));
+    reserve_large(cover_.loop_vertices, static_cast<std::size_t>(head_.loop_slots));
     for (int i = 0; i < head_.loop_slots; ++i) {
       enter("loop-vertex slot", i, head_.loop_slots);
       const int slot = next_index_of(head_.slots, "the vertex slot");

@@ -17,12 +17,4 @@ void append_integer(std::string& text, int value);
 /// (nan, inf, 1x).
 std::optional<double> parse_real(std::string_view text);
 
-/// The number a text begins with where it is a short plain decimal (at most 19 digits, whose value and power of ten are
-/// exact doubles), and where it ends; null for every other text. The same bits as `parse_real`, several times sooner.
-struct ShortReal {
-  double value = 0;
-  const char* end = nullptr;
-};
-ShortReal parse_short_real(const char* at, const char* last);
-
 }  // namespace keyblock::formats

@@ -10,8 +10,10 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <vector>
 
+#include "base/large_pages.hpp"
 #include "formats/berkeley_measured.hpp"
 #include "formats/berkeley_replay.hpp"
 #include "formats/dda_analysis.hpp"
@@ -24,6 +26,7 @@
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
 #include "formats/recognised_only.hpp"
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 #include "formats/views.hpp"
 
@@ -146,10 +149,15 @@ Source load(const std::string& path) {
     throw InputError({path}, "expected a regular file, found a device or pipe");
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   if (!stream) throw InputError({path}, "expected a readable file, found one that cannot be opened");
-  std::string text(static_cast<std::size_t>(stream.tellg()), '\0');
+  std::string text;
+  reserve_large(text, static_cast<std::size_t>(stream.tellg()));
   stream.seekg(0);
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  constexpr std::size_t kPiece = 1 << 18;  // fits a cache: pieces are cheaper to move than to fault in twice
+  const auto piece = std::make_unique_for_overwrite<char[]>(kPiece);
+  while (stream) {
+    stream.read(piece.get(), kPiece);
+    text.append(piece.get(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) throw InputError({path}, "expected a readable file, found one that breaks off");
   return {path, std::move(text)};
 }

@@ -1,4 +1,4 @@
-// Splitting of text into words, and the cursor that names what it expected and what it found.
+// The places of words, and the cursor that names what it expected and what it found.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/tokens.hpp"
 
@@ -15,115 +15,8 @@ namespace keyblock::formats {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr char kDosEndOfFile = 0x1a;
 constexpr std::size_t kLongestQuote = 40;  // of an unexpected word in a message
-constexpr std::size_t kWordsAMark = 32;    // of a list of tokens
 constexpr std::size_t kStretch = 256;      // of text between two marks of its map
-
-bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
-}
-
-/// What a character does between words. A slash is ordinary but where a second follows.
-enum class Role : unsigned char { ordinary, separator, comment, slash };
-using Roles = std::array<Role, 256>;
-
-constexpr Roles roles_of(Syntax syntax) {
-  Roles roles{};
-  const auto set = [&](std::string_view characters, Role role) {
-    for (const char c : characters) roles[static_cast<unsigned char>(c)] = role;
-  };
-  set(" \t,\v\f\n\r", Role::separator);
-  roles[kDosEndOfFile] = Role::separator;
-  if (syntax == Syntax::xml) {
-    set(";", Role::separator);
-    roles[0] = Role::separator;  // the XML reader ends each piece so, in place
-  } else {
-    set("#%!;", Role::comment);
-    set("/", Role::slash);
-  }
-  return roles;
-}
-
-constexpr Roles kNativeRoles = roles_of(Syntax::native);
-constexpr Roles kXmlRoles = roles_of(Syntax::xml);
-
-/// Finds the words of a text one after another.
-class Splitter {
- public:
-  Splitter(std::string_view text, Syntax syntax)
-      : text_(text), roles_(syntax == Syntax::xml ? kXmlRoles : kNativeRoles) {}
-
-  /// The start of the first word from `at` on; the end of the text where there is none.
-  std::size_t word_start(std::size_t at) const {
-    for (; at < text_.size(); ++at) {
-      const Role role = role_at(at);
-      if (role == Role::ordinary) return at;
-      if (role != Role::comment) continue;
-      while (at + 1 < text_.size() && !is_line_end(text_[at + 1])) ++at;
-    }
-    return at;
-  }
-
-  bool is_end(std::size_t at) const { return at == text_.size() || role_at(at) != Role::ordinary; }
-
-  std::size_t word_end(std::size_t at) const {
-    while (!is_end(at)) ++at;
-    return at;
-  }
-
-  std::string_view text() const { return text_; }
-
- private:
-  Role role_at(std::size_t at) const {
-    const Role role = roles_[static_cast<unsigned char>(text_[at])];
-    if (role != Role::slash) return role;
-    return at + 1 < text_.size() && text_[at + 1] == '/' ? Role::comment : Role::ordinary;
-  }
-
-  std::string_view text_;
-  const Roles& roles_;
-};
-
-bool may_part_words(char c) {
-  return static_cast<unsigned char>(c) <= ' ' || c == ',' || c == ';';
-}
-
-/// No fewer than the words in a text: every word begins it or follows a separator.
-std::size_t most_words(std::string_view text) {
-  std::size_t count = text.empty() ? 0 : 1;
-  for (std::size_t i = 1; i < text.size(); ++i)
-    count += may_part_words(text[i - 1]) && !may_part_words(text[i]) ? 1 : 0;
-  return count;
-}
-
-/// Counts a word; every so many-th, and the first of a piece, is marked.
-void add_word(Tokens& tokens, std::size_t at, bool is_first) {
-  if (is_first || tokens.word_count - tokens.marks.back().word == kWordsAMark)
-    tokens.marks.push_back({tokens.word_count, at});
-  ++tokens.word_count;
-}
-
-/// Adds words from `at` on as long as they are numbers, and the first that is none; the start of the word behind.
-std::size_t add_numbers(Tokens& tokens, const Splitter& splitter, std::size_t at) {
-  const std::string_view text = splitter.text();
-  const char* const begin = text.data();
-  for (bool is_first = true; at < text.size(); is_first = false) {
-    add_word(tokens, at, is_first);
-    const ShortReal number = parse_short_real(begin + at, begin + text.size());
-    if (number.end && splitter.is_end(static_cast<std::size_t>(number.end - begin))) {
-      tokens.numbers.push_back(number.value);
-      at = splitter.word_start(static_cast<std::size_t>(number.end - begin));
-      continue;
-    }
-    const std::size_t end = splitter.word_end(at);
-    const auto value = parse_real(text.substr(at, end - at));
-    at = splitter.word_start(end);
-    if (!value) break;
-    tokens.numbers.push_back(*value);
-  }
-  return at;
-}
 
 }  // namespace
 
@@ -180,25 +73,6 @@ std::optional<std::string_view> Tokens::junk() const {
 
 Place Tokens::place_of(std::size_t index) const {
   return map->place(index < word_count ? start_of(index) : end);
-}
-
-Tokens tokenise(const Source& source) {
-  const std::string_view text = without_bom(source.text);
-  Tokens tokens{std::make_shared<TextMap>(source.name, text), text, Syntax::native, text.size()};
-  add_words(tokens, 0, text.size());
-  return tokens;
-}
-
-void add_words(Tokens& tokens, std::size_t first, std::size_t size) {
-  const std::string_view text = tokens.text.substr(0, first + size);
-  if (tokens.word_count == 0)  // a list that grows by doubling would hold thrice as much for a moment
-    tokens.numbers.reserve(most_words(text.substr(first)));
-  const Splitter splitter(text, tokens.syntax);
-  const std::size_t words_before = tokens.word_count;
-  std::size_t at = splitter.word_start(first);
-  if (tokens.numbers.size() == tokens.word_count) at = add_numbers(tokens, splitter, at);
-  for (; at < text.size(); at = splitter.word_start(splitter.word_end(at)))
-    add_word(tokens, at, tokens.word_count == words_before);
 }
 
 std::string Cursor::full_name(std::string_view name) const {

@@ -1,7 +1,8 @@
-// Text to numbers that know their place: the one tokeniser and the one cursor every reader walks with.
+// Numbers that know their place in a text, and the one cursor every reader walks over them with.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "formats/format.hpp"
+#include "formats/splitter.hpp"
 
 namespace keyblock::formats {
 
@@ -41,10 +43,16 @@ std::string_view without_bom(std::string_view text);
 /// The word in quotes as it may stand in a message: short, and printable whatever the file holds.
 std::string in_quotes(std::string_view word);
 
-enum class Syntax {
-  native,  ///< white space and commas separate; `#` `%` `!` `;` `//` start a comment to the end of the line
-  xml,     ///< white space, commas and semicolons separate; no comments (the XML reader has dropped them)
+/// A list that `resize` does not fill: its numbers are written by several threads.
+template <typename T>
+struct Unfilled : std::allocator<T> {
+  template <typename U>
+  struct rebind {
+    using other = Unfilled<U>;
+  };
+  void construct(T* place) { ::new (place) T; }
 };
+using Numbers = std::vector<double, Unfilled<double>>;
 
 /// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive. Little more than one
 /// double a token, because files of a hundred megabytes are read through it: only every so many-th word's offset is kept.
@@ -58,9 +66,9 @@ struct Tokens {
   std::shared_ptr<const TextMap> map;
   std::string_view text;
   Syntax syntax = Syntax::native;
-  std::size_t end = 0;               ///< offset at which the text ends
-  std::size_t word_count = 0;        ///< words: runs of characters between separators
-  std::vector<double> numbers = {};  ///< the leading words that are finite numbers
+  std::size_t end = 0;         ///< offset at which the text ends
+  std::size_t word_count = 0;  ///< words: runs of characters between separators
+  Numbers numbers = {};        ///< the leading words that are finite numbers
   std::vector<Mark> marks = {};
 
   /// The offset of a word, index below `word_count`; found from the mark before it.
@@ -70,15 +78,6 @@ struct Tokens {
   std::optional<std::string_view> junk() const;
   Place place_of(std::size_t index) const;
 };
-
-Tokens tokenise(const Source& source);
-/// Reads a text through a reader of its tokens.
-template <Reading (*ReadTokens)(const Tokens&, const ReadHint&)>
-Reading read_split(const Source& source, const ReadHint& hint) {
-  return ReadTokens(tokenise(source), hint);
-}
-/// Adds the words of a piece of `tokens.text`, which lies behind those that are there.
-void add_words(Tokens& tokens, std::size_t first, std::size_t size);
 
 inline bool is_whole(double value) {
   return value >= -2147483647 && value <= 2147483647 && static_cast<double>(static_cast<int>(value)) == value;
@@ -133,6 +132,9 @@ class Cursor {
   int next_count_up_to(int limit, std::string_view whole, std::string_view name);
   /// A number counted from 1 in the file, given from 0.
   int next_index(std::string_view name) { return next_integer(name) - 1; }
+
+  /// Passes over numbers that something else reads; no further than they go.
+  void skip(std::size_t count) { position_ += std::min(count, numbers_left()); }
 
   std::size_t position() const { return position_; }
   std::size_t numbers_left() const { return tokens_.numbers.size() - position_; }

@@ -7,7 +7,7 @@
 #include <new>
 
 #include "app/files.hpp"
-#include "app/parallel.hpp"
+#include "base/parallel.hpp"
 #include "base/sha256.hpp"
 #include "formats/registry.hpp"
 #include "study/batch_check.hpp"

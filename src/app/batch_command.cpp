@@ -17,7 +17,7 @@
 #include "app/batch_work.hpp"
 #include "app/command.hpp"
 #include "app/files.hpp"
-#include "app/parallel.hpp"
+#include "base/parallel.hpp"
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
 #include "formats/registry.hpp"

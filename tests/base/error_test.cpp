@@ -20,4 +20,12 @@ TEST(Error, warning_ends_with_its_name) {
             "a.geo:3: warning: joint material 9 taken as 1 [joint_material_clamped]");
 }
 
+TEST(Error, a_list_of_warnings_ends_after_a_thousand_and_says_so) {
+  Warnings warnings;
+  for (int i = 1; i <= 5000; ++i) add_warning(warnings, {"odd", {"f", i, 0}, "odd"});
+  ASSERT_EQ(warnings.size(), 1001u);
+  EXPECT_EQ(warnings.back().name, "more_warnings");
+  EXPECT_EQ(warnings.back().place, (Place{"f", 1001, 0}));
+}
+
 }  // namespace keyblock

@@ -67,6 +67,23 @@ TEST(NmmCover, file_that_breaks_off_is_an_error_where_it_ends) {
             "f:34:2: error: expected the joint material of loop-vertex slot 8 of 8, found end of file");
 }
 
+TEST(NmmCover, a_fault_among_the_positions_is_told_though_they_are_read_beside_the_other_lists) {
+  EXPECT_EQ(error_of(with("\n1 1\n0 1\n0 0", "\n1 x\n0 1\n0 0")),
+            "f:10:3: error: expected y of vertex slot 2 of 8, found \"x\"");
+  std::string text = with("\n1 1\n0 1\n0 0", "\n1 x\n0 1\n0 0");
+  text.replace(text.find("5 7 1"), 5, "5 8 1");
+  EXPECT_TRUE(error_of(text).starts_with("f:7:3: error: expected the last vertex slot")) << error_of(text);
+}
+
+TEST(NmmCover, a_long_file_is_read_on_two_threads_with_the_same_faults) {
+  Cover cover = two_triangles();
+  cover.vertices.resize(600000, {0.5, -2.25});
+  std::string text = kNmmCover.write({{}, {}, {}, cover});
+  EXPECT_EQ(read({"f", text}).content.cover->vertices, cover.vertices);
+  text.replace(text.rfind("-2.25"), 5, "-2.2x");
+  EXPECT_EQ(error_of(text), "f:600008:5: error: expected y of vertex slot 600000 of 600000, found \"-2.2x\"");
+}
+
 TEST(NmmCover, points_in_no_element_are_left_out_and_loads_there_refused) {
   const Reading reading = read({"f", with("0.25 0 1.000000", "0.25 0 0.000000")});
   EXPECT_EQ(names(reading.warnings), std::vector<std::string>{"point_outside_elements"});

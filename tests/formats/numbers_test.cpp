@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace keyblock::formats {
 
 TEST(Numbers, old_spellings_are_read) {

@@ -11,6 +11,7 @@
 #include "formats/ddaml.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 #include "geometry/polygon.hpp"
 #include "tests/formats/reading.hpp"

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/split.hpp"
+
 namespace keyblock::formats {
 namespace {
 
@@ -27,12 +29,28 @@ std::string message(Action action) {
 
 TEST(Tokens, white_space_and_commas_separate_and_comments_end_with_their_line) {
   const Tokens tokens = tokens_of("1,2\t3 # four 4\n5 % 6\n7!8\r\n9;10\n11//12\n13");
-  EXPECT_EQ(tokens.numbers, (std::vector<double>{1, 2, 3, 5, 7, 9, 11, 13}));
+  EXPECT_EQ(tokens.numbers, (Numbers{1, 2, 3, 5, 7, 9, 11, 13}));
 }
 
 TEST(Tokens, lines_count_alike_for_every_kind_of_line_end) {
   for (const char* text : {"1\n2\n 3", "1\r\n2\r\n 3", "1\r2\r 3"})
     EXPECT_EQ(tokens_of(text).place_of(2), (Place{"f", 3, 2})) << text;
+}
+
+TEST(Tokens, every_word_of_a_long_text_knows_its_place_in_any_order) {
+  std::string text;
+  std::vector<Place> places;
+  for (int line = 1; line <= 400; ++line) {
+    text += std::string(static_cast<std::size_t>(line % 7), ' ');
+    for (int i = 0, column = line % 7 + 1; i < line % 5; ++i, column += 5) {
+      places.push_back({"f", line, column});
+      text += i % 2 == 0 ? "12.5 " : "-777,";
+    }
+    text += "# a comment 1 2\n";
+  }
+  const Tokens tokens = tokens_of(text);
+  ASSERT_EQ(tokens.word_count, places.size());
+  for (std::size_t i = places.size(); i-- > 0;) EXPECT_EQ(tokens.place_of(i), places[i]) << i;
 }
 
 TEST(Tokens, byte_order_mark_is_no_column) {

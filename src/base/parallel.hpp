@@ -12,4 +12,10 @@ namespace keyblock {
 void for_each_in_parallel(std::size_t count, int threads, const std::function<bool()>& is_stopped,
                           const std::function<void(std::size_t)>& work);
 
+/// Does `work` for 0 … count - 1, each on a thread of its own; the last on the caller's. `work` must not throw.
+void at_once(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// Threads worth starting for that many bytes of work of the kind that memory keeps up with; 1 or more.
+std::size_t threads_for_bytes(std::size_t bytes);
+
 }  // namespace keyblock
