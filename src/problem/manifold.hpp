@@ -69,6 +69,17 @@ struct Manifold {
     return std::span(holes).subspan(static_cast<std::size_t>(element.holes.first),
                                     static_cast<std::size_t>(element.holes.size));
   }
+  /// The corners of the element's loops: the outer one, then its holes.
+  std::vector<std::vector<Point>> polygon(const ManifoldElement& element) const {
+    std::vector<std::vector<Point>> loops;
+    const auto add = [&](const SlotRange& range) {
+      loops.emplace_back();
+      for (const ElementCorner& corner : loop(range)) loops.back().push_back(corner.position);
+    };
+    add(element.outer);
+    for (const SlotRange& hole : holes_of(element)) add(hole);
+    return loops;
+  }
   std::span<const int> elements_of(const PhysicalCover& cover) const {
     return std::span(cover_elements)
         .subspan(static_cast<std::size_t>(cover.elements.first), static_cast<std::size_t>(cover.elements.size));
