@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "cut/prune.hpp"
@@ -14,11 +15,6 @@
 
 namespace keyblock {
 namespace {
-
-/// Thickness of a face that is rounding: over the triangle's longest side, and in units in the last place of the
-/// greatest coordinate. Cuts of 1e-8 of a side are real.
-constexpr double kFlatOverSide = 1e-13;
-constexpr double kFlatUnits = 16;
 
 constexpr int kNone = -1;
 constexpr int kUnknown = -2;
@@ -34,14 +30,13 @@ void visit_links(const Face& face, Visit visit) {
 
 class Labelling {
  public:
-  Labelling(const BodyGraph& graph, const TriangleMesh& mesh) : graph_(graph), mesh_(mesh) {
+  Labelling(const BodyGraph& graph, const TriangleMesh& mesh) : graph_(graph) {
     Overlay all = overlay(graph, mesh);
     result_.arrangement = std::move(all.arrangement);
     result_.sides = std::move(all.sides);
     result_.origins = std::move(all.origins);
     triangle_of_.assign(2 * result_.origins.size(), kUnknown);
-    for (const Node& node : result_.arrangement.nodes)
-      greatest_ = std::max({greatest_, std::fabs(node.position.x), std::fabs(node.position.y)});
+    round_off_ = all.round_off;
   }
 
   CoverFaces run() {
@@ -51,6 +46,7 @@ class Labelling {
       find_triangles();
       find_bodies();
     } while (leave_out_flat_faces());
+    contract_short_edges();
     keep_bodies();
     return std::move(result_);
   }
@@ -130,23 +126,40 @@ class Labelling {
     return (half_edge % 2 == 0) != from.side_is_reversed ? side.left : side.right;
   }
 
-  /// Outlines say what lies beside them; it reaches on across sides of the mesh and slits. Where rounding has made two
-  /// outlines contradict each other the longer piece is believed.
+  /// Outlines say what lies beside them; it reaches on across sides of the mesh and slits. Where rounding makes outlines
+  /// contradict each other the greater length is believed.
   void find_bodies() {
+    struct Vote {
+      int region, body;
+      double length;
+    };
     UnionFind regions(result_.faces.size());
-    std::vector<double> weight(result_.faces.size(), 0);
-    std::vector<int> body(result_.faces.size(), kNone);
     for (int e = 0; e < edge_count(); ++e) {
       const int left = result_.face_of_half_edge[2 * e];
       const int right = result_.face_of_half_edge[2 * e + 1];
       if (!is_outline(e) && left != kNone && right != kNone) regions.unite(left, right);
     }
+    std::vector<Vote> votes;
     for (int h = 0; h < 2 * edge_count(); ++h) {
       const int face = result_.face_of_half_edge[h];
-      if (!is_outline(h / 2) || face == kNone || length(h) <= weight[regions.find(face)]) continue;
+      if (!is_outline(h / 2) || face == kNone) continue;
       const BodyPiece& piece = graph_.pieces[origin(h).piece];
-      weight[regions.find(face)] = length(h);
-      body[regions.find(face)] = (h % 2 == 0) != origin(h).piece_is_reversed ? piece.left : piece.right;
+      const bool is_left = (h % 2 == 0) != origin(h).piece_is_reversed;
+      votes.push_back({regions.find(face), is_left ? piece.left : piece.right, length(h)});
+    }
+    std::stable_sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) {
+      return std::tie(a.region, a.body) < std::tie(b.region, b.body);
+    });
+    std::vector<int> body(result_.faces.size(), kNone);
+    std::vector<double> weight(result_.faces.size(), 0);
+    double sum = 0;
+    for (std::size_t k = 0; k < votes.size(); ++k) {
+      const auto [region, name, own] = votes[k];
+      const bool goes_on = k > 0 && votes[k - 1].region == region && votes[k - 1].body == name;
+      sum = goes_on ? sum + own : own;
+      if (sum <= weight[region]) continue;
+      weight[region] = sum;
+      body[region] = name;
     }
     for (std::size_t f = 0; f < result_.faces.size(); ++f)
       result_.faces[f].body = body[regions.find(static_cast<int>(f))];
@@ -157,19 +170,20 @@ class Labelling {
     return piece != kNone && !graph_.pieces[piece].is_slit;
   }
 
-  /// Says whether there were any. A flat face joins the one across the longest side of the mesh that it has, and its
-  /// triangle.
+  /// Says whether there were any. A flat face joins the one across a side of the mesh that it has most of its length in
+  /// common with, and its triangle. (A flat face between two pieces stays: the drawing has it.)
   bool leave_out_flat_faces() {
-    std::vector<char> is_flat(result_.faces.size(), 0);
-    for (std::size_t f = 0; f < result_.faces.size(); ++f) is_flat[f] = is_flat_face(result_.faces[f]);
+    std::vector<double> extent;  // of flat faces
+    for (const CoverFace& face : result_.faces) extent.push_back(flat_extent(face).value_or(-1));
     std::vector<char> is_left_out(edges().size(), 0);
     for (std::size_t f = 0; f < result_.faces.size(); ++f) {
-      if (!is_flat[f]) continue;
+      if (extent[f] < 0) continue;
       int longest = kNone;
       visit_links(result_.faces[f].face, [&](const ChainLink& link) {
         const int h = link.half_edge;
         const int beyond = result_.face_of_half_edge[h ^ 1];
-        if (origin(h).piece != kNone || beyond == kNone || is_flat[beyond]) return;
+        if (origin(h).piece != kNone || beyond == kNone || extent[beyond] >= 0) return;
+        if (result_.faces[beyond].body != result_.faces[f].body || length(h) < extent[f] / 2) return;
         if (longest == kNone || length(h) > length(longest)) longest = h;
       });
       if (longest == kNone) continue;
@@ -185,8 +199,9 @@ class Labelling {
     return true;
   }
 
-  bool is_flat_face(const CoverFace& face) const {
-    if (face.body == kNone || face.triangle < 0) return false;
+  /// The extent of a face of a body that has no thickness.
+  std::optional<double> flat_extent(const CoverFace& face) const {
+    if (face.body == kNone || face.triangle < 0) return std::nullopt;
     const std::vector<Node>& nodes = result_.arrangement.nodes;
     const Point origin = nodes[face.face.outer.front().node].position;
     double twice_area = 0;
@@ -199,22 +214,14 @@ class Labelling {
       box.add(to);
     });
     const double extent = keyblock::length(box.size());
-    const double thickness =
-        kFlatOverSide * longest_side(face.triangle) + kFlatUnits * std::numeric_limits<double>::epsilon() * greatest_;
-    return std::fabs(twice_area) <= thickness * extent;
-  }
-
-  double longest_side(int triangle) const {
-    const auto& t = mesh_.triangles[triangle];
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) longest = std::max(longest, distance(mesh_.nodes[t[k]], mesh_.nodes[t[(k + 1) % 3]]));
-    return longest;
+    if (std::fabs(twice_area) > round_off_ * extent) return std::nullopt;
+    return extent;
   }
 
   void keep_bodies() {
     std::vector<int> order;
     for (std::size_t f = 0; f < result_.faces.size(); ++f) {
-      if (result_.faces[f].body == kNone) continue;
+      if (result_.faces[f].body == kNone || result_.faces[f].face.outer.empty()) continue;
       if (result_.faces[f].triangle < 0) throw std::invalid_argument("expected a mesh that covers all bodies");
       order.push_back(static_cast<int>(f));
     }
@@ -233,11 +240,63 @@ class Labelling {
     }
   }
 
+  bool is_short(int half_edge) const { return length(half_edge) <= 2 * round_off_; }
+
+  /// The first piece that a chain runs along, or none.
+  int piece_of(const Chain& chain) const {
+    for (const ChainLink& link : chain) {
+      if (origin(link.half_edge).piece != kNone) return origin(link.half_edge).piece;
+    }
+    return kNone;
+  }
+
+  /// What is left of a needle whose short edge is contracted is one piece.
+  void drop_faces_of_two_edges() {
+    for (CoverFace& face : result_.faces) {
+      if (face.face.outer.size() != 2) continue;
+      const int piece = piece_of(face.face.outer);
+      for (const ChainLink& link : face.face.outer) {
+        if (origin(link.half_edge).piece == kNone) result_.origins[link.half_edge / 2].piece = piece;
+        result_.face_of_half_edge[link.half_edge] = kNone;
+      }
+      face.face.outer.clear();
+    }
+  }
+
+  /// Where a piece passes a node of the mesh up to rounding, edges of no length are left between them, and faces that
+  /// have no others.
+  void contract_short_edges() {
+    std::vector<Chain*> chain_of(2 * result_.origins.size(), nullptr);
+    const auto note = [&](Chain& chain) {
+      for (const ChainLink& link : chain) chain_of[link.half_edge] = &chain;
+    };
+    for (CoverFace& face : result_.faces) {
+      note(face.face.outer);
+      for (Chain& hole : face.face.holes) note(hole);
+    }
+    const auto can_lose_a_link = [&](const Chain* chain) {
+      return chain == nullptr || chain->size() > 3 ||
+             std::all_of(chain->begin(), chain->end(), [&](const ChainLink& l) { return is_short(l.half_edge); }) ||
+             (chain->size() == 3 && piece_of(*chain) != kNone);
+    };
+    UnionFind same(result_.arrangement.nodes.size());
+    for (int e = 0; e < edge_count(); ++e) {
+      if (!is_short(2 * e) || !can_lose_a_link(chain_of[2 * e]) || !can_lose_a_link(chain_of[2 * e + 1])) continue;
+      same.unite(edges()[e].from, edges()[e].to);
+      for (const int h : {2 * e, 2 * e + 1}) {
+        if (chain_of[h] != nullptr) std::erase_if(*chain_of[h], [&](const ChainLink& l) { return l.half_edge == h; });
+        result_.face_of_half_edge[h] = kNone;
+      }
+    }
+    drop_faces_of_two_edges();
+    for (std::size_t n = 0; n < result_.arrangement.nodes.size(); ++n)
+      result_.arrangement.nodes[n].position = result_.arrangement.nodes[same.find(static_cast<int>(n))].position;
+  }
+
   const BodyGraph& graph_;
-  const TriangleMesh& mesh_;
   CoverFaces result_;
   std::vector<int> triangle_of_;  // of each half-edge, from the round before
-  double greatest_ = 0;           // coordinate
+  double round_off_ = 0;
 };
 
 }  // namespace

@@ -133,8 +133,9 @@ bool is_left_of(Point a, Point b) {
 int outermost(const Arrangement& a, std::span<const int> leaving) {
   int best = leaving.front();
   for (const int h : leaving) {
-    const Point here = a.nodes[tail(a, h)].position;
-    if (orientation(here, a.nodes[head(a, best)].position, a.nodes[head(a, h)].position) > 0) best = h;
+    const Segment from = direction(a, best);
+    const Segment to = direction(a, h);
+    if (turn(from.start, from.end, to.start, to.end) > 0) best = h;
   }
   return best;
 }

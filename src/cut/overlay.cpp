@@ -3,6 +3,8 @@
 #include "cut/overlay.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -13,6 +15,12 @@
 
 namespace keyblock {
 namespace {
+
+/// Units in the last place of the greatest coordinate: a node of a mesh and a crossing take a few roundings each.
+constexpr double kRoundOffUnits = 16;
+
+/// Crossings at a flat angle are known less well than this from floating-point numbers: they get exact ones.
+constexpr double kRoughStation = 1e-14;
 
 std::vector<MeshSide> sides_of(const TriangleMesh& mesh) {
   struct Half {
@@ -40,6 +48,28 @@ std::vector<MeshSide> sides_of(const TriangleMesh& mesh) {
   return sides;
 }
 
+double round_off_of(const BodyGraph& graph, const TriangleMesh& mesh) {
+  double greatest = 0;
+  for (const std::vector<Point>* points : {&graph.nodes, &mesh.nodes}) {
+    for (const Point p : *points) greatest = std::max({greatest, std::fabs(p.x), std::fabs(p.y)});
+  }
+  return kRoundOffUnits * std::numeric_limits<double>::epsilon() * greatest;
+}
+
+/// Nodes of the graph, where they are nodes of the mesh up to rounding the same to the bit.
+std::vector<Point> nodes_on_mesh(const BodyGraph& graph, const TriangleMesh& mesh, double round_off) {
+  std::vector<Segment> points;
+  for (const Point p : mesh.nodes) points.push_back({p, p});
+  SegmentGrid grid(points, round_off);
+  std::vector<Point> nodes = graph.nodes;
+  for (Point& node : nodes) {
+    for (const int k : grid.near({node, node}, static_cast<int>(points.size()))) {
+      if (distance(node, mesh.nodes[k]) <= round_off) node = mesh.nodes[k];
+    }
+  }
+  return nodes;
+}
+
 /// A node strictly inside a segment; where two segments cross there, `other` is the other one, else -1.
 struct Stop {
   Station station;
@@ -51,7 +81,10 @@ struct Stop {
 class Overlaying {
  public:
   Overlaying(const BodyGraph& graph, const TriangleMesh& mesh, std::vector<MeshSide> sides)
-      : piece_count_(static_cast<int>(graph.pieces.size())), sides_(std::move(sides)), positions_(graph.nodes) {
+      : piece_count_(static_cast<int>(graph.pieces.size())),
+        sides_(std::move(sides)),
+        round_off_(round_off_of(graph, mesh)),
+        positions_(nodes_on_mesh(graph, mesh, round_off_)) {
     positions_.insert(positions_.end(), mesh.nodes.begin(), mesh.nodes.end());
     const int first_mesh_node = static_cast<int>(graph.nodes.size());
     for (const BodyPiece& piece : graph.pieces) add_segment(piece.from, piece.to);
@@ -139,7 +172,7 @@ class Overlaying {
   void add_crossing(int a, int b) {
     const int node = static_cast<int>(positions_.size());
     Station on_a = station(segments_[a], segments_[b]);
-    if (!std::isfinite(on_a.error)) on_a = exact_station(segments_[a], segments_[b]);
+    if (!(on_a.error <= kRoughStation)) on_a = exact_station(segments_[a], segments_[b]);
     positions_.push_back(point_at(segments_[a], on_a.value));
     stops_[a].push_back({on_a, node, b});
     stops_[b].push_back({station(segments_[b], segments_[a]), node, a});
@@ -184,6 +217,7 @@ class Overlaying {
     add_edges(number, result);
     result.arrangement.lines = std::move(segments_);
     result.sides = std::move(sides_);
+    result.round_off = round_off_;
     return result;
   }
 
@@ -236,6 +270,7 @@ class Overlaying {
 
   int piece_count_;
   std::vector<MeshSide> sides_;
+  double round_off_;
   std::vector<Point> positions_;
   std::vector<std::array<int, 2>> ends_;
   std::vector<Segment> segments_;

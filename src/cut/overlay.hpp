@@ -30,10 +30,12 @@ struct Overlay {
   Arrangement arrangement;  ///< its lines: the pieces, then the sides
   std::vector<MeshSide> sides;
   std::vector<EdgeOrigin> origins;  ///< of each edge
+  double round_off = 0;             ///< what rounding may have made of no distance at all
 };
 
 /// Which pieces and sides meet, and in which order along each of them, is decided exactly from their end points. Only
-/// crossings get new positions, rounded.
+/// crossings get new positions, rounded, and nodes of the graph
+/// that are nodes of the mesh up to rounding.
 Overlay overlay(const BodyGraph& graph, const TriangleMesh& mesh);
 
 }  // namespace keyblock
