@@ -115,7 +115,7 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
   if (!cut.blocks.blocks.bolts.empty())
     spdlog::warn("{}", to_string(Warning{"bolts_not_written", cut.blocks.blocks.place, "a cover file holds no bolts"}));
   if (!options.output.empty())
-    write_file(options.output, formats::kNmmCover.write({.cover = to_cover(manifold, cut.blocks.blocks)}));
+    write_file(options.output, formats::kNmmCover.write({{}, {}, {}, to_cover(manifold, cut.blocks.blocks)}));
   counts["elements"] = manifold.elements.size();
   counts["covers"] = manifold.covers.size();
   counts["boundary_loops"] = manifold.boundary_loops.size();

@@ -220,7 +220,7 @@ TEST_F(LegacyCovers, eight_samples_are_recut_piece_by_piece_and_cover_by_cover) 
     }
     EXPECT_EQ(missing, 0);
     EXPECT_EQ(elsewhere, 0) << "elements on other nodes than in the sample";
-    if (missing == 0) EXPECT_TRUE(has_same_covers(r));
+    EXPECT_TRUE(missing == 0 && has_same_covers(r));
   }
 }
 
