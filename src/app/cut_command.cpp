@@ -18,6 +18,7 @@
 #include "cut/background_mesh.hpp"
 #include "cut/cut_blocks.hpp"
 #include "cut/cut_cover.hpp"
+#include "cut/snap_nodes.hpp"
 #include "cut/to_cover.hpp"
 #include "formats/case.hpp"
 #include "formats/dda_blocks.hpp"
@@ -41,6 +42,7 @@ struct CutOptions {
   MeshShape shape = MeshShape::equilateral;
   MeshPlacement placement = MeshPlacement::centred;
   double mesh_angle_deg = 0;
+  double snap_ratio = 0;  // over the scale of the mesh
   bool absorbs = false;
   bool may_overwrite = false;
   bool as_json = false;
@@ -100,8 +102,7 @@ Box box_of(const BodyGraph& graph) {
   return box;
 }
 
-TriangleMesh mesh_for(const BodyGraph& graph, const CutOptions& options) {
-  const Box box = box_of(graph);
+TriangleMesh mesh_for(const Box& box, const CutOptions& options) {
   RegularMesh mesh = options.placement == MeshPlacement::centred ? centred_mesh(box, options.half_rows, options.shape)
                                                                  : aligned_mesh(box, options.half_rows, options.shape);
   mesh.angle = options.mesh_angle_deg * std::acos(-1.0) / 180;
@@ -110,7 +111,10 @@ TriangleMesh mesh_for(const BodyGraph& graph, const CutOptions& options) {
 
 /// The drawing on a mesh: writes the cover file, and adds the counts to those of cutting.
 void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
-  Manifold manifold = cut_cover(cut.graph, mesh_for(cut.graph, options));
+  const Box box = box_of(cut.graph);
+  TriangleMesh mesh = mesh_for(box, options);
+  const int snapped = options.snap_ratio > 0 ? snap_nodes(mesh, cut.graph, options.snap_ratio * mesh_scale(box)) : 0;
+  Manifold manifold = cut_cover(cut.graph, std::move(mesh));
   const int absorbed = options.absorbs ? absorb_small_pieces(manifold) : 0;
   if (!cut.blocks.blocks.bolts.empty())
     spdlog::warn("{}", to_string(Warning{"bolts_not_written", cut.blocks.blocks.place, "a cover file holds no bolts"}));
@@ -120,6 +124,7 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
   counts["covers"] = manifold.covers.size();
   counts["boundary_loops"] = manifold.boundary_loops.size();
   counts["absorbed"] = absorbed;
+  counts["mesh_nodes_snapped"] = snapped;
 }
 
 ExitCode cut_file(const CutOptions& options) {
@@ -191,6 +196,12 @@ Action configure_cut(CLI::App& app) {
       ->needs(mesh);
   app.add_option("--mesh-angle", options->mesh_angle_deg, "degrees by which the mesh is turned")
       ->check(CLI::Range(-180.0, 180.0))
+      ->needs(mesh);
+  app.add_option(
+         "--mesh-snap", options->snap_ratio,
+         "move mesh nodes onto lines nearer than this ratio of max(H/2, W/2.6), as the old manifold cutter does: "
+         "0.0015 in most of its samples")
+      ->check(CLI::Range(0.0, 0.1))
       ->needs(mesh);
   app.add_flag("--absorb", options->absorbs,
                "give pieces alone on a cover and below 0.2 of the mean area the covers of their neighbour, as the old "

@@ -50,11 +50,13 @@ class Rows {
 
 }  // namespace
 
+double mesh_scale(const Box& box) {
+  return std::max(box.size().y / 2, box.size().x / 2 / 1.3);
+}
+
 RegularMesh centred_mesh(const Box& box, int half_rows, MeshShape shape) {
-  const Point size = box.size();
-  const double w = std::max(size.y / 2, size.x / 2 / 1.3);
   RegularMesh mesh;
-  mesh.dy = 1.1 * w / half_rows;
+  mesh.dy = 1.1 * mesh_scale(box) / half_rows;
   mesh.dx = ratio(shape) * mesh.dy;
   mesh.through = box.middle();
   if (half_rows % 2 != 0) mesh.through.x += mesh.dx / 2;

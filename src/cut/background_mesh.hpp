@@ -21,7 +21,10 @@ struct RegularMesh {
   double angle = 0;
 };
 
-/// The old cutter's density rule: dy = 1.1 w/n with w = max(H/2, W/2.6), rows at the box's middle and to either side;
+/// w = max(H/2, W/2.6), the scale of the old manifold cutter.
+double mesh_scale(const Box& box);
+
+/// The old cutter's density rule: dy = 1.1 w/n, rows at the box's middle and to either side;
 /// the n-th row from the middle has a node above the middle (legacy-formats 2.4, a fit to its samples).
 /// `half_rows`, n, is at least 1.
 RegularMesh centred_mesh(const Box& box, int half_rows, MeshShape shape);
