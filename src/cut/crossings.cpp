@@ -12,6 +12,10 @@
 namespace keyblock {
 namespace {
 
+/// Lines almost along each other: floating-point numbers place their crossing worse than this, and may put it beyond
+/// other crossings of either line.
+constexpr double kRoughStation = 1e-10;
+
 bool is_in_box(const Segment& s, Point p) {
   const auto [x0, x1] = std::minmax(s.start.x, s.end.x);
   const auto [y0, y1] = std::minmax(s.start.y, s.end.y);
@@ -89,7 +93,7 @@ class PairTest {
 
   void add_crossing(int line, int other) {
     Station t = station(lines_[line], lines_[other]);
-    if (!std::isfinite(t.error)) t = exact_station(lines_[line], lines_[other]);
+    if (!(t.error <= kRoughStation)) t = exact_station(lines_[line], lines_[other]);
     found_.push_back({line, other, point_at(lines_[line], t.value), false, false});
   }
 

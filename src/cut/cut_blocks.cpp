@@ -31,10 +31,14 @@ bool is_finite(const Segment& s) {
   return std::isfinite(s.start.x) && std::isfinite(s.start.y) && std::isfinite(s.end.x) && std::isfinite(s.end.y);
 }
 
+/// What becomes of joints that bound nothing.
+enum class LooseEnds { removed, slits };
+
 /// One cutting, from stage to stage.
 class Cutting {
  public:
-  Cutting(const Drawing& drawing, NodeMerging merging) : drawing_(drawing), merging_(merging) {
+  Cutting(const Drawing& drawing, NodeMerging merging, LooseEnds loose_ends)
+      : drawing_(drawing), merging_(merging), loose_ends_(loose_ends) {
     lines_ = used_lines();
     result_.report.tolerances = cut_tolerances(drawing);
     result_.report.lines = static_cast<int>(lines_.segments.size());
@@ -42,14 +46,18 @@ class Cutting {
     is_dangling_.assign(lines_.segments.size(), 0);
   }
 
-  CutResult run() {
+  BodyCut run() {
     prune_edges(meet());
     if (!tolerances().is_exact()) straighten_out();
-    report_dangling();
-    make_blocks();
+    if (loose_ends_ == LooseEnds::removed) report_dangling();
+    const std::vector<Face> faces = trace_faces(arrangement_);
+    make_blocks(faces);
     if (result_.blocks.blocks.empty()) refuse();
-    result_.warnings = joined(std::move(result_.warnings), place_marks(drawing_, tolerances(), result_.blocks));
-    return std::move(result_);
+    PlacedMarks placed = place_marks(drawing_, tolerances(), result_.blocks);
+    result_.warnings = joined(std::move(result_.warnings), std::move(placed.warnings));
+    BodyGraph graph;
+    if (loose_ends_ == LooseEnds::slits) graph = body_graph(faces, placed.kept);
+    return {std::move(result_), std::move(graph)};
   }
 
  private:
@@ -87,7 +95,33 @@ class Cutting {
     result_.report.crossings = static_cast<int>(crossings.found.size());
     result_.report.nodes = static_cast<int>(table.arrangement.nodes.size());
     result_.report.edges = static_cast<int>(table.arrangement.edges.size());
+    if (loose_ends_ == LooseEnds::slits) keep_free_ends(crossings, table);
     return std::move(table.arrangement);
+  }
+
+  /// Ends that reach past the last line they meet become nodes of their own, and what lies between becomes slits.
+  void keep_free_ends(const Crossings& crossings, NodeTable& table) {
+    std::vector<Node>& nodes = table.arrangement.nodes;
+    const auto add = [&](Point end) {
+      nodes.push_back({end, true});
+      return static_cast<int>(nodes.size()) - 1;
+    };
+    for (std::size_t k = 0; k < lines_.segments.size(); ++k) {
+      const Segment& s = lines_.segments[k];
+      const int line = static_cast<int>(k);
+      const std::size_t first = crossings.first_stop[k];
+      const std::size_t end = crossings.first_stop[k + 1];
+      if (first == end) {
+        const int from = add(s.start);
+        slits_.push_back({from, add(s.end), line, true});
+        continue;
+      }
+      const auto is_free = [&](Point p, int node) { return distance(p, nodes[node].position) > tolerances().merge; };
+      const int first_node = table.node_of_crossing[crossings.stops[first].crossing];
+      const int last_node = table.node_of_crossing[crossings.stops[end - 1].crossing];
+      if (is_free(s.start, first_node)) slits_.push_back({add(s.start), first_node, line, true});
+      if (is_free(s.end, last_node)) slits_.push_back({last_node, add(s.end), line, true});
+    }
   }
 
   void report_overlaps(const std::vector<Crossing>& found) {
@@ -182,7 +216,12 @@ class Cutting {
     result_.report.dangling_edges += static_cast<int>(pruning.dangling.size());
     result_.report.bridge_edges += static_cast<int>(pruning.bridges.size());
     for (const Edge& e : pruning.dangling) is_dangling_[e.line] = 1;
-    report_removed("bridge_lines_removed", "have the same block on both sides", pruning.bridges);
+    if (loose_ends_ == LooseEnds::slits) {
+      slits_.insert(slits_.end(), pruning.dangling.begin(), pruning.dangling.end());
+      slits_.insert(slits_.end(), pruning.bridges.begin(), pruning.bridges.end());
+    } else {
+      report_removed("bridge_lines_removed", "have the same block on both sides", pruning.bridges);
+    }
     arrangement_.edges = std::move(pruning.kept);
   }
 
@@ -218,17 +257,16 @@ class Cutting {
     }
   }
 
-  void make_blocks() {
-    const std::vector<Face> faces = trace_faces(arrangement_);
+  void make_blocks(const std::vector<Face>& faces) {
     result_.report.faces = static_cast<int>(faces.size());
     result_.report.pruned_edges = static_cast<int>(arrangement_.edges.size());
     std::vector<char> is_used(arrangement_.nodes.size(), 0);
     for (const Edge& e : arrangement_.edges) is_used[e.from] = is_used[e.to] = 1;
     result_.report.pruned_nodes = static_cast<int>(std::count(is_used.begin(), is_used.end(), 1));
-    for (const Face& face : faces) add_block(face);
+    for (std::size_t i = 0; i < faces.size(); ++i) add_block(faces[i], static_cast<int>(i));
   }
 
-  void add_block(const Face& face) {
+  void add_block(const Face& face, int number_of_face) {
     BlockPolygon block{0, make_loop(face.outer), {}};
     if (block.outer.size() < 3) {
       warn("sliver_removed", place(face.outer.front().line), "the lines close a block without an area; it is left out");
@@ -244,6 +282,29 @@ class Cutting {
       block.holes.push_back(std::move(loop));
     }
     result_.blocks.blocks.push_back(std::move(block));
+    face_of_block_.push_back(number_of_face);
+  }
+
+  /// `kept`: of each block its number before the holes were removed.
+  BodyGraph body_graph(const std::vector<Face>& faces, const std::vector<int>& kept) const {
+    BodyGraph graph;
+    graph.nodes.reserve(arrangement_.nodes.size());
+    for (const Node& node : arrangement_.nodes) graph.nodes.push_back(node.position);
+    for (const Edge& e : arrangement_.edges) graph.pieces.push_back({e.from, e.to, false, -1, -1, material(e.line)});
+    for (std::size_t body = 0; body < kept.size(); ++body) {
+      const Face& face = faces[face_of_block_[kept[body]]];
+      const auto mark = [&](const Chain& chain) {
+        for (const ChainLink& link : chain) {
+          BodyPiece& piece = graph.pieces[link.half_edge / 2];
+          (link.half_edge % 2 == 0 ? piece.left : piece.right) = static_cast<int>(body);
+        }
+      };
+      mark(face.outer);
+      for (const Chain& hole : face.holes) mark(hole);
+      graph.materials.push_back(result_.blocks.blocks[body].material);
+    }
+    for (const Edge& e : slits_) graph.pieces.push_back({e.from, e.to, true, -1, -1, material(e.line)});
+    return graph;
   }
 
   /// Leaves out straight vertices; an edge so joined keeps the material of its last part.
@@ -280,16 +341,23 @@ class Cutting {
 
   const Drawing& drawing_;
   NodeMerging merging_;
+  LooseEnds loose_ends_;
   UsedLines lines_;
   Arrangement arrangement_;
-  std::vector<char> is_dangling_;  // of each line: a part of it hangs loose
+  std::vector<char> is_dangling_;   // of each line: a part of it hangs loose
+  std::vector<Edge> slits_;         // what pruning removed, and free ends, where they are kept
+  std::vector<int> face_of_block_;  // before holes are removed
   CutResult result_;
 };
 
 }  // namespace
 
 CutResult cut_blocks(const Drawing& drawing, NodeMerging merging) {
-  return Cutting(drawing, merging).run();
+  return Cutting(drawing, merging, LooseEnds::removed).run().blocks;
+}
+
+BodyCut cut_bodies(const Drawing& drawing, NodeMerging merging) {
+  return Cutting(drawing, merging, LooseEnds::slits).run();
 }
 
 }  // namespace keyblock

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cut/arrangement.hpp"
+#include "cut/body_graph.hpp"
 #include "cut/tolerances.hpp"
 #include "problem/blocks.hpp"
 #include "problem/drawing.hpp"
@@ -40,5 +41,14 @@ struct CutResult {
 /// The blocks of a drawing in the order and with the starting vertices of the old programs. Throws InputError
 /// where the lines close no block.
 CutResult cut_blocks(const Drawing& drawing, NodeMerging merging = NodeMerging::nearest_first);
+
+struct BodyCut {
+  CutResult blocks;
+  BodyGraph graph;  ///< its bodies are the blocks
+};
+
+/// The same blocks with the joints that end inside them, which `cut_blocks` removes: slits. An end that passes the last
+/// line by less than the merging distance is an overshoot, not a slit.
+BodyCut cut_bodies(const Drawing& drawing, NodeMerging merging = NodeMerging::nearest_first);
 
 }  // namespace keyblock

@@ -77,7 +77,7 @@ class ChainCutter {
     chain.reserve(walks.start[walk + 1] - walks.start[walk]);
     for (std::size_t k = walks.start[walk]; k < walks.start[walk + 1]; ++k) {
       const int h = walks.half_edges[k];
-      chain.push_back({head(a_, h), a_.edges[h / 2].line});
+      chain.push_back({head(a_, h), a_.edges[h / 2].line, h});
     }
     return chain;
   }
@@ -87,11 +87,11 @@ class ChainCutter {
     Chain open;
     for (std::size_t k = walks.start[walk]; k < walks.start[walk + 1]; ++k) {
       const int h = walks.half_edges[k];
-      ChainLink link{head(a_, h), a_.edges[h / 2].line};
+      ChainLink link{head(a_, h), a_.edges[h / 2].line, h};
       if (position_[link.node] >= 0) {
         chains.push_back(take_loop(open, link.node));
         // The loop is closed by the edge arriving now, what is left by the edge that arrived first.
-        std::swap(chains.back().front().line, link.line);
+        std::swap(chains.back().front(), link);
       }
       position_[link.node] = static_cast<int>(open.size());
       open.push_back(link);
@@ -133,8 +133,9 @@ bool is_left_of(Point a, Point b) {
 int outermost(const Arrangement& a, std::span<const int> leaving) {
   int best = leaving.front();
   for (const int h : leaving) {
-    const Point here = a.nodes[tail(a, h)].position;
-    if (orientation(here, a.nodes[head(a, best)].position, a.nodes[head(a, h)].position) > 0) best = h;
+    const Segment from = direction(a, best);
+    const Segment to = direction(a, h);
+    if (turn(from.start, from.end, to.start, to.end) > 0) best = h;
   }
   return best;
 }

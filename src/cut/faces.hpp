@@ -9,10 +9,12 @@
 
 namespace keyblock {
 
-/// A node of a chain and the line of the edge that arrives there.
+/// A node of a chain, and the edge that arrives there: its line, and the half-edge that has the face on its left
+/// (2e along edge e, 2e + 1 against it).
 struct ChainLink {
   int node = 0;
   int line = 0;
+  int half_edge = -1;
 };
 
 using Chain = std::vector<ChainLink>;

@@ -372,6 +372,7 @@ NodeTable make_nodes(std::vector<Segment> lines, std::size_t boundary_count, con
     }
   }
   table.arrangement.edges = make_edges(crossings, node_of_crossing, table.arrangement.nodes);
+  table.node_of_crossing = node_of_crossing;
   table.arrangement.lines = std::move(lines);
   return table;
 }

@@ -25,6 +25,7 @@ struct NodeTable {
   int placed_otherwise = 0;     ///< nodes farther than round-off from the crossing found first
   /// Nodes with a neighbour nearer than the merging distance that stayed apart.
   std::vector<int> undecided_nodes;
+  std::vector<int> node_of_crossing;
 };
 
 /// Numbers the nodes in the order in which the old programs find them: boundary lines' crossings first, then

@@ -51,18 +51,20 @@ class Placer {
 
   Warnings take_warnings() { return std::move(warnings_); }
 
-  void remove_holes(const std::vector<MarkedPoint>& hole_points) {
+  /// The numbers of the blocks that stay.
+  std::vector<int> remove_holes(const std::vector<MarkedPoint>& hole_points) {
     std::vector<char> is_hole(blocks_.blocks.size(), 0);
     for (const MarkedPoint& mark : hole_points) {
       if (const auto block = find("hole point", mark.position, mark.place)) is_hole[*block] = 1;
     }
-    std::size_t kept = 0;
+    std::vector<int> kept;
     for (std::size_t i = 0; i < is_hole.size(); ++i) {
       if (is_hole[i]) continue;
-      if (kept != i) blocks_.blocks[kept] = std::move(blocks_.blocks[i]);
-      ++kept;
+      if (kept.size() != i) blocks_.blocks[kept.size()] = std::move(blocks_.blocks[i]);
+      kept.push_back(static_cast<int>(i));
     }
-    blocks_.blocks.resize(kept);
+    blocks_.blocks.resize(kept.size());
+    return kept;
   }
 
   void set_material(const MaterialLine& line) {
@@ -159,15 +161,17 @@ std::optional<int> block_at(const std::vector<BlockPolygon>& blocks, Point p, do
   return std::nullopt;
 }
 
-Warnings place_marks(const Drawing& drawing, const CutTolerances& tolerances, Blocks& blocks) {
+PlacedMarks place_marks(const Drawing& drawing, const CutTolerances& tolerances, Blocks& blocks) {
   Placer placer(tolerances, blocks);
-  placer.remove_holes(drawing.hole_points);
+  PlacedMarks placed;
+  placed.kept = placer.remove_holes(drawing.hole_points);
   for (const MaterialLine& line : drawing.material_lines) placer.set_material(line);
   for (const FixedLine& line : drawing.fixed_lines) placer.add_fixed(line);
   for (const MarkedPoint& p : drawing.loading_points) placer.add_loading(p);
   for (const MarkedPoint& p : drawing.measured_points) placer.add_point(blocks.measured_points, "measured point", p);
   for (const BoltLine& bolt : drawing.bolts) placer.add_bolt(bolt);
-  return placer.take_warnings();
+  placed.warnings = placer.take_warnings();
+  return placed;
 }
 
 }  // namespace keyblock

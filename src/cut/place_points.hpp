@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "cut/tolerances.hpp"
 #include "problem/blocks.hpp"
@@ -17,8 +18,13 @@ bool holds(const BlockPolygon& block, Point p);
 /// The first block with a vertex within `vertex_catch` of the point, else the first one holding it.
 std::optional<int> block_at(const std::vector<BlockPolygon>& blocks, Point p, double vertex_catch);
 
+struct PlacedMarks {
+  std::vector<int> kept;  ///< of each block left after the holes, its number before
+  Warnings warnings;
+};
+
 /// Removes the blocks that hold hole points, sets materials, and adds every carried point and bolt to
 /// `blocks`. What lies outside all blocks is left out with the warning `point_outside_blocks`.
-Warnings place_marks(const Drawing& drawing, const CutTolerances& tolerances, Blocks& blocks);
+PlacedMarks place_marks(const Drawing& drawing, const CutTolerances& tolerances, Blocks& blocks);
 
 }  // namespace keyblock

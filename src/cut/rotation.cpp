@@ -14,13 +14,6 @@ Segment by_coordinates(const Arrangement& a, int half_edge) {
   return {a.nodes[tail(a, half_edge)].position, a.nodes[head(a, half_edge)].position};
 }
 
-Segment direction(const Arrangement& a, int half_edge) {
-  const Edge& edge = a.edges[half_edge / 2];
-  if (!edge.is_on_line) return by_coordinates(a, half_edge);
-  const Segment& line = a.lines[edge.line];
-  return half_edge % 2 == 0 ? line : Segment{line.end, line.start};
-}
-
 /// Below the x axis, the x direction itself counting as above.
 bool is_lower_half(const Segment& d) {
   return d.end.y < d.start.y || (d.end.y == d.start.y && d.end.x < d.start.x);
@@ -32,6 +25,13 @@ bool is_before(const Segment& a, const Segment& b) {
 }
 
 }  // namespace
+
+Segment direction(const Arrangement& a, int half_edge) {
+  const Edge& edge = a.edges[half_edge / 2];
+  if (!edge.is_on_line) return by_coordinates(a, half_edge);
+  const Segment& line = a.lines[edge.line];
+  return half_edge % 2 == 0 ? line : Segment{line.end, line.start};
+}
 
 Rotation::Rotation(const Arrangement& a) : start_(a.nodes.size() + 1, 0), next_(2 * a.edges.size()) {
   const int count = static_cast<int>(2 * a.edges.size());

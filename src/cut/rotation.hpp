@@ -20,6 +20,9 @@ inline int head(const Arrangement& a, int half_edge) {
   return tail(a, twin(half_edge));
 }
 
+/// From one point to another in the exact direction of a half-edge.
+Segment direction(const Arrangement& a, int half_edge);
+
 class Rotation {
  public:
   explicit Rotation(const Arrangement& arrangement);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "formats/case.hpp"
+#include "geometry/polygon.hpp"
 
 namespace keyblock {
 namespace {
@@ -52,6 +53,25 @@ TEST_F(CutCommand, writes_a_block_file_that_reads_back) {
   EXPECT_EQ(blocks.blocks.size(), 2U);
   EXPECT_EQ(blocks.measured_points.size(), 1U);
   EXPECT_NE(text("squares.svg").find("<svg"), std::string::npos);
+}
+
+// Two squares on a mesh of 2 × 2 rows; the joint between them parts every cover that it meets.
+TEST_F(CutCommand, writes_a_cover_file_with_a_mesh) {
+  ASSERT_EQ(run("squares.geo --mesh 2 -o squares.cv --json"), 0) << text("err");
+  const formats::Case cut = formats::load_case({(folder_ / "squares.cv").string()});
+  const auto& cover = std::get<Cover>(cut.problem.geometry);
+  double sum = 0;
+  for (const CoverElement& element : cover.elements) sum += area(cover.polygon(element));
+  EXPECT_NEAR(sum, 2, 1e-12);
+  EXPECT_EQ(cover.loops.size(), 2U);
+  EXPECT_EQ(cover.measured_points.size(), 1U);
+  EXPECT_NE(text("out").find("\"elements\": " + std::to_string(cover.elements.size())), std::string::npos);
+}
+
+TEST_F(CutCommand, refuses_options_of_a_mesh_without_one) {
+  EXPECT_EQ(run("squares.geo --absorb"), 2);
+  EXPECT_EQ(run("squares.geo --mesh-shape old"), 2);
+  EXPECT_EQ(run("squares.geo --mesh 0"), 2);
 }
 
 TEST_F(CutCommand, overwrites_only_when_told_to) {

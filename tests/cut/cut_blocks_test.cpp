@@ -288,4 +288,18 @@ TEST(CutBlocks, repeated_and_overlapping_lines_are_reported_and_harmless) {
   }
 }
 
+// Two of the lines leave the leftmost point of the inner part at an angle of one rounding: by rounded coordinates it is
+// open which of them is the outermost.
+TEST(CutBlocks, lines_a_rounding_apart_leave_every_block_its_area) {
+  const std::vector<Segment> lines = {
+      {{0.24056261216234409, 0.58333333333333326}, {0.38490017945975052, 0.66666666666666663}},
+      {{0.24056261216234409, 0.58333333333333326}, {0.81791288135196982, 0.91666666666666663}},
+      {{0.24056261216234409, 0.58333333333333326}, {0.52923774675715696, 0.58333333333333326}},
+      {{0.40833924066960220, 0.58333333333333326}, {0.40833924066960220, 0.70}},
+      {{0.32202003029785337, 0.58333333333333326}, {0.32202003029785337, 0.70}}};
+  const CutResult cut = cut_blocks(drawing_of(rectangle({0, 0}, {1, 1}) + lines, 0));
+  EXPECT_NEAR(total_area(cut.blocks), 1, 1e-12);
+  for (const BlockPolygon& block : cut.blocks.blocks) EXPECT_GT(area(block), -1e-15);
+}
+
 }  // namespace keyblock

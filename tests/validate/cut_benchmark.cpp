@@ -1,5 +1,5 @@
 // Prints how much processor time cutting takes as the drawing grows, and the exponent of the growth over
-// lines plus crossings.
+// lines plus crossings; then the same for meshes cut by a drawing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -7,9 +7,12 @@
 #include <ctime>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cut/background_mesh.hpp"
 #include "cut/cut_blocks.hpp"
+#include "cut/cut_cover.hpp"
 #include "tests/validate/random_drawings.hpp"
 
 namespace keyblock {
@@ -41,6 +44,29 @@ void measure(const Series& series) {
   }
 }
 
+/// The unit square with two joint sets, on an equilateral mesh turned by a tenth.
+void measure_covers() {
+  fmt::print("meshes cut by two joint sets in the unit square, length 0.3\n{:>10} {:>10} {:>10} {:>10} {:>9}\n",
+             "joints", "triangles", "elements", "covers", "seconds");
+  for (const auto& [joints, half_rows] : {std::pair{0, 100}, {20, 130}, {200, 130}, {2000, 130}, {200, 400}}) {
+    Drawing drawing = two_joint_sets(joints, 0.3, 5);
+    drawing.edge_node_ratio = 1e-4;
+    const std::vector<Point> corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (std::size_t k = 0; k < 4; ++k) add_line(drawing, corners[k], corners[(k + 1) % 4]);
+    const BodyCut bodies = cut_bodies(drawing);
+    Box box;
+    for (const Point p : bodies.graph.nodes) box.add(p);
+    RegularMesh regular = centred_mesh(box, half_rows, MeshShape::equilateral);
+    regular.angle = 0.1;
+    const TriangleMesh mesh = regular_triangles(box, regular);
+    const std::clock_t begin = std::clock();
+    const Manifold manifold = cut_cover(bodies.graph, mesh);
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    fmt::print("{:>10} {:>10} {:>10} {:>10} {:>9.3f}\n", joints, mesh.triangles.size(), manifold.elements.size(),
+               manifold.covers.size(), seconds);
+  }
+}
+
 }  // namespace
 }  // namespace keyblock
 
@@ -64,5 +90,6 @@ int main() {
        }},
   };
   for (const Series& series : all) measure(series);
+  measure_covers();
   return 0;
 }

@@ -1,0 +1,39 @@
+// The regular mathematical mesh: rows of equal triangles over a box.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/box.hpp"
+#include "problem/manifold.hpp"
+
+namespace keyblock {
+
+enum class MeshShape {
+  equilateral,  ///< dx = 2/√3 dy
+  old,          ///< dx = 1.3 dy, as the old manifold cutter (legacy-formats 2.4; one of its samples is otherwise)
+};
+
+/// Rows stand `dy` apart, nodes of a row `dx`; every second row is shifted by dx/2. A node stands at `through`, and the
+/// rows run at `angle` to the x axis (radians). Lengths in the unit of the drawing.
+struct RegularMesh {
+  double dx = 1;
+  double dy = 1;
+  Point through;
+  double angle = 0;
+};
+
+/// w = max(H/2, W/2.6), the scale of the old manifold cutter.
+double mesh_scale(const Box& box);
+
+/// The old cutter's density rule: dy = 1.1 w/n, rows at the box's middle and to either side;
+/// the n-th row from the middle has a node above the middle (legacy-formats 2.4, a fit to its samples).
+/// `half_rows`, n, is at least 1.
+RegularMesh centred_mesh(const Box& box, int half_rows, MeshShape shape);
+
+/// 2n rows of triangles from the lower to the upper edge of the box, a node in its lower left corner.
+RegularMesh aligned_mesh(const Box& box, int half_rows, MeshShape shape);
+
+/// The triangles of the mesh about the box, and a few beyond. Nodes are numbered row by row from the bottom, from left to
+/// right. An upward triangle names its lower left node first, a downward one its upper left node.
+TriangleMesh regular_triangles(const Box& box, const RegularMesh& mesh);
+
+}  // namespace keyblock
