@@ -22,6 +22,7 @@ struct Problem {
   std::optional<Analysis> analysis;
   Units units = {};         ///< as a case file names them
   RunChoices choices = {};  ///< of a case file
+  Place place = {};         ///< the first of its files, for complaints about what is missing
 };
 
 /// A problem made sound, and what was said about it: warnings for what was mended, errors for what cannot be.
