@@ -133,6 +133,7 @@ Case load_case(const std::vector<std::string>& paths) {
   Checked checked = check(pair(contents));
   if (!checked.errors.empty()) throw checked.errors.front();
   result.problem = std::move(checked.problem);
+  if (!paths.empty()) result.problem.place = {paths.front(), 0, 0};
   result.warnings = joined(std::move(result.warnings), checked.warnings);
   return result;
 }

@@ -37,19 +37,25 @@ void describe(Archive& archive, RunRequest& request) {
   describe(archive, "settings", request.settings);
 }
 
-void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record) {
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch) {
   archive.group("records", [&] {
     archive.list("history", history.rows, [&](HistoryRow& row) { describe(archive, row); });
-    archive.list("steps", record.steps, [&](StepReport& report) { describe(archive, report); });
-    archive.list("ledger", record.ledger.rows, [&](LedgerRow& row) { describe(archive, row); });
+    const auto describe_step = [&](StepReport& report) { describe(archive, report); };
+    archive.group("totals", [&] { describe(archive, record.totals); });
+    archive.group("steps", [&] { record.steps.describe(archive, describe_step); });
+    archive.list("traced", record.traced, describe_step);
+    archive.group("watch", [&] { watch.describe(archive); });
+    archive.group("ledger_sums", [&] { describe(archive, record.ledger_sums); });
+    archive.group("ledger", [&] { record.ledger.describe(archive, [&](LedgerRow& row) { describe(archive, row); }); });
   });
   archive.group("folder", [&] { folder.describe(archive); });
 }
 
-std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, Stepper& stepper) {
+std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
+                        Stepper& stepper) {
   Archive archive;
   archive.group("request", [&] { describe(archive, request); });
-  describe_told(archive, folder, history, record);
+  describe_told(archive, folder, history, record, watch);
   archive.group("stepper", [&] { stepper.save(archive); });
   return checkpoint_bytes(archive);
 }

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/union_find.hpp"
 #include "cut/rotation.hpp"
-#include "cut/union_find.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/predicates.hpp"
 

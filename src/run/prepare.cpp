@@ -142,7 +142,7 @@ Place place_of(const Problem& problem) {
   if (problem.analysis) return problem.analysis->place;
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return drawing->place;
   if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->place;
-  return {};
+  return problem.place;
 }
 
 }  // namespace

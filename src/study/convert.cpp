@@ -17,6 +17,7 @@
 #include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 #include "formats/views.hpp"
 #include "study/berkeley_faults.hpp"

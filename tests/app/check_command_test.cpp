@@ -53,6 +53,13 @@ TEST(CheckCommand, bad_file_does_not_keep_the_others_from_being_reported) {
   EXPECT_TRUE(contains(mixed.output, "1000 steps"));
 }
 
+TEST(CheckCommand, files_of_several_cases_are_looked_at_alone_and_that_is_said) {
+  const Outcome two = run("check " + input("00_control_orig.geo") + " " + input("00_control_orig.geo"));
+  EXPECT_EQ(two.exit_code, 0);
+  EXPECT_TRUE(contains(two.output, "warning: a second geometry of 2, after")) << two.output;
+  EXPECT_TRUE(contains(two.output, "[several_cases]"));
+}
+
 TEST(CheckCommand, json_holds_the_same_report) {
   const Outcome run_json =
       run("check --json " + input("06_joint_type_out_of_range_xml.geo") + " " + input("00_control_xml.ana"));
