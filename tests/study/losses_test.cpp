@@ -55,8 +55,8 @@ TEST(Losses, what_is_gone_or_came_is_said) {
 
 TEST(Losses, everything_is_lost_to_nothing_part_by_part) {
   EXPECT_EQ(losses(scene(), Content{}), (Losses{{"units", 1, "an object → nothing"},
-                                         {"drawing", 1, "an object → nothing"},
-                                         {"analysis", 1, "an object → nothing"}}));
+                                                {"drawing", 1, "an object → nothing"},
+                                                {"analysis", 1, "an object → nothing"}}));
 }
 
 TEST(Losses, frames_and_tracks_are_counted) {
