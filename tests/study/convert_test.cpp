@@ -27,7 +27,8 @@ namespace {
 using formats::Content;
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t kSeeds = 30;
+constexpr std::uint64_t kSeeds = 40;
+constexpr std::uint64_t kSeedsOfCases = 100;  // whose parts are drawn from all the others
 
 formats::FileReading file_of(const formats::Format& format, const std::string& text, const Content& content) {
   formats::FileReading file;
@@ -165,7 +166,8 @@ TEST(Convert, what_is_lost_between_any_two_formats_is_what_the_target_cannot_hol
       const ExpectedLosses expected = table.extract(pair).mapped();
       std::set<std::string> lost;
       bool is_refused = true;
-      for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      const std::uint64_t seeds = kind.format == &formats::kKeyblockCase ? kSeedsOfCases : kSeeds;
+      for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         Dice dice(seed);
         const formats::FileReading file = written_and_read(kind, kind.draw(dice));
         Conversion conversion;
@@ -190,7 +192,7 @@ TEST(Convert, what_is_lost_between_any_two_formats_is_what_the_target_cannot_hol
     }
   EXPECT_TRUE(table.empty()) << table.begin()->first << " is no pair";
   EXPECT_GT(compared, 1500);
-  EXPECT_GT(derived, 150);
+  EXPECT_GT(derived, 150) << "drawings, blocks and covers";
 }
 
 TEST(Convert, each_format_into_itself_loses_nothing) {

@@ -44,12 +44,12 @@ TEST(Losses, what_is_gone_or_came_is_said) {
   other.units.reset();
   other.drawing->measured_points.clear();
   other.drawing->joints.pop_back();
-  other.analysis->contact_penalty = 1e8;
+  other.analysis->contact_penalty = 0.5;
   other.choices = RunChoices{"legacy", {}};
   EXPECT_EQ(losses(scene(), other), (Losses{{"units", 1, "an object → nothing"},
                                             {"drawing.joints", 1, "2 items → 1 item"},
                                             {"drawing.measured_points", 1, "1 item → nothing"},
-                                            {"analysis.contact_penalty", 1, "nothing → 1e+08"},
+                                            {"analysis.contact_penalty", 1, "nothing → 0.5"},
                                             {"run", 1, "nothing → an object"}}));
 }
 
