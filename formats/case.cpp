@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formats/dda_analysis.hpp"
+#include "formats/dxf.hpp"
 #include "formats/nmm_analysis.hpp"
 
 namespace keyblock::formats {
@@ -76,6 +77,17 @@ ReadHint hint_of(const Reading& reading) {
   return hint;
 }
 
+/// Drawing programs' files are read again in the length unit that another file declares.
+void bring_to_declared_unit(std::vector<FileReading>& files) {
+  const auto is_dxf = [](const FileReading& file) { return file.choice && file.choice->format == &kDxf; };
+  ReadHint hint;
+  for (const FileReading& file : files)
+    if (file.reading && file.reading->content.units && !is_dxf(file)) hint.length = file.reading->content.units->length;
+  if (hint.length.empty()) return;
+  for (FileReading& file : files)
+    if (file.reading && is_dxf(file)) read_into(file, hint);
+}
+
 [[noreturn]] void refuse_second(const Place& second, const Place& first, std::string_view noun) {
   throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file.text()));
 }
@@ -100,7 +112,9 @@ Problem with_content(Problem problem, const Content& content) {
     if (problem.analysis) refuse_second(content.analysis->place, problem.analysis->place, "analysis");
     problem.analysis = content.analysis;
   }
-  if (content.units) problem.units = *content.units;
+  std::optional<Units> units = problem.units;
+  put_units(units, content.units, content.drawing ? content.drawing->place : Place{});
+  problem.units = *units;
   if (content.choices) problem.choices = *content.choices;
   return problem;
 }
@@ -110,6 +124,7 @@ Problem with_content(Problem problem, const Content& content) {
 std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
   std::vector<FileReading> files;
   for (const std::string& path : paths) files.push_back(open(path));
+  bring_to_declared_unit(files);
   ReadHint hint;
   for (FileReading& file : files) {
     if (file.reading && hint.geometry == GeometryKind::unknown) hint = hint_of(*file.reading);
@@ -120,6 +135,20 @@ std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
     if (file.choice) read_into(file, hint);
   }
   return files;
+}
+
+void put_units(std::optional<Units>& into, const std::optional<Units>& units, const Place& place) {
+  if (!units) return;
+  if (!into) into = Units{};
+  const auto put = [&](std::string& known, const std::string& unit, std::string_view noun) {
+    if (!known.empty() && !unit.empty() && known != unit)
+      throw InputError(place,
+                       fmt::format("expected the same unit of {} in all files, {}, found {}", noun, known, unit));
+    if (known.empty()) known = unit;
+  };
+  put(into->length, units->length, "length");
+  put(into->mass, units->mass, "mass");
+  put(into->time, units->time, "time");
 }
 
 Problem pair(const std::vector<Content>& contents) {

@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "formats/dxf.hpp"
+#include "formats/dxf_units.hpp"
 #include "formats/numbers.hpp"
 
 namespace keyblock::formats {
@@ -133,13 +135,14 @@ std::string write_dxf(const Content& content) {
   if (!content.drawing && !content.blocks) throw std::invalid_argument("a DXF file needs a drawing or blocks");
   EntityWriter writer;
   std::string text;
-  if (content.drawing) {
+  if (content.drawing)
     add(writer, *content.drawing);
-    text = fmt::format("999\n{}{}\n", kDxfRatioComment, format_real(content.drawing->edge_node_ratio));
-  } else {
+  else
     add(writer, *content.blocks);
-  }
-  text += section("HEADER", "9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n6\n");
+  text = fmt::format("999\n{}{}\n", kDxfRatioComment,
+                     format_real(content.drawing ? content.drawing->edge_node_ratio : kBlockEdgeNodeRatio));
+  const std::string length = content.units ? content.units->length : "";
+  text += section("HEADER", fmt::format("9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n{}\n", dxf_unit_number(length)));
   text += section("TABLES", tables(writer.layers()));
   text += section("ENTITIES", writer.text());
   return text + "0\nEOF\n";

@@ -43,7 +43,7 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.analysis, content.analysis, file, "analysis");
   all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
   put(all.motion, content.motion, file, "motion");
-  put(all.units, content.units, file, "set of units");
+  formats::put_units(all.units, content.units, {file});
   put(all.choices, content.choices, file, "run");
 }
 
@@ -117,6 +117,7 @@ formats::ReadHint hint_of(const Content& content) {
     hint.fixed_points = static_cast<int>(content.analysis->fixed_point_motions.size());
     hint.loading_points = static_cast<int>(content.analysis->point_loads.size());
   }
+  if (content.units) hint.length = content.units->length;
   return hint;
 }
 
@@ -171,7 +172,7 @@ const std::vector<Target>& targets() {
   static const std::vector<Target> all{
       {"keyblock-case", "Keyblock case file", {{&kKeyblockCase, ".json"}}},
       {"ddaml", "Berkeley XML, geometry and analysis in one file", {{&kDdaml, ".xml"}}},
-      {"dxf", "DXF drawing R12, lines by layer, in metres", {{&kDxf, ".dxf"}}},
+      {"dxf", "DXF drawing R12, lines by layer", {{&kDxf, ".dxf"}}},
       {"dda-geometry", "geometry (lines) of the old cutting program", {{&kDdaGeometry, ".geo"}}},
       {"dda-blocks", "block file, points of 4 numbers", {{&kDdaBlocks, ".blk"}}},
       {"dda-blocks-3", "block file, points of 3 numbers", {{&kDdaBlocksOfThree, ".blk"}}},
