@@ -9,6 +9,7 @@
 
 #include "formats/analysis_parts.hpp"
 #include "formats/dda_analysis.hpp"
+#include "formats/dxf.hpp"
 #include "formats/nmm_analysis.hpp"
 
 namespace keyblock::formats {
@@ -65,6 +66,17 @@ ReadHint hint_of(const Reading& reading) {
   return counted_points(content);
 }
 
+/// Drawing programs' files are read again in the length unit that another file declares.
+void bring_to_declared_unit(std::vector<FileReading>& files) {
+  const auto is_dxf = [](const FileReading& file) { return file.choice && file.choice->format == &kDxf; };
+  ReadHint hint;
+  for (const FileReading& file : files)
+    if (file.reading && file.reading->content.units && !is_dxf(file)) hint.length = file.reading->content.units->length;
+  if (hint.length.empty()) return;
+  for (FileReading& file : files)
+    if (file.reading && is_dxf(file)) read_into(file, hint);
+}
+
 [[noreturn]] void refuse_second(const Place& second, const Place& first, std::string_view noun) {
   throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file.text()));
 }
@@ -93,7 +105,9 @@ Problem with_content(Problem problem, const Content& content) {
     if (problem.motion) refuse_second(content.motion->place, problem.motion->place, "motion");
     problem.motion = content.motion;
   }
-  if (content.units) problem.units = *content.units;
+  std::optional<Units> units = problem.units;
+  put_units(units, content.units, content.drawing ? content.drawing->place : Place{});
+  problem.units = *units;
   if (content.choices) problem.choices = *content.choices;
   return problem;
 }
@@ -103,6 +117,7 @@ Problem with_content(Problem problem, const Content& content) {
 std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
   std::vector<FileReading> files;
   for (const std::string& path : paths) files.push_back(open(path));
+  bring_to_declared_unit(files);
   ReadHint hint;
   for (FileReading& file : files) {
     if (file.reading && hint.geometry == GeometryKind::unknown) hint = hint_of(*file.reading);
@@ -113,6 +128,20 @@ std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
     if (file.choice) read_into(file, hint);
   }
   return files;
+}
+
+void put_units(std::optional<Units>& into, const std::optional<Units>& units, const Place& place) {
+  if (!units) return;
+  if (!into) into = Units{};
+  const auto put = [&](std::string& known, const std::string& unit, std::string_view noun) {
+    if (!known.empty() && !unit.empty() && known != unit)
+      throw InputError(place,
+                       fmt::format("expected the same unit of {} in all files, {}, found {}", noun, known, unit));
+    if (known.empty()) known = unit;
+  };
+  put(into->length, units->length, "length");
+  put(into->mass, units->mass, "mass");
+  put(into->time, units->time, "time");
 }
 
 Problem pair(const std::vector<Content>& contents) {

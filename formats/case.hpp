@@ -21,8 +21,11 @@ struct FileReading {
 };
 
 /// Reads every file whatever befalls the others; geometry first, because Shi's analysis file needs its
-/// counts.
+/// counts. A DXF file is brought to the length unit that another file declares.
 std::vector<FileReading> read_files(const std::vector<std::string>& paths);
+
+/// Adds what a file declares to what others did. Throws InputError, at `place`, where two declare different units.
+void put_units(std::optional<Units>& into, const std::optional<Units>& units, const Place& place);
 
 /// One problem from the contents, in any order. Throws InputError at a second geometry or a second analysis.
 Problem pair(const std::vector<Content>& contents);

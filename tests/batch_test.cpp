@@ -160,6 +160,31 @@ TEST(Batch, a_job_beyond_its_limits_fails_alone) {
   EXPECT_EQ(jobs_in(root / "starved")[0]["outcome"], "failed");
 }
 
+TEST(Batch, a_check_beyond_its_limits_fails_alone_and_the_others_are_told_as_without_limits) {
+  const fs::path root = fresh_folder("batch_check_limits");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in");
+  write_text(root / "in/broken.geo", "0.01 4 0 0 0 x");
+  std::string grid = "0.01\n2400 2400 0 0 0 0 0 0\n";  // 1,200 lines across 1,200: long to cut
+  for (int i = 0; i < 1200; ++i) grid += "0 " + std::to_string(i) + " 1199 " + std::to_string(i) + " 1\n";
+  for (int i = 0; i < 1200; ++i) grid += std::to_string(i) + " 0 " + std::to_string(i) + " 1199 1\n";
+  const auto outcomes = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"batch", root / "in", "--check", "-o", root / out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run_keyblock(arguments).exit_code, 1);
+    EXPECT_FALSE(fs::exists(root / out / "checks"));
+    return jobs_in(root / out);
+  };
+  EXPECT_EQ(outcomes("limited", {"--time-limit", "100"}), outcomes("free", {}));
+  write_text(root / "in/grid.geo", grid);
+  bool is_found = false;
+  for (const auto& job : outcomes("stopped", {"--time-limit", "1"})) {
+    const bool is_grid = contains(job.dump(), "grid.geo");
+    is_found = is_found || is_grid;
+    EXPECT_EQ(contains(job.dump(), "stopped at the limit of 1 s of processor time"), is_grid) << job;
+  }
+  EXPECT_TRUE(is_found);
+}
+
 // Ctrl-C, `kill`, and a terminal that is closed.
 TEST(Batch, an_interrupted_batch_finishes_what_runs_and_exits_130) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {

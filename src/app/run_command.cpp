@@ -137,7 +137,7 @@ ExitCode list_settings() {
 }
 
 RunRequest request_of(const RunOptions& options, const RunRecord& record, const Settings& settings) {
-  RunRequest request{KEYBLOCK_VERSION,
+  RunRequest request{this_program(),
                      std::filesystem::current_path().string(),
                      options.files,
                      record.profile,

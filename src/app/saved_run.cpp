@@ -9,6 +9,8 @@
 #include <iterator>
 
 #include "app/usage_error.hpp"
+#include "base/sha256.hpp"
+#include "formats/registry.hpp"
 #include "result/describe.hpp"
 #include "run/checkpoint.hpp"
 
@@ -35,6 +37,10 @@ void describe(Archive& archive, RunRequest& request) {
   describe(archive, "read", request.read);
   describe(archive, "digests", request.digests);
   describe(archive, "settings", request.settings);
+}
+
+std::string this_program() {
+  return fmt::format("{}, SHA-256 {}", KEYBLOCK_VERSION, sha256(formats::load("/proc/self/exe").text));
 }
 
 void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch) {
@@ -69,7 +75,8 @@ Archive read_checkpoint(const fs::path& file) {
 void require_same(const fs::path& checkpoint, const RunRequest& saved, const RunRequest& now) {
   const auto refuse = [&](const std::string& sentence) { throw InputError({checkpoint.string(), 0, 0}, sentence); };
   if (saved.program != now.program)
-    refuse(fmt::format("expected keyblock {}, which began the run, found keyblock {}", saved.program, now.program));
+    refuse(fmt::format("expected the build of keyblock that began the run, {}, found another, {}", saved.program,
+                       now.program));
   if (saved.read != now.read || saved.digests.size() != saved.read.size())
     refuse("expected the files that the run began with, found others");
   for (std::size_t i = 0; i < saved.read.size(); ++i)

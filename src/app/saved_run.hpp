@@ -17,7 +17,7 @@ namespace keyblock {
 
 /// A run's command line, and what it found behind it.
 struct RunRequest {
-  std::string program;         ///< version
+  std::string program;         ///< `this_program` of the one that began the run
   std::string working_folder;  ///< that names of files are taken from
   std::vector<std::string> files;
   std::string profile;
@@ -30,6 +30,9 @@ struct RunRequest {
 };
 
 void describe(Archive& archive, RunRequest& request);
+
+/// Version and SHA-256 of the program that runs: another build may lay out its state otherwise, or round otherwise.
+std::string this_program();
 
 /// What the run has told: rows of history, steps and ledger, sums of them, warnings of steps, and its frames.
 void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch);

@@ -137,9 +137,46 @@ TEST(Dxf, coordinates_are_brought_to_metres_and_the_factor_is_named) {
     const Reading as_is = read_entities(line("JOINT_1"), header);
     EXPECT_EQ(as_is.content.drawing->joints.at(0).segment.end, (Point{1000, 2000}));
     EXPECT_EQ(as_is.warnings, Warnings{});
+    EXPECT_EQ(as_is.content.units.has_value(), std::string(header).ends_with("6\n")) << header;
   }
+  EXPECT_EQ(millimetres.content.units, (Units{"m", "", ""}));
   EXPECT_EQ(names(read_entities(line("JOINT_1"), "9\n$INSUNITS\n70\n77\n").warnings),
             std::vector<std::string>{"dxf_unit_unknown"});
+}
+
+TEST(Dxf, coordinates_are_brought_to_the_unit_that_is_asked_for) {
+  const Source source{"f", dxf_text(line("JOINT_1"), "9\n$INSUNITS\n70\n4\n")};
+  const auto end_in = [&](const std::string& length) {
+    const Reading reading = kDxf.read(source, {{}, {}, GeometryKind::unknown, length});
+    EXPECT_EQ(reading.content.units, (Units{length, "", ""}));
+    EXPECT_EQ(names(reading.warnings).size(), length == "mm" ? 0u : 1u);
+    return reading.content.drawing->joints.at(0).segment.end;
+  };
+  EXPECT_EQ(end_in("mm"), (Point{1000, 2000}));
+  EXPECT_EQ(end_in("cm"), (Point{100, 200}));
+  EXPECT_NEAR(end_in("in").x, 1000 / 25.4, 1e-12);
+}
+
+TEST(Dxf, the_declared_unit_is_written_and_none_where_none_is_declared) {
+  Content content = read_entities(line("JOINT_1")).content;
+  const auto written_with = [&](const char* length) {
+    content.units = Units{length, "kg", "s"};
+    const std::string text = kDxf.write(content);
+    const std::size_t at = text.find("$INSUNITS\n70\n") + 13;
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  // Numbers of the DXF reference of drawing programs.
+  EXPECT_EQ(written_with("in"), "1");
+  EXPECT_EQ(written_with("ft"), "2");
+  EXPECT_EQ(written_with("mm"), "4");
+  EXPECT_EQ(written_with("cm"), "5");
+  EXPECT_EQ(written_with("m"), "6");
+  EXPECT_EQ(written_with("km"), "7");
+  EXPECT_EQ(written_with("yd"), "10");
+  EXPECT_EQ(written_with("dm"), "14");
+  EXPECT_EQ(written_with(""), "0");
+  content.units.reset();
+  EXPECT_NE(kDxf.write(content).find("$INSUNITS\n70\n0\n"), std::string::npos);
 }
 
 TEST(Dxf, layers_without_a_known_word_are_joints_with_the_first_numbers_not_yet_taken) {
@@ -221,6 +258,17 @@ TEST(Dxf, outlines_on_the_layers_of_blocks_cut_are_these_blocks) {
     std::ranges::sort(joints);
     EXPECT_EQ(joints, is_left ? (std::vector<int>{0, 0, 0, 2}) : (std::vector<int>{0, 0, 1, 2}));
   }
+}
+
+TEST(Dxf, blocks_thinner_than_the_edge_node_ratio_of_a_drawing_stay_apart_when_cut_again) {
+  const auto box = [](double left, double right) {
+    return BlockPolygon{0, {{{left, 0}, 0}, {{right, 0}, 0}, {{right, 2}, 0}, {{left, 2}, 0}}, {}};
+  };
+  Blocks blocks;
+  blocks.blocks = {box(0, 2), box(2, 2 + kDxfEdgeNodeRatio / 2), box(2 + kDxfEdgeNodeRatio / 2, 4)};
+  const Reading again = read({"f", kDxf.write({{}, blocks, {}})});
+  EXPECT_EQ(again.warnings, Warnings{});
+  EXPECT_EQ(cut_blocks(*again.content.drawing).blocks.blocks.size(), 3u);
 }
 
 TEST(Dxf, faults_are_found_at_their_line_and_column) {

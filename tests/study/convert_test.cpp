@@ -226,6 +226,19 @@ TEST(Convert, a_case_file_holds_no_results_and_says_so) {
   EXPECT_THROW(convert({file_of(formats::kBerkeleyReplay, "", frames)}, target, Faults::none), InputError);
 }
 
+TEST(Convert, a_case_in_millimetres_becomes_a_drawing_in_millimetres) {
+  Dice dice(1);
+  Content content = testing::content_kinds().front().draw(dice);
+  ASSERT_TRUE(content.drawing);
+  content.units = Units{"mm", "t", "s"};
+  const Conversion conversion = converted(content, *find_target("dxf"));
+  EXPECT_NE(conversion.files.at(0).text.find("$INSUNITS\n70\n4\n"), std::string::npos);
+  std::vector<std::string> lost = items(conversion.losses);
+  std::erase_if(
+      lost, [](const std::string& item) { return !item.starts_with("drawing.joints") && !item.starts_with("units"); });
+  EXPECT_EQ(lost, (std::vector<std::string>{"units.mass", "units.time"}));
+}
+
 TEST(Convert, a_file_whose_content_stays_comes_out_with_the_same_bytes) {
   formats::FileReading file;
   file.path = "f";
