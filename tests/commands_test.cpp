@@ -228,8 +228,8 @@ TEST(Commands, a_motion_of_the_ground_beside_a_case_moves_its_blocks) {
   ASSERT_EQ(run.exit_code, 0) << run.messages;
   EXPECT_TRUE(contains(run.messages, "[motion_applied]")) << run.messages;
   const auto table = formats::read_csv(formats::load(folder + "/out/history.csv"));
-  EXPECT_NEAR(formats::csv_real(table, table.rows.back(), formats::csv_column(table, "dx2 [L]")), 19.62 / 4, 1e-9);
-  EXPECT_NEAR(formats::csv_real(table, table.rows.back(), formats::csv_column(table, "dy2 [L]")), -19.62, 1e-9);
+  EXPECT_NEAR(formats::csv_real(table, table.rows.back(), formats::csv_column(table, "dx1 [L]")), 19.62 / 4, 1e-9);
+  EXPECT_NEAR(formats::csv_real(table, table.rows.back(), formats::csv_column(table, "dy1 [L]")), -19.62, 1e-9);
 }
 
 TEST(Commands, a_cut_block_file_runs_like_its_drawing) {

@@ -260,17 +260,6 @@ TEST(Dxf, outlines_on_the_layers_of_blocks_cut_are_these_blocks) {
   }
 }
 
-TEST(Dxf, blocks_thinner_than_the_edge_node_ratio_of_a_drawing_stay_apart_when_cut_again) {
-  const auto box = [](double left, double right) {
-    return BlockPolygon{0, {{{left, 0}, 0}, {{right, 0}, 0}, {{right, 2}, 0}, {{left, 2}, 0}}, {}};
-  };
-  Blocks blocks;
-  blocks.blocks = {box(0, 2), box(2, 2 + kDxfEdgeNodeRatio / 2), box(2 + kDxfEdgeNodeRatio / 2, 4)};
-  const Reading again = read({"f", kDxf.write({{}, blocks, {}})});
-  EXPECT_EQ(again.warnings, Warnings{});
-  EXPECT_EQ(cut_blocks(*again.content.drawing).blocks.blocks.size(), 3u);
-}
-
 TEST(Dxf, faults_are_found_at_their_line_and_column) {
   const auto fault = [](const std::string& entities) { return error_of(dxf_text(entities)); };
   EXPECT_EQ(fault("0\nLINE\n8\nJOINT_1\n10\n0\n20\nabc\n11\n1\n21\n1\n"),
