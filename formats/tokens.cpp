@@ -47,12 +47,17 @@ constexpr Roles roles_of(Syntax syntax) {
 
 constexpr Roles kNativeRoles = roles_of(Syntax::native);
 constexpr Roles kXmlRoles = roles_of(Syntax::xml);
+constexpr Roles kRunRoles = [] {
+  Roles roles = kNativeRoles;
+  roles[','] = Role::ordinary;
+  return roles;
+}();
 
 /// Finds the words of a text one after another.
 class Splitter {
  public:
-  Splitter(std::string_view text, Syntax syntax)
-      : text_(text), roles_(syntax == Syntax::xml ? kXmlRoles : kNativeRoles) {}
+  Splitter(std::string_view text, Syntax syntax) : Splitter(text, syntax == Syntax::xml ? kXmlRoles : kNativeRoles) {}
+  Splitter(std::string_view text, const Roles& roles) : text_(text), roles_(roles) {}
 
   /// The start of the first word from `at` on; the end of the text where there is none.
   std::size_t word_start(std::size_t at) const {
@@ -199,6 +204,12 @@ void add_words(Tokens& tokens, std::size_t first, std::size_t size) {
   if (tokens.numbers.size() == tokens.word_count) at = add_numbers(tokens, splitter, at);
   for (; at < text.size(); at = splitter.word_start(splitter.word_end(at)))
     add_word(tokens, at, tokens.word_count == words_before);
+}
+
+std::string_view next_run(std::string_view text, std::size_t at) {
+  const Splitter splitter(text, kRunRoles);
+  const std::size_t start = splitter.word_start(at);
+  return text.substr(start, splitter.word_end(start) - start);
 }
 
 std::string Cursor::full_name(std::string_view name) const {

@@ -77,6 +77,9 @@ template <Reading (*ReadTokens)(const Tokens&, const ReadHint&)>
 Reading read_split(const Source& source, const ReadHint& hint) {
   return ReadTokens(tokenise(source), hint);
 }
+/// The first run of characters from `at` on that only white space and comments of a native text part: commas belong to
+/// it. Empty where none is left.
+std::string_view next_run(std::string_view text, std::size_t at);
 /// Adds the words of a piece of `tokens.text`, which lies behind those that are there.
 void add_words(Tokens& tokens, std::size_t first, std::size_t size);
 
