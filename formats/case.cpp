@@ -137,7 +137,10 @@ Case load_case(const std::vector<std::string>& paths) {
     contents.push_back(file.reading->content);
     result.warnings = joined(std::move(result.warnings), file.reading->warnings);
   }
-  Checked checked = check(pair(contents));
+  const Problem problem = pair(contents);
+  if (std::holds_alternative<std::monostate>(problem.geometry) && !problem.analysis)
+    throw InputError({paths.front()}, "expected a geometry or an analysis, found neither");
+  Checked checked = check(problem);
   if (!checked.errors.empty()) throw checked.errors.front();
   result.problem = std::move(checked.problem);
   result.warnings = joined(std::move(result.warnings), checked.warnings);

@@ -34,7 +34,7 @@ struct Case {
   Warnings warnings;
 };
 
-/// Reads, pairs and checks. Throws the first InputError met.
+/// Reads, pairs and checks. Throws the first InputError met, also where there is neither geometry nor analysis.
 Case load_case(const std::vector<std::string>& paths);
 
 }  // namespace keyblock::formats

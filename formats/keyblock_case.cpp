@@ -110,6 +110,22 @@ void check(const Analysis& analysis) {
                                                    material.poissons_ratio));
 }
 
+// Where the profile and each setting stand.
+void place_choices(RunChoices& choices, const JsonValue& run) {
+  if (const auto profile = run.member("profile")) choices.profile_place = profile->place();
+  const auto settings = run.member("set");
+  if (!settings) return;
+  for (auto i = settings->begin(); i != settings->end(); ++i) {
+    choices.setting_places.push_back((*i).place());
+    ++i;
+  }
+}
+
+bool is_empty(const Content& content) {
+  return !content.units && !content.drawing && !content.blocks && !content.cover && !content.analysis &&
+         !content.motion && !content.choices;
+}
+
 template <class Part>
 void check(std::optional<Part>& part) {
   if (part) check(*part);
@@ -132,6 +148,9 @@ Reading read(const Source& source, const ReadHint&) {
   fields.finish();
   const int geometries = (content.drawing ? 1 : 0) + (content.blocks ? 1 : 0) + (content.cover ? 1 : 0);
   if (geometries > 1) text.root().fail("one of drawing, blocks and cover");
+  if (is_empty(content))
+    text.root().fail("units, drawing, blocks, cover, analysis, motion or run beside the key keyblock");
+  if (content.choices) place_choices(*content.choices, *text.root().member("run"));
   if (content.units) check(*content.units, text.root().member("units")->place());
   check(content.drawing);
   check(content.blocks);

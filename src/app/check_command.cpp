@@ -114,7 +114,8 @@ void print(const formats::FileReading& file) {
     fmt::print("{}: {} [{}]: {}\n", file.path, file.choice->format->title, file.choice->format->name,
                file.choice->recognition.evidence);
   if (file.reading) {
-    fmt::print("  {}\n", text_of(counts_of(file.reading->content)));
+    if (const std::string counts = text_of(counts_of(file.reading->content)); !counts.empty())
+      fmt::print("  {}\n", counts);
     print(file.reading->warnings);
   }
   if (file.error) fmt::print("  {}\n", file.error->what());

@@ -96,8 +96,12 @@ TEST(JointsCommand, what_cannot_be_is_refused_with_the_name_of_the_option_or_the
   const std::string folder = fresh_folder("joints_faults");
   const auto unknown =
       run_keyblock({"joints", "--rectangle", "width=2,height=2", "--set", "dip=0,spacin=1", "-o", folder + "/x.geo"});
-  EXPECT_EQ(unknown.exit_code, 3);
-  EXPECT_TRUE(contains(unknown.messages, "--set: error: expected one of the keys dip, spacing,")) << unknown.messages;
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(contains(unknown.messages, "keyblock: error: --set: expected one of the keys dip, spacing,"))
+      << unknown.messages;
+  const auto none = run_keyblock({"joints", "-o", folder + "/x.geo"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_EQ(none.messages, "keyblock: error: expected one outline, rectangle or slope, found none\n");
   testing::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2,\n  \"hight\": 3}}");
   const auto file = run_keyblock({"joints", folder + "/spec.json", "-o", folder + "/x.geo"});
   EXPECT_EQ(file.exit_code, 3);
@@ -105,6 +109,9 @@ TEST(JointsCommand, what_cannot_be_is_refused_with_the_name_of_the_option_or_the
                        "spec.json:2:3: error: expected one of the keys width, height, x, y in the "
                        "rectangle, found \"hight\""))
       << file.messages;
+  testing::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2, \"height\": 2}}");
+  const auto seed = run_keyblock({"joints", folder + "/spec.json", "--seed", "-1", "-o", folder + "/x.geo"});
+  EXPECT_EQ(seed.exit_code, 2) << "an option beside a sound file";
   EXPECT_FALSE(std::filesystem::exists(folder + "/x.geo"));
 }
 
