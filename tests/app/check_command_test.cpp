@@ -50,7 +50,7 @@ TEST(CheckCommand, sound_case_says_dialect_evidence_and_counts) {
 }
 
 TEST(CheckCommand, bad_file_does_not_keep_the_others_from_being_reported) {
-  const Outcome mixed = run("check " + input("04_nan_coord_orig.geo") + " " + input("00_control_xml.ana"));
+  const Outcome mixed = run("check " + input("04_nan_coord_orig.geo") + " " + input("00_control_xml.ana") + " 2>&1");
   EXPECT_EQ(mixed.exit_code, 3);
   EXPECT_TRUE(contains(mixed.output,
                        "04_nan_coord_orig.geo:15:1: error: expected x of the start of line 7 of 7, found \"nan\""));
