@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "formats/dda_analysis.hpp"
@@ -12,6 +13,10 @@
 
 namespace keyblock::formats {
 namespace {
+
+constexpr std::array<std::string_view, 6> kMismatches{"joint_material_clamped", "block_material_clamped",
+                                                      "bolt_type_clamped",      "bolts_without_properties",
+                                                      "surplus_load_curves",    "loading_points_without_load"};
 
 /// What the file is, with the geometry beside it if known.
 void choose(FileReading& file, GeometryKind geometry) {
@@ -126,6 +131,14 @@ Problem pair(const std::vector<Content>& contents) {
   Problem problem;
   for (const Content& content : contents) problem = with_content(std::move(problem), content);
   return problem;
+}
+
+Warnings mismatches(const Content& content) {
+  if (!content.analysis) return {};
+  Warnings found = check(pair({content})).warnings;
+  std::erase_if(
+      found, [](const Warning& warning) { return std::ranges::find(kMismatches, warning.name) == kMismatches.end(); });
+  return found;
 }
 
 Case load_case(const std::vector<std::string>& paths) {

@@ -203,6 +203,7 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   }
   Content content;
   for (const formats::FileReading& file : files) add_to(content, file.reading->content, file.path);
+  conversion.warnings = joined(conversion.warnings, formats::mismatches(content));
   if (faults == Faults::berkeley) conversion.warnings = joined(conversion.warnings, take_as_berkeley(content));
   if (const Loss derived = derive_geometry(content, target); derived.times > 0) conversion.losses.push_back(derived);
   complete_curves(content, target);
