@@ -13,8 +13,10 @@
 #include "app/files.hpp"
 #include "app/usage_error.hpp"
 #include "formats/dda_geometry.hpp"
+#include "formats/ddaml.hpp"
 #include "formats/dxf.hpp"
 #include "formats/joint_spec.hpp"
+#include "formats/keyblock_case.hpp"
 #include "formats/registry.hpp"
 
 namespace keyblock {
@@ -91,6 +93,14 @@ PlacedJson specification_of(const JointsOptions& options) {
   return all;
 }
 
+// By the ending; the old programs' files have none of their own.
+const formats::Format& format_of(const std::string& output) {
+  if (output.ends_with(".dxf")) return formats::kDxf;
+  if (output.ends_with(".json")) return formats::kKeyblockCase;
+  if (output.ends_with(".xml")) return formats::kDdaml;
+  return formats::kDdaGeometry;
+}
+
 struct Drawn {
   JointScene scene;
   Drawing drawing;
@@ -111,10 +121,10 @@ Drawn drawn(const JointsOptions& options) {
 
 ExitCode make_joints(const JointsOptions& options) {
   if (!options.specification.empty()) require_not_input(options.output, options.specification);
+  require_folder_of(options.output);
   require_free(options.output, options.may_overwrite ? Overwrite::yes : Overwrite::no);
   const auto [scene, drawing] = drawn(options);
-  const formats::Format& format = options.output.ends_with(".dxf") ? formats::kDxf : formats::kDdaGeometry;
-  write_file(options.output, format.write({drawing, std::nullopt, std::nullopt}));
+  write_file(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}));
   fmt::print("{}: {} joint lines, {} boundary lines; joint sets: {}, tunnels: {}\n", options.output,
              drawing.joints.size() - drawing.boundary_count, drawing.boundary_count, scene.sets.size(),
              scene.tunnels.size());
@@ -126,7 +136,9 @@ ExitCode make_joints(const JointsOptions& options) {
 Action configure_joints(CLI::App& app) {
   auto options = std::make_shared<JointsOptions>();
   auto* file = app.add_option("SPEC", options->specification, "JSON file that says it all (formats/joint_spec.hpp)");
-  app.add_option("-o,--output", options->output, "the drawing to write: a geometry file, or DXF if it ends in .dxf")
+  app.add_option(
+         "-o,--output", options->output,
+         "the drawing to write: DXF, a case file or DDAML if it ends in .dxf, .json or .xml, else a geometry file")
       ->required();
   const auto add = [&](const char* name, auto& value, const char* help) {
     return app.add_option(name, value, help)->excludes(file);

@@ -1,8 +1,9 @@
-// `keyblock convert` as a user meets it: what is left out is named kind by kind.
+// `keyblock convert` as a user meets it: what is left out is named kind by kind, and nothing appears unasked.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -50,6 +51,31 @@ TEST(ConvertMessages, warnings_that_differ_in_numbers_alone_are_told_once) {
   const auto run = run_keyblock({"convert", folder + "/a.blk", "-o", folder + "/a.json"});
   EXPECT_TRUE(contains(run.messages, "is left out [point_outside_blocks] (2 times)")) << run.messages;
   EXPECT_EQ(std::ranges::count(run.messages, '\n'), 1) << run.messages;
+}
+
+TEST(ConvertMessages, an_output_whose_ending_says_no_format_is_refused_with_those_that_do) {
+  const std::string folder = fresh_folder("convert_ending");
+  testing::write_text(folder + "/a.dxf", drawing_of(line_on("JOINT")));
+  const auto run = run_keyblock({"convert", folder + "/a.dxf", "-o", folder + "/a.vtk"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(contains(run.messages,
+                       "an output that ends in .json, .xml, .dxf, .geo, .blk, .ana, .df, .cv, .mf, .vtu, "
+                       ".csv, found \"" +
+                           folder + "/a.vtk\""))
+      << run.messages;
+}
+
+TEST(ConvertMessages, no_folder_is_made_unasked) {
+  const std::string folder = fresh_folder("convert_folder");
+  testing::write_text(folder + "/a.dxf", drawing_of(line_on("JOINT")));
+  const std::string missing = folder + "/missing";
+  for (const auto& run : {run_keyblock({"convert", folder + "/a.dxf", "-o", missing + "/a.json"}),
+                          run_keyblock({"cut", folder + "/a.dxf", "-o", missing + "/a.blk"}),
+                          run_keyblock({"joints", "--rectangle", "width=2,height=2", "-o", missing + "/a.geo"})}) {
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(contains(run.messages, "there is no folder " + missing)) << run.messages;
+  }
+  EXPECT_FALSE(std::filesystem::exists(missing));
 }
 
 }  // namespace keyblock

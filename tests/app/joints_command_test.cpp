@@ -46,14 +46,16 @@ TEST(JointsCommand, a_seed_gives_the_same_bytes_and_another_seed_others) {
   EXPECT_NE(read_text(folder + "/a"), read_text(folder + "/c"));
 }
 
-TEST(JointsCommand, the_drawing_cuts_into_blocks_from_either_format) {
+TEST(JointsCommand, the_drawing_cuts_into_blocks_from_every_format) {
   const std::string folder = fresh_folder("joints_cut");
-  for (const char* name : {"/slope.geo", "/slope.dxf"}) {
+  for (const char* name : {"/slope.geo", "/slope.dxf", "/slope.json", "/slope.xml"}) {
     ASSERT_EQ(run_keyblock(slope_with({"-o", folder + name})).exit_code, 0);
     ASSERT_EQ(run_keyblock({"cut", folder + name, "-o", folder + name + ".blk"}).exit_code, 0) << name;
   }
   const std::string blocks = read_text(folder + "/slope.geo.blk");
-  EXPECT_EQ(blocks, read_text(folder + "/slope.dxf.blk"));
+  for (const char* other : {"/slope.dxf", "/slope.json", "/slope.xml"})
+    EXPECT_EQ(blocks, read_text(folder + other + ".blk")) << other;
+  EXPECT_TRUE(contains(read_text(folder + "/slope.json"), "\"keyblock\": 1"));
   EXPECT_GT(std::stoi(blocks), 50) << "its first number is that of the blocks";
 }
 
