@@ -84,17 +84,21 @@ std::string_view find_doubtful(std::string_view text) {
 
 }  // namespace
 
-void refuse_decimal_commas(const Tokens& tokens) {
-  const std::size_t end = tokens.junk() ? tokens.start_of(tokens.numbers.size()) : tokens.text.size();
-  const std::string_view text = tokens.text.substr(0, end);
-  if (text.find(',') == std::string_view::npos) return;
-  const std::string_view run = find_doubtful(text);
+void refuse_decimal_commas(const TextMap& map, std::string_view text, std::size_t first, std::size_t size) {
+  const std::string_view part = text.substr(first, size);
+  if (part.find(',') == std::string_view::npos) return;
+  const std::string_view run = find_doubtful(part);
   if (run.empty()) return;
   const auto comma = static_cast<std::size_t>(run.data() - text.data()) + run.find(',');
   throw InputError(
-      tokens.map->place(comma),
+      map.place(comma),
       fmt::format("expected a decimal point, or white space beside a comma that parts two numbers, found {}",
                   in_quotes(run)));
+}
+
+void refuse_decimal_commas(const Tokens& tokens) {
+  const std::size_t end = tokens.junk() ? tokens.start_of(tokens.numbers.size()) : tokens.text.size();
+  refuse_decimal_commas(*tokens.map, tokens.text, 0, end);
 }
 
 }  // namespace keyblock::formats

@@ -11,4 +11,7 @@ namespace keyblock::formats {
 /// (`0.5,3`, `1,2,3`) is believed, but not on a line where white space alone parts numbers as well.
 void refuse_decimal_commas(const Tokens& tokens);
 
+/// The same for `size` characters from `first` on of the text that `map` is of.
+void refuse_decimal_commas(const TextMap& map, std::string_view text, std::size_t first, std::size_t size);
+
 }  // namespace keyblock::formats

@@ -163,7 +163,7 @@ Reading read(const Source& source, const ReadHint&) {
   const int geometries = (content.drawing ? 1 : 0) + (content.blocks ? 1 : 0) + (content.cover ? 1 : 0);
   if (geometries > 1) text.root().fail("one of drawing, blocks and cover");
   if (is_empty(content))
-    text.root().fail("units, drawing, blocks, cover, analysis, motion or run beside the key keyblock");
+    reading.warnings.push_back({"empty_case", text.root().place(), "the case file holds nothing but its version"});
   if (content.choices) place_choices(*content.choices, *text.root().member("run"));
   if (content.drawing) reading.warnings = take_default_ratio(*content.drawing, *text.root().member("drawing"));
   if (content.analysis)

@@ -58,4 +58,8 @@ TEST(DecimalComma, comments_and_text_behind_the_numbers_may_hold_any) {
   EXPECT_EQ(error_of(geometry_with("0 0 10 0 # 22,5 degrees") + "end 1,5\n"), "");
 }
 
+TEST(DecimalComma, an_attribute_of_ddaml_with_one_is_no_smaller_number) {
+  EXPECT_EQ(error_of("<DDA><Analysis><Gravaccel value=\"9,81\"/></Analysis></DDA>"), refusal("1:35", "9,81"));
+}
+
 }  // namespace keyblock::formats
