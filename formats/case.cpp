@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "formats/analysis_parts.hpp"
@@ -14,6 +15,10 @@
 
 namespace keyblock::formats {
 namespace {
+
+constexpr std::array<std::string_view, 6> kMismatches{"joint_material_clamped", "block_material_clamped",
+                                                      "bolt_type_clamped",      "bolts_without_properties",
+                                                      "surplus_load_curves",    "loading_points_without_load"};
 
 /// What the file is, with the geometry beside it if known.
 void choose(FileReading& file, GeometryKind geometry) {
@@ -150,6 +155,14 @@ Problem pair(const std::vector<Content>& contents) {
   return problem;
 }
 
+Warnings mismatches(const Content& content) {
+  if (!content.analysis) return {};
+  Warnings found = check(pair({content})).warnings;
+  std::erase_if(
+      found, [](const Warning& warning) { return std::ranges::find(kMismatches, warning.name) == kMismatches.end(); });
+  return found;
+}
+
 Case load_case(const std::vector<std::string>& paths) {
   std::vector<Content> contents;
   Case result;
@@ -159,7 +172,10 @@ Case load_case(const std::vector<std::string>& paths) {
     contents.push_back(file.reading->content);
     result.warnings = joined(std::move(result.warnings), file.reading->warnings);
   }
-  Checked checked = check(pair(contents));
+  const Problem problem = pair(contents);
+  if (std::holds_alternative<std::monostate>(problem.geometry) && !problem.analysis)
+    throw InputError({paths.front()}, "expected a geometry or an analysis, found neither");
+  Checked checked = check(problem);
   if (!checked.errors.empty()) throw checked.errors.front();
   result.problem = std::move(checked.problem);
   if (!paths.empty()) result.problem.place = {paths.front(), 0, 0};

@@ -30,6 +30,10 @@ void put_units(std::optional<Units>& into, const std::optional<Units>& units, co
 /// One problem from the contents, in any order. Throws InputError at a second geometry or a second analysis.
 Problem pair(const std::vector<Content>& contents);
 
+/// What does not fit between geometry and analysis of one content, as `check` says it: materials that are not there, curves
+/// without points, points without curves.
+Warnings mismatches(const Content& content);
+
 /// A case ready to use and everything odd about it, from the readers and from `check`.
 struct Case {
   std::vector<FileReading> files;
@@ -37,7 +41,7 @@ struct Case {
   Warnings warnings;
 };
 
-/// Reads, pairs and checks. Throws the first InputError met.
+/// Reads, pairs and checks. Throws the first InputError met, also where there is neither geometry nor analysis.
 Case load_case(const std::vector<std::string>& paths);
 
 }  // namespace keyblock::formats

@@ -153,11 +153,18 @@ TEST(Batch, a_job_beyond_its_limits_fails_alone) {
   EXPECT_EQ(run.exit_code, 1);
   const auto jobs = jobs_in(root / "out");
   EXPECT_EQ(jobs[0]["outcome"], "ok") << jobs[0];
-  EXPECT_TRUE(contains(jobs[1]["message"], "stopped at the limit of 1 s of processor time")) << jobs[1];
+  EXPECT_TRUE(contains(jobs[1]["message"], "stopped at the limit of 1 s of processor time after ")) << jobs[1];
+  const int reached = jobs[1]["answers"][0]["steps"];
+  EXPECT_GT(reached, 0) << jobs[1];
+  const fs::path kept = root / "out" / jobs[1]["outputs"][0].get<std::string>();
+  EXPECT_EQ(nlohmann::json::parse(read_text(kept / "run.json"))["outcome"]["steps"], reached);
+  EXPECT_TRUE(fs::exists(kept / "checkpoint.h5")) << "a run stopped at its limit can be resumed";
   const ProgramRun starved = run_keyblock(
       {"batch", root / "in", "--run", "--profile", "standard", "--memory-limit", "16", "-o", root / "starved"});
   EXPECT_EQ(starved.exit_code, 1);
-  EXPECT_EQ(jobs_in(root / "starved")[0]["outcome"], "failed");
+  const auto poor = jobs_in(root / "starved")[0];
+  EXPECT_EQ(poor["outcome"], "failed");
+  EXPECT_TRUE(contains(poor["message"], "the limit of 16 MiB of memory is too small")) << poor;
 }
 
 TEST(Batch, a_check_beyond_its_limits_fails_alone_and_the_others_are_told_as_without_limits) {

@@ -28,6 +28,8 @@ namespace {
 using report::CatalogueAnswer;
 using report::CatalogueRow;
 
+constexpr int kNoRoomForLibraries = 127;  // exit code of the loader
+
 std::vector<std::string> profiles_of(const BatchPlan& plan) {
   return plan.profile.empty() ? std::vector<std::string>{"legacy", "standard"} : std::vector{plan.profile};
 }
@@ -49,6 +51,9 @@ std::string error_in(const fs::path& log) {
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
   if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
   const std::string error = error_in(log);
+  const bool is_starved = end.exit_code == kNoRoomForLibraries || error.find("not enough memory") != std::string::npos;
+  if (limits.memory_mebibytes > 0 && is_starved)
+    return fmt::format("the limit of {} MiB of memory is too small for it", limits.memory_mebibytes);
   return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
 }
 
@@ -80,11 +85,11 @@ CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const 
   const ChildEnd end = run_logged(plan, folder, profile, arguments);
   if (end.exit_code == 0) return study::answer_in(folder / profile, profile);
   const std::string why = why_it_ended(end, plan.limits, folder / (profile + ".log"));
-  fail(row, fmt::format("{}: {}", profile, why));
-  // How far a run came before a limit stopped it is chance.
-  if (end.exit_code > 128) return {profile, why, 0, 0, {}, 0, 0};
   CatalogueAnswer answer = study::answer_in(folder / profile, profile);
-  if (answer.end == "no result") answer.end = why;
+  const bool has_result = answer.end != "no result";
+  const bool is_partial = end.ran_out_of_time && has_result;
+  fail(row, fmt::format("{}: {}{}", profile, why, is_partial ? fmt::format(" after {} steps", answer.steps) : ""));
+  if (!has_result || is_partial) answer.end = why;
   return answer;
 }
 

@@ -1,8 +1,10 @@
 // `keyblock check`: says what each file is and why we think so, what it holds, and what is odd or wrong about it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -118,7 +120,6 @@ void print(const formats::FileReading& file) {
     fmt::print("  {}\n", counts.empty() ? "holds no geometry, analysis or results" : counts);
     print(file.reading->warnings);
   }
-  if (file.error) fmt::print("  {}\n", file.error->what());
 }
 
 void print(const Requirements& plan) {
@@ -127,10 +128,9 @@ void print(const Requirements& plan) {
 }
 
 void print(const CaseReport& report) {
-  if (report.warnings.empty() && report.errors.empty() && !report.plan) return;
+  if (report.warnings.empty() && !report.plan) return;
   fmt::print("the files together:\n");
   print(report.warnings);
-  for (const std::string& error : report.errors) fmt::print("  {}\n", error);
   if (report.plan) print(*report.plan);
 }
 
@@ -185,18 +185,27 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
+/// To standard error, behind the report; how many there are.
+std::size_t log_errors(const std::vector<formats::FileReading>& files, const CaseReport& report) {
+  std::vector<std::string> errors;
+  for (const formats::FileReading& file : files)
+    if (file.error) errors.emplace_back(file.error->what());
+  errors.insert(errors.end(), report.errors.begin(), report.errors.end());
+  std::fflush(stdout);
+  for (const std::string& error : errors) spdlog::error("{}", error);
+  return errors.size();
+}
+
 ExitCode check_files(const CheckOptions& options) {
   const std::vector<formats::FileReading> files = formats::read_files(options.files);
   const CaseReport report = report_of(files, options.profile);
-  bool failed = !report.errors.empty();
-  for (const formats::FileReading& file : files) failed = failed || file.error.has_value();
   if (options.as_json) {
     print_json(files, report);
   } else {
     for (const formats::FileReading& file : files) print(file);
     print(report);
   }
-  return failed ? ExitCode::unreadable : ExitCode::ok;
+  return log_errors(files, report) > 0 ? ExitCode::unreadable : ExitCode::ok;
 }
 
 }  // namespace

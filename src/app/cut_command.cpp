@@ -109,6 +109,7 @@ ExitCode cut_file(const CutOptions& options) {
     if (!file.empty()) {
       require_not_input(file, options.drawing);
       require_free(file, overwrite);
+      require_folder_of(file);
     }
   const formats::Case loaded = formats::load_case({options.drawing});
   const Drawing& drawing = drawing_of(loaded, options.drawing);

@@ -33,10 +33,10 @@ constexpr int kMostFrames = 100;
 // What an interruption may cost, unless asked otherwise.
 constexpr double kCheckpointSeconds = 30;
 
-std::atomic<bool> stop_asked = false;
+std::atomic<int> stop_signal = 0;  // the one that asked to stop
 
-extern "C" void ask_to_stop(int) {
-  stop_asked = true;
+extern "C" void ask_to_stop(int signal) {
+  stop_signal = signal;
 }
 
 struct RunOptions {
@@ -115,7 +115,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, const std:
     print_hint(prepared.scene.settings);
   }
   if (record.outcome.end == RunEnd::stopped)
-    spdlog::warn("stopped by request; keyblock run --resume {} goes on", folder);
+    spdlog::warn("stopped {}; keyblock run --resume {} goes on",
+                 stop_signal == SIGXCPU ? "at the limit of processor time" : "by request", folder);
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
 }
 
@@ -196,6 +197,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   std::signal(SIGHUP, ask_to_stop);
+  std::signal(SIGXCPU, ask_to_stop);
   CheckpointClock clock(options.checkpoint_every);
   bool stops = false;
   const Observer observer{[&](const Frame& frame) { folder.add(frame); },
@@ -207,7 +209,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
                             progress.show(report);
                           },
                           [&](const HistoryRow& row) { history.rows.push_back(row); },
-                          [&] { return stops = stop_asked.load(); },
+                          [&] { return stops = stop_signal != 0; },
                           [&](const LedgerRow& row) {
                             record.ledger_sums.add(row);
                             record.ledger.add(row);

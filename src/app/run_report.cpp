@@ -6,6 +6,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "app/ledger_report.hpp"
 #include "run/settings_table.hpp"
@@ -94,6 +96,25 @@ Json outcome_json(const RunOutcome& outcome) {
   return json;
 }
 
+// Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a name.
+std::string kind_of(const Warning& warning) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kOfNumbers = "0123456789.e+-";
+  std::string kind = warning.name + ' ';
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < warning.sentence.size();) {
+    const char c = warning.sentence[i];
+    if (c == '"') in_quotes = !in_quotes;
+    if (in_quotes || kDigits.find(c) == std::string_view::npos) {
+      kind += c;
+      ++i;
+    } else {
+      i = std::min(warning.sentence.find_first_not_of(kOfNumbers, i), warning.sentence.size());
+    }
+  }
+  return kind;
+}
+
 }  // namespace
 
 Json warning_list_json(const Warnings& warnings) {
@@ -121,10 +142,15 @@ Json warnings_json(const Warnings& warnings) {
 }
 
 void log_warnings(const Warnings& warnings) {
-  for (const Json& w : warnings_json(warnings)) {
-    const int count = w["count"];
-    spdlog::warn("{}{}", w["first"].get<std::string>(), count > 1 ? fmt::format(" ({} times)", count) : "");
+  std::vector<std::pair<const Warning*, int>> firsts;
+  std::map<std::string, std::size_t> known;  // kind, and which of the firsts it is
+  for (const Warning& warning : warnings) {
+    const auto [kind, is_new] = known.emplace(kind_of(warning), firsts.size());
+    if (is_new) firsts.emplace_back(&warning, 0);
+    ++firsts[kind->second].second;
   }
+  for (const auto& [first, count] : firsts)
+    spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
 }
 
 Json requirements_json(const Requirements& requirements) {

@@ -68,7 +68,14 @@ std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history
 
 Archive read_checkpoint(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw UsageError(fmt::format("nothing to resume: expected {}, found none", file.string()));
+  if (!stream && fs::exists(file.parent_path() / "run.json"))
+    throw UsageError(
+        fmt::format("nothing to resume: the run in {} is over, as its run.json says", file.parent_path().string()));
+  if (!stream)
+    throw UsageError(
+        fmt::format("nothing to resume: expected {}, found none; a run that was killed before its first "
+                    "checkpoint begins again with run … -o {} --force",
+                    file.string(), file.parent_path().string()));
   return archive_of_checkpoint(file.string(), {std::istreambuf_iterator<char>(stream), {}});
 }
 

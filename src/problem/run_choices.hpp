@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
+
 namespace keyblock {
 
 /// The names of the base units; one consistent set, to which only drawings (DXF) are brought. Empty: the old file did not say.
@@ -21,7 +23,13 @@ struct RunChoices {
   std::string profile;                                        ///< empty: whatever the command takes
   std::vector<std::pair<std::string, std::string>> settings;  ///< name and value as `keyblock run --set` takes them
 
-  bool operator==(const RunChoices&) const = default;
+  Place place = {};
+  Place profile_place = {};
+  std::vector<Place> setting_places = {};  ///< one a setting; none where no file says them
+
+  friend bool operator==(const RunChoices& a, const RunChoices& b) {
+    return a.profile == b.profile && a.settings == b.settings;
+  }
 };
 
 }  // namespace keyblock

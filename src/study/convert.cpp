@@ -175,6 +175,7 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
     conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
     add_to(content, reading.content, file.path);
   }
+  conversion.warnings = joined(std::move(conversion.warnings), formats::mismatches(content));
   if (std::optional<Derivation> derived = derived_geometry(content, target)) {
     content.drawing = std::move(derived->content.drawing);
     content.blocks = std::move(derived->content.blocks);

@@ -216,6 +216,14 @@ TEST(Dxf, what_is_skipped_is_listed_once_a_kind_with_its_number) {
             "f:36:1: warning: skipped: 1 × entity of the section BLOCKS [dxf_skipped]");
 }
 
+TEST(Dxf, chords_of_skipped_curves_are_not_counted) {
+  const std::string circle = "\n10\n0\n20\n0\n40\n1\n";
+  const Reading skipped = read_entities(line("JOINT_1") + "0\nCIRCLE\n8\nMEASURED" + circle);
+  EXPECT_EQ(names(skipped.warnings), std::vector<std::string>{"dxf_skipped"});
+  const Reading one = read_entities("0\nCIRCLE\n8\nMEASURED" + circle + "0\nCIRCLE\n8\nJOINT" + circle);
+  EXPECT_NE(sentence(one, "dxf_curves_as_chords").find("1 arcs, circles and bulges are 32 chords"), std::string::npos);
+}
+
 TEST(Dxf, curves_seen_from_below_are_mirrored) {
   const Reading reading = read_entities(circle("210\n0\n220\n0\n230\n-1\n"));
   for (const JointLine& joint : reading.content.drawing->joints)

@@ -412,4 +412,18 @@ TEST(Convert, what_a_view_does_not_show_is_lost) {
     EXPECT_EQ(std::ranges::count(of_grid, loss), 1) << loss.item;
 }
 
+TEST(Convert, what_does_not_fit_between_geometry_and_analysis_is_said) {
+  Content content;
+  content.drawing.emplace().joints = {{{{0, 0}, {1, 0}}, 2, {}}};
+  content.drawing->edge_node_ratio = 0.01;
+  Analysis& analysis = content.analysis.emplace();
+  analysis.block_materials.resize(1);
+  analysis.joint_materials.resize(1);
+  analysis.point_loads.resize(1);
+  const Conversion conversion = converted(content, *find_target("dda-geometry"));
+  std::vector<std::string> names;
+  for (const Warning& warning : conversion.warnings) names.push_back(warning.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"joint_material_clamped", "surplus_load_curves"}));
+}
+
 }  // namespace keyblock::study
