@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::array<Command, 9> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
-    {"cut", "cuts a drawing into blocks", configure_cut},
+    {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut},
     {"joints", "draws joint sets from statistics into an outline", configure_joints},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -34,7 +35,13 @@ TriangleMesh regular(const MeshOptions& options, const Box& box) {
   return regular_triangles(box, mesh);
 }
 
+bool is_finite(double value) {
+  return std::isfinite(value);
+}
+
 TriangleMesh unstructured(const MeshOptions& options, const BodyGraph& graph, const Box& box) {
+  if (!std::isfinite(options.side) || !std::all_of(options.refined.begin(), options.refined.end(), is_finite))
+    throw UsageError("--mesh-side, --mesh-refine: expected finite numbers");
   MeshSize size;
   size.side = options.side;
   for (std::size_t k = 0; k + 2 < options.refined.size(); k += 3)
@@ -94,7 +101,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
 }
 
 bool is_asked_for(const MeshOptions& options) {
-  if (options.half_rows > 0 || options.side > 0) return true;
+  if (options.half_rows > 0 || options.side != 0) return true;
   if (options.placement != MeshPlacement::free || options.snap_ratio > 0)
     throw UsageError("--mesh-placement and --mesh-snap require --mesh or --mesh-side");
   return false;

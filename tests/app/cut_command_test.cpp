@@ -80,6 +80,8 @@ TEST_F(CutCommand, refuses_options_of_a_mesh_without_one) {
 TEST_F(CutCommand, refuses_a_mesh_that_would_fill_the_memory) {
   EXPECT_EQ(run("squares.geo --mesh-side 1e-5"), 2);
   EXPECT_NE(text("err").find("triangles"), std::string::npos) << text("err");
+  EXPECT_EQ(run("squares.geo --mesh-side nan"), 2);
+  EXPECT_EQ(run("squares.geo --mesh-side 1 --mesh-refine 0.5 0.5 0"), 2);
 }
 
 TEST_F(CutCommand, an_unstructured_mesh_is_finer_at_refined_points) {
