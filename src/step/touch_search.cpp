@@ -22,6 +22,9 @@ constexpr double kNewOverlap = 1e-9;
 // what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
 constexpr double kPushedOut = 1e-7;
 
+// Cosine of the angle between two faces that carry a block as one: two and a half degrees.
+constexpr double kSameLine = 0.999;
+
 // Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
 constexpr double kTouching = 1e-6;
 
@@ -105,14 +108,39 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   return fresh;
 }
 
+namespace {
+
+// Compression that closed springs of one of its elements have along the line of a touch: a block that slides on over the joint of
+// two bases goes on as deep as it was.
+double compressed_alongside(const StandardScene& scene, const Motion& start, const Touch& touch,
+                            const Table<VertexIndex, Point>& vertices) {
+  const auto owner = [&](VertexIndex v) { return scene.model.vertices[v].element; };
+  const Point normal = normal_of(touch, vertices);
+  double greatest = 0;
+  for (const auto& [other, memory] : start.closed.all()) {
+    const bool is_alike = owner(other.vertex) == owner(touch.vertex) || owner(other.start) == owner(touch.start);
+    const bool is_reversed = owner(other.vertex) == owner(touch.start) || owner(other.start) == owner(touch.vertex);
+    const double cosine = is_alike || is_reversed ? dot(normal, normal_of(other, vertices)) : 0;
+    if ((is_alike && cosine > kSameLine) || (is_reversed && cosine < -kSameLine))
+      greatest = std::max(greatest, memory.normal_compliance * memory.normal_at_end);
+  }
+  return greatest;
+}
+
+}  // namespace
+
 void leave_overlaps(const StandardScene& scene, const Motion& start, const Scales& scales, Touches& touches) {
   if (scene.settings.standard.impact == ImpactLaw::springs) return;
   const auto vertices = vertices_at(scene.model, scene.reference, start.q);
   for (Touch& touch : touches) {
     const ContactMemory* memory = start.closed.of(touch);
-    const double compressed = memory ? memory->normal_compliance * memory->normal_at_end : 0;
-    const double gap = gap_of(touch, vertices) + compressed;
-    touch.rest_gap = gap < -kPushedOut * scales.size ? gap : 0;
+    const double overlap = -kPushedOut * scales.size;
+    double gap = gap_of(touch, vertices);
+    if (memory)
+      gap += memory->normal_compliance * memory->normal_at_end;
+    else if (gap < overlap && scene.has_springs())
+      gap += compressed_alongside(scene, start, touch, vertices);
+    touch.rest_gap = gap < overlap ? gap : 0;
   }
 }
 
