@@ -40,11 +40,15 @@ double top_speed(const StandardScene& scene, const UnknownsTable& v) {
   return top;
 }
 
-// Compression of the springs of closed contacts is no overlap between corners; twice the greatest is on the safe side.
-TouchSearch search_of(const StandardScene& scene, const Motion& motion, double reach) {
+// Neither compression of springs nor what overlap closed contacts were left with is one between corners; twice the greatest is on
+// the safe side. `vertices`: of the motion.
+TouchSearch search_of(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
+                      double reach) {
   double greatest = 0;
-  for (const auto& [touch, memory] : motion.closed.all())
-    greatest = std::max(greatest, memory.normal * memory.normal_compliance);
+  for (const auto& [touch, memory] : motion.closed.all()) {
+    if (memory.normal_compliance == 0) continue;
+    greatest = std::max({greatest, memory.normal * memory.normal_compliance, -gap_of(touch, vertices)});
+  }
   return {reach, 2 * greatest, scene.has_springs() && scene.settings.standard.spring_points == SpringPoints::lobatto};
 }
 
@@ -82,7 +86,7 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
   const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
   const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
-  FoundTouches found = found_within(scene, vertices, search_of(scene, motion, reach));
+  FoundTouches found = found_within(scene, vertices, search_of(scene, motion, vertices, reach));
   for (const CornerTie& tie : found.ties) {
     const auto closed =
         std::ranges::find_if(tie.candidates, [&](const Touch& touch) { return motion.closed.of(touch); });
@@ -95,11 +99,11 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
                           const FoundTouches& known, const Scales& scales) {
   std::set<Touch> names(known.touches.begin(), known.touches.end());
   const double overlap = kNewOverlap * scales.size;
-  const TouchSearch search = search_of(scene, start, 0);
+  const auto before = vertices_at(scene.model, scene.reference, start.q);
+  const TouchSearch search = search_of(scene, start, before, 0);
   Touches fresh;
   for (const Touch& touch : found_within(scene, vertices, search).touches)
     if (gap_of(touch, vertices) < -overlap - search.slack && names.insert(touch).second) fresh.push_back(touch);
-  const auto before = vertices_at(scene.model, scene.reference, start.q);
   for (const CornerTie& tie : known.ties) {
     if (std::ranges::any_of(tie.candidates, [&](const Touch& touch) { return names.contains(touch); })) continue;
     const Touch* touch = touch_of(tie, before, vertices, overlap);
@@ -110,21 +114,17 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
 
 namespace {
 
-// Compression that closed springs of one of its elements have along the line of a touch: a block that slides on over the joint of
-// two bases goes on as deep as it was.
-double compressed_alongside(const StandardScene& scene, const Motion& start, const Touch& touch,
-                            const Table<VertexIndex, Point>& vertices) {
-  const auto owner = [&](VertexIndex v) { return scene.model.vertices[v].element; };
+// Compression of the spring that the corner of a touch had against another face on nearly one line with it, and has no more: a
+// block that slides on over the joint of two bases goes on as deep as it was, and nothing is gained by it.
+double handed_on(const Motion& start, const Touch& touch, const Touches& present,
+                 const Table<VertexIndex, Point>& vertices) {
   const Point normal = normal_of(touch, vertices);
-  double greatest = 0;
   for (const auto& [other, memory] : start.closed.all()) {
-    const bool is_alike = owner(other.vertex) == owner(touch.vertex) || owner(other.start) == owner(touch.start);
-    const bool is_reversed = owner(other.vertex) == owner(touch.start) || owner(other.start) == owner(touch.vertex);
-    const double cosine = is_alike || is_reversed ? dot(normal, normal_of(other, vertices)) : 0;
-    if ((is_alike && cosine > kSameLine) || (is_reversed && cosine < -kSameLine))
-      greatest = std::max(greatest, memory.normal_compliance * memory.normal_at_end);
+    const bool is_same_corner = other.vertex == touch.vertex && other.kind == TouchKind::corner;
+    if (!is_same_corner || touch.kind != TouchKind::corner || std::ranges::count(present, other) > 0) continue;
+    if (dot(normal, normal_of(other, vertices)) > kSameLine) return memory.normal_compliance * memory.normal_at_end;
   }
-  return greatest;
+  return 0;
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ void leave_overlaps(const StandardScene& scene, const Motion& start, const Scale
     if (memory)
       gap += memory->normal_compliance * memory->normal_at_end;
     else if (gap < overlap && scene.has_springs())
-      gap += compressed_alongside(scene, start, touch, vertices);
+      gap += handed_on(start, touch, touches, vertices);
     touch.rest_gap = gap < overlap ? gap : 0;
   }
 }
