@@ -107,7 +107,8 @@ double strain_on(const ComparedValue& value) {
 
 std::string variant_line(const ComparedCase& run) {
   const std::string name = fmt::format("variant {} ({})", run.variant, run.profile);
-  const std::string verdict = run.holds() ? "ok" : "MISSED";
+  const bool is_listed = std::ranges::any_of(run.values, &ComparedValue::is_listed_miss);
+  const std::string verdict = !run.holds() ? "MISSED" : is_listed ? "listed miss" : "ok";
   if (!run.not_run.empty()) return wrapped(fmt::format("  {:56} {}, not run:", name, verdict), run.not_run);
   const ComparedValue* worst = nullptr;
   for (const ComparedValue& v : run.values)

@@ -65,7 +65,6 @@ ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<G
     sparse_ = std::make_unique<ForcesOfBlocks>(problem.w, set_, added);
 }
 
-ActiveForces::ActiveForces(ActiveForces&&) noexcept = default;
 ActiveForces::~ActiveForces() = default;
 
 bool ActiveForces::is_regular() const {

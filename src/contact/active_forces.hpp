@@ -36,7 +36,7 @@ class ActiveForces {
  public:
   /// `added` stands on the diagonal of W beside its own entries; where an unknown force has neither, few forces can be solved only.
   ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips, const Eigen::VectorXd& added);
-  ActiveForces(ActiveForces&&) noexcept;
+  ActiveForces(const ActiveForces&) = delete;  // its parts refer to each other
   ~ActiveForces();
 
   /// False where no factor was found: the active set leaves forces open.

@@ -3,10 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 
 #include "contact/contact_row.hpp"
-#include "system/block_pattern.hpp"
 
 namespace keyblock {
 

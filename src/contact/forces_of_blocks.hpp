@@ -7,7 +7,8 @@
 
 namespace keyblock {
 
-/// (R W F + R D F) u = f, with R the rows kept, F the columns and D > 0 what is added to the diagonal, is
+/// With W = G B Gᵀ (contact_matrix.hpp), (R W F + R D F) u = f, R the rows kept, F the columns and D > 0 what stands on the diagonal
+/// besides (compliance and proximal weight, length / force), is
 ///     (A + Gᵀ F D⁻¹ R G) x = Gᵀ F D⁻¹ f,   u = D⁻¹ (f − R G x),   A = B⁻¹,
 /// for D stands alone in the row of each unknown. It is what penalty springs of stiffness 1/D put between blocks (Shi 1988), slip
 /// included, and is refined on the equations of the forces.

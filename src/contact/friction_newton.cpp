@@ -85,9 +85,11 @@ class Newton {
   void keep_best() {
     const double now = residual(problem_, forces_);
     if (!(now < solution_.residual)) return;
+    const bool is_good = is_acceptable(problem_, forces_);
+    if (solution_.converged && !is_good) return;
     solution_.residual = now;
     solution_.forces = forces_;
-    solution_.converged = is_acceptable(problem_, forces_);
+    solution_.converged = is_good;
   }
 
   void name_undecided(const std::vector<Grip>& a, const std::vector<Grip>& b) {

@@ -7,7 +7,7 @@
 namespace keyblock {
 
 /// Semismooth Newton on the natural map. The proximal term ρ W_ii (λ − λ_ref) makes redundant contacts regular; λ_ref follows
-/// round by round until the residual of the problem itself is at its goal (contact-notes 3, steps 3 to 5). An active set
+/// round by round until the residual of the problem itself is at its goal (Rockafellar 1976). An active set
 /// that comes back is a cycle: the pairs that differ between the two visits are undecided. The best forces seen are kept.
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start);
 

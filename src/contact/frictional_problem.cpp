@@ -57,12 +57,15 @@ double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces)
 // The pairs that the natural map would still change by more than is acceptable.
 std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
   const Eigen::VectorXd change = (natural_map(problem, forces).forces - forces).cwiseAbs();
-  const auto is_settled = [&](Eigen::Index i) {
-    return change[i] <= std::max(problem.acceptable, problem.gap_tolerance / problem.compliance()[i]);
-  };
+  const Eigen::VectorXd y = problem.w * forces + problem.b;
   std::vector<std::size_t> pairs;
   for (std::size_t i = 0; i < problem.count(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
+    const bool is_allowed = forces[n] >= problem.laws[i].least - problem.acceptable &&
+                            std::abs(forces[n + 1]) <= problem.laws[i].limit(forces[n]) + problem.acceptable;
+    const auto is_settled = [&](Eigen::Index k) {
+      return change[k] <= problem.acceptable || (is_allowed && std::abs(y[k]) <= problem.gap_tolerance);
+    };
     if (!is_settled(n) || !is_settled(n + 1)) pairs.push_back(i);
   }
   return pairs;
@@ -90,6 +93,7 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
     if (is_open(map.grips[i])) solution.forces[n] = problem.laws[i].least;
     if (map.grips[i] == Grip::open) solution.forces[n + 1] = 0;
   }
+  solution.converged = solution.converged && is_acceptable(problem, solution.forces);
   return solution;
 }
 

@@ -67,7 +67,7 @@ struct FrictionalSolution {
       undecided;  ///< pairs whose state went round in a cycle, or which hold the residual up at the end
 };
 
-/// What λ would become under the natural map (Alart & Curnier 1991), with r one over the compliance by which y is judged, W_ii:
+/// What λ would become under the natural map (Alart & Curnier 1991), with r one over the compliance by which y is judged (W_ii unless the problem has a scale):
 ///     λn → max(least, λn − rn yn),  λt → clamp(λt − rt yt, ± limit of the new λn).
 struct NaturalMap {
   Eigen::VectorXd forces;
@@ -85,7 +85,8 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
 /// Largest change of λ by the natural map: zero at the solution and only there.
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 
-/// Whether no force is further from settled than is acceptable, nor, as a gap, than is tolerated.
+/// Whether every force is settled: the natural map changes it by no more than is acceptable, or it is one that its law allows
+/// and its |y| is tolerated.
 bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 
 /// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and Newton

@@ -29,7 +29,7 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
 /// With the arms in G and the way since the meeting angular momentum is kept as linear is; a law at the end of the step loses
 /// it with the overlap. Closed touches take part without restitution; none approaches faster than before.
 /// Strain rates do not jump: the corner of a deformable block sees a fraction of its mass, and the law at the corner
-/// would not give the body's restitution (contact-notes 4.4). Nor are they seen: all velocities here are rigid ones, for an
+/// would not give the body's restitution. Nor are they seen: all velocities here are rigid ones, for an
 /// impulse that makes rigid velocity of a strain rate creates energy.
 Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
                 const std::vector<Meeting>& meetings, const Touches& closed);
@@ -38,7 +38,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
 UnknownsTable rigid_part(UnknownsTable v);
 
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants, with the full mass: both
-/// are kept in positions, and without this their rates would change sign each step (contact-notes 3, step 8).
+/// are kept in positions, and without this their rates would change sign each step.
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
                                    const Touches& closed, double time, double dt);
 

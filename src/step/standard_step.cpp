@@ -110,10 +110,9 @@ class Attempt {
  private:
   // Again where blocks came to overlap at corners that nobody reckoned with.
   void move_smoothly() {
-    const double goal = found_.touches.size() > kMany ? kForceGoalOfMany * scales_.force : 0;
+    if (found_.touches.size() > kMany) least_force_ = std::max(least_force_, kForceGoalOfMany * scales_.force);
     const ForceTolerance tolerance{
-        std::max(least_force_, goal),
-        std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
+        least_force_, std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
     for (int search = 0; search < kMostSearches; ++search) {
       parts_ = split(scene_, start_, found_.touches, slow_speed(scales_, start_.v, dt_));
       smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_);

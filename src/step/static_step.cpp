@@ -31,10 +31,12 @@ constexpr double kGrowthAfterCut = 1.2;  // once contact forces did not settle u
 // Longest τ times the slowest frequency of a block: what is left of an elastic error after one iteration is its square
 // inverse, where blocks bend as a whole more by as much as that is slower.
 constexpr double kLongest = 3e3;
+// Where a body does not strain, forces are judged by its rigid motion, and a longer τ would let springs and gaps go unjudged.
+constexpr double kLongestOfRigid = 30;
 // Loads that turn with a block are not part of the linearisation: a τ beyond what they allow throws a hanging block over its rest,
 // further each time. Where blocks turn back and more is out of balance than before, τ stays below a share of the one that did it.
 constexpr double kAfterRise = 0.5;
-constexpr double kRaised = 1.2;  // in each iteration that it falls again
+constexpr double kRaised = 1.2;  // in each iteration without such a turn
 constexpr int kLook = 10;        // iterations between two looks at what is out of balance
 constexpr double kFalls = 0.5;
 constexpr double kLonger = 2;
@@ -91,6 +93,7 @@ class StaticSolve {
     if (load_ == 0) return false;
     const Scales scales = scales_of(scene_, loads, now_.v);
     double slowest = std::numeric_limits<double>::max();
+    bool all_strain = true;
     double lightest = slowest;
     double heaviest = 0;
     for (const Body& body : scene_.bodies) {
@@ -98,6 +101,7 @@ class StaticSolve {
       if (last < 0) continue;
       lightest = std::min(lightest, body.mass(0, 0));
       heaviest = std::max(heaviest, body.mass(0, 0));
+      all_strain = all_strain && body.slowest_frequency > 0;
       if (body.stiffness(last, last) > 0)
         slowest = std::min(slowest, std::sqrt(body.stiffness(last, last) / body.mass(last, last)));
       if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
@@ -105,7 +109,8 @@ class StaticSolve {
     for (const Bolt& bolt : scene_.model.bolts)
       if (bolt.is_spring()) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
     tau_ = std::sqrt(kFarthest * scales.size * lightest / load_);
-    longest_ = slowest < std::numeric_limits<double>::max() ? kLongest / slowest : kLongest * tau_;
+    const double longest = all_strain ? kLongest : kLongestOfRigid;
+    longest_ = slowest < std::numeric_limits<double>::max() ? longest / slowest : longest * tau_;
     tau_ = std::min(tau_, longest_);
     return true;
   }

@@ -145,6 +145,7 @@ ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
     if (!variant.tolerance) continue;
     v.tolerance = *variant.tolerance;
     v.tolerance_reason = variant.reason;
+    v.listed_miss.clear();
   }
   try {
     return compared_with(loaded, compared, loaded.file.overrides(variant));
@@ -158,6 +159,10 @@ ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
 
 bool ComparedValue::holds() const {
   return computed && std::abs(error()) <= tolerance;
+}
+
+bool ComparedValue::is_listed_miss() const {
+  return is_judged && !listed_miss.empty() && computed && std::isfinite(*computed) && !holds();
 }
 
 bool ComparedCase::holds() const {

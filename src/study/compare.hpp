@@ -31,8 +31,9 @@ struct ComparedValue {
   double error() const { return computed.value_or(0) - expected; }
   bool holds() const;
   /// Judged and outside its tolerance without being listed, or within it although it is: then the list is out of date.
-  bool is_missed() const { return is_judged && holds() != listed_miss.empty(); }
-  bool is_listed_miss() const { return is_judged && !holds() && !listed_miss.empty(); }
+  bool is_missed() const { return is_judged && !is_listed_miss() && (!holds() || !listed_miss.empty()); }
+  /// Computed, not held, and known not to hold.
+  bool is_listed_miss() const;
 };
 
 /// A case rerun once.

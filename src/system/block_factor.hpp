@@ -26,8 +26,8 @@ class BlockFactor {
   /// Adds to block (i, j), size(i) × size(j); i and j are equal or coupled in the pattern.
   void add(int i, int j, const Block& block);
 
-  /// Replaces the values by the factor; false if a diagonal block is singular or a value is not finite.
-  /// A matrix that is said to be symmetric has half the work; what was added above its diagonal is not looked at.
+  /// Replaces the values by the factor; false if a pivot block is exactly singular or a value is not finite.
+  /// A matrix said to be symmetric has half the work: both halves are still to be added, one of them is not looked at.
   bool factorise(bool is_symmetric);
 
   /// b becomes A⁻¹ b. Block i has its rows one after another, block after block.

@@ -17,7 +17,7 @@ namespace {
 using namespace formats;
 
 /// The analysis files of the samples belong to a geometry with these points.
-constexpr ReadHint kHint{1, 2, GeometryKind::unknown};
+const ReadHint kHint{1, 2, GeometryKind::unknown};
 
 std::optional<Reading> reading_of(const Reader& reader, const Source& source) {
   try {

@@ -59,6 +59,21 @@ TEST(Compare, a_value_holds_within_its_tolerance_and_only_if_there_is_one) {
   EXPECT_FALSE(value(1, std::nan("")).holds());
 }
 
+TEST(Compare, a_listed_miss_is_none_and_a_listed_value_that_holds_or_was_not_computed_is_one) {
+  const auto listed = [](std::optional<double> computed) {
+    ComparedValue v = value(computed, 0.25);
+    v.listed_miss = "known";
+    return v;
+  };
+  EXPECT_FALSE(listed(2).is_missed());
+  EXPECT_TRUE(listed(2).is_listed_miss());
+  EXPECT_TRUE(listed(1).is_missed()) << "the list is out of date";
+  EXPECT_TRUE(listed(std::nullopt).is_missed());
+  EXPECT_TRUE(listed(std::nan("")).is_missed());
+  EXPECT_TRUE(value(2, 0.25).is_missed());
+  EXPECT_FALSE(value(2, 0.25).is_listed_miss());
+}
+
 TEST(Compare, a_case_holds_if_the_run_finished_and_every_value_holds) {
   ComparedCase good;
   good.values = {value(1, 0.1), value(1, 0.1)};

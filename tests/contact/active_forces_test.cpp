@@ -1,0 +1,92 @@
+// The forces of an active set meet the equations that define it: few by a dense factor, many by way of the blocks.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/active_forces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace keyblock {
+namespace {
+
+// A chain of rigid and deformable elements, each pair of forces between two of them, the last between an element and itself.
+FrictionalProblem chain(int elements, std::mt19937& engine) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto random = [&](int rows, int columns) {
+    return Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return number(engine); }));
+  };
+  Table<ElementIndex, UnknownBlock> flexibility;
+  for (int e = 0; e < elements; ++e) {
+    const int size = e == 0 ? 0 : e % 3 == 0 ? 6 : 3;
+    const Eigen::MatrixXd root = random(size, size);
+    flexibility.push_back(UnknownBlock(root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(size, size)));
+  }
+  ContactRows rows;
+  const auto size = [&](int e) { return static_cast<int>(flexibility[ElementIndex{e}].rows()); };
+  for (int e = 0; e < elements; ++e) {
+    const int other = e + 1 < elements ? e + 1 : e;
+    for (int k = 0; k < 2; ++k)
+      rows.push_back({{e}, {other}, ContactRow::Row(random(1, size(e))), ContactRow::Row(random(1, size(other)))});
+  }
+  FrictionalProblem problem;
+  problem.w = ContactMatrix(rows, flexibility);
+  problem.b = random(2 * elements, 1);
+  problem.laws.assign(static_cast<std::size_t>(elements), {0.4, 0.1, -0.2});
+  return problem;
+}
+
+double misfit(int elements) {
+  std::mt19937 engine(3);
+  FrictionalProblem problem = chain(elements, engine);
+  std::vector<Grip> grips;
+  for (int i = 0; i < elements; ++i)
+    grips.push_back(std::array{Grip::stick, Grip::slip_forward, Grip::stick, Grip::open, Grip::slip_backward}[i % 5]);
+  const Eigen::VectorXd added = 1e-3 * problem.w.diagonal().array() + 1e-4;
+  const ActiveForces active(problem, grips, added);
+  EXPECT_TRUE(active.is_regular());
+  const Eigen::VectorXd forces = active.solve(problem.b);
+  const Eigen::VectorXd y = problem.w * forces + added.cwiseProduct(forces) + problem.b;
+  double worst = 0;
+  for (int i = 0; i < elements; ++i) {
+    const Eigen::Index n = 2 * i;
+    const ForceLaw& law = problem.laws[static_cast<std::size_t>(i)];
+    const Grip grip = grips[static_cast<std::size_t>(i)];
+    const double slip = law.cohesion + law.friction * forces[n];
+    worst = std::max(worst, std::abs(grip == Grip::open ? forces[n] - law.least : y[n]));
+    if (grip == Grip::stick) worst = std::max(worst, std::abs(y[n + 1]));
+    if (grip == Grip::open) worst = std::max(worst, std::abs(forces[n + 1]));
+    if (grip == Grip::slip_forward) worst = std::max(worst, std::abs(forces[n + 1] - slip));
+    if (grip == Grip::slip_backward) worst = std::max(worst, std::abs(forces[n + 1] + slip));
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST(ActiveForces, few_and_many_meet_the_equations_of_their_active_set) {
+  EXPECT_LE(misfit(10), 1e-11);
+  EXPECT_LE(misfit(200), 1e-11);
+}
+
+// Two unit masses in line pressed against a wall by redundant forces that are asked for gaps a rounding apart: no forces close
+// both, and what is left is tolerated; a force that its law forbids is not.
+TEST(FrictionalProblem, a_tolerated_gap_settles_forces_that_their_law_allows) {
+  ContactRows rows;
+  for (int k = 0; k < 2; ++k) {
+    rows.push_back({{0}, {0}, Eigen::RowVector2d(1, 0), Eigen::RowVector2d(0, 0)});
+    rows.push_back({{0}, {0}, Eigen::RowVector2d(0, 1), Eigen::RowVector2d(0, 0)});
+  }
+  FrictionalProblem problem;
+  problem.w = ContactMatrix(rows, {UnknownBlock(Eigen::Matrix2d::Identity())});
+  problem.b = Eigen::Vector4d(-10, 0, -10 - 1e-6, 0);
+  problem.laws = {kTie, kTie};
+  problem.goal = problem.acceptable = 1e-9;
+  EXPECT_FALSE(solve(problem, Eigen::Vector4d::Zero()).converged);
+  problem.gap_tolerance = 1e-6;
+  EXPECT_TRUE(solve(problem, Eigen::Vector4d::Zero()).converged);
+  problem.laws = {ForceLaw{0.5}, ForceLaw{0.5}};
+  EXPECT_FALSE(is_acceptable(problem, Eigen::Vector4d(15, 0, -5, 0)));
+  EXPECT_FALSE(is_acceptable(problem, Eigen::Vector4d(5, 4, 5, -4)));
+}
+
+}  // namespace keyblock
