@@ -22,6 +22,10 @@ struct Exponents {
   int x = 0;
   int y = 0;
 };
+/// Place of a monomial.
+constexpr int monomial_place(Exponents e) {
+  return monomial(e.x, e.y);
+}
 /// Of all monomials up to `degree`, in their order.
 std::vector<Exponents> exponents(int degree);
 

@@ -23,8 +23,7 @@ const std::vector<std::vector<Point>> kUnitTriangle = {{{0, 0}, {1, 0}, {0, 1}}}
 
 TEST(Polynomial, moments_of_the_unit_triangle_are_products_of_factorials) {
   const Eigen::VectorXd moments = polygon_moments(kUnitTriangle, {}, 6);
-  for (const Exponents& e : exponents(6))
-    EXPECT_NEAR(moments(monomial(e.x, e.y)), of_unit_triangle(e.x, e.y), 1e-15);
+  for (const Exponents& e : exponents(6)) EXPECT_NEAR(moments(monomial(e.x, e.y)), of_unit_triangle(e.x, e.y), 1e-15);
 }
 
 // A square of side 2 about the origin less a clockwise square of side 1: ∫ x⁴ = 2·(2/5) - 1·(2·0.5⁵/5), in a frame that is
