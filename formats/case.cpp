@@ -5,14 +5,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "formats/analysis_parts.hpp"
 #include "formats/dda_analysis.hpp"
+#include "formats/dxf.hpp"
 #include "formats/nmm_analysis.hpp"
 
 namespace keyblock::formats {
 namespace {
+
+constexpr std::array<std::string_view, 6> kMismatches{"joint_material_clamped", "block_material_clamped",
+                                                      "bolt_type_clamped",      "bolts_without_properties",
+                                                      "surplus_load_curves",    "loading_points_without_load"};
 
 /// What the file is, with the geometry beside it if known.
 void choose(FileReading& file, GeometryKind geometry) {
@@ -65,6 +71,17 @@ ReadHint hint_of(const Reading& reading) {
   return counted_points(content);
 }
 
+/// Drawing programs' files are read again in the length unit that another file declares.
+void bring_to_declared_unit(std::vector<FileReading>& files) {
+  const auto is_dxf = [](const FileReading& file) { return file.choice && file.choice->format == &kDxf; };
+  ReadHint hint;
+  for (const FileReading& file : files)
+    if (file.reading && file.reading->content.units && !is_dxf(file)) hint.length = file.reading->content.units->length;
+  if (hint.length.empty()) return;
+  for (FileReading& file : files)
+    if (file.reading && is_dxf(file)) read_into(file, hint);
+}
+
 [[noreturn]] void refuse_second(const Place& second, const Place& first, std::string_view noun) {
   throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file.text()));
 }
@@ -93,7 +110,9 @@ Problem with_content(Problem problem, const Content& content) {
     if (problem.motion) refuse_second(content.motion->place, problem.motion->place, "motion");
     problem.motion = content.motion;
   }
-  if (content.units) problem.units = *content.units;
+  std::optional<Units> units = problem.units;
+  put_units(units, content.units, content.drawing ? content.drawing->place : Place{});
+  problem.units = *units;
   if (content.choices) problem.choices = *content.choices;
   return problem;
 }
@@ -103,6 +122,7 @@ Problem with_content(Problem problem, const Content& content) {
 std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
   std::vector<FileReading> files;
   for (const std::string& path : paths) files.push_back(open(path));
+  bring_to_declared_unit(files);
   ReadHint hint;
   for (FileReading& file : files) {
     if (file.reading && hint.geometry == GeometryKind::unknown) hint = hint_of(*file.reading);
@@ -115,10 +135,32 @@ std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
   return files;
 }
 
+void put_units(std::optional<Units>& into, const std::optional<Units>& units, const Place& place) {
+  if (!units) return;
+  if (!into) into = Units{};
+  const auto put = [&](std::string& known, const std::string& unit, std::string_view noun) {
+    if (!known.empty() && !unit.empty() && known != unit)
+      throw InputError(place,
+                       fmt::format("expected the same unit of {} in all files, {}, found {}", noun, known, unit));
+    if (known.empty()) known = unit;
+  };
+  put(into->length, units->length, "length");
+  put(into->mass, units->mass, "mass");
+  put(into->time, units->time, "time");
+}
+
 Problem pair(const std::vector<Content>& contents) {
   Problem problem;
   for (const Content& content : contents) problem = with_content(std::move(problem), content);
   return problem;
+}
+
+Warnings mismatches(const Content& content) {
+  if (!content.analysis) return {};
+  Warnings found = check(pair({content})).warnings;
+  std::erase_if(
+      found, [](const Warning& warning) { return std::ranges::find(kMismatches, warning.name) == kMismatches.end(); });
+  return found;
 }
 
 Case load_case(const std::vector<std::string>& paths) {
@@ -130,9 +172,13 @@ Case load_case(const std::vector<std::string>& paths) {
     contents.push_back(file.reading->content);
     result.warnings = joined(std::move(result.warnings), file.reading->warnings);
   }
-  Checked checked = check(pair(contents));
+  const Problem problem = pair(contents);
+  if (std::holds_alternative<std::monostate>(problem.geometry) && !problem.analysis)
+    throw InputError({paths.front()}, "expected a geometry or an analysis, found neither");
+  Checked checked = check(problem);
   if (!checked.errors.empty()) throw checked.errors.front();
   result.problem = std::move(checked.problem);
+  if (!paths.empty()) result.problem.place = {paths.front(), 0, 0};
   result.warnings = joined(std::move(result.warnings), checked.warnings);
   return result;
 }

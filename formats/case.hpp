@@ -21,11 +21,18 @@ struct FileReading {
 };
 
 /// Reads every file whatever befalls the others; geometry first, because Shi's analysis file needs its
-/// counts.
+/// counts. A DXF file is brought to the length unit that another file declares.
 std::vector<FileReading> read_files(const std::vector<std::string>& paths);
+
+/// Adds what a file declares to what others did. Throws InputError, at `place`, where two declare different units.
+void put_units(std::optional<Units>& into, const std::optional<Units>& units, const Place& place);
 
 /// One problem from the contents, in any order. Throws InputError at a second geometry or a second analysis.
 Problem pair(const std::vector<Content>& contents);
+
+/// What does not fit between geometry and analysis of one content, as `check` says it: materials that are not there, curves
+/// without points, points without curves.
+Warnings mismatches(const Content& content);
 
 /// A case ready to use and everything odd about it, from the readers and from `check`.
 struct Case {
@@ -34,7 +41,7 @@ struct Case {
   Warnings warnings;
 };
 
-/// Reads, pairs and checks. Throws the first InputError met.
+/// Reads, pairs and checks. Throws the first InputError met, also where there is neither geometry nor analysis.
 Case load_case(const std::vector<std::string>& paths);
 
 }  // namespace keyblock::formats

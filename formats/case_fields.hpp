@@ -25,6 +25,13 @@ inline constexpr Demand kWhole{[](double v) { return v >= 0 && is_whole(v); }, "
 inline constexpr std::array<std::string_view, 4> kDialects{"berkeley", "shi", "ddaml", "manifold"};
 inline constexpr std::array<std::string_view, 2> kRotations{"first_order", "exact"};
 
+// Names only: a misspelt one would stand in every later file.
+inline constexpr std::array<std::string_view, 8> kLengthUnits{"m", "mm", "cm", "dm", "km", "in", "ft", "yd"};
+inline constexpr std::array<std::string_view, 8> kMassUnits{"kg", "g", "t", "Mg", "kt", "lb", "slug", "tonne"};
+inline constexpr std::array<std::string_view, 7> kTimeUnits{"s", "ms", "min", "h", "d", "day", "year"};
+
+inline constexpr double kDefaultEdgeNodeRatio = 0.001;  // as that of DXF files and joint sets
+
 template <class F>
 void describe(F& f, In<F, Point>& point) {
   f.real("x", point.x);

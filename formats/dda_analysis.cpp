@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -135,8 +136,17 @@ struct CurveCounts {
 };
 
 CurveCounts curve_counts(const Tokens& tokens, const ReadHint& hint) {
-  if (hint.fixed_points && hint.loading_points) return {*hint.fixed_points + *hint.loading_points, hint.fixed_points};
   std::vector<int> counts = possible_point_counts(tokens.numbers);
+  if (hint.fixed_points && hint.loading_points) {
+    const int points = *hint.fixed_points + *hint.loading_points;
+    if (!counts.empty() && std::ranges::find(counts, points) == counts.end())
+      throw InputError(
+          tokens.place_of(7),
+          fmt::format("expected time rows of {} fixed and {} loading points, as many as the geometry beside "
+                      "this file has, found those of {} points",
+                      *hint.fixed_points, *hint.loading_points, fmt::join(counts, " or ")));
+    return {points, hint.fixed_points};
+  }
   if (hint.loading_points) std::erase_if(counts, [&](int points) { return points < *hint.loading_points; });
   if (counts.size() != 1)
     throw InputError(tokens.place_of(7),

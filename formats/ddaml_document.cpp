@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 
+#include "formats/decimal_comma.hpp"
 #include "formats/split.hpp"
 
 namespace keyblock::formats {
@@ -108,6 +109,7 @@ Tokens Element::attribute_tokens(std::string_view name) const {
   const auto found = attribute(name);
   if (!found) throw InputError(place(), fmt::format("expected the attribute {} of {}, found none", name, this->name()));
   const std::size_t offset = text_->offset_of(found->value.data()).value_or(0);
+  refuse_decimal_commas(*text_->map, text_->buffer, offset, found->value.size());
   Tokens tokens{text_->map, text_->buffer, Syntax::xml, offset + found->value.size()};
   add_words(tokens, offset, found->value.size());
   return tokens;

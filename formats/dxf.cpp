@@ -54,20 +54,22 @@ const DxfSection* find_section(const DxfDocument& document, std::string_view nam
   return found;
 }
 
-Reading read(const Source& source, const ReadHint&) {
+Reading read(const Source& source, const ReadHint& hint) {
   const DxfDocument document(source);
   const DxfSection* entities = find_section(document, "ENTITIES");
   if (entities == nullptr) throw InputError({source.name}, "expected a section ENTITIES, found none");
-  const DxfUnit unit = unit_of(document);
+  const DxfUnit unit = unit_of(document, hint.length);
   Warnings warnings = joined(document.warnings(), unit.warnings);
   const double ratio = edge_node_ratio(document, {source.name}, warnings);
   DxfSkipped definitions;
   if (const DxfSection* blocks = find_section(document, "BLOCKS")) skip_definitions(document, *blocks, definitions);
-  DxfDrawing made = drawing_of(read_entities(document, *entities), unit.metres);
+  DxfDrawing made = drawing_of(read_entities(document, *entities), unit.factor);
   made.drawing.edge_node_ratio = ratio;
   made.drawing.place = {source.name};
   warnings = joined(joined(std::move(warnings), made.warnings), definitions.warnings());
-  return {{std::move(made.drawing), {}, {}}, std::move(warnings)};
+  Reading reading{{std::move(made.drawing), {}, {}}, std::move(warnings)};
+  if (!unit.length.empty()) reading.content.units = Units{unit.length, "", ""};
+  return reading;
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 //
 // ASCII text of groups: a line with a code, a line with its value [D]. Sections between 0 SECTION and 0 ENDSEC, 0 EOF at
 // the end; layout as published for R12 (AC1009) to 2018 (AC1032) [S].
-//   HEADER    $INSUNITS: coordinates are multiplied to metres; absent or 0: taken as they are
+//   HEADER    $INSUNITS: coordinates are multiplied to metres, or to the length unit of a case file read beside it, and that is
+//             declared; absent or 0: taken as they are, nothing declared
 //   ENTITIES  in z = 0 of model space; 8: the layer, whose name says the part in the drawing (dxf_layers.hpp)
 //     LINE        10 20, 11 21: ends; extended data 1001 KEYBLOCK, 1040 × 3: stiffness, strength, pre-tension of a bolt
 //     LWPOLYLINE  10 20 and 42 (bulge of the side that begins there) a vertex; 70 bit 1: closed
@@ -11,10 +12,12 @@
 //     ARC         10 20 centre, 40 radius, 50 51 angles in degrees, counter-clockwise
 //     CIRCLE      10 20 centre, 40 radius
 //     POINT       10 20
-//   999 keyblock edge-node ratio R  a comment: the edge-node ratio of the drawing; absent: kDxfEdgeNodeRatio
+//   999 keyblock edge-node ratio R  a comment: the edge-node ratio of the drawing; absent: kDxfEdgeNodeRatio. Written with
+//                                   blocks: kBlockEdgeNodeRatio
 // Arcs, circles and bulges become chords (dxf_curves.hpp). Everything else is skipped and listed, one warning a kind.
-// Written: R12, metres, a LINE or POINT a record. A closed POLYLINE on BLOCK_n gives the sides of a block, each a joint of the
+// Written: R12, $INSUNITS of the declared length unit (0: none is declared), a LINE or POINT a record. A closed POLYLINE on BLOCK_n gives the sides of a block, each a joint of the
 // material that the layer JOINT_n of the VERTEX where it begins names, and a point that carries the block material.
+// Gaps that blocks enclose need a HOLE point to stay empty when cut.
 #pragma once
 
 #include "formats/format.hpp"
@@ -23,6 +26,10 @@ namespace keyblock::formats {
 
 /// The edge-node ratio of a drawing that says none: drawing programs snap ends exactly, so nothing much is to be merged.
 inline constexpr double kDxfEdgeNodeRatio = 0.001;
+
+/// That of blocks as lines: their corners are where they are, only what rounding parts is to be merged. With a drawing's own
+/// ratio corners that cutting had left apart would merge.
+inline constexpr double kBlockEdgeNodeRatio = 1e-6;
 
 extern const Format kDxf;
 

@@ -92,8 +92,10 @@ class DrawingMaker {
     const auto found = layers_.find(shape.layer);
     if (found == layers_.end()) return skip(shape);
     if (shape.is_point) return add_point(shape, found->second);
-    if (holds_points_only(found->second.role)) return skip(shape);
-    if (found->second.role == DxfRole::block) return add_block(shape, found->second);
+    const bool is_block = found->second.role == DxfRole::block;
+    if (holds_points_only(found->second.role) || (is_block && !shape.is_closed)) return skip(shape);
+    count_chords(shape);
+    if (is_block) return add_block(shape, found->second);
     const std::size_t sides = shape.points.size() - (shape.is_closed ? 0 : 1);
     if (found->second.role == DxfRole::boundary) make_room(boundaries_, sides);
     if (found->second.role == DxfRole::joint) make_room(result_.drawing.joints, sides);
@@ -151,7 +153,6 @@ class DrawingMaker {
   /// Sides are joints of the material that the layer of their VERTEX names, else of the first; a point inside gives the
   /// block material. A clockwise loop inside the one before it is a hole of that.
   void add_block(const DxfShape& shape, const DxfLayer& layer) {
-    if (!shape.is_closed) return skip(shape);
     for (std::size_t i = 0; i < shape.points.size(); ++i) {
       const auto own = i < shape.side_layers.size() ? layer_of(shape.side_layers[i]) : std::nullopt;
       const bool names_joint = own && own->role == DxfRole::joint && !own->number_is_too_long;
@@ -165,13 +166,18 @@ class DrawingMaker {
       result_.drawing.material_lines.push_back({{*inside, *inside}, layer.index, shape.place});
   }
 
+  void count_chords(const DxfShape& shape) {
+    if (shape.curves > 0 && curves_ == 0) first_curve_ = shape.place;
+    curves_ += shape.curves;
+    chords_ += shape.chords;
+  }
+
   void warn_of_chords() {
-    const DxfChords& chords = shapes_.chords;
-    if (chords.curves == 0) return;
+    if (curves_ == 0) return;
     result_.warnings.push_back(
-        {"dxf_curves_as_chords", chords.first,
+        {"dxf_curves_as_chords", first_curve_,
          fmt::format("{} arcs, circles and bulges are {} chords; none leaves its curve by more than {} of the radius",
-                     chords.curves, chords.chords, kSagittaRatio)});
+                     curves_, chords_, kSagittaRatio)});
   }
 
   DxfShapes shapes_;
@@ -179,6 +185,9 @@ class DrawingMaker {
   std::map<std::string_view, DxfLayer> layers_;
   std::vector<JointLine> boundaries_;
   std::vector<Point> outline_;  ///< of the last block
+  std::size_t curves_ = 0;      ///< of shapes that are not skipped
+  std::size_t chords_ = 0;
+  Place first_curve_;
   DxfDrawing result_;
 };
 

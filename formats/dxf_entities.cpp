@@ -123,9 +123,9 @@ class EntityReader {
     result_.shapes.push_back(std::move(shape));
   }
 
-  void count_chords(const Place& place, std::size_t chords) {
-    if (result_.chords.curves++ == 0) result_.chords.first = place;
-    result_.chords.chords += chords;
+  static void count_chords(DxfShape& shape, std::size_t chords) {
+    ++shape.curves;
+    shape.chords += static_cast<std::uint32_t>(chords);
   }
 
   /// Ends of lines and points are said in world coordinates, whatever the normal.
@@ -163,7 +163,7 @@ class EntityReader {
     DxfShape shape = shape_of(record, arc_points(centre, radius(record), 0, 2 * std::numbers::pi));
     shape.points.pop_back();
     shape.is_closed = true;
-    count_chords(shape.place, shape.points.size());
+    count_chords(shape, shape.points.size());
     add_in_plane(std::move(shape), *side);
   }
 
@@ -177,7 +177,7 @@ class EntityReader {
     const double degree = std::numbers::pi / 180;
     DxfShape shape =
         shape_of(record, arc_points(centre, radius(record), degree * std::fmod(start, 360), degree * sweep));
-    count_chords(shape.place, shape.points.size() - 1);
+    count_chords(shape, shape.points.size() - 1);
     add_in_plane(std::move(shape), *side);
   }
 
@@ -265,7 +265,7 @@ class EntityReader {
       const Point next = corners[i + 1 == corners.size() ? 0 : i + 1].position;
       if (corner.position == next) continue;
       const std::vector<Point> between = bulge_points(corner.position, next, corner.bulge);
-      if (!between.empty()) count_chords(shape.place, between.size() + 1);
+      if (!between.empty()) count_chords(shape, between.size() + 1);
       shape.points.push_back(corner.position);
       shape.points.insert(shape.points.end(), between.begin(), between.end());
       shape.side_layers.resize(shape.points.size(), corner.layer);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -23,19 +24,13 @@ struct DxfShape {
   std::vector<Point> points;                  ///< curves as chords
   std::vector<std::string_view> side_layers;  ///< POLYLINE: layer of the VERTEX at which each side begins
   std::optional<std::array<double, 3>> bolt;  ///< extended data: stiffness, strength, pre-tension
-};
-
-/// How many curves became how many chords.
-struct DxfChords {
-  std::size_t curves = 0;
-  std::size_t chords = 0;
-  Place first;
+  std::uint32_t curves = 0;                   ///< arcs, circles and bulges in it
+  std::uint32_t chords = 0;                   ///< that they became
 };
 
 struct DxfShapes {
   std::vector<DxfShape> shapes;
   DxfSkipped skipped;
-  DxfChords chords;
   Warnings warnings;
 };
 

@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "formats/dxf.hpp"
+#include "formats/dxf_units.hpp"
 #include "formats/numbers.hpp"
 
 namespace keyblock::formats {
@@ -110,7 +112,8 @@ std::string write_dxf(const Content& content) {
   EntityWriter writer;
   add(writer, *content.drawing);
   std::string text = fmt::format("999\n{}{}\n", kDxfRatioComment, format_real(content.drawing->edge_node_ratio));
-  text += section("HEADER", "9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n6\n");
+  const std::string length = content.units ? content.units->length : "";
+  text += section("HEADER", fmt::format("9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n{}\n", dxf_unit_number(length)));
   text += section("TABLES", tables(writer.layers()));
   text += section("ENTITIES", writer.text());
   return text + "0\nEOF\n";

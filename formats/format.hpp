@@ -54,6 +54,7 @@ struct ReadHint {
   std::optional<int> fixed_points;
   std::optional<int> loading_points;
   GeometryKind geometry = GeometryKind::unknown;
+  std::string length = "";  ///< the unit that other files declare, to which a file of another is brought; empty: metres
 };
 
 /// How sure a format is that a file is its own, and from what it concludes so (one sentence for the user).

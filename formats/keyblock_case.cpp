@@ -39,20 +39,15 @@ void require_one_of(int index, std::size_t count, std::string_view noun, const P
     fail(place, fmt::format("the number of a {}, 1 to {}", noun, count), static_cast<long long>(index) + 1);
 }
 
-// Names only: a misspelt one would stand in every later file.
-constexpr std::array<std::string_view, 8> kLengths{"m", "mm", "cm", "dm", "km", "in", "ft", "yd"};
-constexpr std::array<std::string_view, 8> kMasses{"kg", "g", "t", "Mg", "kt", "lb", "slug", "tonne"};
-constexpr std::array<std::string_view, 7> kTimes{"s", "ms", "min", "h", "d", "day", "year"};
-
 void check(const Units& units, const Place& place) {
   const auto require = [&](std::string_view name, const std::string& unit, std::span<const std::string_view> known) {
     if (!unit.empty() && std::ranges::find(known, unit) == known.end())
       throw InputError(
           place, fmt::format("expected {} of units: one of {}, found \"{}\"", name, fmt::join(known, ", "), unit));
   };
-  require("length", units.length, kLengths);
-  require("mass", units.mass, kMasses);
-  require("time", units.time, kTimes);
+  require("length", units.length, kLengthUnits);
+  require("mass", units.mass, kMassUnits);
+  require("time", units.time, kTimeUnits);
 }
 
 void check(const Drawing& drawing) {
@@ -111,6 +106,41 @@ void check(const Analysis& analysis) {
                                                    material.poissons_ratio));
 }
 
+// Where the profile and each setting stand.
+void place_choices(RunChoices& choices, const JsonValue& run) {
+  if (const auto profile = run.member("profile")) choices.profile_place = profile->place();
+  const auto settings = run.member("set");
+  if (!settings) return;
+  for (auto i = settings->begin(); i != settings->end(); ++i) {
+    choices.setting_places.push_back((*i).place());
+    ++i;
+  }
+}
+
+Warnings take_default_ratio(Drawing& drawing, const JsonValue& from) {
+  if (from.member("edge_node_ratio")) return {};
+  drawing.edge_node_ratio = kDefaultEdgeNodeRatio;
+  return {{"default_edge_node_ratio", from.place(),
+           fmt::format("no edge_node_ratio is given, {} is taken", kDefaultEdgeNodeRatio)}};
+}
+
+// Weightless rock is seldom meant.
+Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
+  Warnings warnings;
+  const auto materials = from.member("block_materials");
+  if (analysis.gravity || !materials) return warnings;
+  for (const JsonValue material : *materials)
+    if (!material.member("unit_weight"))
+      add_warning(warnings, {"default_unit_weight", material.place(),
+                             "no unit_weight is given, 0 is taken: blocks of this material are weightless"});
+  return warnings;
+}
+
+bool is_empty(const Content& content) {
+  return !content.units && !content.drawing && !content.blocks && !content.cover && !content.analysis &&
+         !content.motion && !content.choices;
+}
+
 template <class Part>
 void check(std::optional<Part>& part) {
   if (part) check(*part);
@@ -133,6 +163,13 @@ Reading read(const Source& source, const ReadHint&) {
   fields.finish();
   const int geometries = (content.drawing ? 1 : 0) + (content.blocks ? 1 : 0) + (content.cover ? 1 : 0);
   if (geometries > 1) text.root().fail("one of drawing, blocks and cover");
+  if (is_empty(content))
+    reading.warnings.push_back({"empty_case", text.root().place(), "the case file holds nothing but its version"});
+  if (content.choices) place_choices(*content.choices, *text.root().member("run"));
+  if (content.drawing) reading.warnings = take_default_ratio(*content.drawing, *text.root().member("drawing"));
+  if (content.analysis)
+    reading.warnings =
+        joined(std::move(reading.warnings), weightless_materials(*content.analysis, *text.root().member("analysis")));
   if (content.units) check(*content.units, text.root().member("units")->place());
   check(content.drawing);
   check(content.blocks);

@@ -1,14 +1,16 @@
 // Keyblock's own case file: one JSON text that holds whatever Keyblock models.
 //
 // An object; comments as in C++ are allowed. Numbers of blocks, materials, slots … count from 1. Angles in degrees, all else in
-// one consistent set of units, which the file names. Keys, in any order; what is absent keeps its default:
+// one consistent set of units, which the file names. Keys, in any order; what is absent keeps its default
+// (a weight and an edge-node ratio not without a warning):
 //   keyblock   1, the version of the layout: needed
 //   units      length, mass, time: names of the base units
 //   drawing | blocks | cover    the geometry: lines that are cut to blocks, blocks, or elements on covers; lists of rows
 //   analysis   controls, materials, loads in time
 //   motion     rows time, x, y: acceleration over gravity
 //   run        profile, and `set`: settings as `keyblock run --set` takes them
-// `case_fields.hpp` names every key; `keyblock formats --schema` prints them as JSON Schema.
+// `case_fields.hpp` names every key; `keyblock formats --schema` prints them with meaning, unit and default as
+// JSON Schema.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -69,7 +69,7 @@ constexpr std::array<Knowledge, 18> kTable{{
      "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 0 0 0 0 0 0 0\n30 0 0\n1.5\n"},
     {"nmm-analysis", "count and order from data (12 files); names partly inferred",
      "1 5 1 1 .01 .1 50\n2 -3\n.1 0 -1 10 .2  0 0 0 0 0 0 0 0 0\n30 0 0\n1.5 0 0 0\n"},
-    {"disk-dda", "inferred", ""},
+    {"disk-dda", "inferred", "1 0.25 0.5 100\n"},
     {"motion-shake", "public source; no real file seen", "a quake\n3\n.1 .2 .3\n"},
     {"motion-matlab", "public source; no real file seen", ".01 3\n.1\n.2\n.3\n"},
     {"vtk", "documented by VTK; written for viewers, not read", ""},

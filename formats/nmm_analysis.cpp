@@ -20,8 +20,9 @@ namespace {
 
 constexpr double kUsualOverRelaxation = 1.5;  // files hold 1.4 to 1.9
 
-/// E and nu of each material stand where they would if `loads` loading points come before.
+/// E and nu of each material stand where they would if `loads` loading points come before, and the file holds them all.
 bool materials_follow(std::span<const double> n, std::size_t loads) {
+  if (static_cast<double>(n.size()) < 7 + 2 * static_cast<double>(loads) + 14 * n[2]) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(n[2]); ++i) {
     const auto material = n.subspan(7 + 2 * loads + 14 * i);
     if (!(material[3] > 0) || !kPoissonPlaneStress.holds(material[4])) return false;
@@ -48,8 +49,17 @@ Recognition recognise(const Tokens& tokens) {
 }
 
 std::size_t load_count(const Cursor& cursor, const Tokens& tokens, const ReadHint& hint) {
-  if (hint.loading_points) return static_cast<std::size_t>(*hint.loading_points);
-  if (const auto loads = loads_by_total(tokens.numbers)) return *loads;
+  const auto loads = loads_by_total(tokens.numbers);
+  if (hint.loading_points) {
+    const auto points = static_cast<std::size_t>(*hint.loading_points);
+    if (loads && *loads != points && !materials_follow(tokens.numbers, points))
+      throw InputError(cursor.place(),
+                       fmt::format("expected the loads of {} loading points, as many as the geometry beside this file "
+                                   "has, found those of {}",
+                                   points, *loads));
+    return points;
+  }
+  if (loads) return *loads;
   throw InputError(cursor.place(),
                    "expected the cover file beside this one, to know its number of loading points; found no number "
                    "that fits");

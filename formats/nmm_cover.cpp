@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t kHeadSize = 8;
 constexpr std::size_t kManyNumbers = 1000000;  // some milliseconds of work: worth a thread
+constexpr int kSlotsAnElement = 4;  // three corners and the first again
 
 struct Head {
   int elements, fixed, loading, measured, slots, covers, loops, loop_slots;
@@ -36,14 +37,30 @@ struct Head {
 std::optional<Head> head_of(std::span<const double> n) {
   if (n.size() < kHeadSize) return std::nullopt;
   if (!std::ranges::all_of(n.first(kHeadSize), [](double v) { return is_whole(v) && v >= 0; })) return std::nullopt;
-  if (n[0] < 1 || n[4] < 4 * n[0] || n[5] < 3 || n[7] < 4 * n[6]) return std::nullopt;
+  if (n[0] < 1 || n[4] < kSlotsAnElement * n[0] || n[5] < 3 || n[7] < 4 * n[6]) return std::nullopt;
   const auto count = [&](std::size_t i) { return static_cast<int>(n[i]); };
   return Head{count(0), count(1), count(2), count(3), count(4), count(5), count(6), count(7)};
+}
+
+/// The number of elements with which the head would fit the file, where it is the head's only fault.
+std::optional<int> fitting_elements(std::span<const double> n) {
+  constexpr std::size_t kElementSize = 6;
+  if (n.size() < kHeadSize || !is_whole(n[0]) || n[0] < 1 || !is_whole(n[4])) return std::nullopt;
+  std::vector<double> one(n.begin(), n.begin() + kHeadSize);
+  one[0] = 1;
+  const auto head = head_of(one);
+  if (!head || head->total() > n.size() || (n.size() - head->total()) % kElementSize != 0) return std::nullopt;
+  const auto elements = static_cast<double>(1 + (n.size() - head->total()) / kElementSize);
+  if (kSlotsAnElement * elements > n[4]) return std::nullopt;
+  return static_cast<int>(elements);
 }
 
 Recognition recognise(const Tokens& tokens) {
   using Fit = Recognition::Fit;
   const auto head = head_of(tokens.numbers);
+  if (const auto elements = head ? std::nullopt : fitting_elements(tokens.numbers))
+    return {Fit::damaged, fmt::format("8-number head whose counts would fit {} elements, not {}", *elements,
+                                      format_real(tokens.numbers[0]))};
   if (!head) return {};
   const std::size_t have = tokens.numbers.size();
   const std::string evidence =
@@ -79,6 +96,7 @@ class CoverReader {
       if (count >= least) return count;
       throw InputError(place, fmt::format("expected {} ({} or more), found \"{}\"", name, least, count));
     };
+    const Place first = cursor_.place();
     head_.elements = next(1, "the number of elements");
     head_.fixed = next(0, "the number of fixed points");
     head_.loading = next(0, "the number of loading points");
@@ -87,6 +105,10 @@ class CoverReader {
     head_.covers = next(3, "the number of physical covers");
     head_.loops = next(0, "the number of loops");
     head_.loop_slots = next(0, "the number of loop-vertex slots");
+    if (head_.elements > head_.slots / kSlotsAnElement)
+      throw InputError(
+          first, fmt::format("expected the number of elements (at most {}: there are {} vertex slots), found \"{}\"",
+                             head_.slots / kSlotsAnElement, head_.slots, head_.elements));
   }
 
   /// The positions, most of a long file, on a thread of their own. An error is told of the list that stands first.

@@ -1,4 +1,4 @@
-// JSON whose keys know their line, and the same tree from an option of the command line.
+// A tree of named values with their places, from a JSON text or from an option of the command line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,7 @@
 
 namespace keyblock::formats {
 
-/// A value and where its key stands; an object or list without a key: where it opens; another item of a list: where the
-/// last key before it stands.
+/// A value and where its key stands; without a key, where it stands itself.
 struct PlacedJson {
   enum class Kind { null, flag, number, text, list, object };
   Kind kind = Kind::null;
@@ -22,10 +21,8 @@ struct PlacedJson {
   Place place;
 };
 
-/// The value of a JSON text. Throws InputError where it is not well-formed, repeats a key or nests deeper than
-/// kDeepestJson.
+/// The value of a JSON text, with comments as in C++. Throws InputError as JsonText does, and where a key is repeated.
 PlacedJson read_json(const Source& source);
-inline constexpr std::size_t kDeepestJson = 16;
 
 /// An object from `key=value,key=value`. `name` is the option's, for messages. Throws InputError.
 PlacedJson json_of_option(const std::string& name, std::string_view text);

@@ -20,6 +20,7 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/ddaml.hpp"
+#include "formats/decimal_comma.hpp"
 #include "formats/dxf.hpp"
 #include "formats/keyblock_case.hpp"
 #include "formats/motion.hpp"
@@ -172,6 +173,8 @@ Choice Opened::recognise(GeometryKind geometry) {
     return {&kBerkeleyMeasured, std::move(measured)};  // it may hold zero bytes, which elsewhere mean a binary file
   refuse_other_files(source_);
   const std::vector<Choice> found = choices(source_, tokens());
+  const auto has_mark = [](const Choice& choice) { return choice.format->recognise != nullptr; };
+  if (std::ranges::none_of(found, has_mark)) refuse_decimal_commas(tokens());
   if (found.empty()) refuse_nothing_fits(source_, tokens());
   const auto fit = [](const Choice& choice) { return choice.recognition.fit; };
   const auto best = std::ranges::max_element(found, {}, fit);  // the first of equals: order of trial

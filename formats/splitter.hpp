@@ -45,8 +45,9 @@ constexpr bool is_line_end(char c) {
 /// Finds the words of a text one after another.
 class Splitter {
  public:
-  Splitter(std::string_view text, Syntax syntax)
-      : text_(text), roles_(syntax == Syntax::xml ? kXmlRoles : kNativeRoles) {}
+  Splitter(std::string_view text, Syntax syntax) : Splitter(text, syntax == Syntax::xml ? kXmlRoles : kNativeRoles) {}
+  /// `roles` outlives it.
+  Splitter(std::string_view text, const Roles& roles) : text_(text), roles_(roles) {}
 
   /// The start of the first word from `at` on; the end of the text where there is none.
   std::size_t word_start(std::size_t at) const {

@@ -18,6 +18,12 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestQuote = 40;  // of an unexpected word in a message
 constexpr std::size_t kStretch = 256;      // of text between two marks of its map
 
+constexpr Roles kRunRoles = [] {
+  Roles roles = kNativeRoles;
+  roles[','] = Role::ordinary;
+  return roles;
+}();
+
 }  // namespace
 
 std::string in_quotes(std::string_view word) {
@@ -73,6 +79,12 @@ std::optional<std::string_view> Tokens::junk() const {
 
 Place Tokens::place_of(std::size_t index) const {
   return map->place(index < word_count ? start_of(index) : end);
+}
+
+std::string_view next_run(std::string_view text, std::size_t at) {
+  const Splitter splitter(text, kRunRoles);
+  const std::size_t start = splitter.word_start(at);
+  return text.substr(start, splitter.word_end(start) - start);
 }
 
 std::string Cursor::full_name(std::string_view name) const {

@@ -79,6 +79,10 @@ struct Tokens {
   Place place_of(std::size_t index) const;
 };
 
+/// The first run of characters from `at` on that only white space and comments of a native text part: commas belong to
+/// it. Empty where none is left.
+std::string_view next_run(std::string_view text, std::size_t at);
+
 inline bool is_whole(double value) {
   return value >= -2147483647 && value <= 2147483647 && static_cast<double>(static_cast<int>(value)) == value;
 }

@@ -153,11 +153,43 @@ TEST(Batch, a_job_beyond_its_limits_fails_alone) {
   EXPECT_EQ(run.exit_code, 1);
   const auto jobs = jobs_in(root / "out");
   EXPECT_EQ(jobs[0]["outcome"], "ok") << jobs[0];
-  EXPECT_TRUE(contains(jobs[1]["message"], "stopped at the limit of 1 s of processor time")) << jobs[1];
+  EXPECT_TRUE(contains(jobs[1]["message"], "stopped at the limit of 1 s of processor time after ")) << jobs[1];
+  const int reached = jobs[1]["answers"][0]["steps"];
+  EXPECT_GT(reached, 0) << jobs[1];
+  const fs::path kept = root / "out" / jobs[1]["outputs"][0].get<std::string>();
+  EXPECT_EQ(nlohmann::json::parse(read_text(kept / "run.json"))["outcome"]["steps"], reached);
+  EXPECT_TRUE(fs::exists(kept / "checkpoint.h5")) << "a run stopped at its limit can be resumed";
   const ProgramRun starved = run_keyblock(
       {"batch", root / "in", "--run", "--profile", "standard", "--memory-limit", "16", "-o", root / "starved"});
   EXPECT_EQ(starved.exit_code, 1);
-  EXPECT_EQ(jobs_in(root / "starved")[0]["outcome"], "failed");
+  const auto poor = jobs_in(root / "starved")[0];
+  EXPECT_EQ(poor["outcome"], "failed");
+  EXPECT_TRUE(contains(poor["message"], "the limit of 16 MiB of memory is too small")) << poor;
+}
+
+TEST(Batch, a_check_beyond_its_limits_fails_alone_and_the_others_are_told_as_without_limits) {
+  const fs::path root = fresh_folder("batch_check_limits");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in");
+  write_text(root / "in/broken.geo", "0.01 4 0 0 0 x");
+  std::string grid = "0.01\n2400 2400 0 0 0 0 0 0\n";  // 1,200 lines across 1,200: long to cut
+  for (int i = 0; i < 1200; ++i) grid += "0 " + std::to_string(i) + " 1199 " + std::to_string(i) + " 1\n";
+  for (int i = 0; i < 1200; ++i) grid += std::to_string(i) + " 0 " + std::to_string(i) + " 1199 1\n";
+  const auto outcomes = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"batch", root / "in", "--check", "-o", root / out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run_keyblock(arguments).exit_code, 1);
+    EXPECT_FALSE(fs::exists(root / out / "checks"));
+    return jobs_in(root / out);
+  };
+  EXPECT_EQ(outcomes("limited", {"--time-limit", "100"}), outcomes("free", {}));
+  write_text(root / "in/grid.geo", grid);
+  bool is_found = false;
+  for (const auto& job : outcomes("stopped", {"--time-limit", "1"})) {
+    const bool is_grid = contains(job.dump(), "grid.geo");
+    is_found = is_found || is_grid;
+    EXPECT_EQ(contains(job.dump(), "stopped at the limit of 1 s of processor time"), is_grid) << job;
+  }
+  EXPECT_TRUE(is_found);
 }
 
 // Ctrl-C, `kill`, and a terminal that is closed.

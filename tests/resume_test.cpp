@@ -1,7 +1,9 @@
 // `run --resume` as a user meets it: runs that were killed or stopped end with the bytes of the run that was not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "tests/support/killed_runs.hpp"
@@ -70,6 +72,20 @@ TEST(Resume, inputs_that_changed_are_refused_and_nothing_is_lost) {
   EXPECT_TRUE(testing::contents(stopped.out) == before);
 }
 
+TEST(Resume, another_build_of_the_program_is_refused_and_nothing_is_lost) {
+  const StoppedRun stopped("other_build");
+  const auto before = testing::contents(stopped.out);
+  const std::string other = stopped.folder + "/keyblock";
+  testing::write_text(other, testing::read_text(KEYBLOCK_PROGRAM) + "x");  // the loader minds nothing behind the end
+  fs::permissions(other, fs::perms::owner_all);
+  const std::string messages = stopped.folder + "/messages";
+  const int status = std::system((other + " run --resume " + stopped.out + " 2> " + messages).c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_NE(testing::read_text(messages).find("expected the build of keyblock that began the run"), std::string::npos)
+      << testing::read_text(messages);
+  EXPECT_TRUE(testing::contents(stopped.out) == before);
+}
+
 TEST(Resume, a_damaged_checkpoint_is_refused_and_nothing_is_lost) {
   const StoppedRun stopped("damaged");
   const std::string file = stopped.out + "/checkpoint.h5";
@@ -94,7 +110,12 @@ TEST(Resume, takes_the_run_as_it_was_asked_and_nothing_else) {
     EXPECT_EQ(run_keyblock({"run", "--resume", "nowhere", option}).exit_code, 2) << option;
   const auto nowhere = run_keyblock({"run", "--resume", "nowhere"});
   EXPECT_EQ(nowhere.exit_code, 2);
-  EXPECT_NE(nowhere.messages.find("checkpoint.h5, found none"), std::string::npos) << nowhere.messages;
+  EXPECT_NE(nowhere.messages.find("checkpoint.h5, found none; a run that was killed"), std::string::npos)
+      << nowhere.messages;
+  const std::string over = testing::fresh_folder("resume_over");
+  testing::write_text(over + "/run.json", "{}");
+  EXPECT_NE(run_keyblock({"run", "--resume", over}).messages.find("the run in " + over + " is over"),
+            std::string::npos);
 }
 
 }  // namespace keyblock

@@ -17,9 +17,9 @@
 #include "app/batch_work.hpp"
 #include "app/command.hpp"
 #include "app/files.hpp"
-#include "base/parallel.hpp"
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
+#include "base/parallel.hpp"
 #include "formats/registry.hpp"
 #include "run/profile.hpp"
 #include "study/batch_catalogue.hpp"
@@ -58,6 +58,7 @@ struct BatchOptions {
   int threads = 0;  ///< 0: as many as cores
   int largest_mebibytes = 64;
   ChildLimits limits;
+  std::vector<std::string> row_files;  ///< of one job, whose row is asked for and nothing else
   bool may_overwrite = false;
   bool is_resumed = false;
 };
@@ -180,6 +181,16 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
   });
 }
 
+/// What a batch with limits asks of a process a job: the journal of a batch of that job alone.
+ExitCode print_row(const BatchOptions& options) {
+  const auto depth = options.is_check ? study::CheckDepth::plan : study::CheckDepth::scene;
+  study::BatchJob job;
+  job.files = options.row_files;
+  const CatalogueRow row = study::check_job(options.root, job, {}, depth, options.profile);
+  fmt::print("{}{}", study::journal_head("row"), study::journal_line(row, 0));
+  return ExitCode::ok;
+}
+
 // Rows come from the journal's lines, done now or before, so that both give the same bytes.
 std::vector<CatalogueRow> rows_of(const FileTree& archive, const study::Journal& journal) {
   std::vector<CatalogueRow> rows;
@@ -200,12 +211,15 @@ void write_catalogue(const BatchPlan& plan, const std::vector<CatalogueRow>& row
 }
 
 ExitCode run_batch(const BatchOptions& options) {
+  if (!options.row_files.empty()) return print_row(options);
   const BatchPlan plan = plan_of(options);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(signal, stop_after_running_jobs) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks for
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options), is_stopped);
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
+  std::error_code is_no_matter;
+  fs::remove_all(plan.checks_folder(), is_no_matter);
   if (stop_asked) {
     spdlog::warn("stopped by request; --resume goes on");
     return ExitCode::stopped;
@@ -234,8 +248,9 @@ Action configure_batch(CLI::App& app) {
   app.add_option("--profile", options->profile, "only this preset of all choices")
       ->check(CLI::IsMember(profile_names()));
   app.add_option("--jobs", options->threads, "jobs at a time (default: as many as cores)")->check(CLI::PositiveNumber);
-  app.add_option("--time-limit", options->limits.cpu_seconds,
-                 "seconds of processor time for each process of --run and --convert (default: none)")
+  app.add_option(
+         "--time-limit", options->limits.cpu_seconds,
+         "seconds of processor time for the check of a job and for each process of --run and --convert (default: none)")
       ->check(CLI::PositiveNumber);
   app.add_option("--memory-limit", options->limits.memory_mebibytes,
                  "MiB of address space for each of them (default: none)")
@@ -243,6 +258,7 @@ Action configure_batch(CLI::App& app) {
   app.add_option("--largest-file", options->largest_mebibytes, "larger files, in MiB, are named, not read")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_option("--row", options->row_files)->group("");  // not for people: in no help text
   app.add_flag("--resume", options->is_resumed, "go on with the batch in OUT; jobs whose files changed are done again");
   app.add_flag("--force", options->may_overwrite, "begin the batch in OUT again");
   return [options] { return run_batch(*options); };

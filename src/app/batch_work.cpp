@@ -15,6 +15,7 @@
 #include "run/profile.hpp"
 #include "study/batch_answers.hpp"
 #include "study/batch_check.hpp"
+#include "study/batch_journal.hpp"
 #include "study/cases.hpp"
 #include "study/convert.hpp"
 
@@ -26,6 +27,8 @@ namespace {
 
 using report::CatalogueAnswer;
 using report::CatalogueRow;
+
+constexpr int kNoRoomForLibraries = 127;  // exit code of the loader
 
 std::vector<std::string> profiles_of(const BatchPlan& plan) {
   return plan.profile.empty() ? std::vector<std::string>{"legacy", "standard"} : std::vector{plan.profile};
@@ -48,6 +51,9 @@ std::string error_in(const fs::path& log) {
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
   if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
   const std::string error = error_in(log);
+  const bool is_starved = end.exit_code == kNoRoomForLibraries || error.find("not enough memory") != std::string::npos;
+  if (limits.memory_mebibytes > 0 && is_starved)
+    return fmt::format("the limit of {} MiB of memory is too small for it", limits.memory_mebibytes);
   return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
 }
 
@@ -79,11 +85,11 @@ CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const 
   const ChildEnd end = run_logged(plan, folder, profile, arguments);
   if (end.exit_code == 0) return study::answer_in(folder / profile, profile);
   const std::string why = why_it_ended(end, plan.limits, folder / (profile + ".log"));
-  fail(row, fmt::format("{}: {}", profile, why));
-  // How far a run came before a limit stopped it is chance.
-  if (end.exit_code > 128) return {profile, why, 0, 0, {}, 0, 0};
   CatalogueAnswer answer = study::answer_in(folder / profile, profile);
-  if (answer.end == "no result") answer.end = why;
+  const bool has_result = answer.end != "no result";
+  const bool is_partial = end.ran_out_of_time && has_result;
+  fail(row, fmt::format("{}: {}{}", profile, why, is_partial ? fmt::format(" after {} steps", answer.steps) : ""));
+  if (!has_result || is_partial) answer.end = why;
   return answer;
 }
 
@@ -117,6 +123,33 @@ void run_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& ro
   row.expected = compare_with_expected(plan, job, folder);
 }
 
+CatalogueRow check_here(const BatchPlan& plan, const study::BatchJob& job,
+                        const std::vector<report::CatalogueFile>& files) {
+  const auto depth = plan.task == BatchTask::check ? study::CheckDepth::plan : study::CheckDepth::scene;
+  return study::check_job(plan.root, job, files, depth, plan.profile);
+}
+
+/// The same in a process of its own, `batch --row`, which prints a journal of this job alone.
+CatalogueRow check_in_child(const BatchPlan& plan, const study::BatchJob& job,
+                            const std::vector<report::CatalogueFile>& files) {
+  const fs::path folder = plan.checks_folder() / job.name;
+  fs::create_directories(folder);
+  std::vector<std::string> arguments{"batch", plan.root.string()};
+  if (plan.task == BatchTask::check) arguments.emplace_back("--check");
+  if (!plan.profile.empty()) arguments.insert(arguments.end(), {"--profile", plan.profile});
+  arguments.emplace_back("--row");
+  arguments.insert(arguments.end(), job.files.begin(), job.files.end());
+  const ChildEnd end = run_logged(plan, folder, "check", arguments);
+  const study::Journal printed = study::read_journal(formats::load((folder / "check.out").string()).text);
+  if (end.exit_code != 0 || printed.rows.size() != 1)
+    return study::row_without_check(job, files, "failed", why_it_ended(end, plan.limits, folder / "check.log"));
+  CatalogueRow row = printed.rows.begin()->second;
+  row.name = job.name;
+  row.files = files;
+  row.paired_by = job.paired_by;
+  return row;
+}
+
 /// What the target cannot hold makes a warning of a job that was fine.
 void add_losses(CatalogueRow& row, const std::string& report) {
   const auto json = nlohmann::json::parse(report, nullptr, false);
@@ -148,11 +181,15 @@ void convert_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow
 
 }  // namespace
 
+fs::path BatchPlan::checks_folder() const {
+  return folder / "checks";
+}
+
 std::string BatchPlan::task_text() const {
   const std::string with_limits = fmt::format(", {} s, {} MiB", limits.cpu_seconds, limits.memory_mebibytes);
   switch (task) {
     case BatchTask::check:
-      return fmt::format("keyblock {} check {}", KEYBLOCK_VERSION, profile);
+      return fmt::format("keyblock {} check {}{}", KEYBLOCK_VERSION, profile, with_limits);
     case BatchTask::run:
       return fmt::format("keyblock {} run {}{}", KEYBLOCK_VERSION, fmt::join(profiles_of(*this), " "), with_limits);
     case BatchTask::convert:
@@ -164,8 +201,8 @@ std::string BatchPlan::task_text() const {
 CatalogueRow do_job(const BatchPlan& plan, const study::BatchJob& job,
                     const std::vector<report::CatalogueFile>& files) {
   if (job.kind == study::JobKind::listed) return study::row_without_check(job, files, "listed", "");
-  const auto depth = plan.task == BatchTask::check ? study::CheckDepth::plan : study::CheckDepth::scene;
-  CatalogueRow row = study::check_job(plan.root, job, files, depth, plan.profile);
+  const bool is_limited = plan.limits.cpu_seconds > 0 || plan.limits.memory_mebibytes > 0;
+  CatalogueRow row = is_limited ? check_in_child(plan, job, files) : check_here(plan, job, files);
   const bool is_runnable = job.kind == study::JobKind::whole && row.outcome != "failed";
   if (plan.task == BatchTask::run && is_runnable) run_job(plan, job, row);
   if (plan.task == BatchTask::convert && row.outcome != "failed") convert_job(plan, job, row);

@@ -1,4 +1,4 @@
-// What a batch does with one job: checks it here, or runs or converts it in processes of its own.
+// What a batch does with one job: checks it, here or, with limits, in a process; runs or converts it in processes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,6 +24,8 @@ struct BatchPlan {
 
   /// Everything that decides over a row beside the files: two batches of one task give the same rows.
   std::string task_text() const;
+  /// Where processes that check a job leave what they print, until the batch ends.
+  std::filesystem::path checks_folder() const;
 };
 
 /// The finished row. Throws OutputError where results cannot be written.

@@ -1,8 +1,10 @@
 // `keyblock check`: says what each file is and why we think so, what it holds, and what is odd or wrong about it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -114,10 +116,10 @@ void print(const formats::FileReading& file) {
     fmt::print("{}: {} [{}]: {}\n", file.path, file.choice->format->title, file.choice->format->name,
                file.choice->recognition.evidence);
   if (file.reading) {
-    fmt::print("  {}\n", text_of(counts_of(file.reading->content)));
+    const std::string counts = text_of(counts_of(file.reading->content));
+    fmt::print("  {}\n", counts.empty() ? "holds no geometry, analysis or results" : counts);
     print(file.reading->warnings);
   }
-  if (file.error) fmt::print("  {}\n", file.error->what());
 }
 
 void print(const Requirements& plan) {
@@ -126,26 +128,38 @@ void print(const Requirements& plan) {
 }
 
 void print(const CaseReport& report) {
-  if (report.warnings.empty() && report.errors.empty() && !report.plan) return;
+  if (report.warnings.empty() && !report.plan) return;
   fmt::print("the files together:\n");
   print(report.warnings);
-  for (const std::string& error : report.errors) fmt::print("  {}\n", error);
   if (report.plan) print(*report.plan);
 }
 
-/// Several geometries or analyses are no one case: each file is looked at alone.
-bool holds_several_cases(const std::vector<formats::Content>& contents) {
-  const auto geometries =
-      std::ranges::count_if(contents, [](const auto& c) { return c.drawing || c.blocks || c.cover; });
-  const auto analyses = std::ranges::count_if(contents, [](const auto& c) { return c.analysis.has_value(); });
-  return geometries > 1 || analyses > 1;
+/// Several geometries or analyses are no one case: each file is looked at alone, and that is said at the second.
+Warnings several_cases(const std::vector<formats::FileReading>& files) {
+  std::vector<std::string> geometries, analyses;
+  for (const formats::FileReading& file : files) {
+    if (!file.reading) continue;
+    const formats::Content& content = file.reading->content;
+    if (content.drawing || content.blocks || content.cover) geometries.push_back(file.path);
+    if (content.analysis) analyses.push_back(file.path);
+  }
+  const auto told = [](const std::vector<std::string>& found, const char* noun) {
+    return Warnings{
+        {"several_cases",
+         {found[1], 0, 0},
+         fmt::format("a second {} of {}, after {}: together the files are no case, each was looked at alone", noun,
+                     found.size(), found[0])}};
+  };
+  if (geometries.size() > 1) return told(geometries, "geometry");
+  if (analyses.size() > 1) return told(analyses, "analysis");
+  return {};
 }
 
 CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
-  if (holds_several_cases(contents)) return {};
+  if (Warnings told = several_cases(files); !told.empty()) return {std::move(told), {}, std::nullopt};
   try {
     const Checked checked = check(formats::pair(contents));
     CaseReport report{checked.warnings, {}, std::nullopt};
@@ -171,18 +185,27 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
+/// To standard error, behind the report; how many there are.
+std::size_t log_errors(const std::vector<formats::FileReading>& files, const CaseReport& report) {
+  std::vector<std::string> errors;
+  for (const formats::FileReading& file : files)
+    if (file.error) errors.emplace_back(file.error->what());
+  errors.insert(errors.end(), report.errors.begin(), report.errors.end());
+  std::fflush(stdout);
+  for (const std::string& error : errors) spdlog::error("{}", error);
+  return errors.size();
+}
+
 ExitCode check_files(const CheckOptions& options) {
   const std::vector<formats::FileReading> files = formats::read_files(options.files);
   const CaseReport report = report_of(files, options.profile);
-  bool failed = !report.errors.empty();
-  for (const formats::FileReading& file : files) failed = failed || file.error.has_value();
   if (options.as_json) {
     print_json(files, report);
   } else {
     for (const formats::FileReading& file : files) print(file);
     print(report);
   }
-  return failed ? ExitCode::unreadable : ExitCode::ok;
+  return log_errors(files, report) > 0 ? ExitCode::unreadable : ExitCode::ok;
 }
 
 }  // namespace

@@ -9,10 +9,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 
+#include "app/exit_code.hpp"
 #include "app/usage_error.hpp"
 
 namespace keyblock {
@@ -33,7 +35,14 @@ bool send_to(const std::string& file, int descriptor) {
   return opened >= 0 && dup2(opened, descriptor) >= 0;
 }
 
-// The first limit asks the process to end, the second, a little above, ends it.
+// A run that is asked to end still writes what it has reached: so many seconds, and a tenth of its time.
+constexpr rlim_t kLeastGrace = 5;
+
+rlim_t grace(rlim_t seconds) {
+  return std::max(kLeastGrace, seconds / 10);
+}
+
+// The first limit asks the process to end, the second, above it, ends it.
 bool limit(int resource, rlim_t first, rlim_t second) {
   const rlimit both{first, second};
   return setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0;
@@ -43,7 +52,7 @@ bool limit(int resource, rlim_t first, rlim_t second) {
   bool is_ready = setpgid(0, 0) == 0 && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == plan.parent;
   std::signal(SIGINT, SIG_DFL);
   if (const auto seconds = static_cast<rlim_t>(plan.limits.cpu_seconds); seconds > 0)
-    is_ready = is_ready && limit(RLIMIT_CPU, seconds, seconds + 1);
+    is_ready = is_ready && limit(RLIMIT_CPU, seconds, seconds + grace(seconds));
   if (const auto bytes = static_cast<rlim_t>(plan.limits.memory_mebibytes) << 20U; bytes > 0)
     is_ready = is_ready && limit(RLIMIT_AS, bytes, bytes);
   is_ready = is_ready && limit(RLIMIT_CORE, 0, 0);
@@ -70,7 +79,8 @@ ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits&
   if (child < 0 || (!was_killed && WEXITSTATUS(status) == kCannotStart))
     throw OutputError(fmt::format("cannot start this program again, or write {}", messages.string()));
   const int signal = was_killed ? WTERMSIG(status) : 0;
-  const bool by_limit = limits.cpu_seconds > 0 && (signal == SIGXCPU || signal == SIGKILL);
+  const bool has_stopped = !was_killed && WEXITSTATUS(status) == static_cast<int>(ExitCode::stopped);
+  const bool by_limit = limits.cpu_seconds > 0 && (signal == SIGXCPU || signal == SIGKILL || has_stopped);
   return {was_killed ? 128 + signal : WEXITSTATUS(status), by_limit};
 }
 

@@ -14,8 +14,8 @@ struct ChildLimits {
 };
 
 struct ChildEnd {
-  int exit_code = 0;  ///< 128 + the signal where one ended it
-  bool ran_out_of_time = false;
+  int exit_code = 0;             ///< 128 + the signal where one ended it
+  bool ran_out_of_time = false;  ///< killed at the limit, or stopped there with its results written
 };
 
 /// This program with those arguments, until it ends. It stands in a process group of its own, so that Ctrl-C at the terminal

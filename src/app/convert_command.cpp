@@ -1,6 +1,7 @@
 // `keyblock convert`: files in one format out in another, with everything named that the other cannot hold.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -37,6 +38,15 @@ std::string target_names() {
   return names;
 }
 
+// Those that say a target, each once.
+std::string endings() {
+  std::vector<std::string_view> all;
+  for (const study::Target& target : study::targets())
+    if (target.parts.size() == 1 && std::ranges::find(all, target.parts.front().ending) == all.end())
+      all.push_back(target.parts.front().ending);
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 // The first target whose files end as the output does, where none is named.
 const study::Target& target_of(const ConvertOptions& options) {
   if (!options.target.empty()) {
@@ -46,7 +56,8 @@ const study::Target& target_of(const ConvertOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   for (const study::Target& target : study::targets())
     if (target.parts.size() == 1 && target.parts.front().ending == ending) return target;
-  throw UsageError(fmt::format("expected --to FORMAT, one of {}: \"{}\" says none", target_names(), options.output));
+  throw UsageError(fmt::format("expected --to FORMAT, one of {}, or an output that ends in {}, found \"{}\"",
+                               target_names(), endings(), options.output));
 }
 
 // One file is the output itself; of several, each has its ending, in place of one of the target's if there is one.
@@ -78,6 +89,7 @@ Json json_of(const study::Conversion& conversion, const std::vector<std::string>
 ExitCode convert_files(const ConvertOptions& options) {
   if (options.output.empty()) throw UsageError("convert: expected -o OUT");
   const study::Target& target = target_of(options);
+  require_folder_of(options.output);
   for (const study::Target::Part& part : target.parts)
     for (const std::string& input : options.files) {
       const std::filesystem::path file = path_of(options, target, part.ending);

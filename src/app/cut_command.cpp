@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <cmath>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,12 +12,12 @@
 
 #include "app/command.hpp"
 #include "app/files.hpp"
+#include "app/mesh_options.hpp"
 #include "app/run_report.hpp"
+#include "app/usage_error.hpp"
 #include "cut/absorb.hpp"
-#include "cut/background_mesh.hpp"
 #include "cut/cut_blocks.hpp"
 #include "cut/cut_cover.hpp"
-#include "cut/snap_nodes.hpp"
 #include "cut/to_cover.hpp"
 #include "formats/case.hpp"
 #include "formats/dda_blocks.hpp"
@@ -30,19 +29,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-enum class MeshPlacement { centred, aligned };
-constexpr int kMostHalfRows = 1000;  // some four million triangles
-
 struct CutOptions {
   std::string drawing;
   std::string output;
   std::string picture;
   NodeMerging merging = NodeMerging::nearest_first;
-  int half_rows = 0;  // of the mesh; 0: blocks, no mesh
-  MeshShape shape = MeshShape::equilateral;
-  MeshPlacement placement = MeshPlacement::centred;
-  double mesh_angle_deg = 0;
-  double snap_ratio = 0;  // over the scale of the mesh
+  MeshOptions mesh;
   bool absorbs = false;
   bool may_overwrite = false;
   bool as_json = false;
@@ -92,29 +84,10 @@ void warn_of_holes(const Blocks& blocks) {
   }
 }
 
-Box box_of(const BodyGraph& graph) {
-  Box box;
-  for (const BodyPiece& piece : graph.pieces) {
-    if (piece.left < 0 && piece.right < 0) continue;
-    box.add(graph.nodes[static_cast<std::size_t>(piece.from)]);
-    box.add(graph.nodes[static_cast<std::size_t>(piece.to)]);
-  }
-  return box;
-}
-
-TriangleMesh mesh_for(const Box& box, const CutOptions& options) {
-  RegularMesh mesh = options.placement == MeshPlacement::centred ? centred_mesh(box, options.half_rows, options.shape)
-                                                                 : aligned_mesh(box, options.half_rows, options.shape);
-  mesh.angle = options.mesh_angle_deg * std::acos(-1.0) / 180;
-  return regular_triangles(box, mesh);
-}
-
 /// The drawing on a mesh: writes the cover file, and adds the counts to those of cutting.
 void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
-  const Box box = box_of(cut.graph);
-  TriangleMesh mesh = mesh_for(box, options);
-  const int snapped = options.snap_ratio > 0 ? snap_nodes(mesh, cut.graph, options.snap_ratio * mesh_scale(box)) : 0;
-  Manifold manifold = cut_cover(cut.graph, std::move(mesh));
+  FittedMesh fitted = fitted_mesh(options.mesh, cut.graph);
+  Manifold manifold = cut_cover(cut.graph, std::move(fitted.mesh));
   const int absorbed = options.absorbs ? absorb_small_pieces(manifold) : 0;
   if (!cut.blocks.blocks.bolts.empty())
     spdlog::warn("{}", to_string(Warning{"bolts_not_written", cut.blocks.blocks.place, "a cover file holds no bolts"}));
@@ -124,20 +97,22 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
   counts["covers"] = manifold.covers.size();
   counts["boundary_loops"] = manifold.boundary_loops.size();
   counts["absorbed"] = absorbed;
-  counts["mesh_nodes_snapped"] = snapped;
+  counts["mesh_nodes_snapped"] = fitted.snapped;
 }
 
 ExitCode cut_file(const CutOptions& options) {
+  const bool has_mesh = is_asked_for(options.mesh);
+  if (options.absorbs && !has_mesh) throw UsageError("--absorb requires --mesh or --mesh-side");
   // Before any work is done, so that a long cut is not lost to a file that is there already.
   const Overwrite overwrite = options.may_overwrite ? Overwrite::yes : Overwrite::no;
   for (const std::string& file : {options.output, options.picture})
     if (!file.empty()) {
       require_not_input(file, options.drawing);
       require_free(file, overwrite);
+      require_folder_of(file);
     }
   const formats::Case loaded = formats::load_case({options.drawing});
   const Drawing& drawing = drawing_of(loaded, options.drawing);
-  const bool has_mesh = options.half_rows > 0;
   BodyCut bodies = has_mesh ? cut_bodies(drawing, options.merging) : BodyCut{cut_blocks(drawing, options.merging), {}};
   CutResult& cut = bodies.blocks;
   cut.warnings = joined(loaded.warnings, cut.warnings);
@@ -169,7 +144,7 @@ ExitCode cut_file(const CutOptions& options) {
 Action configure_cut(CLI::App& app) {
   auto options = std::make_shared<CutOptions>();
   app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs")->required();
-  app.add_option("-o,--output", options->output, "the block file to write; with --mesh, the cover file");
+  app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file");
   app.add_option("--svg", options->picture, "a picture of the blocks to write");
   app.add_option(
          "--merging", options->merging,
@@ -177,36 +152,10 @@ Action configure_cut(CLI::App& app) {
          "as the old programs and profile legacy do")
       ->transform(CLI::CheckedTransformer(std::map<std::string, NodeMerging>{
           {"nearest_first", NodeMerging::nearest_first}, {"in_order_found", NodeMerging::in_order_found}}));
-  auto* mesh =
-      app.add_option("--mesh", options->half_rows,
-                     "cut a triangular mesh with this half number of rows by the drawing, joints that end inside "
-                     "included: elements and physical covers")
-          ->check(CLI::Range(1, kMostHalfRows));
-  app.add_option("--mesh-shape", options->shape,
-                 "equilateral triangles, or those of the old manifold cutter (old: rows 1.3 times as wide as high)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, MeshShape>{{"equilateral", MeshShape::equilateral}, {"old", MeshShape::old}}))
-      ->needs(mesh);
-  app.add_option(
-         "--mesh-placement", options->placement,
-         "centred: rows about the middle and 10 % beyond the greater extent, the old density rule; aligned: rows "
-         "on the lower and the upper edge of the drawing")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, MeshPlacement>{{"centred", MeshPlacement::centred},
-                                                                               {"aligned", MeshPlacement::aligned}}))
-      ->needs(mesh);
-  app.add_option("--mesh-angle", options->mesh_angle_deg, "degrees by which the mesh is turned")
-      ->check(CLI::Range(-180.0, 180.0))
-      ->needs(mesh);
-  app.add_option(
-         "--mesh-snap", options->snap_ratio,
-         "move mesh nodes onto lines nearer than this ratio of max(H/2, W/2.6), as the old manifold cutter does: "
-         "0.0015 in most of its samples")
-      ->check(CLI::Range(0.0, 0.1))
-      ->needs(mesh);
+  add_mesh_options(app, options->mesh);
   app.add_flag("--absorb", options->absorbs,
                "give pieces alone on a cover and below 0.2 of the mean area the covers of their neighbour, as the old "
-               "manifold cutter does")
-      ->needs(mesh);
+               "manifold cutter does");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
   app.add_flag("--json", options->as_json, "print counts, warnings and snaps as JSON");
   return [options] { return cut_file(*options); };

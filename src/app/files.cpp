@@ -19,6 +19,11 @@ void require_free(const fs::path& file, Overwrite overwrite) {
     throw UsageError(fmt::format("{} exists; give another name, or --force to overwrite it", file.string()));
 }
 
+void require_folder_of(const fs::path& file) {
+  if (const fs::path folder = file.parent_path(); !folder.empty() && !fs::is_directory(folder))
+    throw UsageError(fmt::format("there is no folder {} for {}", folder.string(), file.filename().string()));
+}
+
 void require_not_input(const fs::path& output, const fs::path& input) {
   std::error_code error;
   if (!fs::exists(output, error)) return;

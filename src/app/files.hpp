@@ -12,6 +12,9 @@ enum class Overwrite { no, yes };
 /// Throws UsageError if `file` exists and may not be overwritten.
 void require_free(const std::filesystem::path& file, Overwrite overwrite);
 
+/// Throws UsageError if the folder that `file` is to stand in does not exist.
+void require_folder_of(const std::filesystem::path& file);
+
 /// Throws UsageError if `output` is `input`, or is no regular file (a device must not be replaced), whatever --force says.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
 

@@ -11,9 +11,12 @@
 
 #include "app/command.hpp"
 #include "app/files.hpp"
+#include "app/usage_error.hpp"
 #include "formats/dda_geometry.hpp"
+#include "formats/ddaml.hpp"
 #include "formats/dxf.hpp"
 #include "formats/joint_spec.hpp"
+#include "formats/keyblock_case.hpp"
 #include "formats/registry.hpp"
 
 namespace keyblock {
@@ -21,6 +24,9 @@ namespace {
 
 using formats::PlacedJson;
 using Kind = PlacedJson::Kind;
+
+// Where a value stands that no file and no single option holds.
+constexpr const char* kCommandLine = "the command line";
 
 struct JointsOptions {
   std::string specification;
@@ -73,7 +79,7 @@ PlacedJson number_of(const std::string& option, double value) {
 
 /// The file, or an object of what the options say; the seed of an option rules that of the file.
 PlacedJson specification_of(const JointsOptions& options) {
-  PlacedJson all{Kind::object, "an object", 0, {}, {}, {"the command line"}};
+  PlacedJson all{Kind::object, "an object", 0, {}, {}, {kCommandLine}};
   if (!options.specification.empty()) all = formats::read_json(formats::load(options.specification));
   if (all.kind != Kind::object) return all;
   if (!options.rectangle.empty()) put(all, "rectangle", formats::json_of_option("--rectangle", options.rectangle));
@@ -87,13 +93,38 @@ PlacedJson specification_of(const JointsOptions& options) {
   return all;
 }
 
+// By the ending; the old programs' files have none of their own.
+const formats::Format& format_of(const std::string& output) {
+  if (output.ends_with(".dxf")) return formats::kDxf;
+  if (output.ends_with(".json")) return formats::kKeyblockCase;
+  if (output.ends_with(".xml")) return formats::kDdaml;
+  return formats::kDdaGeometry;
+}
+
+struct Drawn {
+  JointScene scene;
+  Drawing drawing;
+};
+
+// What an option says wrong is the fault of the command line, not of an input.
+Drawn drawn(const JointsOptions& options) {
+  try {
+    const JointScene scene = formats::joint_scene_of(specification_of(options));
+    return {scene, drawing_of(scene)};
+  } catch (const InputError& error) {
+    const std::string& place = error.place().file;
+    if (place == kCommandLine) throw UsageError(error.sentence());
+    if (place.starts_with("--")) throw UsageError(fmt::format("{}: {}", place, error.sentence()));
+    throw;
+  }
+}
+
 ExitCode make_joints(const JointsOptions& options) {
   if (!options.specification.empty()) require_not_input(options.output, options.specification);
+  require_folder_of(options.output);
   require_free(options.output, options.may_overwrite ? Overwrite::yes : Overwrite::no);
-  const JointScene scene = formats::joint_scene_of(specification_of(options));
-  const Drawing drawing = drawing_of(scene);
-  const formats::Format& format = options.output.ends_with(".dxf") ? formats::kDxf : formats::kDdaGeometry;
-  write_file(options.output, format.write({drawing, std::nullopt, std::nullopt}));
+  const auto [scene, drawing] = drawn(options);
+  write_file(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}));
   fmt::print("{}: {} joint lines, {} boundary lines; joint sets: {}, tunnels: {}\n", options.output,
              drawing.joints.size() - drawing.boundary_count, drawing.boundary_count, scene.sets.size(),
              scene.tunnels.size());
@@ -105,7 +136,9 @@ ExitCode make_joints(const JointsOptions& options) {
 Action configure_joints(CLI::App& app) {
   auto options = std::make_shared<JointsOptions>();
   auto* file = app.add_option("SPEC", options->specification, "JSON file that says it all (formats/joint_spec.hpp)");
-  app.add_option("-o,--output", options->output, "the drawing to write: a geometry file, or DXF if it ends in .dxf")
+  app.add_option(
+         "-o,--output", options->output,
+         "the drawing to write: DXF, a case file or DDAML if it ends in .dxf, .json or .xml, else a geometry file")
       ->required();
   const auto add = [&](const char* name, auto& value, const char* help) {
     return app.add_option(name, value, help)->excludes(file);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/ledger_report.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace keyblock {
@@ -11,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 struct Column {
   const char* name;
-  double (*value)(const LedgerRow&);
+  std::function<double(const LedgerRow&)> value;
 };
 
 const std::vector<Column> kStored{{"kinetic", [](const LedgerRow& r) { return r.stored.kinetic; }},
@@ -36,13 +37,25 @@ const std::vector<Column> kImpulse{{"impulse_x", [](const LedgerRow& r) { return
                                    {"impulse_y", [](const LedgerRow& r) { return r.impulse.linear.y; }},
                                    {"angular_impulse", [](const LedgerRow& r) { return r.impulse.angular; }}};
 
+// What loads leave of the change of momentum since `start`: what held blocks and points gave.
+std::vector<Column> reactions_since(const LedgerRow& start) {
+  return {{"reaction_impulse_x",
+           [=](const LedgerRow& r) { return r.momentum.linear.x - start.momentum.linear.x - r.impulse.linear.x; }},
+          {"reaction_impulse_y",
+           [=](const LedgerRow& r) { return r.momentum.linear.y - start.momentum.linear.y - r.impulse.linear.y; }},
+          {"angular_reaction_impulse",
+           [=](const LedgerRow& r) { return r.momentum.angular - start.momentum.angular - r.impulse.angular; }}};
+}
+
 // Those the ledger has anything to say in.
-std::vector<Column> columns_of(const LedgerScope& scope) {
+std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start) {
   std::vector<Column> columns = kStored;
   const auto append = [&](const std::vector<Column>& more) { columns.insert(columns.end(), more.begin(), more.end()); };
   if (scope.has_flows) append(kFlows);
   append(kMomentum);
-  if (scope.has_flows) append(kImpulse);
+  if (!scope.has_flows) return columns;
+  append(kImpulse);
+  if (scope.has_supports) append(reactions_since(start));
   return columns;
 }
 
@@ -53,20 +66,20 @@ Json row_json(const LedgerRow& row, const std::vector<Column>& columns) {
 }
 
 // Relative to the largest energy, and to the largest sum of momenta by amount.
-Json closure_json(const Ledger& ledger) {
+Json closure_json(const LedgerScope& scope, const LedgerSums& sums) {
   Json closure = Json::object();
-  if (!ledger.scope.has_flows) return closure;
-  closure["energy"] = energy_closure(ledger);
-  if (ledger.scope.has_supports) return closure;
-  closure["linear_momentum"] = linear_momentum_closure(ledger);
-  closure["angular_momentum"] = angular_momentum_closure(ledger);
+  if (!scope.has_flows) return closure;
+  closure["energy"] = sums.energy_closure();
+  if (scope.has_supports) return closure;
+  closure["linear_momentum"] = sums.linear_momentum_closure();
+  closure["angular_momentum"] = sums.angular_momentum_closure();
   return closure;
 }
 
 }  // namespace
 
-Json ledger_json(const Ledger& ledger) {
-  const std::vector<Column> columns = columns_of(ledger.scope);
+Json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every) {
+  const std::vector<Column> columns = columns_of(ledger.scope, sums.first);
   Json names = {"step", "time"};
   Json rows = Json::array();
   Json end = Json::object();
@@ -74,11 +87,12 @@ Json ledger_json(const Ledger& ledger) {
   for (const LedgerRow& row : ledger.rows) rows.push_back(row_json(row, columns));
   if (!ledger.rows.empty())
     for (const Column& column : columns) end[column.name] = column.value(ledger.rows.back());
-  return {{"closure", closure_json(ledger)},
-          {"largest_energy", largest_energy(ledger)},
+  return {{"closure", closure_json(ledger.scope, sums)},
+          {"largest_energy", sums.largest_energy()},
           {"momentum_about", {ledger.scope.centre.x, ledger.scope.centre.y}},
           {"end", end},
           {"columns", names},
+          {"kept_every", kept_every},
           {"rows", rows}};
 }
 

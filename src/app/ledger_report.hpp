@@ -8,8 +8,9 @@
 
 namespace keyblock {
 
-/// The last row by name, how well the balances close that the ledger is meant to close, and all rows as one table.
+/// The last row by name, how well the balances close that the ledger is meant to close, and the rows kept of every
+/// `kept_every`-th step, extremes and the last as one table. Sums and closures are of all steps.
 /// Flows and impulses are sums since the start.
-nlohmann::ordered_json ledger_json(const Ledger& ledger);
+nlohmann::ordered_json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every);
 
 }  // namespace keyblock

@@ -2,15 +2,19 @@
 // To add a command: 1) write `NAME_command.cpp` beside this file, 2) declare its `configure_NAME` in
 // command.hpp, 3) add a row to the table below, 4) run its help text in tests/commands_test.cpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "app/command.hpp"
@@ -22,7 +26,7 @@ namespace {
 
 constexpr std::array<Command, 9> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
-    {"cut", "cuts a drawing into blocks", configure_cut},
+    {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut},
     {"joints", "draws joint sets from statistics into an outline", configure_joints},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
@@ -32,7 +36,16 @@ constexpr std::array<Command, 9> kCommands{{
     {"info", "the same as formats", configure_formats},
 }};
 
+// CLI11 says no more than that a command is needed.
+void require_known(const std::string& command) {
+  if (command.starts_with('-') || std::ranges::find(kCommands, command, &Command::name) != kCommands.end()) return;
+  std::vector<const char*> names;
+  for (const Command& known : kCommands) names.push_back(known.name);
+  throw UsageError(fmt::format("there is no command \"{}\", only {}", command, fmt::join(names, ", ")));
+}
+
 int run_program(int argc, char** argv) {
+  if (argc > 1) require_known(argv[1]);
   CLI::App program{
       "Keyblock: reruns the files of discontinuous deformation analysis and the numerical manifold method"};
   program.name("keyblock");

@@ -15,6 +15,7 @@
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
 #include "app/run_report.hpp"
+#include "app/run_warnings.hpp"
 #include "app/saved_run.hpp"
 #include "app/usage_error.hpp"
 #include "base/sha256.hpp"
@@ -32,19 +33,10 @@ constexpr int kMostFrames = 100;
 // What an interruption may cost, unless asked otherwise.
 constexpr double kCheckpointSeconds = 30;
 
-// Penetrations beyond this many times the allowed one no longer look like contact.
-constexpr double kDeepPenetrations = 10;
-// A sound system is solved to 1e-12 or better; beyond this a penalty is too great for double precision.
-constexpr double kLargeResidual = 1e-9;
-// Contact forces of dynamics `standard` are solved to this share of the load at least.
-constexpr double kLargeImbalance = 1e-6;
-// A start that leaves more of its gaps than this is not the one asked for.
-constexpr double kLargeMisfit = 1e-6;
+std::atomic<int> stop_signal = 0;  // the one that asked to stop
 
-std::atomic<bool> stop_asked = false;
-
-extern "C" void ask_to_stop(int) {
-  stop_asked = true;
+extern "C" void ask_to_stop(int signal) {
+  stop_signal = signal;
 }
 
 struct RunOptions {
@@ -108,94 +100,6 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
   return std::max(problem.analysis->save_interval.value_or(1), thinned);
 }
 
-std::vector<std::string> start_complaints(const StartReport& start) {
-  std::vector<std::string> sentences;
-  if (!start.why.empty()) sentences.push_back(fmt::format("the start is {}, because {}", start.made, start.why));
-  if (start.misfit > kLargeMisfit)
-    sentences.push_back(fmt::format("the start leaves {:.1e} of the gaps that it was to close", start.misfit));
-  if (start.unsolved_steps > 0)
-    sentences.push_back(fmt::format("{} of the settling of the start found no forces",
-                                    counted(static_cast<std::size_t>(start.unsolved_steps), "step")));
-  return sentences;
-}
-
-// What a reader of the results must know and would not see: said once, with the first step concerned.
-Warnings run_warnings(const Prepared& prepared, const RunRecord& record, const Analysis& analysis) {
-  Warnings warnings;
-  const Settings& settings = prepared.scene.settings;
-  const auto warn_first = [&](const char* name, const auto& concerns, const auto& sentence) {
-    const auto step = std::ranges::find_if(record.steps, concerns);
-    if (step != record.steps.end()) warnings.push_back({name, analysis.place, sentence(*step)});
-  };
-  warn_first(
-      "unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
-      [](const StepReport& s) {
-        return fmt::format("step {}: {} contacts still opened or closed at the pass limit", s.step,
-                           s.unsettled_contacts);
-      });
-  const bool constant = settings.step_control == StepControl::constant;
-  warn_first(
-      "step_cut", [&](const StepReport& s) { return constant && s.dt < settings.time_step; },
-      [&](const StepReport& s) {
-        return fmt::format(
-            "step {}: cut from {:.6g} to {:.6g}, because blocks moved too far or contacts did not settle{}", s.step,
-            settings.time_step, s.dt, settings.quirks.cut_step_stays ? "; the cut stays" : "");
-      });
-  const bool is_moving = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::dynamic;
-  const auto moves_far = [&](const StepReport& s) { return is_moving && constant && s.displacement_ratio > 1; };
-  warn_first("step_moves_far", moves_far, [&](const StepReport& s) {
-    return fmt::format(
-        "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps; a smaller "
-        "time_step, or step_control = shi or error, resolves it",
-        s.step, s.displacement_ratio, std::ranges::count_if(record.steps, moves_far), record.steps.size());
-  });
-  warn_first(
-      "step_above_limit", [&](const StepReport& s) { return !constant && s.dt > settings.time_step; },
-      [&](const StepReport& s) {
-        return fmt::format(
-            "step {}: the automatic step, {:.6g}, passes the file's limit, {:.6g}, as in the Berkeley program", s.step,
-            s.dt, settings.time_step);
-      });
-  const double deep = kDeepPenetrations * settings.open_close.allowed_penetration * prepared.scene.model.scale;
-  warn_first(
-      "deep_penetration", [&](const StepReport& s) { return s.greatest_penetration > deep; },
-      [&](const StepReport& s) {
-        return fmt::format(
-            "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: do not trust "
-            "what follows",
-            s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / deep);
-      });
-  const bool is_standard = settings.dynamics == Dynamics::standard;
-  warn_first(
-      "large_residual",
-      [&](const StepReport& s) { return s.residual > (is_standard ? kLargeImbalance : kLargeResidual); },
-      [&](const StepReport& s) {
-        return is_standard ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
-                           : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only",
-                                         s.step, s.residual);
-      });
-  const auto is_unresolved = [](const StepReport& s) { return s.unresolved_parts > 0; };
-  warn_first("step_unresolved", is_unresolved, [&](const StepReport& s) {
-    return fmt::format(
-        "step {}: {} of its parts are of the least size (least_step_share) and still move or err more than asked for, "
-        "as in "
-        "{} of {} steps",
-        s.step, s.unresolved_parts, std::ranges::count_if(record.steps, is_unresolved), record.steps.size());
-  });
-  for (const std::string& sentence : start_complaints(record.outcome.start))
-    warnings.push_back({"start_not_as_asked", analysis.place, sentence});
-  const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
-    if (curve.times.empty() || curve.times.back() >= record.outcome.time || curve.values.back() == Point{}) return;
-    warnings.push_back({name, curve.place,
-                        fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} is held",
-                                    what, curve.times.back(), record.outcome.time, what)});
-  };
-  for (const CarriedPoint& point : prepared.scene.model.loading_points)
-    warn_held("load_held_after_table", "load", point.curve);
-  warn_held("acceleration_held_after_table", "acceleration", settings.body_acceleration.curve);
-  return warnings;
-}
-
 // What to try, where the old program's own rules end a run.
 void print_hint(const Settings& settings) {
   if (settings.quirks.velocity_from_coming_step)
@@ -211,7 +115,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, const std:
     print_hint(prepared.scene.settings);
   }
   if (record.outcome.end == RunEnd::stopped)
-    spdlog::warn("stopped by request; keyblock run --resume {} goes on", folder);
+    spdlog::warn("stopped {}; keyblock run --resume {} goes on",
+                 stop_signal == SIGXCPU ? "at the limit of processor time" : "by request", folder);
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
 }
 
@@ -233,7 +138,7 @@ ExitCode list_settings() {
 }
 
 RunRequest request_of(const RunOptions& options, const RunRecord& record, const Settings& settings) {
-  RunRequest request{KEYBLOCK_VERSION,
+  RunRequest request{this_program(),
                      std::filesystem::current_path().string(),
                      options.files,
                      record.profile,
@@ -271,13 +176,17 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   RunRequest request = request_of(options, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
   for (const std::string& file : options.files) require_not_below(file, options.folder);
+  const int stride = stride_of(prepared.scene.settings.step_count);
+  record.steps = StepRows(stride);
+  record.ledger = LedgerRows(stride);
+  StepWatch watch_steps(prepared);
   History history{!prepared.scene.model.measured_points.empty(), {}};
   const Trace trace = options.trace ? Trace::yes : Trace::no;
   RunFolder folder = saved ? RunFolder(options.folder, trace)
                            : RunFolder(options.folder, options.force ? Overwrite::yes : Overwrite::no, trace);
   std::unique_ptr<Stepper> stepper;
   if (saved) {
-    describe_told(*saved, folder, history, record);
+    describe_told(*saved, folder, history, record, watch_steps);
     saved->group("stepper", [&] { stepper = restored_stepper(prepared.scene, *saved); });
     folder.drop_what_followed();
   }
@@ -288,31 +197,38 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   std::signal(SIGHUP, ask_to_stop);
+  std::signal(SIGXCPU, ask_to_stop);
   CheckpointClock clock(options.checkpoint_every);
   bool stops = false;
   const Observer observer{[&](const Frame& frame) { folder.add(frame); },
                           [&](const StepReport& report) {
-                            record.steps.push_back(report);
+                            record.totals.add(report);
+                            record.steps.add(report);
+                            watch_steps.add(report);
+                            if (options.trace) record.traced.push_back(report);
                             progress.show(report);
                           },
                           [&](const HistoryRow& row) { history.rows.push_back(row); },
-                          [&] { return stops = stop_asked.load(); },
-                          [&](const LedgerRow& row) { record.ledger.rows.push_back(row); },
+                          [&] { return stops = stop_signal != 0; },
+                          [&](const LedgerRow& row) {
+                            record.ledger_sums.add(row);
+                            record.ledger.add(row);
+                          },
                           [&](Stepper& now) {
                             if (!stops && !clock.is_due()) return;
-                            folder.write_checkpoint(saved_bytes(request, folder, history, record, now));
+                            folder.write_checkpoint(saved_bytes(request, folder, history, record, watch_steps, now));
                             clock.written();
                           }};
   record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
                            : run(prepared.scene, record.record_every, observer);
-  record.ledger.scope = record.outcome.ledger_scope;
   progress.finish();
   record.timings.run = watch.lap();
-  record.warnings = joined(record.warnings, run_warnings(prepared, record, *loaded.problem.analysis));
+  record.warnings = joined(record.warnings, watch_steps.warnings(loaded.problem.analysis->place));
+  record.warnings = joined(record.warnings, outcome_warnings(prepared, record.outcome, loaded.problem.analysis->place));
 
   const std::string title =
       fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);
-  folder.finish(title, history, record.steps, record.ledger);
+  folder.finish(title, history, record.traced, {record.outcome.ledger_scope, record.ledger.rows()});
   record.outputs = folder.outputs();
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -6,7 +6,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <limits>
+#include <map>
+#include <utility>
 
 #include "app/ledger_report.hpp"
 #include "run/settings_table.hpp"
@@ -43,61 +44,40 @@ Json settings_json(const Settings& settings) {
   return all;
 }
 
-Json counts_json(const Prepared& prepared, const std::vector<StepReport>& steps) {
+Json counts_json(const Prepared& prepared, const StepTotals& totals) {
   const Model& model = prepared.scene.model;
-  int contacts = 0;
-  int redos = 0;
-  int fallbacks = 0;
-  long passes = 0;
-  int unresolved = 0;
-  double penetration = 0;
-  double ratio = 0;
-  double residual = 0;
-  double least_dt = std::numeric_limits<double>::max();
-  double greatest_dt = 0;
-  for (const StepReport& step : steps) {
-    contacts = std::max(contacts, step.contacts);
-    redos += step.redos;
-    fallbacks += step.fallbacks;
-    passes += step.passes;
-    unresolved += step.unresolved_parts;
-    penetration = std::max(penetration, step.greatest_penetration);
-    ratio = std::max(ratio, step.displacement_ratio);
-    residual = std::max(residual, step.residual);
-    least_dt = std::min(least_dt, step.dt);
-    greatest_dt = std::max(greatest_dt, step.dt);
-  }
   Json counts = {{"blocks", model.elements.size()},
                  {"vertices", model.vertices.size()},
                  {"unknowns", prepared.requirements.unknowns},
                  {"fixed_points", model.fixed_points.size()},
                  {"loading_points", model.loading_points.size()},
                  {"measured_points", model.measured_points.size()},
-                 {"most_contacts", contacts},
-                 {"passes", passes},
-                 {"redone_attempts", redos},
-                 {"fallback_solves", fallbacks},
-                 {"unresolved_parts", unresolved}};
-  if (!steps.empty()) {
-    counts["least_dt"] = least_dt;
-    counts["greatest_dt"] = greatest_dt;
-    counts["greatest_penetration"] = penetration;
-    counts["greatest_displacement_ratio"] = ratio;
-    counts["greatest_residual"] = residual;
+                 {"most_contacts", totals.most_contacts},
+                 {"passes", totals.passes},
+                 {"redone_attempts", totals.redos},
+                 {"fallback_solves", totals.fallbacks},
+                 {"unresolved_parts", totals.unresolved_parts}};
+  if (totals.steps > 0) {
+    counts["least_dt"] = totals.least_dt;
+    counts["greatest_dt"] = totals.greatest_dt;
+    counts["greatest_penetration"] = totals.greatest_penetration;
+    counts["greatest_displacement_ratio"] = totals.greatest_displacement_ratio;
+    counts["greatest_residual"] = totals.greatest_residual;
   }
   if (prepared.cut) counts["snaps"] = prepared.snaps.size();
   return counts;
 }
 
 // One array a step under one list of column names: the table may be long.
-Json steps_json(const std::vector<StepReport>& steps) {
+Json steps_json(const StepRows& steps) {
   Json rows = Json::array();
-  for (const StepReport& s : steps)
+  for (const StepReport& s : steps.rows())
     rows.push_back({s.step, s.time, s.dt, s.passes, s.redos, s.fallbacks, s.contacts, s.closed, s.penalty,
                     s.greatest_penetration, s.displacement_ratio, s.residual, s.unsettled_contacts});
   return {{"columns",
            {"step", "time", "dt", "passes", "redos", "fallbacks", "contacts", "closed", "penalty",
             "greatest_penetration", "displacement_ratio", "residual", "unsettled_contacts"}},
+          {"kept_every", steps.stride()},
           {"rows", rows}};
 }
 
@@ -114,6 +94,25 @@ Json outcome_json(const RunOutcome& outcome) {
     json["contacts"] = contacts;
   }
   return json;
+}
+
+// Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a name.
+std::string kind_of(const Warning& warning) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kOfNumbers = "0123456789.e+-";
+  std::string kind = warning.name + ' ';
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < warning.sentence.size();) {
+    const char c = warning.sentence[i];
+    if (c == '"') in_quotes = !in_quotes;
+    if (in_quotes || kDigits.find(c) == std::string_view::npos) {
+      kind += c;
+      ++i;
+    } else {
+      i = std::min(warning.sentence.find_first_not_of(kOfNumbers, i), warning.sentence.size());
+    }
+  }
+  return kind;
 }
 
 }  // namespace
@@ -143,14 +142,15 @@ Json warnings_json(const Warnings& warnings) {
 }
 
 void log_warnings(const Warnings& warnings) {
-  for (const Json& w : warnings_json(warnings)) {
-    const int count = w["count"];
-    spdlog::warn("{}{}", w["first"].get<std::string>(), count > 1 ? fmt::format(" ({} times)", count) : "");
+  std::vector<std::pair<const Warning*, int>> firsts;
+  std::map<std::string, std::size_t> known;  // kind, and which of the firsts it is
+  for (const Warning& warning : warnings) {
+    const auto [kind, is_new] = known.emplace(kind_of(warning), firsts.size());
+    if (is_new) firsts.emplace_back(&warning, 0);
+    ++firsts[kind->second].second;
   }
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+  for (const auto& [first, count] : firsts)
+    spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
 }
 
 Json requirements_json(const Requirements& requirements) {
@@ -170,13 +170,14 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"inputs", inputs_json(record.inputs)},
       {"settings", settings_json(prepared.scene.settings)},
       {"requirements", requirements_json(prepared.requirements)},
-      {"counts", counts_json(prepared, record.steps)},
+      {"counts", counts_json(prepared, record.totals)},
       {"warnings", warnings_json(record.warnings)},
       {"recorded_every", record.record_every},
       {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps)}};
-  if (!record.ledger.rows.empty()) json["ledger"] = ledger_json(record.ledger);
+  const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};
+  if (!ledger.rows.empty()) json["ledger"] = ledger_json(ledger, record.ledger_sums, record.ledger.stride());
   return json;
 }
 

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "formats/case.hpp"
+#include "result/step_record.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
 
@@ -30,8 +32,11 @@ struct Timings {
 struct RunRecord {
   std::string profile;
   std::vector<InputRecord> inputs;
-  std::vector<StepReport> steps;
-  Ledger ledger;
+  StepTotals totals;
+  StepRows steps;
+  std::vector<StepReport> traced;  ///< every step, where a trace is asked for
+  LedgerSums ledger_sums;
+  LedgerRows ledger;
   RunOutcome outcome;
   Timings timings;
   Warnings warnings;
@@ -44,9 +49,6 @@ nlohmann::ordered_json warning_list_json(const Warnings& warnings);
 
 /// To standard error, each kind once with how often it was met.
 void log_warnings(const Warnings& warnings);
-
-/// "1 block", "3 blocks".
-std::string counted(std::size_t count, const std::string& noun);
 
 /// Warnings as name, count and the first of each.
 nlohmann::ordered_json warnings_json(const Warnings& warnings);

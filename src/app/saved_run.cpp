@@ -9,6 +9,8 @@
 #include <iterator>
 
 #include "app/usage_error.hpp"
+#include "base/sha256.hpp"
+#include "formats/registry.hpp"
 #include "result/describe.hpp"
 #include "run/checkpoint.hpp"
 
@@ -37,33 +39,51 @@ void describe(Archive& archive, RunRequest& request) {
   describe(archive, "settings", request.settings);
 }
 
-void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record) {
+std::string this_program() {
+  return fmt::format("{}, SHA-256 {}", KEYBLOCK_VERSION, sha256(formats::load("/proc/self/exe").text));
+}
+
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch) {
   archive.group("records", [&] {
     archive.list("history", history.rows, [&](HistoryRow& row) { describe(archive, row); });
-    archive.list("steps", record.steps, [&](StepReport& report) { describe(archive, report); });
-    archive.list("ledger", record.ledger.rows, [&](LedgerRow& row) { describe(archive, row); });
+    const auto describe_step = [&](StepReport& report) { describe(archive, report); };
+    archive.group("totals", [&] { describe(archive, record.totals); });
+    archive.group("steps", [&] { record.steps.describe(archive, describe_step); });
+    archive.list("traced", record.traced, describe_step);
+    archive.group("watch", [&] { watch.describe(archive); });
+    archive.group("ledger_sums", [&] { describe(archive, record.ledger_sums); });
+    archive.group("ledger", [&] { record.ledger.describe(archive, [&](LedgerRow& row) { describe(archive, row); }); });
   });
   archive.group("folder", [&] { folder.describe(archive); });
 }
 
-std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, Stepper& stepper) {
+std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
+                        Stepper& stepper) {
   Archive archive;
   archive.group("request", [&] { describe(archive, request); });
-  describe_told(archive, folder, history, record);
+  describe_told(archive, folder, history, record, watch);
   archive.group("stepper", [&] { stepper.save(archive); });
   return checkpoint_bytes(archive);
 }
 
 Archive read_checkpoint(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw UsageError(fmt::format("nothing to resume: expected {}, found none", file.string()));
+  if (!stream && fs::exists(file.parent_path() / "run.json"))
+    throw UsageError(
+        fmt::format("nothing to resume: the run in {} is over, as its run.json says", file.parent_path().string()));
+  if (!stream)
+    throw UsageError(
+        fmt::format("nothing to resume: expected {}, found none; a run that was killed before its first "
+                    "checkpoint begins again with run … -o {} --force",
+                    file.string(), file.parent_path().string()));
   return archive_of_checkpoint(file.string(), {std::istreambuf_iterator<char>(stream), {}});
 }
 
 void require_same(const fs::path& checkpoint, const RunRequest& saved, const RunRequest& now) {
   const auto refuse = [&](const std::string& sentence) { throw InputError({checkpoint.string(), 0, 0}, sentence); };
   if (saved.program != now.program)
-    refuse(fmt::format("expected keyblock {}, which began the run, found keyblock {}", saved.program, now.program));
+    refuse(fmt::format("expected the build of keyblock that began the run, {}, found another, {}", saved.program,
+                       now.program));
   if (saved.read != now.read || saved.digests.size() != saved.read.size())
     refuse("expected the files that the run began with, found others");
   for (std::size_t i = 0; i < saved.read.size(); ++i)

@@ -9,6 +9,7 @@
 
 #include "app/run_folder.hpp"
 #include "app/run_report.hpp"
+#include "app/run_warnings.hpp"
 #include "base/archive.hpp"
 #include "result/history.hpp"
 
@@ -16,7 +17,7 @@ namespace keyblock {
 
 /// A run's command line, and what it found behind it.
 struct RunRequest {
-  std::string program;         ///< version
+  std::string program;         ///< `this_program` of the one that began the run
   std::string working_folder;  ///< that names of files are taken from
   std::vector<std::string> files;
   std::string profile;
@@ -30,11 +31,15 @@ struct RunRequest {
 
 void describe(Archive& archive, RunRequest& request);
 
-/// What the run has told: rows of history, steps and ledger, and its frames.
-void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record);
+/// Version and SHA-256 of the program that runs: another build may lay out its state otherwise, or round otherwise.
+std::string this_program();
+
+/// What the run has told: rows of history, steps and ledger, sums of them, warnings of steps, and its frames.
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch);
 
 /// The whole checkpoint: groups request, records, folder, stepper.
-std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, Stepper& stepper);
+std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
+                        Stepper& stepper);
 
 /// Says when the next checkpoint is due: every so many seconds, or only when the run is stopped.
 class CheckpointClock {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keyblock {
 namespace {
@@ -49,7 +50,9 @@ class Grid {
     const Point extent = far - origin_;
     const double smallest =
         std::sqrt((extent.x + distance) * (extent.y + distance) / (4.0 * static_cast<double>(boxes.size())));
-    cell_ = std::max(sizes[sizes.size() / 2] + distance, smallest);
+    // A scene that is all but a line has cells along it alone, and no more of them.
+    const double along = std::max(extent.x, extent.y) / (4.0 * static_cast<double>(boxes.size()));
+    cell_ = std::max({sizes[sizes.size() / 2] + distance, smallest, along, std::numeric_limits<double>::min()});
     columns_ = static_cast<int>(extent.x / cell_) + 1;
     rows_ = static_cast<int>(extent.y / cell_) + 1;
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));

@@ -13,8 +13,8 @@ namespace {
 constexpr double kTie = 1e-9;
 // Sine of the angle between two edges below which they count as parallel: half the turn of a corner that is one to the eye.
 constexpr double kParallel = 1e-4;
-// Lobatto's weights on three points give the stiffness of an evenly sprung stretch and the pivot at its end
-// (contact-notes 6).
+// Lobatto's weights on three points are exact for cubics (Abramowitz & Stegun 1964, 25.4.32), so that springs on them turn as
+// stiffly as an evenly sprung stretch, k L²/12, where two at the ends are three times as stiff; the end point is the pivot.
 constexpr double kLobattoEnd = 1.0 / 6;
 
 // A foot this share of the edge beyond its end lies at the end.

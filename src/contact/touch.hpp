@@ -70,7 +70,7 @@ struct TouchSearch {
 
 /// The touches of the given pairs. For two convex pieces the line of reference is the edge, of either, from which the other
 /// keeps the largest separation; the points are the ends of the stretch along which the most opposed edge of the other
-/// faces it. Geometry alone decides (Ericson 2005, separating axes and clipping, from memory; contact-notes 6). Inner edges
+/// faces it. Geometry alone decides (Ericson 2005, separating axes and clipping, from memory). Inner edges
 /// may keep pieces apart, but nothing touches them.
 FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
                           const Table<VertexIndex, Point>& vertices, const TouchSearch& search);

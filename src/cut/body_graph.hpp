@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "problem/blocks.hpp"
 
 namespace keyblock {
 
@@ -25,5 +26,8 @@ struct BodyGraph {
   std::vector<BodyPiece> pieces;
   std::vector<int> materials;  ///< block material of each body, index from 0
 };
+
+/// A block of a block file as the only body.
+BodyGraph graph_of(const BlockPolygon& block);
 
 }  // namespace keyblock

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/union_find.hpp"
 #include "cut/prune.hpp"
-#include "cut/union_find.hpp"
 #include "geometry/box.hpp"
 
 namespace keyblock {

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/union_find.hpp"
 #include "cut/rotation.hpp"
-#include "cut/union_find.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/predicates.hpp"
 
@@ -135,7 +135,12 @@ int outermost(const Arrangement& a, std::span<const int> leaving) {
   for (const int h : leaving) {
     const Segment from = direction(a, best);
     const Segment to = direction(a, h);
-    if (turn(from.start, from.end, to.start, to.end) > 0) best = h;
+    const int by_lines = turn(from.start, from.end, to.start, to.end);
+    // Parallel lines that end in one node by merging part along their edges.
+    const int by_ends = by_lines != 0 ? by_lines
+                                      : orientation(a.nodes[tail(a, h)].position, a.nodes[head(a, best)].position,
+                                                    a.nodes[head(a, h)].position);
+    if (by_ends > 0) best = h;
   }
   return best;
 }

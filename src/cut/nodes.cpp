@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "cut/union_find.hpp"
+#include "base/union_find.hpp"
 #include "geometry/segment.hpp"
 
 namespace keyblock {

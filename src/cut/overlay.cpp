@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/union_find.hpp"
 #include "cut/segment_grid.hpp"
-#include "cut/union_find.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment.hpp"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "cut/union_find.hpp"
+#include "base/union_find.hpp"
 
 namespace keyblock {
 namespace {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/polygon.hpp"
+#include "model/material_stress.hpp"
 
 namespace keyblock {
 namespace {
@@ -122,16 +123,10 @@ State start_state(const Model& model, AnalysisDialect dialect, const Settings& s
     const bool slots = settings.quirks.start_velocity_slots;
     const Velocity v = slots ? berkeley_start_velocity(material, dialect) : material.initial_velocity;
     const Stress gradient = slots ? berkeley_stress_gradient(material, dialect) : material.stress_gradient;
-    const Stress& s = material.initial_stress;
     Unknowns velocity = Unknowns::Zero(element.basis->unknown_count());
     velocity.head<3>() << v.x, v.y, v.rotation;
-    state.elements.push_back(
-        {centroid,
-         moments,
-         velocity,
-         Unknowns::Zero(element.basis->unknown_count()),
-         {s.xx + centroid.y * gradient.xx, s.yy + centroid.y * gradient.yy, s.xy + centroid.y * gradient.xy},
-         0});
+    state.elements.push_back({centroid, moments, velocity, Unknowns::Zero(element.basis->unknown_count()),
+                              start_stress(material, gradient, centroid.y), 0});
   }
   for (const CarriedPoint& p : model.fixed_points) state.fixed_points.push_back({p.start, {}});
   for (const CarriedPoint& p : model.loading_points) state.loading_points.push_back({p.start, {}});

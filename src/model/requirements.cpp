@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "base/counted.hpp"
 #include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
 #include "model/material_choices.hpp"
@@ -56,10 +57,6 @@ std::size_t joints_with(const Model& model, Predicate holds) {
     const auto number = static_cast<std::size_t>(joint);
     return number < model.joint_materials.size() && holds(model.joint_materials[number]);
   }));
-}
-
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 bool is_in_time(const Settings& settings) {

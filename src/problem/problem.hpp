@@ -24,6 +24,7 @@ struct Problem {
   RunChoices choices = {};  ///< of a case file
   std::optional<TimeCurve> motion =
       std::nullopt;  ///< of the ground, a multiple of gravity; once checked, in the analysis
+  Place place = {};  ///< the first of its files, for complaints about what is missing
 };
 
 /// A problem made sound, and what was said about it: warnings for what was mended, errors for what cannot be.

@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
+
 namespace keyblock {
 
-/// The names of the base units; one consistent set, nothing is converted. Empty: the old file did not say.
+/// The names of the base units; one consistent set, to which only drawings (DXF) are brought. Empty: the old file did not say.
 struct Units {
   std::string length;
   std::string mass;
@@ -21,7 +23,13 @@ struct RunChoices {
   std::string profile;                                        ///< empty: whatever the command takes
   std::vector<std::pair<std::string, std::string>> settings;  ///< name and value as `keyblock run --set` takes them
 
-  bool operator==(const RunChoices&) const = default;
+  Place place = {};
+  Place profile_place = {};
+  std::vector<Place> setting_places = {};  ///< one a setting; none where no file says them
+
+  friend bool operator==(const RunChoices& a, const RunChoices& b) {
+    return a.profile == b.profile && a.settings == b.settings;
+  }
 };
 
 }  // namespace keyblock

@@ -99,6 +99,31 @@ void describe(Archive& a, LedgerRow& row) {
   a.value("angular_size", row.momentum_size.angular);
 }
 
+void describe(Archive& a, LedgerSums& sums) {
+  a.value("is_begun", sums.is_begun);
+  a.group("first", [&] { describe(a, sums.first); });
+  a.value("largest", sums.largest);
+  a.value("energy_gap", sums.energy_gap);
+  a.value("linear_gap", sums.linear_gap);
+  a.value("linear_size", sums.linear_size);
+  a.value("angular_gap", sums.angular_gap);
+  a.value("angular_size", sums.angular_size);
+}
+
+void describe(Archive& a, StepTotals& totals) {
+  a.value("steps", totals.steps);
+  a.value("most_contacts", totals.most_contacts);
+  a.value("redos", totals.redos);
+  a.value("fallbacks", totals.fallbacks);
+  a.value("passes", totals.passes);
+  a.value("unresolved_parts", totals.unresolved_parts);
+  a.value("greatest_penetration", totals.greatest_penetration);
+  a.value("greatest_displacement_ratio", totals.greatest_displacement_ratio);
+  a.value("greatest_residual", totals.greatest_residual);
+  a.value("least_dt", totals.least_dt);
+  a.value("greatest_dt", totals.greatest_dt);
+}
+
 void describe(Archive& a, StepReport& report) {
   a.value("step", report.step);
   a.value("time", report.time);

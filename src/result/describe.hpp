@@ -6,13 +6,15 @@
 #include "result/frame.hpp"
 #include "result/history.hpp"
 #include "result/ledger.hpp"
-#include "result/step_report.hpp"
+#include "result/step_record.hpp"
 
 namespace keyblock {
 
 void describe(Archive& archive, Frame& frame);
 void describe(Archive& archive, HistoryRow& row);
 void describe(Archive& archive, LedgerRow& row);
+void describe(Archive& archive, LedgerSums& sums);
+void describe(Archive& archive, StepTotals& totals);
 void describe(Archive& archive, StepReport& report);
 
 }  // namespace keyblock

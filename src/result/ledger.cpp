@@ -47,42 +47,34 @@ Momentum& Momentum::operator+=(const Momentum& other) {
   return *this;
 }
 
-double largest_energy(const Ledger& ledger) {
-  double largest = 0;
-  for (const LedgerRow& row : ledger.rows)
-    largest = std::max({largest, largest_of(row.stored, ledger.rows.front().stored), largest_of(row.flow)});
-  return largest;
+void LedgerSums::add(const LedgerRow& row) {
+  if (!is_begun) first = row;
+  is_begun = true;
+  largest = std::max({largest, largest_of(row.stored, first.stored), largest_of(row.flow)});
+  const double change = row.stored.total() - first.stored.total();
+  energy_gap = std::max(energy_gap, std::abs(change - row.flow.gained() + row.flow.lost()));
+  linear_gap = std::max(linear_gap, length(row.momentum.linear - first.momentum.linear - row.impulse.linear));
+  linear_size = std::max(linear_size, row.momentum_size.linear);
+  angular_gap = std::max(angular_gap, std::abs(row.momentum.angular - first.momentum.angular - row.impulse.angular));
+  angular_size = std::max(angular_size, row.momentum_size.angular);
 }
 
-double energy_closure(const Ledger& ledger) {
-  double greatest = 0;
-  for (const LedgerRow& row : ledger.rows) {
-    const double change = row.stored.total() - ledger.rows.front().stored.total();
-    greatest = std::max(greatest, std::abs(change - row.flow.gained() + row.flow.lost()));
-  }
-  return over(greatest, largest_energy(ledger));
+double LedgerSums::energy_closure() const {
+  return over(energy_gap, largest);
 }
 
-double linear_momentum_closure(const Ledger& ledger) {
-  double greatest = 0;
-  double size = 0;
-  for (const LedgerRow& row : ledger.rows) {
-    greatest =
-        std::max(greatest, length(row.momentum.linear - ledger.rows.front().momentum.linear - row.impulse.linear));
-    size = std::max(size, row.momentum_size.linear);
-  }
-  return over(greatest, size);
+double LedgerSums::linear_momentum_closure() const {
+  return over(linear_gap, linear_size);
 }
 
-double angular_momentum_closure(const Ledger& ledger) {
-  double greatest = 0;
-  double size = 0;
-  for (const LedgerRow& row : ledger.rows) {
-    greatest =
-        std::max(greatest, std::abs(row.momentum.angular - ledger.rows.front().momentum.angular - row.impulse.angular));
-    size = std::max(size, row.momentum_size.angular);
-  }
-  return over(greatest, size);
+double LedgerSums::angular_momentum_closure() const {
+  return over(angular_gap, angular_size);
+}
+
+LedgerSums sums_of(const Ledger& ledger) {
+  LedgerSums sums;
+  for (const LedgerRow& row : ledger.rows) sums.add(row);
+  return sums;
 }
 
 }  // namespace keyblock

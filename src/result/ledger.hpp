@@ -76,14 +76,28 @@ struct Ledger {
   std::vector<LedgerRow> rows;
 };
 
-/// The largest stored energy, counted from the start where it is a potential, or flow.
-double largest_energy(const Ledger& ledger);
+/// How well rows close, told one after another.
+struct LedgerSums {
+  bool is_begun = false;
+  LedgerRow first;
+  double largest = 0;      ///< energy
+  double energy_gap = 0;   ///< greatest |stored − stored at the start − gained + lost|
+  double linear_gap = 0;   ///< greatest |momentum − that at the start − impulse|
+  double linear_size = 0;  ///< largest sum of amounts
+  double angular_gap = 0;  ///< as the linear ones
+  double angular_size = 0;
 
-/// Greatest |stored − stored at the start − gained + lost| of any row over the largest energy; 0 where nothing moves.
-double energy_closure(const Ledger& ledger);
+  void add(const LedgerRow& row);
 
-/// Greatest |momentum − that at the start − impulse| of any row over the largest sum of amounts.
-double linear_momentum_closure(const Ledger& ledger);
-double angular_momentum_closure(const Ledger& ledger);
+  /// The largest stored energy, counted from the start where it is a potential, or flow.
+  double largest_energy() const { return largest; }
+  /// Gaps over what they are part of; 0 where nothing moves.
+  double energy_closure() const;
+  double linear_momentum_closure() const;
+  double angular_momentum_closure() const;
+};
+
+/// The same of a whole ledger.
+LedgerSums sums_of(const Ledger& ledger);
 
 }  // namespace keyblock

@@ -3,6 +3,7 @@
 #include "run/prepare.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -125,16 +126,40 @@ void require_consistent(const Settings& settings, int joint_materials) {
   require_springs(settings, joint_materials);
 }
 
-// The profile with the overrides on it, sound for the materials of the file.
-Settings settings_of(const Analysis& analysis, const std::string& profile, const std::vector<Override>& overrides) {
-  Settings settings = profile_settings(profile, analysis);
-  for (const auto& [name, value] : overrides) set(settings, name, value);
-  if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
+// A setting that cannot be is the file's fault where the file says it.
+void set_as_in_file(Settings& settings, const RunChoices& choices) {
+  for (std::size_t i = 0; i < choices.settings.size(); ++i) {
+    const auto& [name, value] = choices.settings[i];
+    try {
+      set(settings, name, value);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(i < choices.setting_places.size() ? choices.setting_places[i] : choices.place, error.what());
+    }
+  }
+}
+
+// Settings that are sound for the materials of the file and go together.
+void require_sound(const Settings& settings, const Analysis& analysis) {
   const int joint_materials = static_cast<int>(analysis.joint_materials.size());
   require_materials(settings, static_cast<int>(analysis.block_materials.size()), joint_materials);
   require_consistent(settings, joint_materials);
   if (!settings.body_acceleration.file.empty() && settings.body_acceleration.curve.times.empty())
     throw std::invalid_argument("setting body_acceleration_file: the file was not read");
+}
+
+// The profile with the choices of the file and the overrides on it.
+Settings settings_of(const Analysis& analysis, const std::string& profile, const RunChoices& choices,
+                     const std::vector<Override>& overrides) {
+  Settings settings = profile_settings(profile, analysis);
+  set_as_in_file(settings, choices);
+  for (const auto& [name, value] : overrides) set(settings, name, value);
+  if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
+  try {
+    require_sound(settings, analysis);
+  } catch (const std::invalid_argument& error) {
+    if (choices.settings.empty() || !overrides.empty()) throw;
+    throw InputError(choices.place, error.what());
+  }
   return settings;
 }
 
@@ -142,14 +167,19 @@ Place place_of(const Problem& problem) {
   if (problem.analysis) return problem.analysis->place;
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return drawing->place;
   if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->place;
-  return {};
+  return problem.place;
 }
 
 }  // namespace
 
 std::string profile_of(const Problem& problem, const std::string& asked) {
   if (!asked.empty()) return asked;
-  return problem.choices.profile.empty() ? "standard" : problem.choices.profile;
+  const std::string& profile = problem.choices.profile;
+  const std::vector<std::string> known = profile_names();
+  if (!profile.empty() && std::ranges::find(known, profile) == known.end())
+    throw InputError(problem.choices.profile_place,
+                     fmt::format("expected a profile, one of {}, found \"{}\"", fmt::join(known, ", "), profile));
+  return profile.empty() ? "standard" : profile;
 }
 
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
@@ -158,12 +188,12 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   if (const auto* cover = std::get_if<Cover>(&problem.geometry))
     throw InputError(cover->place, "expected a drawing or blocks to run, found a manifold cover: read, not yet run");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
-  std::vector<Override> all = problem.choices.settings;
-  all.insert(all.end(), overrides.begin(), overrides.end());
-  const Settings settings = settings_of(*problem.analysis, profile, all);
+  const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
   CutResult cut = blocks_of(problem, settings.node_merging);
   require_points(cut.blocks, *problem.analysis);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
+  std::vector<Override> all = problem.choices.settings;
+  all.insert(all.end(), overrides.begin(), overrides.end());
   cut.warnings = joined(std::move(cut.warnings), without_effect(all, settings, problem.analysis->place));
   auto [model, needs] =
       plan_of(with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor),

@@ -27,12 +27,13 @@ struct Prepared {
   Scene scene;
 };
 
-/// The profile asked for; where none is, that of the case file; where that names none, `standard`.
+/// The profile asked for; where none is, that of the case file; where that names none, `standard`. Throws InputError where
+/// the case file names one that is none.
 std::string profile_of(const Problem& problem, const std::string& asked);
 
 /// The scene of a problem with geometry and analysis. Throws InputError where one is missing, lines close no block, or
-/// motions do not fit the points; std::invalid_argument for a profile, setting or value that is none.
-/// Settings of a case file count below the overrides.
+/// motions do not fit the points, or the case file has a setting or value that is none; std::invalid_argument for a profile or
+/// an override that is none. Settings of a case file count below the overrides.
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 }  // namespace keyblock

@@ -27,7 +27,7 @@ ContactMemory memory_of(const ContactLaw& law, double normal, double tangential)
 
 /// λn ≥ −T l and no slip for bonded touches, with l the length that the touch stands for; Coulomb for the others. The shear of
 /// bonds is judged by `sheared_bonds`. A spring stands for the share of its stretch: both ends of a stretch have the contact
-/// stiffness p each, three points 2p by Lobatto's weights (contact-notes 6).
+/// stiffness p each, three points 2p by Lobatto's weights.
 ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch);
 
 /// The bonds between edges whose shear is beyond Mohr and Coulomb's limit by more than `tolerance`,

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
+#include "base/union_find.hpp"
 #include "geometry/segment.hpp"
 
 namespace keyblock {
@@ -24,28 +24,6 @@ bool has_corner_on(const Model& model, ElementIndex corners, ElementIndex edges,
       if (distance(Segment{place(v), place(model.vertices[v].next)}, place(corner)) <= tolerance) return true;
   return false;
 }
-
-// Groups of joined blocks, each named by one of its members.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  /// False if both are of one group already.
-  bool join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    parent_[static_cast<std::size_t>(a)] = b;
-    return a != b;
-  }
-
- private:
-  int root(int i) const {
-    while (parent_[static_cast<std::size_t>(i)] != i) i = parent_[static_cast<std::size_t>(i)];
-    return i;
-  }
-
-  std::vector<int> parent_;
-};
 
 // So few blocks are solved with multipliers though they stand in a ring.
 constexpr std::ptrdiff_t kFewBlocks = 8;
@@ -81,8 +59,8 @@ bool has_ring(const Model& model, const std::vector<ElementPair>& touching) {
     const auto [lower, upper] = std::minmax({node(pair.lower), node(pair.upper)});
     if (lower != upper) joins.emplace(lower, upper);
   }
-  Groups groups(model.elements.size() + 1);
-  return std::ranges::any_of(joins, [&](const auto& join) { return !groups.join(join.first, join.second); });
+  UnionFind groups(model.elements.size() + 1);
+  return std::ranges::any_of(joins, [&](const auto& join) { return !groups.unite(join.first, join.second); });
 }
 
 Settings with_enforcement_decided(Settings settings, const Model& model) {

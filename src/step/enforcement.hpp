@@ -18,7 +18,7 @@ std::vector<ElementPair> touching_pairs(const Model& model);
 bool has_ring(const Model& model, const std::vector<ElementPair>& touching);
 
 /// `automatic` becomes penalty where springs stop impacts or more than a few blocks touch in a ring, lagrange elsewhere: in a ring forces are many times
-/// redundant, and multipliers took five times the solves of springs and left steps unfinished (contact-notes 3).
+/// redundant, and multipliers took five times the solves of springs and left steps unfinished (a slope of 45 blocks).
 Settings with_enforcement_decided(Settings settings, const Model& model);
 
 /// One clause: why `automatic` decides as it does.

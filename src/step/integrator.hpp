@@ -37,7 +37,7 @@ struct StepRule {
 };
 
 /// The rule of the chosen integrator; contact forces act over the whole step in each.
-/// Weighted, with θv of the velocity and θf of the elastic force (contact-notes 2):
+/// Weighted, with θv of the velocity and θf of the elastic force (the two-weight family of Shi 1988 at 1/2 and 1, the trapezoidal rule at 1/2 and 1/2):
 ///     M (Δq − dt v0)/(θv dt²) + C Δq/dt + K (q0 + θf Δq) = F(½),   v1 = (Δq/dt − (1−θv) v0)/θv,   a1 = (v1 − v0)/dt.
 /// Newmark 1959, with Δq = dt v0 + dt² ((½−β) a0 + β a1) and v1 = v0 + dt ((1−γ) a0 + γ a1):
 ///     M a1 + C v1 + K q1 = F(1);   Shi's step is β = ½, γ = 1.

@@ -7,7 +7,7 @@
 namespace keyblock {
 
 /// In a mass of blocks that hold each other in rings, equilibrium of rigid blocks leaves contact forces open: they follow from
-/// elasticity (contact-notes 5). First all touching faces are glued and the loads put on in one static step; then the glue is
+/// elasticity. First all touching faces are glued and the loads put on in one static step; then the glue is
 /// dissolved in a few steps so short that nothing moves by more than the contacts give, each from rest. Blocks that hang
 /// together with no block that is fixed or held somewhere are left unloaded. Velocities are those of `motion`.
 struct Settled {

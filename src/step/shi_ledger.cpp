@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "material/elastic.hpp"
 #include "model/body_load.hpp"
+#include "model/material_stress.hpp"
 #include "terms/inertia.hpp"
 
 namespace keyblock {
@@ -14,10 +14,8 @@ namespace {
 
 // ½ A σᵀ D⁻¹ σ; D is isotropic, so that the frame of the stress is of no account.
 double strain_energy(const BlockMaterial& material, Plane plane, const ElementState& now) {
-  const Eigen::Matrix3d modulus =
-      plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
   const Eigen::Vector3d stress(now.stress.xx, now.stress.yy, now.stress.xy);
-  return now.moments.area / 2 * stress.dot(modulus.inverse() * stress);
+  return now.moments.area / 2 * stress.dot(modulus_of(material, plane).inverse() * stress);
 }
 
 }  // namespace

@@ -7,21 +7,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "material/elastic.hpp"
 #include "model/body_load.hpp"
+#include "model/material_stress.hpp"
 #include "step/integrator.hpp"
 #include "terms/inertia.hpp"
 
 namespace keyblock {
 namespace {
 
-// An undamped block in steady sliding is unstable above φ of about 20 degrees, growth rate up to 0.13 ω₁ at 45; with
-// β + (θf − ½) dt ≥ 2/ω₁ its slowest strain mode is damped critically, twice what 45 degrees needs (contact-notes 4.3).
+// An undamped block in steady sliding is unstable above φ of about 20 degrees: eigenvalues of q̈ = −M⁻¹K q + M⁻¹H S⁻¹ Gₙ M⁻¹K q of a
+// square on two sliding corners, H = Gₙᵀ − μ Gₜᵀ, S = Gₙ M⁻¹ H, grow by up to 0.13 ω₁ at 45 degrees. With
+// β + (θf − ½) dt ≥ 2/ω₁ its slowest strain mode is damped critically, twice what 45 degrees needs.
 constexpr double kDampingOverPeriod = 2;
-
-Eigen::Matrix3d modulus_of(const BlockMaterial& material, const Settings& settings) {
-  return settings.plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
-}
 
 UnknownBlock rigid_inverse(const UnknownBlock& mass) {
   UnknownBlock inverse = UnknownBlock::Zero(mass.rows(), mass.cols());
@@ -57,11 +54,8 @@ UnknownBlock damping_of(const Body& body, const Settings& settings, int material
   return settings.mass_damping.of(material) * body.mass + of_stiffness * body.stiffness;
 }
 
-// Stress at the start, with its gradient at the height of the centroid.
-Eigen::Vector3d start_stress(const BlockMaterial& material, double y) {
-  const Stress& s = material.initial_stress;
-  const Stress& g = material.stress_gradient;
-  return {s.xx + y * g.xx, s.yy + y * g.yy, s.xy + y * g.xy};
+Eigen::Vector3d vector_of(const Stress& stress) {
+  return {stress.xx, stress.yy, stress.xy};
 }
 
 Body body_of(const Model& model, const Reference& reference, const Settings& settings, ElementIndex e) {
@@ -76,8 +70,10 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
   if (body.mass.rows() > 0) body.mass_inverse = body.mass.inverse();
   body.rigid_mass_inverse = rigid_inverse(body.mass);
   const StrainOperator strain = basis.strain();
-  body.stiffness = moments.area * (strain.transpose() * modulus_of(material, settings) * strain);
-  body.initial_stress = -moments.area * (strain.transpose() * start_stress(material, reference.centroids[e].y));
+  body.stiffness = moments.area * (strain.transpose() * modulus_of(material, settings.plane) * strain);
+  body.initial_stress =
+      -moments.area *
+      (strain.transpose() * vector_of(start_stress(material, material.stress_gradient, reference.centroids[e].y)));
   body.weight = basis.constant.transpose() * (moments.area * weight_per_area(material, settings));
   body.slowest_frequency = slowest_frequency(body);
   body.damping = damping_of(body, settings, element.material);
@@ -103,8 +99,8 @@ Stress block_stress(const Model& model, ElementIndex e, const Reference& referen
                     const Unknowns& q) {
   const Element& element = model.elements[e];
   const BlockMaterial& material = model.material_of(element);
-  const Eigen::Vector3d stress =
-      start_stress(material, reference.centroids[e].y) + modulus_of(material, settings) * (element.basis->strain() * q);
+  const Eigen::Vector3d stress = vector_of(start_stress(material, material.stress_gradient, reference.centroids[e].y)) +
+                                 modulus_of(material, settings.plane) * (element.basis->strain() * q);
   return {stress[0], stress[1], stress[2]};
 }
 

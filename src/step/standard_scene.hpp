@@ -57,7 +57,7 @@ struct Scales {
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& v);
 
 /// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of free
-/// acceleration would give (contact-notes 3, step 2).
+/// acceleration would give.
 double slow_speed(const Scales& scales, const UnknownsTable& v, double dt);
 
 }  // namespace keyblock

@@ -1,4 +1,5 @@
-// The order of contact-notes 3, scheme F; the clean-up comes before the jump, so that it cannot undo a separation.
+// Smooth motion, overlaps removed, clean-up, jump (src/README.md, a step of `standard`); the clean-up comes before the jump, so
+// that it cannot undo a separation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/standard_step.hpp"
 
@@ -200,7 +201,7 @@ class Attempt {
   }
 
   // Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and d the
-  // overshoot (contact-notes 3, step 7); d was covered at the mean of both speeds.
+  // overshoot; d was covered at the mean of both speeds.
   Meeting meeting(const Touch& touch, double at_start, double at_end, double overshoot) const {
     if (at_end >= 0) return {touch, 0, 0};
     const double acceleration = (at_end - at_start) / dt_;

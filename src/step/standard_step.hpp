@@ -22,7 +22,7 @@ struct StandardStep {
 };
 
 /// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in
-/// halves again; then it is given up (contact-notes 3).
+/// halves again; then it is given up.
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt);
 
 }  // namespace keyblock

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/update.hpp"
 
-#include "material/elastic.hpp"
+#include "model/material_stress.hpp"
 #include "step/motion.hpp"
 
 namespace keyblock {
@@ -61,9 +61,8 @@ State update(const Model& model, State state, const Settings& settings, const In
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);
     ElementState& now = state.elements[e];
-    const Eigen::Matrix3d modulus =
-        settings.plane == Plane::stress ? plane_stress_modulus(material) : plane_strain_modulus(material);
-    now.stress = stress_after(now.stress, modulus * (element.basis->strain() * increments[e]));
+    now.stress =
+        stress_after(now.stress, modulus_of(material, settings.plane) * (element.basis->strain() * increments[e]));
     now.last_step = increments[e];
     if (element.basis->rotation_unknown >= 0) now.rotation += increments[e][element.basis->rotation_unknown];
     const Placement placement = place(model, state.vertices, e, settings);

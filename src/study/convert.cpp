@@ -17,6 +17,7 @@
 #include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
+#include "formats/split.hpp"
 #include "formats/tokens.hpp"
 #include "formats/views.hpp"
 #include "study/berkeley_faults.hpp"
@@ -49,7 +50,7 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
   all.tracks.insert(all.tracks.end(), content.tracks.begin(), content.tracks.end());
   put(all.motion, content.motion, file, "motion");
-  put(all.units, content.units, file, "set of units");
+  formats::put_units(all.units, content.units, {file});
   put(all.choices, content.choices, file, "run");
 }
 
@@ -88,6 +89,7 @@ const std::string* unchanged(const std::vector<formats::FileReading>& files, con
 formats::ReadHint hint_of(const Content& content) {
   formats::ReadHint hint = formats::counted_points(content);
   if (hint.geometry == formats::GeometryKind::unknown) hint.geometry = formats::GeometryKind::drawing;
+  if (content.units) hint.length = content.units->length;
   if (!content.analysis) return hint;
   const auto count = [](const auto& curves) { return static_cast<int>(curves.size()); };
   if (!hint.fixed_points) hint.fixed_points = count(content.analysis->fixed_point_motions);
@@ -140,7 +142,7 @@ const std::vector<Target>& targets() {
   static const std::vector<Target> all{
       {"keyblock-case", "Keyblock case file", {{&kKeyblockCase, ".json"}}},
       {"ddaml", "Berkeley XML, geometry and analysis in one file", {{&kDdaml, ".xml"}}},
-      {"dxf", "DXF drawing R12, lines by layer, in metres", {{&kDxf, ".dxf"}}},
+      {"dxf", "DXF drawing R12, lines by layer", {{&kDxf, ".dxf"}}},
       {"dda-geometry", "geometry (lines) of the old cutting program", {{&kDdaGeometry, ".geo"}}},
       {"dda-blocks", "block file, points of 4 numbers", {{&kDdaBlocks, ".blk"}}},
       {"dda-blocks-3", "block file, points of 3 numbers", {{&kDdaBlocksOfThree, ".blk"}}},
@@ -173,6 +175,7 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
     conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
     add_to(content, reading.content, file.path);
   }
+  conversion.warnings = joined(std::move(conversion.warnings), formats::mismatches(content));
   if (std::optional<Derivation> derived = derived_geometry(content, target)) {
     content.drawing = std::move(derived->content.drawing);
     content.blocks = std::move(derived->content.blocks);

@@ -10,13 +10,13 @@
 
 #include "cut/cut_blocks.hpp"
 #include "cut/place_points.hpp"
+#include "formats/dxf.hpp"
 #include "geometry/polygon.hpp"
 
 namespace keyblock::study {
 namespace {
 
-constexpr double kEdgeNodeRatio = 1e-6;  // blocks need no snapping: their corners agree to the rounding of files
-constexpr double kMaterialLine = 1e-3;   // length over the edge it starts from: it stays within the block
+constexpr double kMaterialLine = 1e-3;  // length over the edge it starts from: it stays within the block
 
 // Left of the middle of the edge that is longest, and short.
 Segment inner_segment(const BlockLoop& outer) {
@@ -89,7 +89,7 @@ std::vector<MarkedPoint> voids_within(const Drawing& edges, const Blocks& blocks
 
 Drawing lines_of(const Blocks& blocks) {
   Edges edges;
-  edges.drawing.edge_node_ratio = kEdgeNodeRatio;
+  edges.drawing.edge_node_ratio = formats::kBlockEdgeNodeRatio;
   edges.drawing.place = blocks.place;
   for (const BlockPolygon& block : blocks.blocks) {
     edges.add(block.outer);

@@ -78,6 +78,11 @@ class Walk {
   std::map<std::string, std::size_t> index_;
 };
 
+const Json& layout_of_cases() {
+  static const Json layout = Json::parse(formats::case_schema());
+  return layout;
+}
+
 Json case_of(const formats::Content& content) {
   return formats::fits_a_case(content) ? Json::parse(formats::kKeyblockCase.write(content)) : Json::object();
 }
@@ -95,7 +100,7 @@ std::vector<Loss> losses(const formats::Content& original, const formats::Conten
   Json before = case_of(original), after = case_of(converted);
   before.erase("keyblock");
   after.erase("keyblock");
-  walk.compare("", Json::parse(formats::case_schema()), before, after);
+  walk.compare("", layout_of_cases(), before, after);
   std::vector<Loss> found = walk.found();
   note_lost("frames", original.frames.size(), converted.frames.size(), found);
   note_lost("tracks", original.tracks.size(), converted.tracks.size(), found);
@@ -106,7 +111,7 @@ std::vector<Loss> losses(const formats::Content& original, const formats::LeftOu
   Walk walk(left_out.items);
   Json all = case_of(original);
   all.erase("keyblock");
-  walk.compare("", Json::parse(formats::case_schema()), all, all);
+  walk.compare("", layout_of_cases(), all, all);
   std::vector<Loss> found = walk.found();
   const std::size_t count = original.frames.size();
   if (count > left_out.frames_shown)

@@ -7,6 +7,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
 
 namespace keyblock {
 namespace {
@@ -46,11 +50,18 @@ TEST(CheckCommand, sound_case_says_dialect_evidence_and_counts) {
 }
 
 TEST(CheckCommand, bad_file_does_not_keep_the_others_from_being_reported) {
-  const Outcome mixed = run("check " + input("04_nan_coord_orig.geo") + " " + input("00_control_xml.ana"));
+  const Outcome mixed = run("check " + input("04_nan_coord_orig.geo") + " " + input("00_control_xml.ana") + " 2>&1");
   EXPECT_EQ(mixed.exit_code, 3);
   EXPECT_TRUE(contains(mixed.output,
                        "04_nan_coord_orig.geo:15:1: error: expected x of the start of line 7 of 7, found \"nan\""));
   EXPECT_TRUE(contains(mixed.output, "1000 steps"));
+}
+
+TEST(CheckCommand, files_of_several_cases_are_looked_at_alone_and_that_is_said) {
+  const Outcome two = run("check " + input("00_control_orig.geo") + " " + input("00_control_orig.geo"));
+  EXPECT_EQ(two.exit_code, 0);
+  EXPECT_TRUE(contains(two.output, "warning: a second geometry of 2, after")) << two.output;
+  EXPECT_TRUE(contains(two.output, "[several_cases]"));
 }
 
 TEST(CheckCommand, json_holds_the_same_report) {
@@ -61,6 +72,49 @@ TEST(CheckCommand, json_holds_the_same_report) {
   EXPECT_EQ(json["files"][0]["counts"]["lines"], 7);
   EXPECT_EQ(json["case"]["warnings"][0]["name"], "joint_material_clamped");
   EXPECT_EQ(json["case"]["warnings"][0]["line"], 8);
+}
+
+// A case file with one square and what its key "run" says.
+std::string case_with(const std::string& run) {
+  const std::string file = testing::fresh_folder("check_case") + "/case.json";
+  testing::write_text(file, R"({"keyblock": 1,
+ "blocks": {"blocks": [{"material": 1, "outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1]]}],
+  "fixed_points": [[0.5, 0.25, 1]]},
+ "analysis": {"step_count": 1, "time_step": 0.01, "allowed_displacement_ratio": 0.1,
+  "block_materials": [{"density": 1, "youngs_modulus": 1e6}], "joint_materials": [{"friction_angle_deg": 30}]},
+ "run": )" + run + "}");
+  return file;
+}
+
+TEST(CheckCommand, a_profile_or_setting_of_a_case_file_that_is_none_is_named_where_it_stands) {
+  const std::vector<std::pair<std::string, std::string>> faults{
+      {R"({"profile": "legcy"})", ":6:21: error: expected a profile, one of legacy, standard, found \"legcy\"\n"},
+      {R"({"set": {"motion": "statik"}})", ":6:18: error: setting motion: expected "},
+      {R"({"set": {"motion": "static", "motoin": "static"}})", ":6:38: error: there is no setting \"motoin\""}};
+  for (const auto& [choices, message] : faults) {
+    const std::string file = case_with(choices);
+    for (const std::string command : {"check", "run"}) {
+      std::vector<std::string> arguments{command, file};
+      if (command == "run") arguments.insert(arguments.end(), {"-o", testing::fresh_folder("check_case_run")});
+      const auto run = testing::run_keyblock(arguments);
+      EXPECT_EQ(run.exit_code, 3) << command << choices;
+      EXPECT_TRUE(contains("\n" + run.messages, "\n" + file + message)) << run.messages;
+    }
+  }
+}
+
+TEST(CheckCommand, a_case_file_that_holds_nothing_is_said_and_not_run) {
+  const std::string file = testing::fresh_folder("check_empty") + "/case.json";
+  const std::vector<std::string> run{"run", file, "-o", testing::fresh_folder("check_empty_run")};
+  testing::write_text(file, "{\"keyblock\": 1}");
+  const auto check = testing::run_keyblock({"check", file});
+  EXPECT_TRUE(contains(check.output, file + ":1:1: warning: the case file holds nothing")) << check.output;
+  for (const char* text : {"{\"keyblock\": 1}", "{\"keyblock\": 1, \"units\": {\"length\": \"m\"}}"}) {
+    testing::write_text(file, text);
+    const auto refused = testing::run_keyblock(run);
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_EQ(refused.messages, file + ": error: expected a geometry or an analysis, found neither\n");
+  }
 }
 
 }  // namespace keyblock

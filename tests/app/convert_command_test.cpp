@@ -92,8 +92,8 @@ TEST_F(ConvertCommand, json_names_outputs_losses_and_warnings) {
   ASSERT_EQ(run.exit_code, 0);
   const auto json = nlohmann::json::parse(run.output);
   EXPECT_EQ(json["outputs"], nlohmann::json::array({folder_ + "b.dxf"}));
-  EXPECT_EQ(json["losses"], nlohmann::json::parse(
-                                R"([{"item": "analysis", "times": 1, "change": "an object → nothing"}])"));
+  EXPECT_EQ(json["losses"],
+            nlohmann::json::parse(R"([{"item": "analysis", "times": 1, "change": "an object → nothing"}])"));
   EXPECT_TRUE(json["warnings"].empty());
 }
 
@@ -101,10 +101,11 @@ TEST_F(ConvertCommand, wrong_usage_and_bad_input_have_their_exit_codes) {
   EXPECT_EQ(convert({}).exit_code, 2) << "no output";
   EXPECT_EQ(convert({"-o", folder_ + "b.unknown"}).exit_code, 2) << "an ending of no target";
   EXPECT_EQ(convert({"-o", folder_ + "b", "--to", "tex"}).exit_code, 2);
-  write_text(folder_ + "a.geo", "0.001\n3 0\nx\n");
+  std::string damaged = kLines;
+  write_text(folder_ + "a.geo", damaged.replace(damaged.find("0.5 1.1"), 3, "o.5"));
   const ProgramRun run = convert({"-o", folder_ + "b.json"});
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_TRUE(contains(run.messages, "a.geo:3:1: error: expected")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "a.geo:12:5: error: expected")) << run.messages;
 }
 
 }  // namespace keyblock

@@ -71,7 +71,27 @@ TEST_F(CutCommand, writes_a_cover_file_with_a_mesh) {
 TEST_F(CutCommand, refuses_options_of_a_mesh_without_one) {
   EXPECT_EQ(run("squares.geo --absorb"), 2);
   EXPECT_EQ(run("squares.geo --mesh-shape old"), 2);
+  EXPECT_EQ(run("squares.geo --mesh-snap 0.01"), 2);
+  EXPECT_EQ(run("squares.geo --mesh-refine 1 1 0.1"), 2);
   EXPECT_EQ(run("squares.geo --mesh 0"), 2);
+  EXPECT_EQ(run("squares.geo --mesh 2 --mesh-side 0.1"), 2) << "one or the other";
+}
+
+TEST_F(CutCommand, refuses_a_mesh_that_would_fill_the_memory) {
+  EXPECT_EQ(run("squares.geo --mesh-side 1e-5"), 2);
+  EXPECT_NE(text("err").find("triangles"), std::string::npos) << text("err");
+  EXPECT_EQ(run("squares.geo --mesh-side nan"), 2);
+  EXPECT_EQ(run("squares.geo --mesh-side 1 --mesh-refine 0.5 0.5 0"), 2);
+}
+
+TEST_F(CutCommand, an_unstructured_mesh_is_finer_at_refined_points) {
+  const auto elements = [&](const std::string& options) {
+    EXPECT_EQ(run("squares.geo -o unstructured.cv --force --mesh-side 0.4 " + options), 0) << text("err");
+    const formats::Case cut = formats::load_case({(folder_ / "unstructured.cv").string()});
+    return std::get<Cover>(cut.problem.geometry).elements.size();
+  };
+  const std::size_t plain = elements("");
+  EXPECT_GT(elements("--mesh-refine 0.5 0.5 0.02 --mesh-refine 1.5 0.5 0.02"), plain + 100);
 }
 
 TEST_F(CutCommand, overwrites_only_when_told_to) {

@@ -46,14 +46,16 @@ TEST(JointsCommand, a_seed_gives_the_same_bytes_and_another_seed_others) {
   EXPECT_NE(read_text(folder + "/a"), read_text(folder + "/c"));
 }
 
-TEST(JointsCommand, the_drawing_cuts_into_blocks_from_either_format) {
+TEST(JointsCommand, the_drawing_cuts_into_blocks_from_every_format) {
   const std::string folder = fresh_folder("joints_cut");
-  for (const char* name : {"/slope.geo", "/slope.dxf"}) {
+  for (const char* name : {"/slope.geo", "/slope.dxf", "/slope.json", "/slope.xml"}) {
     ASSERT_EQ(run_keyblock(slope_with({"-o", folder + name})).exit_code, 0);
     ASSERT_EQ(run_keyblock({"cut", folder + name, "-o", folder + name + ".blk"}).exit_code, 0) << name;
   }
   const std::string blocks = read_text(folder + "/slope.geo.blk");
-  EXPECT_EQ(blocks, read_text(folder + "/slope.dxf.blk"));
+  for (const char* other : {"/slope.dxf", "/slope.json", "/slope.xml"})
+    EXPECT_EQ(blocks, read_text(folder + other + ".blk")) << other;
+  EXPECT_TRUE(contains(read_text(folder + "/slope.json"), "\"keyblock\": 1"));
   EXPECT_GT(std::stoi(blocks), 50) << "its first number is that of the blocks";
 }
 
@@ -96,8 +98,12 @@ TEST(JointsCommand, what_cannot_be_is_refused_with_the_name_of_the_option_or_the
   const std::string folder = fresh_folder("joints_faults");
   const auto unknown =
       run_keyblock({"joints", "--rectangle", "width=2,height=2", "--set", "dip=0,spacin=1", "-o", folder + "/x.geo"});
-  EXPECT_EQ(unknown.exit_code, 3);
-  EXPECT_TRUE(contains(unknown.messages, "--set: error: expected one of the keys dip, spacing,")) << unknown.messages;
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(contains(unknown.messages, "keyblock: error: --set: expected one of the keys dip, spacing,"))
+      << unknown.messages;
+  const auto none = run_keyblock({"joints", "-o", folder + "/x.geo"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_EQ(none.messages, "keyblock: error: expected one outline, rectangle or slope, found none\n");
   testing::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2,\n  \"hight\": 3}}");
   const auto file = run_keyblock({"joints", folder + "/spec.json", "-o", folder + "/x.geo"});
   EXPECT_EQ(file.exit_code, 3);
@@ -105,6 +111,9 @@ TEST(JointsCommand, what_cannot_be_is_refused_with_the_name_of_the_option_or_the
                        "spec.json:2:3: error: expected one of the keys width, height, x, y in the "
                        "rectangle, found \"hight\""))
       << file.messages;
+  testing::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2, \"height\": 2}}");
+  const auto seed = run_keyblock({"joints", folder + "/spec.json", "--seed", "-1", "-o", folder + "/x.geo"});
+  EXPECT_EQ(seed.exit_code, 2) << "an option beside a sound file";
   EXPECT_FALSE(std::filesystem::exists(folder + "/x.geo"));
 }
 

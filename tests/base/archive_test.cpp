@@ -75,10 +75,10 @@ TEST(Archive, a_value_that_is_missing_or_of_another_kind_is_refused_by_its_name)
     archive.value("time", number);
     archive.value("time", number);
   };
-  EXPECT_EQ(refusal(saved(kScene), ask_for_speed), "f.h5: error: expected a saved value, found none ()");
+  EXPECT_EQ(refusal(saved(kScene), ask_for_speed), "f.h5: error: expected a saved value, found none (speed)");
   EXPECT_EQ(refusal(saved(kScene), ask_for_a_text),
-            "f.h5: error: expected a value of another kind, found what is saved ()");
-  EXPECT_EQ(refusal(saved(kScene), ask_twice), "f.h5: error: expected more than 1 values, found no more ()");
+            "f.h5: error: expected a value of another kind, found what is saved (time)");
+  EXPECT_EQ(refusal(saved(kScene), ask_twice), "f.h5: error: expected more than 1 values, found no more (time)");
 }
 
 TEST(Archive, rows_of_a_table_must_be_as_many_as_the_model_has) {

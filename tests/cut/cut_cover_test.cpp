@@ -118,6 +118,30 @@ TEST(CutCover, a_body_inside_a_triangle_is_one_element) {
   EXPECT_EQ(cut.covers.size(), 3U);
 }
 
+TEST(CutCover, a_block_of_a_block_file_is_cut_as_its_drawing_is) {
+  Drawing drawing = drawing_of(rectangle({-1, -1}, {1, 1}) + rectangle({-0.3, -0.2}, {0.7, 0.4}));
+  drawing.hole_points.push_back({{0.1, 0.1}, {}});
+  const BodyCut cut = cut_bodies(drawing);
+  const Manifold from_drawing = cut_cover(cut.graph, hexagon());
+  const Manifold from_block = cut_cover(graph_of(cut.blocks.blocks.blocks[0]), hexagon());
+  expect_sound(from_block);
+  EXPECT_EQ(from_block.elements.size(), from_drawing.elements.size());
+  EXPECT_EQ(from_block.covers.size(), from_drawing.covers.size());
+  EXPECT_NEAR(areas_of_bodies(from_block)[0], 4 - 0.6, 1e-14);
+  const auto materials = [](const Manifold& manifold) {
+    std::vector<double> lengths(8, 0);
+    for (const ElementEdge& edge : edges_of(manifold)) {
+      const ElementCorner& from = manifold.corners[static_cast<std::size_t>(edge.from)];
+      if (from.neighbour >= 0) continue;
+      lengths[static_cast<std::size_t>(from.joint_material)] +=
+          distance(from.position, manifold.corners[static_cast<std::size_t>(edge.to)].position);
+    }
+    return lengths;
+  };
+  for (std::size_t line = 0; line < 8; ++line)
+    EXPECT_NEAR(materials(from_block)[line], materials(from_drawing)[line], 1e-14) << "line " << line;
+}
+
 TEST(CutCover, joint_materials_stand_at_the_edges_of_both_sides) {
   const Manifold cut = cut_square({{{-1.1, 0.2}, {1.1, 0.2}}});
   int count = 0;

@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-#include "cut/union_find.hpp"
+#include "base/union_find.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "problem/manifold.hpp"

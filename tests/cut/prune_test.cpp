@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-#include "cut/union_find.hpp"
+#include "base/union_find.hpp"
 #include "tests/cut/arrangements.hpp"
 
 namespace keyblock {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/formats/dxf_samples.hpp"
 #include "tests/formats/reading.hpp"
 
 namespace keyblock::formats {
@@ -36,6 +37,29 @@ const std::string kShi =
     "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 0 0 0 0 0 0 0\n30 0 0\n1.5\n";
 
 }  // namespace
+
+TEST_F(CaseFiles, a_drawing_is_brought_to_the_length_unit_of_the_case_file_beside_it) {
+  const std::string line = "0\nLINE\n8\nJOINT_1\n10\n0\n20\n0\n11\n1000\n21\n2000\n";
+  const std::string drawing = file("a.dxf", dxf_text(line, "9\n$INSUNITS\n70\n4\n"));  // millimetres
+  const auto end_beside = [&](const std::string& units) {
+    const std::string path = file("a.json", "{\"keyblock\": 1, \"units\": " + units + "}");
+    const auto files = read_files({drawing, path});
+    const Problem problem = pair({files.at(0).reading->content, files.at(1).reading->content});
+    EXPECT_EQ(problem.units.time, "s");
+    return std::get<Drawing>(problem.geometry).joints.at(0).segment.end;
+  };
+  EXPECT_EQ(end_beside(R"({"length": "mm", "mass": "t", "time": "s"})"), (Point{1000, 2000}));
+  EXPECT_EQ(end_beside(R"({"length": "m", "mass": "kg", "time": "s"})"), (Point{1, 2}));
+  EXPECT_EQ(end_beside(R"({"length": "", "mass": "kg", "time": "s"})"), (Point{1, 2}));
+}
+
+TEST(CaseUnits, files_may_complete_each_others_units_but_not_contradict_them) {
+  std::optional<Units> units;
+  put_units(units, Units{"m", "", ""}, {"a"});
+  put_units(units, Units{"m", "kg", "s"}, {"b"});
+  EXPECT_EQ(units, (Units{"m", "kg", "s"}));
+  EXPECT_THROW(put_units(units, Units{"mm", "", ""}, {"c"}), InputError);
+}
 
 TEST_F(CaseFiles, shi_analysis_is_read_with_the_points_of_the_geometry_in_either_order) {
   const std::string geometry = file("a.geo", kGeometry);

@@ -167,4 +167,11 @@ TEST(DdaAnalysis, a_faulty_curve_of_a_shi_file_is_named_where_it_stands) {
             "f:3:7: error: expected the time of row 2 of 2 (greater than 2), found \"1\"");
 }
 
+TEST(DdaAnalysis, time_rows_of_another_geometry_are_named_as_such) {
+  EXPECT_EQ(
+      error_of(shi("0 2 0\n0 0 0 5 .1 .2"), {1, 1}),
+      "f:2:1: error: expected time rows of 1 fixed and 1 loading points, as many as the geometry beside this file "
+      "has, found those of 3 points");
+}
+
 }  // namespace keyblock::formats

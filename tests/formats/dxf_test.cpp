@@ -137,9 +137,46 @@ TEST(Dxf, coordinates_are_brought_to_metres_and_the_factor_is_named) {
     const Reading as_is = read_entities(line("JOINT_1"), header);
     EXPECT_EQ(as_is.content.drawing->joints.at(0).segment.end, (Point{1000, 2000}));
     EXPECT_EQ(as_is.warnings, Warnings{});
+    EXPECT_EQ(as_is.content.units.has_value(), std::string(header).ends_with("6\n")) << header;
   }
+  EXPECT_EQ(millimetres.content.units, (Units{"m", "", ""}));
   EXPECT_EQ(names(read_entities(line("JOINT_1"), "9\n$INSUNITS\n70\n77\n").warnings),
             std::vector<std::string>{"dxf_unit_unknown"});
+}
+
+TEST(Dxf, coordinates_are_brought_to_the_unit_that_is_asked_for) {
+  const Source source{"f", dxf_text(line("JOINT_1"), "9\n$INSUNITS\n70\n4\n")};
+  const auto end_in = [&](const std::string& length) {
+    const Reading reading = kDxf.read(source, {{}, {}, GeometryKind::unknown, length});
+    EXPECT_EQ(reading.content.units, (Units{length, "", ""}));
+    EXPECT_EQ(names(reading.warnings).size(), length == "mm" ? 0u : 1u);
+    return reading.content.drawing->joints.at(0).segment.end;
+  };
+  EXPECT_EQ(end_in("mm"), (Point{1000, 2000}));
+  EXPECT_EQ(end_in("cm"), (Point{100, 200}));
+  EXPECT_NEAR(end_in("in").x, 1000 / 25.4, 1e-12);
+}
+
+TEST(Dxf, the_declared_unit_is_written_and_none_where_none_is_declared) {
+  Content content = read_entities(line("JOINT_1")).content;
+  const auto written_with = [&](const char* length) {
+    content.units = Units{length, "kg", "s"};
+    const std::string text = kDxf.write(content);
+    const std::size_t at = text.find("$INSUNITS\n70\n") + 13;
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  // Numbers of the DXF reference of drawing programs.
+  EXPECT_EQ(written_with("in"), "1");
+  EXPECT_EQ(written_with("ft"), "2");
+  EXPECT_EQ(written_with("mm"), "4");
+  EXPECT_EQ(written_with("cm"), "5");
+  EXPECT_EQ(written_with("m"), "6");
+  EXPECT_EQ(written_with("km"), "7");
+  EXPECT_EQ(written_with("yd"), "10");
+  EXPECT_EQ(written_with("dm"), "14");
+  EXPECT_EQ(written_with(""), "0");
+  content.units.reset();
+  EXPECT_NE(kDxf.write(content).find("$INSUNITS\n70\n0\n"), std::string::npos);
 }
 
 TEST(Dxf, layers_without_a_known_word_are_joints_with_the_first_numbers_not_yet_taken) {
@@ -177,6 +214,14 @@ TEST(Dxf, what_is_skipped_is_listed_once_a_kind_with_its_number) {
                      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nnut\n0\nLINE\n8\n0\n0\nENDBLK\n0\nENDSEC\n");
   EXPECT_EQ(sentence(read({"f", with_blocks}), "dxf_skipped"),
             "f:36:1: warning: skipped: 1 × entity of the section BLOCKS [dxf_skipped]");
+}
+
+TEST(Dxf, chords_of_skipped_curves_are_not_counted) {
+  const std::string circle = "\n10\n0\n20\n0\n40\n1\n";
+  const Reading skipped = read_entities(line("JOINT_1") + "0\nCIRCLE\n8\nMEASURED" + circle);
+  EXPECT_EQ(names(skipped.warnings), std::vector<std::string>{"dxf_skipped"});
+  const Reading one = read_entities("0\nCIRCLE\n8\nMEASURED" + circle + "0\nCIRCLE\n8\nJOINT" + circle);
+  EXPECT_NE(sentence(one, "dxf_curves_as_chords").find("1 arcs, circles and bulges are 32 chords"), std::string::npos);
 }
 
 TEST(Dxf, curves_seen_from_below_are_mirrored) {

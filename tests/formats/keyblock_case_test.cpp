@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "formats/case_meanings.hpp"
 #include "tests/formats/reading.hpp"
 
 namespace keyblock::formats {
@@ -79,6 +82,69 @@ TEST(KeyblockCase, the_schema_knows_the_keys_of_the_file) {
   const auto& analysis = schema["properties"]["analysis"]["properties"];
   for (const auto& [key, value] : file["analysis"].items()) EXPECT_TRUE(analysis.contains(key)) << key;
   EXPECT_EQ(schema["properties"]["blocks"]["properties"]["fixed_points"]["items"]["prefixItems"].size(), 3U);
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Every key and every place of a row below `schema`, as "path: description".
+void list_descriptions(const Json& schema, const std::string& path, std::map<std::string, std::string>& all) {
+  if (schema.is_object() && schema.contains("properties"))
+    for (const auto& [key, value] : schema["properties"].items()) {
+      all[path + "." + key] = value.value("description", "");
+      list_descriptions(value, path + "." + key, all);
+    }
+  if (schema.is_object() && schema.contains("prefixItems"))
+    for (const Json& place : schema["prefixItems"])
+      all[path + "[]." + place["title"].get<std::string>()] = place.value("description", "");
+  if (schema.is_object() && schema.contains("items")) list_descriptions(schema["items"], path, all);
+}
+
+}  // namespace
+
+TEST(KeyblockCase, the_schema_says_what_every_key_means) {
+  std::map<std::string, std::string> all;
+  list_descriptions(Json::parse(case_schema()), "", all);
+  EXPECT_GT(all.size(), 100U);
+  for (const auto& [path, description] : all) EXPECT_NE(description, "") << path;
+  EXPECT_EQ(all.at(".analysis.point_loads[].x"), "F");
+  EXPECT_EQ(all.at(".analysis.block_materials.density"), "mass per area, M/L²; greater than 0");
+}
+
+TEST(KeyblockCase, every_meaning_belongs_to_a_key) {
+  std::map<std::string, std::string> all;
+  list_descriptions(Json::parse(case_schema()), "", all);
+  for (const CaseMeaning& row : case_meanings()) {
+    const auto says_it = [&](const auto& entry) { return entry.second.starts_with(row.meaning); };
+    EXPECT_TRUE(std::ranges::any_of(all, says_it)) << row.key;
+  }
+}
+
+TEST(KeyblockCase, the_schema_names_defaults_needed_keys_and_units) {
+  const Json keys = Json::parse(case_schema())["properties"];
+  const Json& analysis = keys["analysis"]["properties"];
+  EXPECT_EQ(keys["analysis"]["required"], Json({"step_count", "time_step", "allowed_displacement_ratio"}));
+  EXPECT_EQ(analysis["penalty_factor"]["default"], Analysis{}.penalty_factor);
+  EXPECT_EQ(analysis["dialect"]["default"], "berkeley");
+  EXPECT_EQ(analysis["plane_strain"]["default"], false);
+  EXPECT_EQ(analysis["block_materials"]["items"]["required"], Json({"density", "youngs_modulus"}));
+  EXPECT_EQ(keys["blocks"]["properties"]["blocks"]["items"]["properties"]["material"]["default"], 1);
+  for (const std::string unit : keys["units"]["properties"]["length"]["enum"])
+    EXPECT_EQ(error_of(with("\"length\": \"m\"", "\"length\": \"" + unit + "\"")), "") << unit;
+  EXPECT_EQ(keys["drawing"]["properties"]["edge_node_ratio"]["default"], 0.001);
+}
+
+TEST(KeyblockCase, a_weight_or_edge_node_ratio_that_is_absent_is_said) {
+  EXPECT_EQ(names(read({"f", kSquare}).warnings), (std::vector<std::string>{"default_unit_weight"}));
+  EXPECT_EQ(read({"f", kSquare}).warnings.at(0).place, (Place{"f", 10, 23}));
+  EXPECT_EQ(names(read({"f", with("\"density\"", "\"unit_weight\": 0, \"density\"")}).warnings),
+            std::vector<std::string>{});
+  EXPECT_EQ(names(read({"f", with("\"step_count\"", "\"gravity\": 9.81, \"step_count\"")}).warnings),
+            std::vector<std::string>{});
+  const Reading drawing = read({"f", R"({"keyblock": 1, "drawing": {"joints": [[0, 0, 1, 0, 1]]}})"});
+  EXPECT_EQ(drawing.content.drawing->edge_node_ratio, 0.001);  // as a DXF file without one
+  EXPECT_EQ(names(drawing.warnings), (std::vector<std::string>{"default_edge_node_ratio"}));
 }
 
 }  // namespace keyblock::formats

@@ -84,7 +84,8 @@ TEST(NmmAnalysis, geometry_beside_it_decides_between_two_dialects) {
 TEST(NmmAnalysis, is_read_beside_its_cover_whichever_is_named_first) {
   EXPECT_EQ(read_beside(keyblock::testing::kTwoTrianglesFile, kFile), "nmm-analysis");
   EXPECT_EQ(read_beside(keyblock::testing::kTwoTrianglesFile, kHead + kMaterials + "1.5\n0 0 0\n"),
-            "nmm-analysis: expected the mass per unit area of block material 1 of 1 (greater than 0), found \"-1\"");
+            "nmm-analysis: expected the loads of 1 loading points, as many as the geometry beside this file has, found "
+            "those of 0");
   EXPECT_EQ(read_beside(keyblock::testing::kTwoTrianglesFile, kHead + "2 -3\n0.1 0.5"),
             "nmm-analysis: expected the force per unit area in y of block material 1 of 1, found end of file");
 }
@@ -94,6 +95,12 @@ TEST(NmmAnalysis, faults_are_named_at_their_place) {
   text.replace(text.find("10 0.2"), 6, "10 0.7");
   EXPECT_EQ(error_of(text, {{}, 1, GeometryKind::cover}),
             "f:11:4: error: expected Poisson's ratio of block material 1 of 1 (0 to 0.5), found \"0.7\"");
+}
+
+TEST(NmmAnalysis, loads_of_another_cover_are_named_as_such) {
+  EXPECT_EQ(error_of(kFile, {std::nullopt, 3, GeometryKind::cover}),
+            "f:8:1: error: expected the loads of 3 loading points, as many as the geometry beside this file has, found "
+            "those of 1");
 }
 
 }  // namespace keyblock::formats

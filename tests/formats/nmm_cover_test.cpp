@@ -62,6 +62,14 @@ TEST(NmmCover, counts_and_numbers_out_of_range_are_errors_at_their_place) {
             "\"9\"");
 }
 
+TEST(NmmCover, an_absurd_number_of_elements_is_the_fault_that_is_named) {
+  EXPECT_EQ(error_of(with("2 1 1 2\n8", "20 1 1 2\n8")),
+            "f:1:1: error: expected the number of elements (at most 2: there are 8 vertex slots), found \"20\"");
+  EXPECT_EQ(
+      error_of(with("2 1 1 2\n8", "36200 1 1 2\n8")).rfind("f:1:1: error: expected the number of elements (at most", 0),
+      0U);
+}
+
 TEST(NmmCover, file_that_breaks_off_is_an_error_where_it_ends) {
   EXPECT_EQ(error_of(kTwoTrianglesFile.substr(0, kTwoTrianglesFile.size() - 3)),
             "f:34:2: error: expected the joint material of loop-vertex slot 8 of 8, found end of file");

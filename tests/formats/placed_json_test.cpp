@@ -27,6 +27,7 @@ TEST(PlacedJson, values_come_with_the_place_of_their_key) {
   EXPECT_EQ(json.items[0].place, (Place{"f", 2, 3}));
   ASSERT_EQ(json.items[0].items.size(), 5u);
   EXPECT_EQ(json.items[0].items[1].number, -25);
+  EXPECT_EQ(json.items[0].items[1].place, (Place{"f", 2, 12}));
   EXPECT_EQ(json.items[0].items[2].text, "x");
   EXPECT_EQ(json.items[0].items[3].kind, Kind::flag);
   EXPECT_EQ(json.items[0].items[4].kind, Kind::null);
@@ -38,9 +39,9 @@ TEST(PlacedJson, values_come_with_the_place_of_their_key) {
 TEST(PlacedJson, faults_are_found_at_their_line_and_column) {
   EXPECT_EQ(fault("{\"a\": 1,\n \"a\": 2}"), "f:2:2: error: expected each key once, found \"a\" a second time");
   EXPECT_EQ(fault("{\"a\":\n 1 x}").substr(0, 6), "f:2:4:");
-  EXPECT_EQ(fault(""), "f:1:1: error: expected well-formed JSON, found end of file");
-  EXPECT_EQ(fault("{\"a\": [1,"), "f:1:10: error: expected well-formed JSON, found end of file");
-  EXPECT_NE(fault(std::string(100000, '[')).find("expected JSON of 16 levels at most"), std::string::npos);
+  EXPECT_EQ(fault(""), "f:1:1: error: expected sound JSON, found the end of the file");
+  EXPECT_EQ(fault("{\"a\": [1,"), "f:1:10: error: expected sound JSON, found the end of the file");
+  EXPECT_NE(fault(std::string(100000, '[')).find("expected at most 12 levels of brackets"), std::string::npos);
   EXPECT_NE(fault("{\"a\": 1e999}"), "");
   EXPECT_NE(fault("{\"a\": nan}"), "");
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/tokens.hpp"
+#include "formats/split.hpp"
 #include "tests/formats/reading.hpp"
 
 namespace keyblock::formats {

@@ -35,7 +35,8 @@ class Samples : public ::testing::Test {
 
 std::vector<double> numbers_of(const std::string& text) {
   const Source source{"f", text};
-  return tokenise(source).numbers;
+  const Numbers numbers = tokenise(source).numbers;
+  return {numbers.begin(), numbers.end()};
 }
 
 /// Words without a point: counts, indices and materials. Reals are written in their shortest form instead.

@@ -23,30 +23,30 @@ Ledger falling_and_rubbing() {
 }  // namespace
 
 TEST(LedgerSums, a_ledger_that_balances_closes) {
-  EXPECT_EQ(energy_closure(falling_and_rubbing()), 0);
-  EXPECT_EQ(largest_energy(falling_and_rubbing()), 100);
-  EXPECT_EQ(linear_momentum_closure(falling_and_rubbing()), 0);
+  EXPECT_EQ(sums_of(falling_and_rubbing()).energy_closure(), 0);
+  EXPECT_EQ(sums_of(falling_and_rubbing()).largest_energy(), 100);
+  EXPECT_EQ(sums_of(falling_and_rubbing()).linear_momentum_closure(), 0);
 }
 
 TEST(LedgerSums, what_is_missing_shows_relative_to_the_largest_energy_and_momentum) {
   Ledger ledger = falling_and_rubbing();
   ledger.rows.back().flow.friction = 39;
-  EXPECT_DOUBLE_EQ(energy_closure(ledger), 0.01);
+  EXPECT_DOUBLE_EQ(sums_of(ledger).energy_closure(), 0.01);
   ledger.rows.back().impulse.linear.x = 2.5;
-  EXPECT_DOUBLE_EQ(linear_momentum_closure(ledger), 0.1);
+  EXPECT_DOUBLE_EQ(sums_of(ledger).linear_momentum_closure(), 0.1);
   ledger.rows.back().momentum.angular = 1;
-  EXPECT_DOUBLE_EQ(angular_momentum_closure(ledger), 0.5);
+  EXPECT_DOUBLE_EQ(sums_of(ledger).angular_momentum_closure(), 0.5);
 }
 
 TEST(LedgerSums, gains_and_losses_have_opposite_signs_in_the_balance) {
   Ledger ledger = falling_and_rubbing();
   ledger.rows.back().flow.external = 7;
   ledger.rows.back().flow.impact = 7;
-  EXPECT_EQ(energy_closure(ledger), 0);
+  EXPECT_EQ(sums_of(ledger).energy_closure(), 0);
 }
 
 TEST(LedgerSums, a_scene_at_rest_closes) {
-  EXPECT_EQ(energy_closure({{}, {{}, {}}}), 0);
+  EXPECT_EQ(sums_of({{}, {{}, {}}}).energy_closure(), 0);
 }
 
 }  // namespace keyblock

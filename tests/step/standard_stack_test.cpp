@@ -118,11 +118,12 @@ TEST(StandardStack, a_suddenly_loaded_stack_settles_without_a_step_unsolved) {
   EXPECT_NO_THROW(run_to(stepper, 2));
   const ElementIndex top{5};
   const double dy = stepper.state().elements[top].centroid.y - stepper.unloaded().elements[top].centroid.y;
-  EXPECT_NEAR(-dy / settlement(5, 5, 1 / (2 * 10 * 5e9)), 1, 0.02);  // still ringing a little (contact-notes 4.6)
+  EXPECT_NEAR(-dy / settlement(5, 5, 1 / (2 * 10 * 5e9)), 1,
+              0.02);  // still ringing a little: Shi's weights damp the slow mode weakly
 }
 
 // The six columns below and above the limit b/h = tan(slope); verdicts at any step, pace of the fall by the rigid pivot:
-// 1 % with multipliers, 5 % with springs of 10 E, whose toe gives way (contact-notes 4.5).
+// 1 % with multipliers, 5 % with springs of 10 E, whose toe gives way.
 TEST(StandardTopple, columns_fall_or_stand_as_the_limit_says_and_fall_at_the_pace_of_the_pivot) {
   for (BlockBasis basis : {BlockBasis::rigid, BlockBasis::affine}) {
     for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {

@@ -47,6 +47,7 @@ TEST(BatchPairs, files_of_one_name_in_one_folder_belong_together) {
 }
 
 TEST(BatchPairs, a_cover_never_goes_with_an_analysis_of_blocks) {
+  EXPECT_EQ(jobs_of({geometry("a1", kManifold), analysis("c1")}).size(), 2U);
   EXPECT_EQ(jobs_of({geometry("x.cv", kManifold), analysis("x.ana", kDda), analysis("y.mf", kManifold)}),
             (Strings{"x.ana: an analysis alone",
                      "x.cv + y.mf: counts that fit nothing else: 1 block materials, 1 joint materials, 0 loading "
@@ -78,11 +79,6 @@ TEST(BatchPairs, numbers_in_names_pair_where_one_geometry_and_one_analysis_have_
             (Strings{"slope 1 + input1.txt: the same numbers in the names (1)",
                      "slope 2 + input2.txt: the same numbers in the names (2)"}));
   EXPECT_EQ(jobs_of({geometry("a1"), geometry("b1"), analysis("c1")}).size(), 3U);
-}
-
-TEST(BatchPairs, a_cover_is_paired_with_no_analysis_of_dda_but_by_its_own_name) {
-  EXPECT_EQ(jobs_of({geometry("a1", kManifold), analysis("c1")}).size(), 2U);
-  EXPECT_EQ(jobs_of({geometry("a1", kManifold), analysis("a1.ana")}).size(), 1U);
 }
 
 TEST(BatchPairs, the_only_two_left_in_a_folder_belong_together) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "formats/dxf.hpp"
 #include "geometry/polygon.hpp"
 #include "tests/support/two_triangles.hpp"
 
@@ -41,6 +42,18 @@ TEST(DerivedGeometry, gaps_within_blocks_stay_empty_as_lines) {
   std::ranges::sort(areas);
   std::ranges::sort(cut_areas);
   EXPECT_EQ(cut_areas, areas);
+}
+
+// The lines say by themselves how near nodes may be: through a DXF file too.
+TEST(DerivedGeometry, blocks_thinner_than_the_edge_node_ratio_of_a_drawing_stay_apart_when_cut_again) {
+  const auto box = [](double left, double right) {
+    return BlockPolygon{0, {{{left, 0}, 0}, {{right, 0}, 0}, {{right, 2}, 0}, {{left, 2}, 0}}, {}};
+  };
+  Content content;
+  content.blocks.emplace().blocks = {box(0, 2), box(2, 2.0005), box(2.0005, 4)};
+  const std::string text = formats::kDxf.write(as_lines(content).value().content);
+  const formats::Reading again = formats::kDxf.read({"f", text}, {});
+  EXPECT_EQ(as_blocks(again.content).value().content.blocks->blocks.size(), 3U);
 }
 
 TEST(DerivedGeometry, what_cutting_leaves_out_is_said) {

@@ -27,7 +27,7 @@ TEST(Losses, equal_contents_lose_nothing_and_a_dialect_is_no_loss) {
   EXPECT_EQ(losses(scene(), other), Losses{});
   other.analysis->dialect = AnalysisDialect::shi;
   EXPECT_EQ(losses(scene(), other), Losses{});
-  EXPECT_EQ(losses({}, {}), Losses{});
+  EXPECT_EQ(losses(Content{}, Content{}), Losses{});
 }
 
 TEST(Losses, a_value_is_named_by_its_column_and_counted) {
@@ -44,19 +44,19 @@ TEST(Losses, what_is_gone_or_came_is_said) {
   other.units.reset();
   other.drawing->measured_points.clear();
   other.drawing->joints.pop_back();
-  other.analysis->contact_penalty = 1e8;
+  other.analysis->contact_penalty = 0.5;
   other.choices = RunChoices{"legacy", {}};
   EXPECT_EQ(losses(scene(), other), (Losses{{"units", 1, "an object → nothing"},
                                             {"drawing.joints", 1, "2 items → 1 item"},
                                             {"drawing.measured_points", 1, "1 item → nothing"},
-                                            {"analysis.contact_penalty", 1, "nothing → 1e+08"},
+                                            {"analysis.contact_penalty", 1, "nothing → 0.5"},
                                             {"run", 1, "nothing → an object"}}));
 }
 
 TEST(Losses, everything_is_lost_to_nothing_part_by_part) {
-  EXPECT_EQ(losses(scene(), {}), (Losses{{"units", 1, "an object → nothing"},
-                                         {"drawing", 1, "an object → nothing"},
-                                         {"analysis", 1, "an object → nothing"}}));
+  EXPECT_EQ(losses(scene(), Content{}), (Losses{{"units", 1, "an object → nothing"},
+                                                {"drawing", 1, "an object → nothing"},
+                                                {"analysis", 1, "an object → nothing"}}));
 }
 
 TEST(Losses, frames_and_tracks_are_counted) {

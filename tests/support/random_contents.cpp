@@ -63,10 +63,28 @@ MarkedPoint mark(Dice& dice) {
   return {any_point(dice), {}};
 }
 
+/// A polygon of 3 to 9 corners about a place of its own, counter-clockwise.
+std::vector<Point> polygon(Dice& dice) {
+  const Point centre = any_point(dice);
+  const int corners = 3 + dice.below(7);
+  std::vector<Point> points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + dice.between(0, 0.9)) / corners;
+    points.push_back(centre + dice.between(0.5, 2) * Point{std::cos(angle), std::sin(angle)});
+  }
+  return points;
+}
+
+/// Lines anywhere; now and then some of them close an outline.
 Drawing drawing(Dice& dice) {
   Drawing d;
   d.edge_node_ratio = dice.between(0.0001, 0.4);
   d.joints = some(dice, 9, [](Dice& one) { return JointLine{any_segment(one), one.below(12), {}}; });
+  if (dice.happens(0.3)) {
+    const std::vector<Point> outline = polygon(dice);
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      d.joints.push_back({{outline[i], outline[(i + 1) % outline.size()]}, dice.below(12), {}});
+  }
   d.boundary_count = static_cast<std::size_t>(dice.below(static_cast<int>(d.joints.size()) + 1));
   d.material_lines = some(dice, 3, [](Dice& one) { return MaterialLine{any_segment(one), one.below(5), {}}; });
   d.fixed_lines = some(dice, 4, [](Dice& one) { return FixedLine{any_segment(one), {}}; });
@@ -85,18 +103,6 @@ Content native_drawing(Dice& dice) {
     return BoltLine{ends, stiffness, strength, any_real(one), 0, {}};
   });
   return content;
-}
-
-/// A polygon of 3 to 9 corners about a place of its own, counter-clockwise.
-std::vector<Point> polygon(Dice& dice) {
-  const Point centre = any_point(dice);
-  const int corners = 3 + dice.below(7);
-  std::vector<Point> points;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2 * std::numbers::pi * (i + dice.between(0, 0.9)) / corners;
-    points.push_back(centre + dice.between(0.5, 2) * Point{std::cos(angle), std::sin(angle)});
-  }
-  return points;
 }
 
 BlockPolygon block(Dice& dice) {

@@ -20,9 +20,11 @@ class UnionFind {
     return i;
   }
 
-  void unite(int a, int b) {
+  /// False if both are of one group already.
+  bool unite(int a, int b) {
     const auto [low, high] = std::minmax({find(a), find(b)});
     parent_[high] = low;
+    return low != high;
   }
 
  private:

@@ -1,0 +1,132 @@
+// One entry a kind of step: whom it concerns and what is said.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include "app/run_report.hpp"
+#include "result/describe.hpp"
+
+namespace keyblock {
+namespace {
+
+// Penetrations beyond this many times the allowed one no longer look like contact.
+constexpr double kDeepPenetrations = 10;
+// A sound system is solved to 1e-12 or better; beyond this a penalty is too great for double precision.
+constexpr double kLargeResidual = 1e-9;
+// Contact forces of dynamics `standard` are solved to this share of the load at least.
+constexpr double kLargeImbalance = 1e-6;
+// A start that leaves more of its gaps than this is not the one asked for.
+constexpr double kLargeMisfit = 1e-6;
+
+std::vector<std::string> start_complaints(const StartReport& start) {
+  std::vector<std::string> sentences;
+  if (!start.why.empty()) sentences.push_back(fmt::format("the start is {}, because {}", start.made, start.why));
+  if (start.misfit > kLargeMisfit)
+    sentences.push_back(fmt::format("the start leaves {:.1e} of the gaps that it was to close", start.misfit));
+  if (start.unsolved_steps > 0)
+    sentences.push_back(fmt::format("{} of the settling of the start found no forces",
+                                    counted(static_cast<std::size_t>(start.unsolved_steps), "step")));
+  return sentences;
+}
+
+}  // namespace
+
+StepWatch::StepWatch(const Prepared& prepared) {
+  const Settings& settings = prepared.scene.settings;
+  const double time_step = settings.time_step;
+  const bool constant = settings.step_control == StepControl::constant;
+  const bool cut_stays = settings.quirks.cut_step_stays;
+  const bool is_standard = settings.dynamics == Dynamics::standard;
+  const bool is_moving = is_standard && settings.standard.motion == MotionRule::dynamic;
+  const double deep = kDeepPenetrations * settings.open_close.allowed_penetration * prepared.scene.model.scale;
+  kinds_ = {
+      {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
+       [](const StepReport& s, int, int) {
+         return fmt::format("step {}: {} contacts still opened or closed at the pass limit", s.step,
+                            s.unsettled_contacts);
+       }},
+      {"step_cut", [=](const StepReport& s) { return constant && s.dt < time_step; },
+       [=](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: cut from {:.6g} to {:.6g}, because blocks moved too far or contacts did not settle{}", s.step,
+             time_step, s.dt, cut_stays ? "; the cut stays" : "");
+       }},
+      {"step_moves_far", [=](const StepReport& s) { return is_moving && constant && s.displacement_ratio > 1; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps; a smaller "
+             "time_step, or step_control = shi or error, resolves it",
+             s.step, s.displacement_ratio, concerned, steps);
+       }},
+      {"step_above_limit", [=](const StepReport& s) { return !constant && s.dt > time_step; },
+       [=](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: the automatic step, {:.6g}, passes the file's limit, {:.6g}, as in the Berkeley program", s.step,
+             s.dt, time_step);
+       }},
+      {"deep_penetration", [=](const StepReport& s) { return s.greatest_penetration > deep; },
+       [=](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: do not trust "
+             "what follows",
+             s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / deep);
+       }},
+      {"large_residual",
+       [=](const StepReport& s) { return s.residual > (is_standard ? kLargeImbalance : kLargeResidual); },
+       [=](const StepReport& s, int, int) {
+         return is_standard
+                    ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
+                    : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only", s.step,
+                                  s.residual);
+       }},
+      {"step_unresolved", [](const StepReport& s) { return s.unresolved_parts > 0; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: {} of its parts are of the least size (least_step_share) and still move or err more than asked "
+             "for, as in {} of {} steps",
+             s.step, s.unresolved_parts, concerned, steps);
+       }},
+  };
+  seen_.resize(kinds_.size());
+}
+
+void StepWatch::add(const StepReport& step) {
+  ++steps_;
+  for (std::size_t i = 0; i < kinds_.size(); ++i)
+    if (kinds_[i].concerns(step) && seen_[i].count++ == 0) seen_[i].first = step;
+}
+
+void StepWatch::describe(Archive& archive) {
+  archive.value("steps", steps_);
+  archive.table("kinds", seen_, [&](Seen& seen) {
+    keyblock::describe(archive, seen.first);
+    archive.value("concerned", seen.count);
+  });
+}
+
+Warnings StepWatch::warnings(const Place& place) const {
+  Warnings warnings;
+  for (std::size_t i = 0; i < kinds_.size(); ++i)
+    if (seen_[i].count > 0)
+      warnings.push_back({kinds_[i].name, place, kinds_[i].sentence(seen_[i].first, seen_[i].count, steps_)});
+  return warnings;
+}
+
+Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place) {
+  Warnings warnings;
+  for (const std::string& sentence : start_complaints(outcome.start))
+    warnings.push_back({"start_not_as_asked", place, sentence});
+  const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
+    if (curve.times.empty() || curve.times.back() >= outcome.time || curve.values.back() == Point{}) return;
+    warnings.push_back({name, curve.place,
+                        fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} is held",
+                                    what, curve.times.back(), outcome.time, what)});
+  };
+  for (const CarriedPoint& point : prepared.scene.model.loading_points)
+    warn_held("load_held_after_table", "load", point.curve);
+  warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
+  return warnings;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,23 @@
+// Sums over steps.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "result/step_record.hpp"
+
+#include <algorithm>
+
+namespace keyblock {
+
+void StepTotals::add(const StepReport& step) {
+  ++steps;
+  most_contacts = std::max(most_contacts, step.contacts);
+  redos += step.redos;
+  fallbacks += step.fallbacks;
+  passes += static_cast<std::size_t>(step.passes);
+  unresolved_parts += step.unresolved_parts;
+  greatest_penetration = std::max(greatest_penetration, step.greatest_penetration);
+  greatest_displacement_ratio = std::max(greatest_displacement_ratio, step.displacement_ratio);
+  greatest_residual = std::max(greatest_residual, step.residual);
+  least_dt = std::min(least_dt, step.dt);
+  greatest_dt = std::max(greatest_dt, step.dt);
+}
+
+}  // namespace keyblock

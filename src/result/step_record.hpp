@@ -1,0 +1,54 @@
+// What is kept of the steps of a run: sums of all, and a bounded number of rows.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "result/ledger.hpp"
+#include "result/step_report.hpp"
+#include "result/thinned.hpp"
+
+namespace keyblock {
+
+/// Of all steps told so far.
+struct StepTotals {
+  int steps = 0;
+  int most_contacts = 0;
+  int redos = 0;
+  int fallbacks = 0;
+  std::size_t passes = 0;
+  int unresolved_parts = 0;
+  double greatest_penetration = 0;
+  double greatest_displacement_ratio = 0;
+  double greatest_residual = 0;
+  double least_dt = std::numeric_limits<double>::max();
+  double greatest_dt = 0;
+
+  void add(const StepReport& step);
+};
+
+/// Steps that someone may ask for by what was worst in them.
+struct StepExtremes {
+  using Value = double (*)(const StepReport&);
+  static constexpr std::array<Value, 8> values{[](const StepReport& s) { return -s.dt; },
+                                               [](const StepReport& s) { return double(s.passes); },
+                                               [](const StepReport& s) { return double(s.redos); },
+                                               [](const StepReport& s) { return double(s.fallbacks); },
+                                               [](const StepReport& s) { return double(s.contacts); },
+                                               [](const StepReport& s) { return s.greatest_penetration; },
+                                               [](const StepReport& s) { return s.displacement_ratio; },
+                                               [](const StepReport& s) { return s.residual; }};
+};
+
+struct LedgerExtremes {
+  using Value = double (*)(const LedgerRow&);
+  static constexpr std::array<Value, 3> values{[](const LedgerRow& r) { return r.stored.kinetic; },
+                                               [](const LedgerRow& r) { return r.stored.strain; },
+                                               [](const LedgerRow& r) { return r.stored.contact; }};
+};
+
+using StepRows = Thinned<StepReport, StepExtremes>;
+using LedgerRows = Thinned<LedgerRow, LedgerExtremes>;
+
+}  // namespace keyblock
