@@ -42,8 +42,7 @@ Eigen::Vector3d ContinuumSolution::strain(int element, Point x) const {
   return shape.strain(x) * unknowns_of(*this, shape);
 }
 
-ContinuumSolution solve_static(const Continuum& continuum) {
-  CoverBasis basis(continuum.manifold, continuum.functions);
+SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis) {
   const std::vector<GhostPair> pairs = ghost_pairs(continuum.manifold, basis);
   SparseSystem system(basis.function_count(), coupled_functions(basis, pairs));
   add_cover_stiffness(continuum, basis, system);
@@ -53,7 +52,12 @@ ContinuumSolution solve_static(const Continuum& continuum) {
   for (const Traction& part : continuum.tractions) add_traction(continuum, basis, part, system);
   for (const PointForce& force : continuum.point_forces) add_point_force(basis, force, system);
   for (const PointSpring& spring : continuum.point_springs) add_point_spring(basis, spring, system);
-  SparseSolution solution = solve(system, definiteness(continuum.functions));
+  return system;
+}
+
+ContinuumSolution solve_static(const Continuum& continuum) {
+  CoverBasis basis(continuum.manifold, continuum.functions);
+  SparseSolution solution = solve(assemble_static(continuum, basis), definiteness(continuum.functions));
   return {std::move(basis), std::move(solution)};
 }
 

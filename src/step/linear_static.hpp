@@ -17,6 +17,9 @@ struct ContinuumSolution {
   Eigen::Vector3d strain(int element, Point x) const;
 };
 
+/// All terms.
+SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis);
+
 /// All terms assembled, then one solve. Throws NotPositiveDefinite where a body can still move.
 ContinuumSolution solve_static(const Continuum& continuum);
 

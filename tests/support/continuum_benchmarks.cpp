@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/continuum_benchmarks.hpp"
 
+#include <Eigen/IterativeLinearSolvers>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -208,6 +209,29 @@ ContinuumBenchmark cook_membrane(CoverFunctions functions, double h) {
   b.value = deflection_at({48, 52});
   b.reference = 23.966;
   return b;
+}
+
+Continuum swept_plate(CoverFunctions functions, double share) {
+  const std::vector<Point> corners = rectangle_corners({0, 0}, {1, 0.5});
+  MeshSetting mesh;
+  mesh.h = 0.125;
+  mesh.angle = 0;
+  mesh.through = {1 - share * mesh.h, 0.5 - share * mesh.h / mesh.side_over_row};
+  Continuum continuum = continuum_of(cut_body({corners}, mesh), elastic_material(1, 0.3), Plane::stress, functions);
+  continuum.prescribed = {{{corners[3], corners[0]}, Held::both, zero}};
+  continuum.tractions = {{{corners[1], corners[2]}, [](Point, Point) { return Point{0, -1}; }}};
+  return continuum;
+}
+
+int gradient_iterations(const Continuum& continuum) {
+  const CoverBasis basis(continuum.manifold, continuum.functions);
+  const SparseSystem system = assemble_static(continuum, basis);
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> gradients;  // its default: the diagonal
+  gradients.setTolerance(1e-8);
+  gradients.setMaxIterations(100000);
+  gradients.compute(system.lower());
+  const Eigen::VectorXd x = gradients.solve(system.load());
+  return x.allFinite() ? static_cast<int>(gradients.iterations()) : gradients.maxIterations();
 }
 
 }  // namespace keyblock

@@ -41,4 +41,11 @@ ContinuumBenchmark kirsch_plate(CoverFunctions functions, double h);
 /// nmm-09: Cook's membrane, E 1, ν 1/3, plane stress, shear 1 in all: 23.966 at (48, 52).
 ContinuumBenchmark cook_membrane(CoverFunctions functions, double h);
 
+/// A plate 1 × ½, held at the left, pulled down at the right, on a mesh of side 1/8 whose rows lie `share` of their height, and
+/// columns `share` of their width, off its upper right corner.
+Continuum swept_plate(CoverFunctions functions, double share);
+
+/// Iterations of conjugate gradients, scaled by the diagonal, to a residual of 1e-8.
+int gradient_iterations(const Continuum& continuum);
+
 }  // namespace keyblock
