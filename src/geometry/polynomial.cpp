@@ -1,0 +1,70 @@
+// Monomials in the order of Pascal's triangle; see polynomial.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/polynomial.hpp"
+
+#include "geometry/quadrature.hpp"
+
+namespace keyblock {
+
+std::vector<Exponents> exponents(int degree) {
+  std::vector<Exponents> list;
+  for (int n = 0; n <= degree; ++n) {
+    for (int j = 0; j <= n; ++j) list.push_back({n - j, j});
+  }
+  return list;
+}
+
+Eigen::VectorXd monomials(int degree, Point p) {
+  Eigen::VectorXd values(monomial_count(degree));
+  values(0) = 1;
+  for (int n = 1; n <= degree; ++n) {
+    for (int j = 0; j < n; ++j) values(monomial(n - j, j)) = p.x * values(monomial(n - 1 - j, j));
+    values(monomial(0, n)) = p.y * values(monomial(0, n - 1));
+  }
+  return values;
+}
+
+Eigen::MatrixX2d monomial_gradients(int degree, Point p) {
+  Eigen::MatrixX2d gradients = Eigen::MatrixX2d::Zero(monomial_count(degree), 2);
+  if (degree == 0) return gradients;
+  const Eigen::VectorXd lower = monomials(degree - 1, p);
+  int place = 0;
+  for (const Exponents& e : exponents(degree)) {
+    if (e.x > 0) gradients(place, 0) = e.x * lower(monomial(e.x - 1, e.y));
+    if (e.y > 0) gradients(place, 1) = e.y * lower(monomial(e.x, e.y - 1));
+    ++place;
+  }
+  return gradients;
+}
+
+Eigen::VectorXd product(const Eigen::VectorXd& a, int degree_a, const Eigen::VectorXd& b, int degree_b) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(monomial_count(degree_a + degree_b));
+  const std::vector<Exponents> of_a = exponents(degree_a);
+  const std::vector<Exponents> of_b = exponents(degree_b);
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    for (std::size_t j = 0; j < of_b.size(); ++j) {
+      result(monomial(of_a[i].x + of_b[j].x, of_a[i].y + of_b[j].y)) +=
+          a(static_cast<Eigen::Index>(i)) * b(static_cast<Eigen::Index>(j));
+    }
+  }
+  return result;
+}
+
+// For a homogeneous f of degree n, ∫ f over the triangle (0, a, b) = a × b / (n + 2) ∫₀¹ f(a + t (b - a)) dt (Euler's
+// relation and Green's theorem); the line integral is that of a polynomial of degree n, by Gauss.
+Eigen::VectorXd polygon_moments(std::span<const std::vector<Point>> loops, const Frame& frame, int degree) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(monomial_count(degree));
+  const GaussRule& rule = gauss_rule(degree / 2 + 1);
+  for (const std::vector<Point>& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Point a = frame.local(loop[i]);
+      const Point b = frame.local(loop[i + 1 == loop.size() ? 0 : i + 1]);
+      const double twice_area = cross(a, b);
+      for (const GaussPoint& g : rule) sum += twice_area * g.weight * monomials(degree, a + g.at * (b - a));
+    }
+  }
+  for (int n = 0; n <= degree; ++n) sum.segment(monomial(n, 0), n + 1) *= frame.size * frame.size / (n + 2);
+  return sum;
+}
+
+}  // namespace keyblock

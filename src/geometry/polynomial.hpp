@@ -1,0 +1,53 @@
+// Polynomials of the plane as coefficients of 1, x, y, x², xy, y², x³, …, and their exact integrals over polygons.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+constexpr int monomial_count(int degree) {
+  return (degree + 1) * (degree + 2) / 2;
+}
+/// Place of xⁱ yʲ.
+constexpr int monomial(int i, int j) {
+  return (i + j) * (i + j + 1) / 2 + j;
+}
+
+struct Exponents {
+  int x = 0;
+  int y = 0;
+};
+/// Place of a monomial.
+constexpr int monomial_place(Exponents e) {
+  return monomial(e.x, e.y);
+}
+/// Of all monomials up to `degree`, in their order.
+std::vector<Exponents> exponents(int degree);
+
+/// Coordinates near 1 about an origin near by: nothing is lost far from (0, 0), and powers stay comparable.
+struct Frame {
+  Point origin;
+  double size = 1;
+
+  Point local(Point p) const { return (1 / size) * (p - origin); }
+};
+
+/// All monomials up to `degree` at `p`.
+Eigen::VectorXd monomials(int degree, Point p);
+
+/// Their derivatives by x and y, one column each.
+Eigen::MatrixX2d monomial_gradients(int degree, Point p);
+
+/// The product of polynomials of degree `degree_a` and `degree_b`.
+Eigen::VectorXd product(const Eigen::VectorXd& a, int degree_a, const Eigen::VectorXd& b, int degree_b);
+
+/// ∫ of all monomials of the local coordinates up to `degree` over the region to the left of the closed loops, clockwise
+/// loops (holes) counting negative; area in the squared unit of the loops.
+Eigen::VectorXd polygon_moments(std::span<const std::vector<Point>> loops, const Frame& frame, int degree);
+
+}  // namespace keyblock

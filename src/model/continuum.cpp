@@ -1,0 +1,58 @@
+// Moduli of elements, and boundary edges by where they lie; see continuum.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/continuum.hpp"
+
+#include "geometry/box.hpp"
+#include "geometry/segment.hpp"
+#include "material/elastic.hpp"
+
+namespace keyblock {
+namespace {
+
+// Cutting rounds crossings to some 1e-16 of the extent; the shortest edges of interest have 1e-8 of an element.
+constexpr double kAlong = 1e-10;
+
+double extent(const Manifold& manifold) {
+  Box box;
+  for (const ElementCorner& corner : manifold.corners) box.add(corner.position);
+  return manifold.corners.empty() ? 0 : length(box.size());
+}
+
+}  // namespace
+
+Eigen::Matrix3d Continuum::modulus(int element) const {
+  const int body = manifold.elements[static_cast<std::size_t>(element)].body;
+  const int material = manifold.body_materials[static_cast<std::size_t>(body)];
+  const BlockMaterial& values = materials[static_cast<std::size_t>(material)];
+  return plane == Plane::stress ? plane_stress_modulus(values) : plane_strain_modulus(values);
+}
+
+Point ElementSide::normal() const {
+  const Point along = edge.end - edge.start;
+  return (1 / length(along)) * Point{along.y, -along.x};
+}
+
+std::vector<ElementSide> sides_along(const Manifold& manifold, const BoundaryPart& part) {
+  const double near = kAlong * extent(manifold);
+  std::vector<ElementSide> sides;
+  for (const SlotRange& loop : manifold.boundary_loops) {
+    for (int i = 0; i < loop.size; ++i) {
+      const auto start_of = [&](int k) {
+        return manifold.boundary_edges[static_cast<std::size_t>(loop.first + k % loop.size)];
+      };
+      const auto position = [&](const BoundaryEdge& edge) {
+        return manifold.corners[static_cast<std::size_t>(edge.corner)].position;
+      };
+      const ElementSide side{start_of(i).element, {position(start_of(i)), position(start_of(i + 1))}};
+      for (std::size_t k = 0; k + 1 < part.size(); ++k) {
+        const Segment piece{part[k], part[k + 1]};
+        if (distance(piece, side.edge.start) > near || distance(piece, side.edge.end) > near) continue;
+        sides.push_back(side);
+        break;
+      }
+    }
+  }
+  return sides;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,189 @@
+// Weights times cover functions, multiplied out; see cover_basis.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/cover_basis.hpp"
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "model/derived_gradients.hpp"
+
+namespace keyblock {
+namespace {
+
+int order_of(CoverFunctions functions) {
+  switch (functions) {
+    case CoverFunctions::constant:
+      return 0;
+    case CoverFunctions::derived:
+    case CoverFunctions::linear:
+      return 1;
+    case CoverFunctions::quadratic:
+      return 2;
+  }
+  return 0;
+}
+
+/// About the middle of the triangle, with the side of an equilateral one of its area.
+Frame frame_of(const std::array<Point, 3>& t) {
+  const double area = cross(t[1] - t[0], t[2] - t[0]) / 2;
+  return {(1.0 / 3) * (t[0] + t[1] + t[2]), std::sqrt(4 / std::sqrt(3.0) * area)};
+}
+
+/// λ_k of a triangle in local coordinates.
+std::array<Eigen::VectorXd, 3> weights_of(const std::array<Point, 3>& triangle, const Frame& frame) {
+  std::array<Point, 3> t;
+  for (std::size_t k = 0; k < 3; ++k) t[k] = frame.local(triangle[k]);
+  const double twice_area = cross(t[1] - t[0], t[2] - t[0]);
+  std::array<Eigen::VectorXd, 3> weights;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point side = t[(k + 2) % 3] - t[(k + 1) % 3];
+    weights[k] = Eigen::Vector3d(1.0 / 3, -side.y / twice_area, side.x / twice_area);
+  }
+  return weights;
+}
+
+/// The local coordinate x or y less that of a point, as a polynomial.
+Eigen::VectorXd less_x(Point p) {
+  return Eigen::Vector3d(-p.x, 1, 0);
+}
+Eigen::VectorXd less_y(Point p) {
+  return Eigen::Vector3d(-p.y, 0, 1);
+}
+
+}  // namespace
+
+const char* name_of(CoverFunctions functions) {
+  switch (functions) {
+    case CoverFunctions::constant:
+      return "constant";
+    case CoverFunctions::derived:
+      return "derived";
+    case CoverFunctions::linear:
+      return "linear";
+    case CoverFunctions::quadratic:
+      return "quadratic";
+  }
+  return "";
+}
+
+Eigen::RowVectorXd ElementShape::values(Point x) const {
+  return monomials(degree, frame.local(x)).transpose() * monomial;
+}
+
+Eigen::Matrix2Xd ElementShape::gradients(Point x) const {
+  return monomial_gradients(degree, frame.local(x)).transpose() * monomial / frame.size;
+}
+
+Eigen::Matrix2Xd ElementShape::displacement(Point x) const {
+  const Eigen::RowVectorXd n = values(x);
+  Eigen::Matrix2Xd t = Eigen::Matrix2Xd::Zero(2, 2 * n.size());
+  for (Eigen::Index a = 0; a < n.size(); ++a) t(0, 2 * a) = t(1, 2 * a + 1) = n(a);
+  return t;
+}
+
+Eigen::Matrix3Xd ElementShape::strain(Point x) const {
+  const Eigen::Matrix2Xd g = gradients(x);
+  Eigen::Matrix3Xd b = Eigen::Matrix3Xd::Zero(3, 2 * g.cols());
+  for (Eigen::Index a = 0; a < g.cols(); ++a) {
+    b(0, 2 * a) = b(2, 2 * a + 1) = g(0, a);
+    b(1, 2 * a + 1) = b(2, 2 * a) = g(1, a);
+  }
+  return b;
+}
+
+CoverBasis::CoverBasis(const Manifold& manifold, CoverFunctions functions)
+    : functions_(functions), degree_(order_of(functions) + 1) {
+  frames_.reserve(manifold.elements.size());
+  first_number_.reserve(manifold.elements.size() + 1);
+  for (const ManifoldElement& element : manifold.elements) frames_.push_back(frame_of(manifold.triangle(element)));
+  if (functions == CoverFunctions::derived) {
+    function_count_ = static_cast<int>(manifold.covers.size());
+    add_derived(manifold);
+  } else {
+    function_count_ = static_cast<int>(manifold.covers.size()) * monomial_count(degree_ - 1);
+    add_cover_polynomials(manifold);
+  }
+  first_number_.push_back(numbers_.size());
+}
+
+ElementShape CoverBasis::shape(int element) const {
+  const auto e = static_cast<std::size_t>(element);
+  const std::size_t first = first_number_[e];
+  const std::size_t count = first_number_[e + 1] - first;
+  const int rows = monomial_count(degree_);
+  return {degree_, std::span(numbers_).subspan(first, count),
+          Eigen::Map<const Eigen::MatrixXd>(coefficients_.data() + first * static_cast<std::size_t>(rows), rows,
+                                            static_cast<Eigen::Index>(count)),
+          frames_[e]};
+}
+
+void CoverBasis::add(const std::vector<int>& functions, const Eigen::MatrixXd& monomial) {
+  first_number_.push_back(numbers_.size());
+  numbers_.insert(numbers_.end(), functions.begin(), functions.end());
+  coefficients_.insert(coefficients_.end(), monomial.data(), monomial.data() + monomial.size());
+}
+
+// Function m of cover i is number i·count + m: λ_i times the m-th monomial of (x - x_i) in sides of the triangle. The side is
+// that of the element at hand: it is the same for all elements of a regular mesh only, so that the cover's own is taken.
+void CoverBasis::add_cover_polynomials(const Manifold& manifold) {
+  const int count = monomial_count(degree_ - 1);
+  std::vector<double> sizes(manifold.covers.size(), 1);
+  for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
+    for (const int c : manifold.elements[e].covers) sizes[static_cast<std::size_t>(c)] = frames_[e].size;
+  }
+  for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
+    const std::array<int, 3>& covers = manifold.elements[e].covers;
+    const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[e]);
+    const std::array<Eigen::VectorXd, 3> weights = weights_of(triangle, frames_[e]);
+    std::vector<int> functions;
+    Eigen::MatrixXd monomial(monomial_count(degree_), 3 * count);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point node = frames_[e].local(triangle[k]);
+      const double scale = frames_[e].size / sizes[static_cast<std::size_t>(covers[k])];
+      for (const Exponents& power : exponents(degree_ - 1)) {
+        Eigen::VectorXd of_cover = Eigen::VectorXd::Ones(1);
+        int degree = 0;
+        for (int i = 0; i < power.x; ++i) of_cover = product(of_cover, degree++, scale * less_x(node), 1);
+        for (int j = 0; j < power.y; ++j) of_cover = product(of_cover, degree++, scale * less_y(node), 1);
+        const Eigen::VectorXd function = product(weights[k], 1, of_cover, degree);
+        auto column = monomial.col(static_cast<Eigen::Index>(functions.size()));
+        column.setZero();
+        column.head(function.size()) = function;
+        functions.push_back(covers[k] * count + monomial_place(power));
+      }
+    }
+    add(functions, monomial);
+  }
+}
+
+void CoverBasis::add_derived(const Manifold& manifold) {
+  const std::vector<CoverGradient> gradients = derived_gradients(manifold);
+  for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
+    const std::array<int, 3>& covers = manifold.elements[e].covers;
+    const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[e]);
+    const std::array<Eigen::VectorXd, 3> weights = weights_of(triangle, frames_[e]);
+    std::map<int, Eigen::VectorXd> sum;  // by cover
+    const auto of = [&](int cover) -> Eigen::VectorXd& {
+      return sum.try_emplace(cover, Eigen::VectorXd::Zero(monomial_count(2))).first->second;
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      of(covers[k]).head(3) += weights[k];
+      const Point node = frames_[e].local(triangle[k]);
+      const double half = frames_[e].size / 2;
+      const Eigen::VectorXd per_x = half * product(weights[k], 1, less_x(node), 1);
+      const Eigen::VectorXd per_y = half * product(weights[k], 1, less_y(node), 1);
+      for (const CoverGradient::Share& share : gradients[static_cast<std::size_t>(covers[k])].shares)
+        of(share.cover) += share.weight.x * per_x + share.weight.y * per_y;
+    }
+    std::vector<int> functions;
+    Eigen::MatrixXd monomial(monomial_count(2), static_cast<Eigen::Index>(sum.size()));
+    for (const auto& [cover, polynomial] : sum) {
+      monomial.col(static_cast<Eigen::Index>(functions.size())) = polynomial;
+      functions.push_back(cover);
+    }
+    add(functions, monomial);
+  }
+}
+
+}  // namespace keyblock

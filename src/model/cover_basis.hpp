@@ -1,0 +1,70 @@
+// The displacement of points of a manifold from unknowns on its physical covers: u(x) = T(x) d, a polynomial in each element.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "geometry/polynomial.hpp"
+#include "problem/manifold.hpp"
+
+namespace keyblock {
+
+/// What a physical cover i says of the displacement about it, P_i(x); the weights of the triangle λ_i join the three covers
+/// of an element, u = Σ λ_i P_i.
+enum class CoverFunctions {
+  constant,   ///< P_i = d_i: the old programs' first order, 2 unknowns a cover
+  derived,    ///< P_i = d_i + ½ g_i · (x - x_i), g_i from the covers about (derived_gradients): quadratic, 2 unknowns
+  linear,     ///< with 1, x, y: quadratic, 6 unknowns a cover of which some depend on the others
+  quadratic,  ///< with 1 to y²: cubic, 12 unknowns, likewise
+};
+
+/// Names of the command line and of tables.
+const char* name_of(CoverFunctions functions);
+
+/// The displacement of one element. Both components are made of the same scalar functions, each of which carries two
+/// unknowns, (dx, dy): u(x) = Σ N_a(x) d_a.
+struct ElementShape {
+  int degree = 1;                              ///< of the polynomials
+  std::span<const int> functions;              ///< n of them, numbered in the whole manifold
+  Eigen::Map<const Eigen::MatrixXd> monomial;  ///< monomials of the local coordinates × n
+  Frame frame;
+
+  int function_count() const { return static_cast<int>(functions.size()); }
+  /// N, 1 × n.
+  Eigen::RowVectorXd values(Point x) const;
+  /// ∂N/∂x and ∂N/∂y, 2 × n, per length.
+  Eigen::Matrix2Xd gradients(Point x) const;
+  /// T, 2 × 2n: unknowns dx, dy of the first function, then of the second, …
+  Eigen::Matrix2Xd displacement(Point x) const;
+  /// B, 3 × 2n: engineering strain (ex, ey, gxy) = B d.
+  Eigen::Matrix3Xd strain(Point x) const;
+};
+
+/// The functions of all elements. Extended beyond its element, a shape is the same polynomial.
+class CoverBasis {
+ public:
+  CoverBasis(const Manifold& manifold, CoverFunctions functions);
+
+  CoverFunctions functions() const { return functions_; }
+  int degree() const { return degree_; }
+  int function_count() const { return function_count_; }
+  int element_count() const { return static_cast<int>(frames_.size()); }
+  ElementShape shape(int element) const;
+
+ private:
+  void add(const std::vector<int>& functions, const Eigen::MatrixXd& monomial);
+  void add_cover_polynomials(const Manifold& manifold);
+  void add_derived(const Manifold& manifold);
+
+  CoverFunctions functions_;
+  int degree_ = 1;
+  int function_count_ = 0;
+  std::vector<Frame> frames_;
+  std::vector<int> numbers_;  // of all elements, one after the other
+  std::vector<double> coefficients_;
+  std::vector<std::size_t> first_number_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,119 @@
+// Weighted least squares over stars; see derived_gradients.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/derived_gradients.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+constexpr int kFewestNeighbours = 6;
+constexpr double kWorstCondition = 50;
+
+using Neighbours = std::vector<std::vector<int>>;
+
+/// Covers that share an element with each cover, ascending, without itself.
+Neighbours neighbours_of(const Manifold& manifold) {
+  Neighbours all(manifold.covers.size());
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    for (const int e : manifold.elements_of(manifold.covers[c])) {
+      for (const int other : manifold.elements[static_cast<std::size_t>(e)].covers) {
+        if (other != static_cast<int>(c)) all[c].push_back(other);
+      }
+    }
+    std::sort(all[c].begin(), all[c].end());
+    all[c].erase(std::unique(all[c].begin(), all[c].end()), all[c].end());
+  }
+  return all;
+}
+
+std::vector<int> with_second_ring(const Neighbours& neighbours, int cover) {
+  std::vector<int> both;
+  for (const int near : neighbours[static_cast<std::size_t>(cover)]) {
+    both.push_back(near);
+    const std::vector<int>& beyond = neighbours[static_cast<std::size_t>(near)];
+    both.insert(both.end(), beyond.begin(), beyond.end());
+  }
+  std::sort(both.begin(), both.end());
+  both.erase(std::unique(both.begin(), both.end()), both.end());
+  both.erase(std::remove(both.begin(), both.end(), cover), both.end());
+  return both;
+}
+
+/// The fit of d_j - d_0 by g·x + quadratic terms: rows √w (x, y | x², xy, y²).
+class Fit {
+ public:
+  Fit(const std::vector<Point>& offsets, double h) : h_(h) {
+    const auto n = static_cast<Eigen::Index>(offsets.size());
+    linear_.resize(n, 2);
+    Eigen::MatrixX3d quadratic(n, 3);
+    root_weights_.resize(n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Point p = (1 / h) * offsets[static_cast<std::size_t>(j)];
+      root_weights_(j) = 1 / std::max(length(p), 0.5);
+      linear_.row(j) = root_weights_(j) * Eigen::RowVector2d(p.x, p.y);
+      quadratic.row(j) = root_weights_(j) * Eigen::RowVector3d(p.x * p.x, p.x * p.y, p.y * p.y);
+    }
+    // The part of the quadratic terms that linear ones cannot say: where it is small, they are not determined.
+    const Eigen::MatrixX3d beyond = quadratic - linear_ * linear_.householderQr().solve(quadratic).eval();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(beyond, Eigen::ComputeThinU | Eigen::ComputeFullV);
+    const Eigen::VectorXd& values = svd.singularValues();
+    const double threshold = linear_.norm() / kWorstCondition;
+    while (rank_ < values.size() && values(rank_) > threshold) ++rank_;
+    quadratic_ = quadratic * svd.matrixV().leftCols(rank_);
+  }
+
+  bool is_complete() const { return rank_ == 3; }
+
+  /// 2 × n: the gradient from the differences d_j - d_0.
+  Eigen::Matrix2Xd gradient() const {
+    Eigen::MatrixXd columns(linear_.rows(), 2 + rank_);
+    columns << linear_, quadratic_;
+    const Eigen::MatrixXd weights = root_weights_.asDiagonal();
+    return columns.householderQr().solve(weights).topRows(2) / h_;
+  }
+
+ private:
+  double h_;
+  int rank_ = 0;
+  Eigen::VectorXd root_weights_;
+  Eigen::MatrixX2d linear_;
+  Eigen::MatrixXd quadratic_;
+};
+
+}  // namespace
+
+std::vector<CoverGradient> derived_gradients(const Manifold& manifold) {
+  const Neighbours neighbours = neighbours_of(manifold);
+  const auto node = [&](int c) {
+    return manifold.mesh.nodes[static_cast<std::size_t>(manifold.covers[static_cast<std::size_t>(c)].node)];
+  };
+  std::vector<CoverGradient> gradients(manifold.covers.size());
+  for (int c = 0; c < static_cast<int>(manifold.covers.size()); ++c) {
+    const auto offsets_of = [&](const std::vector<int>& covers) {
+      std::vector<Point> offsets;
+      for (const int j : covers) offsets.push_back(node(j) - node(c));
+      return offsets;
+    };
+    std::vector<int> star = neighbours[static_cast<std::size_t>(c)];
+    double h = 0;
+    for (const Point& p : offsets_of(star)) h += length(p) / static_cast<double>(star.size());
+    const Fit near(offsets_of(star), h);
+    const bool is_enough = star.size() >= kFewestNeighbours && near.is_complete();
+    if (!is_enough) star = with_second_ring(neighbours, c);
+    const Eigen::Matrix2Xd weights = (is_enough ? near : Fit(offsets_of(star), h)).gradient();
+    std::vector<CoverGradient::Share>& shares = gradients[static_cast<std::size_t>(c)].shares;
+    Point sum;
+    for (std::size_t j = 0; j < star.size(); ++j) {
+      const Point weight{weights(0, static_cast<Eigen::Index>(j)), weights(1, static_cast<Eigen::Index>(j))};
+      shares.push_back({star[j], weight});
+      sum = sum + weight;
+    }
+    shares.push_back({c, -1 * sum});
+  }
+  return gradients;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,29 @@
+// The static solution of a linear elastic body on covers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/continuum.hpp"
+#include "system/sparse_solve.hpp"
+
+namespace keyblock {
+
+struct ContinuumSolution {
+  CoverBasis basis;
+  SparseSolution solution;  ///< its x: the unknowns (dx, dy) of all functions
+
+  int unknown_count() const { return static_cast<int>(solution.x.size()); }
+  Point displacement(int element, Point x) const;
+  /// Engineering strain (ex, ey, gxy).
+  Eigen::Vector3d strain(int element, Point x) const;
+};
+
+/// All terms.
+SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis);
+
+/// All terms assembled, then one solve. Throws NotPositiveDefinite where a body can still move.
+ContinuumSolution solve_static(const Continuum& continuum);
+
+/// Tension positive; of the raw strain at that point, nothing recovered or averaged.
+Stress stress_at(const Continuum& continuum, const ContinuumSolution& solution, int element, Point x);
+
+}  // namespace keyblock

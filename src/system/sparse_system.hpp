@@ -1,0 +1,41 @@
+// The symmetric matrix of many functions with two unknowns each, on a pattern known beforehand, and the vector beside it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <span>
+#include <vector>
+
+namespace keyblock {
+
+/// Lists of functions one after another: those of an element, or of a pair of elements, which couple all with all.
+class FunctionGroups {
+ public:
+  void add(std::span<const int> functions);
+  int group_count() const { return static_cast<int>(first_.size()) - 1; }
+  std::span<const int> group(int g) const;
+
+ private:
+  std::vector<int> functions_;
+  std::vector<std::size_t> first_{0};
+};
+
+/// A x = b. Function a has rows 2a and 2a + 1; the lower triangle of A is stored. What couples in no group cannot be added.
+class SparseSystem {
+ public:
+  SparseSystem(int function_count, const FunctionGroups& groups);
+
+  /// A += `block`, symmetric, 2n × 2n, of n different functions.
+  void add_matrix(std::span<const int> functions, const Eigen::MatrixXd& block);
+  /// b += `part`, 2n.
+  void add_load(std::span<const int> functions, const Eigen::VectorXd& part);
+
+  const Eigen::SparseMatrix<double>& lower() const { return lower_; }
+  const Eigen::VectorXd& load() const { return load_; }
+
+ private:
+  Eigen::SparseMatrix<double> lower_;
+  Eigen::VectorXd load_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,22 @@
+// Forces on elements on covers: on their area, along their boundary, at points; and springs that hold points.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/continuum.hpp"
+#include "system/sparse_system.hpp"
+
+namespace keyblock {
+
+/// f += ∫ Tᵀ b over all elements, exact where b is a polynomial of second order.
+void add_cover_body_force(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system);
+
+/// f += ∫ Tᵀ t along a part of the boundary, exact where t is a polynomial of third order.
+void add_traction(const Continuum& continuum, const CoverBasis& basis, const Traction& traction, SparseSystem& system);
+
+/// f += Tᵀ F.
+void add_point_force(const CoverBasis& basis, const PointForce& load, SparseSystem& system);
+
+/// K += k Tᵀ n nᵀ T.
+void add_point_spring(const CoverBasis& basis, const PointSpring& spring, SparseSystem& system);
+
+}  // namespace keyblock

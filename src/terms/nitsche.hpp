@@ -1,0 +1,16 @@
+// Prescribed displacement of a boundary that no mesh follows, by Nitsche's method.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/continuum.hpp"
+#include "system/sparse_system.hpp"
+
+namespace keyblock {
+
+/// a(u, v) - ∫ σ(u)n·Pv - ∫ σ(v)n·P(u - g) + β ∫ P(u - g)·v with β = c (degree)² M/h (Nitsche 1971): P leaves the held
+/// component, M is the modulus against strain in one direction, h the size of the element's triangle, c that of
+/// `stabilisation`. Consistent and symmetric; no unknown is added.
+void add_prescribed(const Continuum& continuum, const CoverBasis& basis, const PrescribedDisplacement& prescribed,
+                    SparseSystem& system);
+
+}  // namespace keyblock

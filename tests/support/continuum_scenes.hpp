@@ -1,0 +1,53 @@
+// Bodies on meshes turned and shifted against them, and the errors of their solutions: for the tests and tables of continua.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "step/linear_static.hpp"
+
+namespace keyblock {
+
+/// Triangles of side `h` in rows turned by `angle` (rad), a node at `through`; equilateral where `side_over_row` is 2/√3.
+struct MeshSetting {
+  double h = 1;
+  double angle = 10 * std::numbers::pi / 180;
+  Point through{0.0137, 0.0071};
+  double side_over_row = 1.1547005383792515;
+};
+
+/// One body of material 0 within closed chains (outer counter-clockwise, holes clockwise), cut from the mesh.
+Manifold cut_body(const std::vector<std::vector<Point>>& loops, const MeshSetting& mesh);
+
+/// Corners of a rectangle, counter-clockwise from the lower left.
+std::vector<Point> rectangle_corners(Point low, Point high);
+
+/// The chain with its first point repeated at the end: all of the boundary.
+BoundaryPart closed(std::vector<Point> chain);
+
+BlockMaterial elastic_material(double youngs_modulus, double poissons_ratio);
+
+/// Displacement and its gradient, row i: (∂u_i/∂x, ∂u_i/∂y).
+struct ExactField {
+  std::function<Point(Point)> displacement;
+  std::function<Eigen::Matrix2d(Point)> gradient;
+};
+
+/// Relative to the norms of the exact field.
+struct FieldErrors {
+  double l2 = 0;
+  double energy = 0;
+  double largest = 0;  ///< of the displacement at the points of quadrature, over its largest value there
+};
+FieldErrors errors_of(const Continuum& continuum, const ContinuumSolution& solution, const ExactField& exact);
+
+/// At a point of body 0.
+Point displacement_at(const Continuum& continuum, const ContinuumSolution& solution, Point x);
+Stress stress_at(const Continuum& continuum, const ContinuumSolution& solution, Point x);
+
+inline constexpr CoverFunctions kAllCoverFunctions[] = {CoverFunctions::constant, CoverFunctions::derived,
+                                                        CoverFunctions::linear, CoverFunctions::quadratic};
+
+}  // namespace keyblock

@@ -1,0 +1,75 @@
+// Small systems of pairs against dense algebra; what is not positive definite is refused by name.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/sparse_solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <array>
+#include <vector>
+
+namespace keyblock {
+namespace {
+
+constexpr std::array<int, 2> kFirst{2, 0};
+constexpr std::array<int, 2> kSecond{1, 2};
+
+/// Three functions; 0 and 1 do not couple.
+SparseSystem system_of(const Eigen::Matrix4d& block) {
+  FunctionGroups groups;
+  groups.add(kFirst);
+  groups.add(kSecond);
+  SparseSystem system(3, groups);
+  system.add_matrix(kFirst, block);
+  system.add_matrix(kSecond, block);
+  system.add_load(kFirst, Eigen::Vector4d(1, 2, 3, 4));
+  return system;
+}
+
+Eigen::Matrix4d positive() {
+  Eigen::Matrix4d block;
+  block << 5, 1, -2, 0.5, 1, 6, 0.3, -1, -2, 0.3, 7, 1, 0.5, -1, 1, 8;
+  return block;
+}
+
+}  // namespace
+
+TEST(SparseSolve, blocks_of_pairs_give_the_dense_solution) {
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(6, 6);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(6);
+  for (const auto& functions : {kFirst, kSecond}) {
+    for (int a = 0; a < 2; ++a) {
+      for (int b = 0; b < 2; ++b)
+        dense.block<2, 2>(2 * functions[a], 2 * functions[b]) += positive().block<2, 2>(2 * a, 2 * b);
+    }
+  }
+  load << 3, 4, 0, 0, 1, 2;
+  const SparseSystem system = system_of(positive());
+  EXPECT_EQ((system.load() - load).norm(), 0);
+  const SparseSolution solution = solve(system, Definiteness::definite);
+  EXPECT_LT((solution.x - dense.ldlt().solve(load)).norm(), 1e-14);
+  EXPECT_LT(solution.residual, 1e-15);
+}
+
+TEST(SparseSolve, what_is_not_positive_definite_is_refused) {
+  Eigen::Matrix4d block = positive();
+  block(2, 2) = 0.5;
+  EXPECT_THROW(solve(system_of(block), Definiteness::definite), NotPositiveDefinite);
+  EXPECT_THROW(solve(system_of(Eigen::Matrix4d::Zero()), Definiteness::definite), NotPositiveDefinite);
+}
+
+// Springs between the functions only: all may move together, which a load without resultant does not.
+TEST(SparseSolve, a_semidefinite_matrix_is_solved_where_it_carries_the_load) {
+  Eigen::Matrix4d spring = Eigen::Matrix4d::Identity();
+  spring.topRightCorner<2, 2>() = spring.bottomLeftCorner<2, 2>() = -Eigen::Matrix2d::Identity();
+  SparseSystem system = system_of(spring);
+  EXPECT_THROW(solve(system, Definiteness::definite), NotPositiveDefinite);
+  EXPECT_THROW(solve(system, Definiteness::semidefinite), NotPositiveDefinite) << "the load has a resultant";
+  system.add_load(kSecond, Eigen::Vector4d(-4, -6, 0, 0));
+  const SparseSolution solution = solve(system, Definiteness::semidefinite);
+  EXPECT_LT(solution.residual, 1e-14);
+  EXPECT_NEAR(solution.x(0) - solution.x(4), 3, 1e-4);
+  EXPECT_NEAR(solution.x(4) - solution.x(2), 4, 1e-4);
+}
+
+}  // namespace keyblock
