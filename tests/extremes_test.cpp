@@ -17,14 +17,13 @@ struct KnownMiss {
 };
 
 // Figures that miss; whoever mends one strikes it out here.
-constexpr std::array<KnownMiss, 7> kKnownMisses{{
+constexpr std::array<KnownMiss, 6> kKnownMisses{{
     {"2.6e+09 on 2600 kg/m2: force", "25 GPa on a block of 5 GPa: strains are no longer small, and it is pressed flat"},
     {"2.6e+09 on 2600 kg/m2: most passes", "the same"},
-    {"p/E 0.001: settlement", "the start shifts blocks by 0.1 m, a tenth of their size, and is settled to 12 %"},
+    {"p/E 0.001: settlement", "the start shifts blocks by 0.1 m, a tenth of their size, and is settled to 2.9 %"},
     {"triangle 1e-08 high", "refused by name as without area: it is flatter than its corners are told apart"},
-    {"joints 0.0001 apart: sinking", "the blocks beside a sliver close on each other: rigid ones sink by 6e-7 m"},
-    {"joints 1e-05 apart: sinking", "the same: rigid ones sink by the whole width"},
-    {"joints 1e-06 apart: sinking", "the same"},
+    {"joints 1e-05 apart: sinking", "6e-9 m: gaps between blocks of a mass ratio of 5e4 are left at their tolerance"},
+    {"joints 1e-06 apart: sinking", "1.1e-7 m, the same at 5e5"},
 }};
 
 bool is_known_miss(const Extreme& row) {
