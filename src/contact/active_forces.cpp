@@ -77,7 +77,7 @@ void ActiveForces::factorise_dense() {
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
   for (Eigen::Index r = 0; r < size; ++r) {
     const Eigen::Index force = set_.rows[static_cast<std::size_t>(r)];
-    const RowThrough row(problem_.w, force);
+    const RowThrough row(problem_.w.row(force), problem_.w.flexibility());
     for (std::size_t i = 0; i < set_.columns.size(); ++i) {
       const ActiveSet::Column& column = set_.columns[i];
       if (column.unknown < 0) continue;

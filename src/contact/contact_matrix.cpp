@@ -8,10 +8,8 @@ namespace keyblock {
 ContactMatrix::ContactMatrix(ContactRows rows, Table<ElementIndex, UnknownBlock> flexibility)
     : rows_(std::move(rows)),
       flexibility_(std::move(flexibility)),
-      diagonal_(static_cast<Eigen::Index>(rows_.size())),
-      added_(Eigen::VectorXd::Zero(diagonal_.size())) {
-  for (Eigen::Index i = 0; i < diagonal_.size(); ++i) diagonal_[i] = RowThrough(*this, i).times(row(i));
-}
+      diagonal_(diagonal_of(rows_, flexibility_)),
+      added_(Eigen::VectorXd::Zero(diagonal_.size())) {}
 
 void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
   diagonal_[row] += value;
@@ -22,9 +20,16 @@ Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {
   return rates(rows_, answer(rows_, flexibility_, forces)) + added_.cwiseProduct(forces);
 }
 
-RowThrough::RowThrough(const ContactMatrix& w, Eigen::Index row) : through_(w.row(row)) {
-  through_.of_vertex *= w.flexibility()[through_.vertex_element];
-  through_.of_edge *= w.flexibility()[through_.edge_element];
+Eigen::VectorXd diagonal_of(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility) {
+  Eigen::VectorXd diagonal(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    diagonal[static_cast<Eigen::Index>(i)] = RowThrough(rows[i], flexibility).times(rows[i]);
+  return diagonal;
+}
+
+RowThrough::RowThrough(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& flexibility) : through_(row) {
+  through_.of_vertex *= flexibility[through_.vertex_element];
+  through_.of_edge *= flexibility[through_.edge_element];
 }
 
 double RowThrough::times(const ContactRow& other) const {

@@ -33,10 +33,13 @@ class ContactMatrix {
   Eigen::VectorXd added_;
 };
 
+/// The diagonal of G B Gᵀ alone.
+Eigen::VectorXd diagonal_of(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility);
+
 /// A row of G times B, for entries of W where a few are wanted: entry (i, j) is row i times row j, without what was added.
 class RowThrough {
  public:
-  RowThrough(const ContactMatrix& w, Eigen::Index row);
+  RowThrough(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& flexibility);
   double times(const ContactRow& other) const;
 
  private:

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
+#include "base/union_find.hpp"
 #include "contact/gap.hpp"
 #include "step/contact_laws.hpp"
 #include "step/smooth_solve.hpp"
@@ -86,25 +86,18 @@ class Settling {
 
   // Union of touching and bolted blocks; a group without a block that is fixed or held somewhere bears no load here.
   void leave_unsupported(const Touches& touches) {
-    std::vector<int> group(scene_.bodies.size());
-    std::iota(group.begin(), group.end(), 0);
-    const auto root = [&](int i) {
-      while (group[static_cast<std::size_t>(i)] != i) i = group[static_cast<std::size_t>(i)];
-      return i;
-    };
-    const auto join = [&](ElementIndex first, ElementIndex second) {
-      const auto [low, high] = std::minmax({root(first.value), root(second.value)});
-      group[static_cast<std::size_t>(high)] = low;
-    };
+    UnionFind groups(scene_.bodies.size());
+    const auto join = [&](ElementIndex first, ElementIndex second) { groups.unite(first.value, second.value); };
     for (const Touch& touch : touches)
       join(scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element);
     for (const Bolt& bolt : scene_.model.bolts) join(bolt.first.element, bolt.second.element);
-    std::vector<bool> held(group.size(), false);
+    std::vector<bool> held(scene_.bodies.size(), false);
     for (ElementIndex e : indices(scene_.bodies))
-      if (scene_.bodies[e].mass.rows() == 0) held[static_cast<std::size_t>(root(e.value))] = true;
-    for (const CarriedPoint& point : scene_.held) held[static_cast<std::size_t>(root(point.element.value))] = true;
+      if (scene_.bodies[e].mass.rows() == 0) held[static_cast<std::size_t>(groups.find(e.value))] = true;
+    for (const CarriedPoint& point : scene_.held)
+      held[static_cast<std::size_t>(groups.find(point.element.value))] = true;
     for (ElementIndex e : indices(loads_))
-      if (!held[static_cast<std::size_t>(root(e.value))]) loads_[e].setZero();
+      if (!held[static_cast<std::size_t>(groups.find(e.value))]) loads_[e].setZero();
   }
 
   const StandardScene& scene_;

@@ -117,7 +117,7 @@ class SmoothSolve {
     problem_.w = ContactMatrix(rows_, inverse_);
     const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
     problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * size_;
-    if (!judging_.empty()) problem_.scale = ContactMatrix(rows_, judging_).diagonal();
+    if (!judging_.empty()) problem_.scale = diagonal_of(rows_, judging_);
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
     for (std::size_t i = 0; i < touches_.size(); ++i) {

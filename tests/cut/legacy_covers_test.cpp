@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 /// A file; its n (legacy-formats 2.4; in cv15 the nodes of a row stand as if n were 9); the nodes that the old cutter
 /// moved onto a line nearer than `snap` w; the pieces that it gave the covers of a neighbour. Which nodes and which
-/// pieces is in the files; the rules are fits to them (manifold-notes, section 7, for n and the pieces).
+/// pieces is in the files; the rules are fits to them.
 struct Sample {
   const char* name;
   int half_rows;

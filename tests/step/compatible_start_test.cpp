@@ -60,7 +60,7 @@ TEST(CompatibleStart, the_heel_of_a_toppling_column_on_springs_gives_it_no_spin)
 }
 
 // Three points an edge leave one of the normal forces open to a rigid block. A share of ringing makes it slip by
-// μ g/ω for ever where friction just holds (contact-notes 4.2).
+// μ g/ω for ever where friction just holds.
 TEST(CompatibleStart, a_block_on_springs_stays_where_friction_just_holds_it) {
   for (const BlockBasis basis : {BlockBasis::rigid, BlockBasis::affine}) {
     for (const double penalty_factor : {1, 10, 100}) {

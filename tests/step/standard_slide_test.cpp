@@ -146,14 +146,14 @@ double flutter_error(double dt, StrainDamping damping) {
 
 }  // namespace
 
-// Steady sliding of an elastic block is unstable at high friction (contact-notes 4.3); the stiffness damping of the strain
+// Steady sliding of an elastic block is unstable at high friction (eigenvalues: standard_body.cpp); the stiffness damping of the strain
 // modes, on by default, keeps it still at steps that resolve the flutter too.
 TEST(StandardSlide, strain_damping_keeps_a_block_from_fluttering_at_small_steps) {
   EXPECT_LE(std::abs(flutter_error(1e-4, StrainDamping::critical)), 1e-10);
   EXPECT_GE(std::abs(flutter_error(1e-4, StrainDamping::none)), 1e-6);
 }
 
-// Sudden gravity lets the contact ring, which friction turns into slip: 2e-3 m are physics (contact-notes 4.1), not solver.
+// Sudden gravity lets the contact ring, which friction turns into slip: 2e-3 m are physics, not solver.
 TEST(StandardSlide, a_suddenly_loaded_block_slides_within_two_millimetres) {
   for (const Choice& choice : kChoices) {
     for (double dt : {1e-3, 1e-2}) {
