@@ -45,6 +45,7 @@ TextMap::Mark TextMap::advanced(Mark mark, std::size_t first, std::size_t last) 
 
 Place TextMap::place(std::size_t offset) const {
   const std::size_t at = std::min(offset, text_.size());
+  const std::scoped_lock lock(guard_);
   if (marks_.empty()) marks_.push_back({1, 0});
   while (marks_.size() <= at / kStretch) {
     const std::size_t begin = (marks_.size() - 1) * kStretch;

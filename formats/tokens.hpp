@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,6 +35,7 @@ class TextMap {
 
   FileName file_;
   std::string_view text_;
+  mutable std::mutex guard_;         ///< of the marks: threads that read one text may fail at once
   mutable std::vector<Mark> marks_;  ///< one a stretch of text, as far as places were asked for
 };
 
