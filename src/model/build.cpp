@@ -27,11 +27,10 @@ void add_loop(Model& model, const std::vector<Corner>& corners) {
   const int size = static_cast<int>(corners.size());
   for (int i = 0; i < size; ++i) {
     const Corner& corner = corners[static_cast<std::size_t>(i)];
-    model.vertices.push_back({element,
-                              {first + (i + 1) % size},
-                              {first + (i + size - 1) % size},
-                              nearest_existing(corner.joint_material, model.joint_materials.size()),
-                              corner.is_inner});
+    const VertexIndex next{first + (i + 1) % size};
+    const VertexIndex previous{first + (i + size - 1) % size};
+    const int joint = nearest_existing(corner.joint_material, model.joint_materials.size());
+    model.vertices.push_back({element, next, previous, joint, corner.is_inner, next, previous});
     model.start_vertices.push_back(corner.position);
   }
   model.elements[element].loop_sizes.push_back(size);

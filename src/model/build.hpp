@@ -18,7 +18,7 @@ struct Corner {
 /// Appends an element without loops. Material numbers that do not exist are taken as the nearest that does.
 void begin_element(Model& model, int material, const Basis& basis, CoverList covers);
 
-/// Appends a loop to the last element: the outer one first, then its holes.
+/// Appends a loop to the last element: the outer one first, then its holes. All of it is boundary.
 void add_loop(Model& model, const std::vector<Corner>& corners);
 
 /// Half the greater of width and height of all vertices (legacy-rules, notation).

@@ -18,12 +18,51 @@ std::vector<Corner> corners_of(std::span<const ElementCorner> loop) {
   return corners;
 }
 
-void add_element(Model& model, const Manifold& manifold, const ManifoldElement& element) {
-  const int material = manifold.body_materials[static_cast<std::size_t>(element.body)];
-  begin_element(model, material, fixed_basis(), {element.covers.begin(), element.covers.end()});
-  add_loop(model, corners_of(manifold.loop(element.outer)));
-  for (const SlotRange& hole : manifold.holes_of(element)) add_loop(model, corners_of(manifold.loop(hole)));
-}
+class Builder {
+ public:
+  Builder(const Manifold& manifold, Model& model)
+      : manifold_(manifold), model_(model), vertex_of_corner_(manifold.corners.size()) {}
+
+  void run() {
+    for (const PhysicalCover& cover : manifold_.covers)
+      model_.nodes.push_back(manifold_.mesh.nodes[static_cast<std::size_t>(cover.node)]);
+    for (const ManifoldElement& element : manifold_.elements) add(element);
+    for (Vertex& vertex : model_.vertices) vertex.boundary_next = vertex.boundary_previous = {};
+    for (const SlotRange& loop : manifold_.boundary_loops) join(loop);
+  }
+
+ private:
+  void add(const ManifoldElement& element) {
+    const int material = manifold_.body_materials[static_cast<std::size_t>(element.body)];
+    begin_element(model_, material, fixed_basis(), {element.covers.begin(), element.covers.end()});
+    add(element.outer);
+    for (const SlotRange& hole : manifold_.holes_of(element)) add(hole);
+  }
+
+  void add(const SlotRange& loop) {
+    for (int i = 0; i < loop.size; ++i)
+      vertex_of_corner_[static_cast<std::size_t>(loop.first + i)] = {model_.vertices.end_index().value + i};
+    add_loop(model_, corners_of(manifold_.loop(loop)));
+  }
+
+  void join(const SlotRange& loop) {
+    for (int i = 0; i < loop.size; ++i) {
+      const VertexIndex here = vertex_at(loop.first + i);
+      const VertexIndex next = vertex_at(loop.first + (i + 1) % loop.size);
+      model_.vertices[here].boundary_next = next;
+      model_.vertices[next].boundary_previous = here;
+    }
+  }
+
+  VertexIndex vertex_at(int edge) const {
+    const int corner = manifold_.boundary_edges[static_cast<std::size_t>(edge)].corner;
+    return vertex_of_corner_[static_cast<std::size_t>(corner)];
+  }
+
+  const Manifold& manifold_;
+  Model& model_;
+  std::vector<VertexIndex> vertex_of_corner_;
+};
 
 std::vector<CarriedPoint> carried(const std::vector<CoverPoint>& points, const std::vector<TimeCurve>& curves) {
   std::vector<CarriedPoint> result;
@@ -45,7 +84,7 @@ Model model_from_manifold(const Manifold& manifold, const ElementPoints& points,
   Model model;
   model.block_materials = analysis.block_materials;
   model.joint_materials = analysis.joint_materials;
-  for (const ManifoldElement& element : manifold.elements) add_element(model, manifold, element);
+  Builder(manifold, model).run();
   model.fixed_points = carried(points.fixed, analysis.fixed_point_motions);
   model.loading_points = carried(points.loading, analysis.point_loads);
   model.measured_points = carried(points.measured, {});

@@ -25,6 +25,10 @@ struct Vertex {
   VertexIndex previous;
   int joint_material = 0;  ///< of the edge that arrives from `previous`
   bool is_inner = false;   ///< that edge leads into another element of the same body: nothing touches it
+  /// Where the boundary edge that leaves here ends and the next begins, and where the one before begins: of other elements
+  /// where the boundary of this one ends. None where the edge that leaves is inner.
+  VertexIndex boundary_next = {};
+  VertexIndex boundary_previous = {};
 };
 
 /// Numbers of the covers that an element hangs on: three, or the one that is a block's own.
@@ -86,6 +90,8 @@ struct Model {
   Table<ElementIndex, Element> elements;
   Table<VertexIndex, Vertex> vertices;
   std::vector<Point> start_vertices;
+  std::vector<Point>
+      nodes;  ///< at the start, of the covers 0, 1, … that elements share; an element hangs on three of them
   std::vector<CarriedPoint> fixed_points;
   std::vector<CarriedPoint> loading_points;
   std::vector<CarriedPoint> measured_points;
