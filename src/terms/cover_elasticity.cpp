@@ -3,7 +3,6 @@
 #include "terms/cover_elasticity.hpp"
 
 #include <Eigen/LU>
-
 #include <utility>
 
 #include "geometry/quadrature.hpp"
