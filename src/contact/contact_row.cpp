@@ -8,9 +8,8 @@ Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ContactRow& row = rows[i];
-    result[static_cast<Eigen::Index>(i)] =
-        row.of_vertex.dot(x[row.vertex_element].transpose()) + row.of_edge.dot(x[row.edge_element].transpose()) +
-        row.of_covers(x.covers);
+    result[static_cast<Eigen::Index>(i)] = row.of_vertex.dot(x[row.vertex_element].transpose()) +
+                                           row.of_edge.dot(x[row.edge_element].transpose()) + row.of_covers(x.covers);
   }
   return result;
 }
@@ -22,7 +21,8 @@ double ContactRow::of_covers(const Eigen::VectorXd& x) const {
 }
 
 void ContactRow::add_covers(double force, Eigen::VectorXd& sum) const {
-  for (const CoverEntry& entry : covers) sum.segment<2>(2 * entry.function) += force * Eigen::Vector2d(entry.x, entry.y);
+  for (const CoverEntry& entry : covers)
+    sum.segment<2>(2 * entry.function) += force * Eigen::Vector2d(entry.x, entry.y);
 }
 
 UnknownsTable answer(const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& forces) {

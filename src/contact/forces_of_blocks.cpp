@@ -65,7 +65,8 @@ int ForcesOfBlocks::size_of(int block) const {
 
 void ForcesOfBlocks::assemble() {
   for (ElementIndex e : indices(w_.flexibility().blocks))
-    if (blocks_[e] >= 0) factor_->add(blocks_[e], blocks_[e], inverse_of(w_.flexibility().blocks[e], size_of(blocks_[e])));
+    if (blocks_[e] >= 0)
+      factor_->add(blocks_[e], blocks_[e], inverse_of(w_.flexibility().blocks[e], size_of(blocks_[e])));
   for (std::size_t first = 0; first < set_.rows.size();) {
     const Eigen::Index pair = set_.rows[first] - set_.rows[first] % 2;
     const bool is_two = first + 1 < set_.rows.size() && set_.rows[first + 1] == pair + 1;

@@ -29,9 +29,8 @@ Model with_bases(Model model, const PerMaterial<BlockBasis>& basis) {
 }
 
 bool has_held_moving_element(const Model& model) {
-  return std::ranges::any_of(model.fixed_points, [&](const CarriedPoint& point) {
-    return model.elements[point.element].can_move();
-  });
+  return std::ranges::any_of(model.fixed_points,
+                             [&](const CarriedPoint& point) { return model.elements[point.element].can_move(); });
 }
 
 }  // namespace keyblock

@@ -108,7 +108,8 @@ Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& refer
   for (ElementIndex e : indices(model.elements)) {
     if (reference.is_on_covers(e)) {
       for (VertexIndex v : model.elements[e].vertices())
-        vertices[v] = moved(model.start_vertices[static_cast<std::size_t>(v.value)], reference.covers->of_vertex(v), q.covers);
+        vertices[v] =
+            moved(model.start_vertices[static_cast<std::size_t>(v.value)], reference.covers->of_vertex(v), q.covers);
       continue;
     }
     const Basis& basis = *model.elements[e].basis;

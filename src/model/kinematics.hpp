@@ -26,8 +26,8 @@ struct UnknownsTable : Table<ElementIndex, Unknowns> {
 /// The undeformed blocks, in coordinates of their own: constant during a run.
 struct Reference {
   Table<ElementIndex, Point> centroids;
-  Table<ElementIndex, Moments> moments;  ///< about the centroid
-  Table<VertexIndex, Point> offsets;     ///< of the vertices from the centroid
+  Table<ElementIndex, Moments> moments;           ///< about the centroid
+  Table<VertexIndex, Point> offsets;              ///< of the vertices from the centroid
   std::shared_ptr<const CoverKinematics> covers;  ///< of elements on covers; none where there are none
 
   bool is_on_covers(ElementIndex e) const { return covers && covers->carries(e); }

@@ -96,7 +96,8 @@ struct Model {
   std::vector<CarriedPoint> loading_points;
   std::vector<CarriedPoint> measured_points;
   std::vector<Bolt> bolts;
-  std::shared_ptr<const Continuum> continuum;  ///< what the elements on covers, the last ones, were cut from; none without them
+  std::shared_ptr<const Continuum>
+      continuum;  ///< what the elements on covers, the last ones, were cut from; none without them
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;
   double mean_area = 0;  ///< of the elements at the start

@@ -45,10 +45,9 @@ double relative_error(const StandardScene& scene, const Motion& before, const Mo
   const Eigen::VectorXd change = after.a.covers - before.a.covers;
   const Eigen::VectorXd mean =
       rule.carries_acceleration() ? Eigen::VectorXd(before.a.covers + change / 2) : after.a.covers;
-  const Eigen::VectorXd error = dt * dt *
-                                    (rule.error_of_change * change.cwiseAbs() +
-                                     rule.error_of_acceleration * mean.cwiseAbs()) +
-                                dt * (after.v.covers - before.v.covers - dt * mean).cwiseAbs();
+  const Eigen::VectorXd error =
+      dt * dt * (rule.error_of_change * change.cwiseAbs() + rule.error_of_acceleration * mean.cwiseAbs()) +
+      dt * (after.v.covers - before.v.covers - dt * mean).cwiseAbs();
   return worse(greatest, error.maxCoeff<Eigen::PropagateNaN>() / scene.covers->size());
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "model/body_load.hpp"
@@ -132,6 +133,11 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
     body.size = std::max(body.size, distance(body.centre, model.start_vertices[static_cast<std::size_t>(v.value)]));
     size_ = std::max(size_, body.size);
   }
+  slow_frequency_ = std::numeric_limits<double>::infinity();
+  for (const int number : bodies_.continuum.manifold.body_materials) {
+    const BlockMaterial& material = bodies_.continuum.materials[static_cast<std::size_t>(number)];
+    slow_frequency_ = std::min(slow_frequency_, std::sqrt(material.youngs_modulus / material.density) / size_);
+  }
 }
 
 int CoverScene::body_of(ElementIndex e) const {
@@ -214,11 +220,10 @@ std::vector<std::pair<ElementIndex, double>> CoverScene::largest_forces(const Ei
   std::vector<std::pair<ElementIndex, double>> largest(at_start_.size());
   const Functions& functions = bodies_.rigid.functions();
   for (std::size_t b = 0; b < functions.size(); ++b)
-    for (const int f : functions[b])
-      largest[b].second = std::max(largest[b].second, forces.segment<2>(2 * f).norm());
+    for (const int f : functions[b]) largest[b].second = std::max(largest[b].second, forces.segment<2>(2 * f).norm());
   for (std::size_t i = bodies_.continuum.manifold.elements.size(); i-- > 0;)
     largest[static_cast<std::size_t>(bodies_.continuum.manifold.elements[i].body)].first = {first_.value +
-                                                                                           static_cast<int>(i)};
+                                                                                            static_cast<int>(i)};
   return largest;
 }
 
@@ -234,8 +239,7 @@ double CoverScene::damping_work(const Eigen::VectorXd& from, const Eigen::Vector
   const Eigen::VectorXd way = to - from;
   const double share = bodies_.damping.stiffness / dt;
   const double of_strain =
-      share == 0 ? 0
-                 : way.dot(bodies_.elasticity.force(from, to, share) - bodies_.elasticity.force(from, to, 0));
+      share == 0 ? 0 : way.dot(bodies_.elasticity.force(from, to, share) - bodies_.elasticity.force(from, to, 0));
   return of_strain + bodies_.damping.mass * way.dot(momentum(rate));
 }
 

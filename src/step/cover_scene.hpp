@@ -34,6 +34,9 @@ class CoverScene {
   const WholeBody& body_at_start(ElementIndex e) const;
   const std::vector<WholeBody>& at_start() const { return at_start_; }
   double size() const { return size_; }  ///< of the largest body
+  /// Of a wave of stretching through the largest body, √(E/ρ) over its size, the least of the materials: about that of the
+  /// first mode of a stout body.
+  double slow_frequency() const { return slow_frequency_; }
 
   /// The initial velocities of the materials, as rigid motions about the mass centres.
   Eigen::VectorXd start_velocity() const;
@@ -60,7 +63,8 @@ class CoverScene {
   /// What the elastic force of a step takes beyond the change of strain energy, (κ − ½) ∫ ΔE : D : ΔE.
   double strain_loss(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double stiffness_weight) const;
   /// Of damping over a step: a M against `rate`, and b against the mean rate of strain.
-  double damping_work(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& rate, double dt) const;
+  double damping_work(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& rate,
+                      double dt) const;
   Eigen::VectorXd elastic_force(const Eigen::VectorXd& d) const;  ///< ∂U/∂d
   /// Against v at rest from strain: a M v.
   Eigen::VectorXd damping_force(const Eigen::VectorXd& v) const { return bodies_.damping.mass * momentum(v); }
@@ -84,6 +88,7 @@ class CoverScene {
   std::vector<double> carry_;  ///< of each body
   std::vector<WholeBody> at_start_;
   double size_ = 0;
+  double slow_frequency_ = 0;
   Eigen::VectorXd weight_;
   std::unique_ptr<CoverEquations> equations_;
   std::shared_ptr<const CoverFlexibility> mass_inverse_;

@@ -80,7 +80,8 @@ void describe(Archive& a, TieMemory& ties) {
 void describe(Archive& a, const char* name, UnknownsTable& table) {
   a.table(name, table, [&](Unknowns& unknowns) { describe(a, "unknowns", unknowns); });
   if (table.covers.size() > 0)
-    a.values((std::string(name) + "_covers").c_str(), {table.covers.data(), static_cast<std::size_t>(table.covers.size())});
+    a.values((std::string(name) + "_covers").c_str(),
+             {table.covers.data(), static_cast<std::size_t>(table.covers.size())});
 }
 
 }  // namespace

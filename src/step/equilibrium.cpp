@@ -48,7 +48,8 @@ double driving_force(const StandardScene& scene, const Motion& motion, double ti
   double largest = 0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const ElementIndex e = scene.held[i].element;
-    const double mass = scene.reference.is_on_covers(e) ? scene.covers->body_at_start(e).mass : scene.bodies[e].mass(0, 0);
+    const double mass =
+        scene.reference.is_on_covers(e) ? scene.covers->body_at_start(e).mass : scene.bodies[e].mass(0, 0);
     if (ways[i] > kInPlace * scene.bodies[e].size) largest = std::max(largest, mass * ways[i] / (dt * dt));
   }
   return largest;

@@ -122,7 +122,8 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
   const Flexibility blocks = rigid_flexibility(scene, q);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
-  FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, rigid_part(scene, q, v)), {}, goal, kLooser * goal, {}};
+  FrictionalProblem problem{
+      ContactMatrix(rows, blocks), rates(rows, rigid_part(scene, q, v)), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);

@@ -79,7 +79,15 @@ class SmoothSolve {
     double change = is_linear() ? 0 : 1;
     double unsolved = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
-      if (round == 0 || (round < kMostRows && greatest_change(increments_, linearised_) > kSameRows)) linearise();
+      if (round == 0 || (round < kMostRows && greatest_change(increments_, linearised_) > kSameRows)) {
+        try {
+          linearise();
+        } catch (
+            const NotPositiveDefinite&) {  // a body on covers that buckles, or turns inside out: a shorter step may not
+          result_.converged = false;
+          return;
+        }
+      }
       if (covers_) {
         covers_->evaluate(increments_.covers);
         free_.covers = covers_->free_increment();
@@ -112,7 +120,6 @@ class SmoothSolve {
 
   // Blocks by themselves are: strain is measured in their own frame.
   bool is_linear() const { return touches_.empty() && ties_.count() == 0 && !scene_.covers; }
-
 
   static UnknownsTable scaled(UnknownsTable x, double by) {
     x *= by;
@@ -243,7 +250,8 @@ class SmoothSolve {
       greatest = worse(greatest, change.tail(change.size() - 2).maxCoeff<Eigen::PropagateNaN>());
     }
     if (a.covers.size() > 0)
-      greatest = worse(greatest, (a.covers - b.covers).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / scene_.covers->size());
+      greatest =
+          worse(greatest, (a.covers - b.covers).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / scene_.covers->size());
     return greatest;
   }
 
@@ -259,14 +267,14 @@ class SmoothSolve {
   ContactRows rows_;
   FrictionalProblem problem_;
   UnknownsTable increments_;
-  UnknownsTable linearised_;  ///< increments about which rows and matrix were made
-  double size_ = 0;           ///< of the largest moving block
+  UnknownsTable linearised_;          ///< increments about which rows and matrix were made
+  double size_ = 0;                   ///< of the largest moving block
   CoverEquations* covers_ = nullptr;  ///< of this step; none without bodies on covers
   Flexibility inverse_;
-  Flexibility judging_;                        ///< inverses by which forces are judged, where these are others
-  UnknownsTable free_;                         ///< increments without contact
-  UnknownsTable known_velocity_;               ///< what the increments leave of the velocities at the end
-  UnknownsTable known_acceleration_;           ///< the same of the accelerations
+  Flexibility judging_;               ///< inverses by which forces are judged, where these are others
+  UnknownsTable free_;                ///< increments without contact
+  UnknownsTable known_velocity_;      ///< what the increments leave of the velocities at the end
+  UnknownsTable known_acceleration_;  ///< the same of the accelerations
   SmoothMotion result_;
 };
 

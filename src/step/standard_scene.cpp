@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/body_load.hpp"
 #include "contact/point_motion.hpp"
+#include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
 #include "step/enforcement.hpp"
 #include "step/step_ties.hpp"

@@ -21,9 +21,9 @@ struct StandardScene {
   std::shared_ptr<const CoverScene> covers;  ///< none where nothing hangs on covers
   Table<ElementIndex, ConvexPieces> pieces;
   std::vector<ElementIndex> with_faces;  ///< elements that something may touch
-  std::vector<CarriedPoint> held;  ///< fixed points of elements that have unknowns
-  Point mass_centre;               ///< of the blocks that can move, at the start
-  double load_share = 1;           ///< of all loads, while they are put on
+  std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
+  Point mass_centre;                     ///< of the blocks that can move, at the start
+  double load_share = 1;                 ///< of all loads, while they are put on
 
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }

@@ -111,6 +111,7 @@ class StaticSolve {
         lightest = std::min(lightest, body.mass);
         heaviest = std::max(heaviest, body.mass);
       }
+      slowest = std::min(slowest, scene_.covers->slow_frequency());
     }
     for (const Bolt& bolt : scene_.model.bolts)
       if (bolt.is_spring()) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));

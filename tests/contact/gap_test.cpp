@@ -73,8 +73,7 @@ TEST(Gap, contact_matrix_is_that_of_its_definition) {
   for (Eigen::Index i = 0; i < w.rows(); ++i) {
     const Eigen::VectorXd column = rates(rows, answer(rows, {blocks}, Eigen::VectorXd::Unit(w.rows(), i)));
     EXPECT_NEAR(w.diagonal()[i], column[i], 1e-14);
-    for (Eigen::Index j = 0; j < w.rows(); ++j)
-      EXPECT_NEAR(RowThrough(w, i).times(j), column[j], 1e-14);
+    for (Eigen::Index j = 0; j < w.rows(); ++j) EXPECT_NEAR(RowThrough(w, i).times(j), column[j], 1e-14);
   }
 }
 

@@ -118,8 +118,7 @@ TEST(Ties, contact_matrix_of_a_bolt_within_one_block_is_that_of_its_definition) 
   for (Eigen::Index i = 0; i < w.rows(); ++i) {
     const Eigen::VectorXd column = rates(rows, answer(rows, {blocks}, Eigen::VectorXd::Unit(w.rows(), i)));
     EXPECT_NEAR(w.diagonal()[i], column[i], 1e-13);
-    for (Eigen::Index j = 0; j < w.rows(); ++j)
-      EXPECT_NEAR(RowThrough(w, i).times(j), column[j], 1e-13);
+    for (Eigen::Index j = 0; j < w.rows(); ++j) EXPECT_NEAR(RowThrough(w, i).times(j), column[j], 1e-13);
   }
 }
 
