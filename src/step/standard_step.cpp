@@ -55,7 +55,7 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
   Split parts;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const double speed = speeds[static_cast<Eigen::Index>(2 * i)];
-    if (springs_stop || speed > -slow || start.closed.of(touches[i])) {
+    if (springs_stop || speed >= -slow || start.closed.of(touches[i])) {
       parts.smooth.push_back(touches[i]);
     } else {
       parts.impacts.push_back(touches[i]);
