@@ -12,18 +12,26 @@
 namespace keyblock {
 namespace {
 
+SparseSystem empty_system(const Continuum& continuum, const CoverBasis& basis) {
+  return {basis.function_count(), coupled_functions(basis, ghost_pairs(continuum.manifold, basis))};
+}
+
 SparseSystem mass_of(const Continuum& continuum, const CoverBasis& basis) {
-  SparseSystem mass(basis.function_count(), coupled_functions(basis, ghost_pairs(continuum.manifold, basis)));
+  SparseSystem mass = empty_system(continuum, basis);
   add_cover_mass(continuum, basis, mass);
   return mass;
 }
 
-SparseSystem constant_of(const Continuum& continuum, const CoverBasis& basis) {
-  const std::vector<GhostPair> pairs = ghost_pairs(continuum.manifold, basis);
-  SparseSystem system(basis.function_count(), coupled_functions(basis, pairs));
-  add_ghost_penalty(continuum, basis, pairs, system);
-  add_supports_and_loads(continuum, basis, system);
-  return system;
+SparseSystem ghost_of(const Continuum& continuum, const CoverBasis& basis) {
+  SparseSystem ghost = empty_system(continuum, basis);
+  add_ghost_penalty(continuum, basis, ghost_pairs(continuum.manifold, basis), ghost);
+  return ghost;
+}
+
+SparseSystem supports_of(const Continuum& continuum, const CoverBasis& basis) {
+  SparseSystem supports = empty_system(continuum, basis);
+  add_supports_and_loads(continuum, basis, supports);
+  return supports;
 }
 
 }  // namespace
@@ -33,11 +41,12 @@ CoverBodies::CoverBodies(Continuum with_loads, CoverDamping with_damping)
       damping(with_damping),
       elasticity(continuum, CoverBasis(continuum.manifold, continuum.functions)),
       mass(mass_of(continuum, basis())),
-      constant(constant_of(continuum, basis())),
+      ghost(ghost_of(continuum, basis())),
+      supports(supports_of(continuum, basis())),
       rigid(continuum.manifold, basis(), mass) {}
 
 double CoverBodies::energy(const Eigen::VectorXd& d) const {
-  return elasticity.energy(d) + d.dot(constant.times(d)) / 2;
+  return elasticity.energy(d) + d.dot(ghost.times(d) + supports.times(d)) / 2;
 }
 
 }  // namespace keyblock

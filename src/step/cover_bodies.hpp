@@ -21,18 +21,19 @@ struct CoverBodies {
   CoverDamping damping;
   CoverElasticity elasticity;
   SparseSystem mass;  ///< M; its groups are those of every matrix here
-  /// G: ghost penalty, Nitsche's terms of prescribed displacements, point springs: a force -G d, whatever the motion. The ghost penalty vanishes
-  /// for every affine d, so that rigid motion stays free. Nitsche's terms take stress and normal of the boundary as at the start: a held
-  /// part may not turn by more than a strain. Its load: body force, tractions, point forces and what prescribed displacements
-  /// other than 0 need, all in directions and sizes of the start.
-  SparseSystem constant;
+  SparseSystem
+      ghost;  ///< G, a force after `ghost_force`: it vanishes for every affine d, so that rigid motion stays free
+  /// H: Nitsche's terms of prescribed displacements and point springs, a force H d whatever the motion. Nitsche's terms take stress and normal
+  /// of the boundary as at the start: a held part may not turn by more than a strain. Its load: body force, tractions, point forces and
+  /// what prescribed displacements other than 0 need, all in directions and sizes of the start.
+  SparseSystem supports;
   CoverRigidMotion rigid;
 
   explicit CoverBodies(Continuum with_loads, CoverDamping with_damping = {});
 
   const CoverBasis& basis() const { return elasticity.basis(); }
   int unknown_count() const { return 2 * basis().function_count(); }
-  /// Elastic energy and ½ dᵀ G d.
+  /// Elastic energy, ½ dᵀ G d and ½ dᵀ H d.
   double energy(const Eigen::VectorXd& d) const;
 };
 

@@ -17,8 +17,9 @@ struct CoverMotion {
   Eigen::VectorXd a;
 };
 
-/// r(Δq) = M inertia + a M damping + f(q0, q0 + Δq; θ + b/dt) + G (q0 + θ Δq) - F, the sums and θ = rule.stiffness as StepRule has them; a, b
-/// of CoverDamping, where b takes the mean rate of strain over the step whatever the rule. In the step with contact
+/// r(Δq) = M inertia + a M damping + f(q0, q0 + Δq; θ + b/dt) + ghost_force(q0, q0 + Δq; θ) + H (q0 + θ Δq) - F,
+/// the sums and θ = rule.stiffness as StepRule has them; a, b of CoverDamping, where b takes the mean rate of strain over the step
+/// whatever the rule. In the step with contact
 ///     Δq = free_increment + A⁻¹ Jᵀ λ,   A = ∂r/∂Δq made symmetric (CoverElasticity::add_tangent),
 /// solved again from linearise(Δq) until Δq stays: the residual is exact, A need not be. The end of the step is end(Δq).
 /// One object serves all steps of a run; the bodies must outlive it. The order of elimination is found once.
@@ -26,13 +27,17 @@ class CoverEquations {
  public:
   explicit CoverEquations(const CoverBodies& bodies);
 
-  /// A new step. `load` F: all forces on the unknowns besides those above, CoverBodies::constant.load() included where its loads act.
+  const CoverBodies& bodies() const { return bodies_; }
+
+  /// A new step. `load` F: all forces on the unknowns besides those above, CoverBodies::supports.load() included where its loads act.
   void begin(const CoverMotion& start, const Eigen::VectorXd& load, const StepRule& rule, double dt);
 
   /// Residual and factor at Δq = `increment`. Throws NotPositiveDefinite.
   void linearise(const Eigen::VectorXd& increment);
   /// The residual alone: the factor stays that of the last linearise, of whatever step.
   void evaluate(const Eigen::VectorXd& increment);
+  /// Whether there is a factor that was made for a rule and a dt with the same weights.
+  bool has_factor() const;
 
   const Eigen::VectorXd& residual() const { return residual_; }
   /// Norm of the largest of the forces that make up the residual.
@@ -47,16 +52,25 @@ class CoverEquations {
   /// Velocity and acceleration at the end: known part and the rule's share of Δq.
   const Eigen::VectorXd& known_velocity() const { return known_velocity_; }
   const Eigen::VectorXd& known_acceleration() const { return known_acceleration_; }
+  /// Of functions that depend on each other, the velocities that move nothing are taken out: a step would carry their round-off on to the
+  /// next, where it grows.
   CoverMotion end(const Eigen::VectorXd& increment) const;
 
  private:
   const CoverBodies& bodies_;
   SparseSystem tangent_;
   PartFactors factors_;
+  struct Weights {
+    double strain = 1;   // θ + b/dt
+    double support = 1;  // θ
+    double mass = 0;     // of M Δq
+    bool operator==(const Weights&) const = default;
+  };
   StepRule rule_;
-  double strain_weight_ = 1;  // θ + b/dt
-  double mass_weight_ = 0;    // of M Δq
-  Eigen::VectorXd start_;     // q0
+  Weights weights_;
+  Weights factor_weights_;
+  bool is_factorised_ = false;
+  Eigen::VectorXd start_;  // q0
   Eigen::VectorXd load_;
   Eigen::VectorXd known_velocity_;
   Eigen::VectorXd known_acceleration_;

@@ -10,7 +10,7 @@ struct CoverStep {
   CoverMotion end;
   int iterations = 0;
   double residual = 0;  ///< over the largest of the forces
-  /// To 1e-12 of the forces, or until round-off lets the correction fall no further.
+  /// To 1e-13 of the forces, or until round-off lets the correction fall no further.
   bool is_solved = false;
 };
 
