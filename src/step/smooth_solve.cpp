@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/worse.hpp"
 #include "contact/gap.hpp"
@@ -26,6 +27,8 @@ constexpr double kTolerable = 1e-6;
 // forces are then as good as that, and gaps are those of the estimate itself in any case.
 constexpr int kMostRows = 2;
 constexpr double kSameRows = 1e-9;
+// The matrix of bodies on covers is kept from round to round while a round leaves less than this share of the change before.
+constexpr double kWorstGain = 0.03;
 // Where every touch has a spring, the springs make the forces unique: the first proximal term is this share of their
 // compliance, which may be far below that of the blocks.
 constexpr double kWeakTerm = 1e-3;
@@ -64,6 +67,11 @@ class SmoothSolve {
     result_.q = plus(start_.q, 1, increments_);
     result_.v = plus(known_velocity_, rate(), increments_);
     result_.a = plus(known_acceleration_, rule_.end_acceleration.increment, increments_);
+    if (covers_ && result_.converged) {
+      CoverMotion end = covers_->end(increments_.covers);
+      result_.v.covers = std::move(end.v);
+      result_.a.covers = std::move(end.a);
+    }
     result_.bonds = bonds_;
     result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()));
     result_.rows = std::move(rows_);
@@ -78,16 +86,14 @@ class SmoothSolve {
     result_.converged = true;
     double change = is_linear() ? 0 : 1;
     double unsolved = std::numeric_limits<double>::infinity();
+    double before = change;
     for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
-      if (round == 0 || (round < kMostRows && greatest_change(increments_, linearised_) > kSameRows)) {
-        try {
-          linearise();
-        } catch (
-            const NotPositiveDefinite&) {  // a body on covers that buckles, or turns inside out: a shorter step may not
-          result_.converged = false;
-          return;
-        }
-      }
+      const bool rows_moved = round > 0 && round < kMostRows && greatest_change(increments_, linearised_) > kSameRows;
+      const bool falls_slowly = covers_ != nullptr && round > 1 && change > kWorstGain * before;
+      if (round == 0 || falls_slowly) refactor_covers();
+      if (!result_.converged) return;
+      if (round == 0 || rows_moved || falls_slowly) linearise();
+      before = change;
       if (covers_) {
         covers_->evaluate(increments_.covers);
         free_.covers = covers_->free_increment();
@@ -132,17 +138,24 @@ class SmoothSolve {
   // Increments of a motion that goes on as it is: at rest none.
   UnknownsTable steady() const { return scaled(plus(start_.v, -1, known_velocity_), 1 / rate()); }
 
+  // A body on covers that buckles, or turns inside out, has no factor; in a shorter step it may have one.
+  void refactor_covers() {
+    if (!covers_) return;
+    try {
+      covers_->linearise(increments_.covers);
+    } catch (const NotPositiveDefinite&) {
+      result_.converged = false;
+    }
+    inverse_.covers = scene_.covers->flexibility_of_step();
+    if (!judging_.blocks.empty()) judging_.covers = inverse_.covers;
+  }
+
   void linearise() {
     linearised_ = increments_;
     const UnknownsTable middle = plus(start_.q, 0.5, increments_);
     rows_ = contact_rows(scene_.model, scene_.reference, middle, touches_);
     const ContactRows of_ties = ties_.rows(middle);
     rows_.insert(rows_.end(), of_ties.begin(), of_ties.end());
-    if (covers_) {
-      covers_->linearise(increments_.covers);
-      inverse_.covers = scene_.covers->flexibility_of_step();
-      if (!judging_.blocks.empty()) judging_.covers = inverse_.covers;
-    }
     problem_.w = ContactMatrix(rows_, inverse_);
     const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
     problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * size_;

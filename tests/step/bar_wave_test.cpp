@@ -21,10 +21,10 @@ using testing::standard_settings;
 constexpr double kModulus = 1e10;
 constexpr double kDensity = 2500;
 constexpr double kWaveSpeed = 2000;
-constexpr double kPulse = 0.01;     // s
-constexpr double kTopSpeed = 1;     // m/s
-constexpr int kLength = 100;        // m
-constexpr double kStep = 2.5e-4;    // s: half of what a metre takes
+constexpr double kPulse = 0.01;   // s
+constexpr double kTopSpeed = 1;   // m/s
+constexpr int kLength = 100;      // m
+constexpr double kStep = 2.5e-4;  // s: half of what a metre takes
 
 // The way of the left end: the integral of half a sine of velocity.
 TimeCurve pulse() {
@@ -69,14 +69,14 @@ Scene bar(Bar kind, bool holds_right_end) {
     for (int i = 0; i < kLength; ++i) blocks.blocks.push_back(rectangle({1.0 * i, 0}, {i + 1.0, 1}));
   else
     blocks.blocks.push_back(rectangle({0, 0}, {kLength, 1}));
-  Scene scene = kind == Bar::of_blocks
-                    ? testing::standard_scene_of(blocks, analysis, settings)
-                    : mixed_scene_of(blocks, {0}, analysis, settings, 25, CoverFunctions::derived);
+  Scene scene = kind == Bar::of_blocks ? testing::standard_scene_of(blocks, analysis, settings)
+                                       : mixed_scene_of(blocks, {0}, analysis, settings, 25, CoverFunctions::derived);
   // The corners of the left face, and of the right one.
   for (VertexIndex v : indices(scene.model.vertices)) {
     const Point place = scene.model.start_vertices[static_cast<std::size_t>(v.value)];
     const bool is_corner = place.y == 0 || place.y == 1;
-    if (is_corner && place.x == 0) scene.model.fixed_points.push_back({place, scene.model.vertices[v].element, pulse()});
+    if (is_corner && place.x == 0)
+      scene.model.fixed_points.push_back({place, scene.model.vertices[v].element, pulse()});
     if (is_corner && place.x == kLength && holds_right_end)
       scene.model.fixed_points.push_back({place, scene.model.vertices[v].element, {}});
   }
@@ -97,8 +97,7 @@ struct Record {
   // When half of `whole` is reached.
   double time_at_half(double whole) const {
     for (std::size_t i = 1; i < ways.size(); ++i)
-      if (ways[i] >= whole / 2)
-        return times[i - 1] + kStep * (whole / 2 - ways[i - 1]) / (ways[i] - ways[i - 1]);
+      if (ways[i] >= whole / 2) return times[i - 1] + kStep * (whole / 2 - ways[i - 1]) / (ways[i] - ways[i - 1]);
     return 0;
   }
 };
