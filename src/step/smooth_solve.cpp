@@ -47,9 +47,11 @@ class SmoothSolve {
         bonds_(start.bonds),
         ties_(scene, start, time, dt) {
     for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
-    increments_ = touches.empty() && ties_.count() == 0 ? free_ : steady();
+    if (scene.covers) prepare_covers(loads.covers);
+    increments_ = is_linear() ? free_ : steady();
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) size_ = std::max(size_, body.size);
+    if (scene.covers) size_ = std::max(size_, scene.covers->size());
     problem_.goal = tolerance.goal;
     problem_.acceptable = tolerance.acceptable;
     result_.forces = remembered_forces();
@@ -74,10 +76,22 @@ class SmoothSolve {
     laws_.clear();
     for (const Touch& touch : touches_) laws_.push_back(contact_law(scene_, bonds_, touch));
     result_.converged = true;
-    double change = touches_.empty() && ties_.count() == 0 ? 0 : 1;
+    double change = is_linear() ? 0 : 1;
     double unsolved = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
-      if (round == 0 || (round < kMostRows && greatest_change(increments_, linearised_) > kSameRows)) linearise();
+      if (round == 0 || (round < kMostRows && greatest_change(increments_, linearised_) > kSameRows)) {
+        try {
+          linearise();
+        } catch (
+            const NotPositiveDefinite&) {  // a body on covers that buckles, or turns inside out: a shorter step may not
+          result_.converged = false;
+          return;
+        }
+      }
+      if (covers_) {
+        covers_->evaluate(increments_.covers);
+        free_.covers = covers_->free_increment();
+      }
       set_right_side(increments_);
       unsolved = residual(problem_, result_.forces);
       UnknownsTable next = next_increments();
@@ -90,15 +104,25 @@ class SmoothSolve {
 
   void prepare(ElementIndex e, const Unknowns& load) {
     StepEquations equations = step_equations(scene_.bodies[e], {start_.q[e], start_.v[e], start_.a[e]}, load, rule_);
-    inverse_.push_back(std::move(equations.inverse));
-    if (rule_.judging_inertia > 0) judging_.push_back(std::move(equations.judging));
+    inverse_.blocks.push_back(std::move(equations.inverse));
+    if (rule_.judging_inertia > 0) judging_.blocks.push_back(std::move(equations.judging));
     free_.push_back(std::move(equations.free));
     known_velocity_.push_back(std::move(equations.known_velocity));
     known_acceleration_.push_back(std::move(equations.known_acceleration));
   }
 
-  static UnknownsTable times(double by, UnknownsTable x) {
-    for (Unknowns& of : x) of *= by;
+  void prepare_covers(const Eigen::VectorXd& load) {
+    covers_ = &scene_.covers->equations();
+    covers_->begin({start_.q.covers, start_.v.covers, start_.a.covers}, load, rule_, dt_);
+    known_velocity_.covers = covers_->known_velocity();
+    known_acceleration_.covers = covers_->known_acceleration();
+  }
+
+  // Blocks by themselves are: strain is measured in their own frame.
+  bool is_linear() const { return touches_.empty() && ties_.count() == 0 && !scene_.covers; }
+
+  static UnknownsTable scaled(UnknownsTable x, double by) {
+    x *= by;
     return x;
   }
 
@@ -106,7 +130,7 @@ class SmoothSolve {
   double rate() const { return rule_.end_velocity.increment; }
 
   // Increments of a motion that goes on as it is: at rest none.
-  UnknownsTable steady() const { return times(1 / rate(), plus(start_.v, -1, known_velocity_)); }
+  UnknownsTable steady() const { return scaled(plus(start_.v, -1, known_velocity_), 1 / rate()); }
 
   void linearise() {
     linearised_ = increments_;
@@ -114,10 +138,15 @@ class SmoothSolve {
     rows_ = contact_rows(scene_.model, scene_.reference, middle, touches_);
     const ContactRows of_ties = ties_.rows(middle);
     rows_.insert(rows_.end(), of_ties.begin(), of_ties.end());
+    if (covers_) {
+      covers_->linearise(increments_.covers);
+      inverse_.covers = scene_.covers->flexibility_of_step();
+      if (!judging_.blocks.empty()) judging_.covers = inverse_.covers;
+    }
     problem_.w = ContactMatrix(rows_, inverse_);
     const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
     problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * size_;
-    if (!judging_.empty()) problem_.scale = diagonal_of(rows_, judging_);
+    if (!judging_.blocks.empty()) problem_.scale = diagonal_of(rows_, judging_);
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
     for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -220,6 +249,9 @@ class SmoothSolve {
       greatest = worse(greatest, change.head<2>().maxCoeff<Eigen::PropagateNaN>() / scene_.bodies[e].size);
       greatest = worse(greatest, change.tail(change.size() - 2).maxCoeff<Eigen::PropagateNaN>());
     }
+    if (a.covers.size() > 0)
+      greatest =
+          worse(greatest, (a.covers - b.covers).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / scene_.covers->size());
     return greatest;
   }
 
@@ -235,13 +267,14 @@ class SmoothSolve {
   ContactRows rows_;
   FrictionalProblem problem_;
   UnknownsTable increments_;
-  UnknownsTable linearised_;  ///< increments about which rows and matrix were made
-  double size_ = 0;           ///< of the largest moving block
-  Table<ElementIndex, UnknownBlock> inverse_;
-  Table<ElementIndex, UnknownBlock> judging_;  ///< inverses by which forces are judged, where these are others
-  UnknownsTable free_;                         ///< increments without contact
-  UnknownsTable known_velocity_;               ///< what the increments leave of the velocities at the end
-  UnknownsTable known_acceleration_;           ///< the same of the accelerations
+  UnknownsTable linearised_;          ///< increments about which rows and matrix were made
+  double size_ = 0;                   ///< of the largest moving block
+  CoverEquations* covers_ = nullptr;  ///< of this step; none without bodies on covers
+  Flexibility inverse_;
+  Flexibility judging_;               ///< inverses by which forces are judged, where these are others
+  UnknownsTable free_;                ///< increments without contact
+  UnknownsTable known_velocity_;      ///< what the increments leave of the velocities at the end
+  UnknownsTable known_acceleration_;  ///< the same of the accelerations
   SmoothMotion result_;
 };
 
