@@ -20,10 +20,29 @@ double extent(const Manifold& manifold) {
 
 }  // namespace
 
-Eigen::Matrix3d Continuum::modulus(int element) const {
+const BlockMaterial& Continuum::material(int element) const {
   const int body = manifold.elements[static_cast<std::size_t>(element)].body;
-  const int material = manifold.body_materials[static_cast<std::size_t>(body)];
-  const BlockMaterial& values = materials[static_cast<std::size_t>(material)];
+  return materials[static_cast<std::size_t>(manifold.body_materials[static_cast<std::size_t>(body)])];
+}
+
+Point Continuum::force_at(int element, Point x) const {
+  const BlockMaterial& of = material(element);
+  const Point weight{of.horizontal_force, -of.unit_weight};
+  return body_force ? weight + body_force(x) : weight;
+}
+
+Eigen::Vector3d Continuum::initial_stress_at(int element, Point x) const {
+  const BlockMaterial& of = material(element);
+  const Stress& s = of.initial_stress;
+  const Stress& per_y = of.stress_gradient;
+  Eigen::Vector3d stress(s.xx + per_y.xx * x.y, s.yy + per_y.yy * x.y, s.xy + per_y.xy * x.y);
+  if (!initial_stress) return stress;
+  const Stress more = initial_stress(x);
+  return stress + Eigen::Vector3d(more.xx, more.yy, more.xy);
+}
+
+Eigen::Matrix3d Continuum::modulus(int element) const {
+  const BlockMaterial& values = material(element);
   return plane == Plane::stress ? plane_stress_modulus(values) : plane_strain_modulus(values);
 }
 

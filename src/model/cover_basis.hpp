@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "geometry/polynomial.hpp"
+#include "problem/cover_plan.hpp"
 #include "problem/manifold.hpp"
 
 namespace keyblock {
-
-/// What a physical cover i says of the displacement about it, P_i(x); the weights of the triangle λ_i join the three covers
-/// of an element, u = Σ λ_i P_i.
-enum class CoverFunctions {
-  constant,   ///< P_i = d_i: the old programs' first order, 2 unknowns a cover
-  derived,    ///< P_i = d_i + ½ g_i · (x - x_i), g_i from the covers about (derived_gradients): quadratic, 2 unknowns
-  linear,     ///< with 1, x, y: quadratic, 6 unknowns a cover of which some depend on the others
-  quadratic,  ///< with 1 to y²: cubic, 12 unknowns, likewise
-};
 
 /// Names of the command line and of tables.
 const char* name_of(CoverFunctions functions);
@@ -29,7 +21,7 @@ struct ElementShape {
   int degree = 1;                              ///< of the polynomials
   std::span<const int> functions;              ///< n of them, numbered in the whole manifold
   Eigen::Map<const Eigen::MatrixXd> monomial;  ///< monomials of the local coordinates × n
-  Frame frame;
+  LocalFrame frame;
 
   int function_count() const { return static_cast<int>(functions.size()); }
   /// N, 1 × n.
@@ -61,7 +53,7 @@ class CoverBasis {
   CoverFunctions functions_;
   int degree_ = 1;
   int function_count_ = 0;
-  std::vector<Frame> frames_;
+  std::vector<LocalFrame> frames_;
   std::vector<int> numbers_;  // of all elements, one after the other
   std::vector<double> coefficients_;
   std::vector<std::size_t> first_number_;
