@@ -5,7 +5,7 @@ SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 
 # What a bare Debian 12 needs beside make.
 PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
-           libhdf5-dev libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev
+           libhdf5-dev libmuparser-dev libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev
 
 .PHONY: help build debug run test cases validate sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
@@ -29,7 +29,7 @@ cases: build ## rerun every legacy case in both profiles against its expected va
 	build/keyblock compare legacy_cases
 
 validate: build ## longer checks: every case and trace, slow ones too, cutting against GEOS, random and extreme scenes
-	@$(call install_missing,libgeos-dev valgrind)
+	@$(call install_missing,libgeos-dev valgrind calculix-ccx)
 	build/keyblock compare --all legacy_cases
 	cmake -S . -B build -G Ninja
 	cmake --build build --target keyblock_validate -- -k 0

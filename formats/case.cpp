@@ -113,6 +113,7 @@ Problem with_content(Problem problem, const Content& content) {
   std::optional<Units> units = problem.units;
   put_units(units, content.units, content.drawing ? content.drawing->place : Place{});
   problem.units = *units;
+  if (content.covers) problem.covers = content.covers;
   if (content.choices) problem.choices = *content.choices;
   return problem;
 }

@@ -13,7 +13,7 @@
 namespace keyblock::formats {
 
 /// What a visitor F is handed: const where it writes. A visitor has `real`, `integer` (with the demand that a value must meet),
-/// `index` (from 1 in the file, from 0 inside), `flag`, `word` (of an enumeration), `text`; `optional_real`, `optional_integer`;
+/// `index` (from 1 in the file, from 0 inside), `formula` (a number or a text), `flag`, `word` (of an enumeration), `text`; `optional_real`, `optional_integer`;
 /// `row` (a struct as an array), `object`, `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors; `curve`, `curves`
 /// (rows of time and value) and `pairs` (an object of words).
 template <class F, class T>
@@ -22,7 +22,15 @@ using In = std::conditional_t<F::is_writing, const T, T>;
 inline constexpr Demand kAny{[](double) { return true; }, "a number"};
 inline constexpr Demand kWhole{[](double v) { return v >= 0 && is_whole(v); }, "a whole number, 0 or more"};
 
+inline constexpr Demand kHalfRows{[](double v) { return v >= 0 && v <= 1000 && is_whole(v); },
+                                  "a whole number from 0 to 1000"};
+
 inline constexpr std::array<std::string_view, 4> kDialects{"berkeley", "shi", "ddaml", "manifold"};
+inline constexpr std::array<std::string_view, 4> kCoverFunctions{"constant", "derived", "linear", "quadratic"};
+inline constexpr std::array<std::string_view, 4> kHeld{"both", "normal", "x", "y"};
+inline constexpr std::array<std::string_view, 2> kMeshKinds{"regular", "unstructured"};
+inline constexpr std::array<std::string_view, 2> kMeshShapes{"equilateral", "old"};
+inline constexpr std::array<std::string_view, 2> kMeshPlacements{"free", "aligned"};
 inline constexpr std::array<std::string_view, 2> kRotations{"first_order", "exact"};
 
 // Names only: a misspelt one would stand in every later file.
@@ -253,6 +261,90 @@ void describe(F& f, In<F, Analysis>& analysis) {
 }
 
 template <class F>
+void describe(F& f, In<F, RefinedPoint>& point) {
+  describe(f, point.at);
+  f.real("side", point.side, kPositive);
+}
+
+template <class F>
+void describe(F& f, In<F, MeshPlan>& mesh) {
+  f.word("kind", mesh.kind, kMeshKinds);
+  f.integer("half_rows", mesh.half_rows, kHalfRows);
+  f.real("side", mesh.side, kNotNegative);
+  f.word("shape", mesh.shape, kMeshShapes);
+  f.real("angle", mesh.angle_deg);
+  f.word("placement", mesh.placement, kMeshPlacements);
+  f.optional_real("through_x", mesh.through_x, kAny);
+  f.optional_real("through_y", mesh.through_y, kAny);
+  f.rows("refined", mesh.refined);
+  f.real("snap_ratio", mesh.snap_ratio, kNotNegative);
+}
+
+template <class F>
+void describe(F& f, In<F, TractionPlan>& traction) {
+  f.rows("along", traction.along);
+  f.formula("x", traction.x);
+  f.formula("y", traction.y);
+  f.formula("pressure", traction.pressure);
+}
+
+template <class F>
+void describe(F& f, In<F, DisplacementPlan>& displacement) {
+  f.rows("along", displacement.along);
+  f.word("held", displacement.held, kHeld);
+  f.formula("x", displacement.x);
+  f.formula("y", displacement.y);
+  f.formula("normal", displacement.normal);
+}
+
+template <class F>
+void describe(F& f, In<F, ForcePlan>& force) {
+  describe(f, force.at);
+  f.real("force_x", force.force.x);
+  f.real("force_y", force.force.y);
+}
+
+template <class F>
+void describe(F& f, In<F, SpringPlan>& spring) {
+  describe(f, spring.at);
+  f.real("direction_x", spring.direction.x);
+  f.real("direction_y", spring.direction.y);
+  f.real("stiffness", spring.stiffness, kPositive);
+}
+
+template <class F>
+void describe(F& f, In<F, BodyForcePlan>& force) {
+  f.formula("x", force.x);
+  f.formula("y", force.y);
+}
+
+template <class F>
+void describe(F& f, In<F, StressPlan>& stress) {
+  f.formula("xx", stress.xx);
+  f.formula("yy", stress.yy);
+  f.formula("xy", stress.xy);
+}
+
+template <class F>
+void describe(F& f, In<F, ExcavationPlan>& excavation) {
+  f.integer("step", excavation.step, kStepCount);
+  f.rows("outline", excavation.outline);
+}
+
+template <class F>
+void describe(F& f, In<F, CoverPlan>& covers) {
+  f.word("functions", covers.functions, kCoverFunctions);
+  f.object("mesh", covers.mesh);
+  f.objects("tractions", covers.tractions);
+  f.objects("displacements", covers.displacements);
+  f.rows("forces", covers.forces);
+  f.rows("springs", covers.springs);
+  f.object("body_force", covers.body_force);
+  f.object("initial_stress_field", covers.initial_stress);
+  f.objects("excavations", covers.excavations);
+}
+
+template <class F>
 void describe(F& f, In<F, Units>& units) {
   f.text("length", units.length);
   f.text("mass", units.mass);
@@ -272,6 +364,7 @@ void describe(F& f, In<F, Content>& content) {
   f.optional_object("drawing", content.drawing);
   f.optional_object("blocks", content.blocks);
   f.optional_object("cover", content.cover);
+  f.optional_object("covers", content.covers);
   f.optional_object("analysis", content.analysis);
   f.optional_curve("motion", content.motion);
   f.optional_object("run", content.choices);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "formats/numbers.hpp"
+
 namespace keyblock::formats {
 
 CaseReading::CaseReading(JsonValue value, std::string_view noun) : from_(value), noun_(noun) {
@@ -76,6 +78,14 @@ void CaseReading::text(std::string_view name, std::string& value) {
   if (!take(name)) return;
   if (value_->kind() != JsonKind::string) value_->fail(fmt::format("{} of {}: a word", name, noun_));
   value = value_->string();
+}
+
+void CaseReading::formula(std::string_view name, Formula& formula) {
+  if (!take(name)) return;
+  if (value_->kind() != JsonKind::number && value_->kind() != JsonKind::string)
+    value_->fail(fmt::format("{} of {}: a number or an expression in quotes", name, noun_));
+  formula.place = value_->place();
+  formula.text = value_->kind() == JsonKind::number ? format_real(value_->number()) : std::string(value_->string());
 }
 
 void CaseReading::optional_real(std::string_view name, std::optional<double>& value, const Demand& demand) {

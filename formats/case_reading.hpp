@@ -14,6 +14,7 @@
 
 #include "formats/demands.hpp"
 #include "formats/json_text.hpp"
+#include "problem/formula.hpp"
 
 namespace keyblock::formats {
 
@@ -36,6 +37,7 @@ class CaseReading {
   void index(std::string_view name, int& value);
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
+  void formula(std::string_view name, Formula& formula);
   template <class Enum>
   void word(std::string_view name, Enum& value, std::span<const std::string_view> words) {
     std::string found(words[static_cast<std::size_t>(value)]);

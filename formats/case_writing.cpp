@@ -51,6 +51,14 @@ void CaseWriting::text(std::string_view name, const std::string& value) {
   quote(value);
 }
 
+void CaseWriting::formula(std::string_view name, const Formula& formula) {
+  next(name);
+  if (is_number(formula))
+    text_ += formula.text;
+  else
+    quote(formula.text);
+}
+
 void CaseWriting::optional_real(std::string_view name, const std::optional<double>& value, const Demand& demand) {
   if (value) real(name, *value, demand);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/demands.hpp"
+#include "problem/formula.hpp"
 
 namespace keyblock::formats {
 
@@ -31,6 +32,7 @@ class CaseWriting {
   void index(std::string_view name, int value) { integer(name, static_cast<long long>(value) + 1, {}); }
   void flag(std::string_view name, bool value);
   void text(std::string_view name, const std::string& value);
+  void formula(std::string_view name, const Formula& formula);
   template <class Enum>
   void word(std::string_view name, Enum value, std::span<const std::string_view> words) {
     text(name, std::string(words[static_cast<std::size_t>(value)]));

@@ -110,6 +110,22 @@ std::string history_csv(const History& history) {
   return text;
 }
 
+std::string points_csv(const History& history) {
+  std::string text = "step,time [T],point,x [L],y [L],dx [L],dy [L],sxx,syy,sxy\n";
+  for (const HistoryRow& row : history.rows) {
+    for (std::size_t i = 0; i < row.points.size(); ++i) {
+      const PointFrame& p = row.points[i];
+      text += fmt::format("{}", row.step);
+      append(text, {row.time});
+      text += fmt::format(",{}", i + 1);
+      append(text,
+             {p.position.x, p.position.y, p.displacement.x, p.displacement.y, p.stress.xx, p.stress.yy, p.stress.xy});
+      text += '\n';
+    }
+  }
+  return text;
+}
+
 std::string steps_csv(std::span<const StepReport> steps) {
   std::string text = "step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration\n";
   for (const StepReport& step : steps) {

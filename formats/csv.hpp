@@ -7,6 +7,7 @@
 // the units of the input. Headers name the dimension where it helps: [T] time, [L] length.
 //   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start;
 //            then the force of every bolt, tension positive: bolti [F]
+//   points   step,time,point,x,y,dx,dy,sxx,syy,sxy: one line a measured point and instant; points from 1, stress tension positive
 //   steps    step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration: one line an accepted step; oci
 //            counts the open-close passes, k_blocks the elements and the pairs of elements with a contact (the
 //            Berkeley program counts fill-in of its factor too), disp_ratio is the greatest displacement over the allowed
@@ -29,6 +30,7 @@
 namespace keyblock::formats {
 
 std::string history_csv(const History& history);
+std::string points_csv(const History& history);
 std::string steps_csv(std::span<const StepReport> steps);
 std::string blocks_csv(std::span<const Frame> frames);
 

@@ -12,6 +12,7 @@
 #include "problem/analysis.hpp"
 #include "problem/blocks.hpp"
 #include "problem/cover.hpp"
+#include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
 #include "problem/run_choices.hpp"
 #include "result/frame.hpp"
@@ -36,6 +37,7 @@ struct Content {
   std::vector<MeasuredTrack> tracks = {};
   std::optional<TimeCurve> motion = std::nullopt;
   std::optional<Units> units = std::nullopt;
+  std::optional<CoverPlan> covers = std::nullopt;
   std::optional<RunChoices> choices = std::nullopt;
 };
 

@@ -96,6 +96,56 @@ void check(const Cover& cover) {
       require_one_of(point.element, cover.elements.size(), "element", point.place);
 }
 
+// Compiled and thrown away: what cannot be understood is named where it stands.
+void check(const Formula& formula, std::span<const std::string_view> variables) {
+  if (!is_number(formula)) Compiled(formula, variables);
+}
+
+constexpr std::array<std::string_view, 4> kOnBoundary{"x", "y", "nx", "ny"};
+constexpr auto kInBody = std::span(kOnBoundary).first<2>();
+
+void require_points(const std::vector<Point>& points, std::size_t fewest, std::string_view noun, const Place& place) {
+  if (points.size() < fewest)
+    fail(place, fmt::format("{} points at least {}", fewest, noun), static_cast<long long>(points.size()));
+}
+
+void check(const MeshPlan& mesh, const Place& covers) {
+  const Place& place = mesh.place.line > 0 ? mesh.place : covers;
+  if ((mesh.half_rows > 0) == (mesh.side > 0))
+    throw InputError(place, fmt::format("expected a mesh with one of half_rows and side, found {}",
+                                        mesh.side > 0 ? "both" : "neither"));
+  if (mesh.kind == MeshKind::unstructured && mesh.half_rows > 0)
+    throw InputError(place, "expected the side of an unstructured mesh, found half_rows");
+}
+
+void check(const DisplacementPlan& part) {
+  require_points(part.along, 2, "along a boundary", part.place);
+  for (const Formula* formula : {&part.x, &part.y, &part.normal}) check(*formula, kOnBoundary);
+  const auto refuse = [&](const char* name, const Formula& formula, const char* why) {
+    if (formula != Formula{})
+      throw InputError(formula.place, fmt::format("expected no {} where {}, found {}", name, why, formula.text));
+  };
+  if (part.held == Held::normal || part.held == Held::y) refuse("x", part.x, "x is not held");
+  if (part.held == Held::normal || part.held == Held::x) refuse("y", part.y, "y is not held");
+  if (part.held != Held::normal) refuse("normal", part.normal, "the normal is not what is held");
+}
+
+void check(const CoverPlan& covers) {
+  check(covers.mesh, covers.place);
+  for (const TractionPlan& part : covers.tractions) {
+    require_points(part.along, 2, "along a boundary", part.place);
+    for (const Formula* formula : {&part.x, &part.y, &part.pressure}) check(*formula, kOnBoundary);
+  }
+  for (const DisplacementPlan& part : covers.displacements) check(part);
+  for (const SpringPlan& spring : covers.springs)
+    if (spring.direction == Point{}) throw InputError(spring.place, "expected a direction of the spring, found (0, 0)");
+  for (const Formula* formula : {&covers.body_force.x, &covers.body_force.y, &covers.initial_stress.xx,
+                                 &covers.initial_stress.yy, &covers.initial_stress.xy})
+    check(*formula, kInBody);
+  for (const ExcavationPlan& excavation : covers.excavations)
+    require_points(excavation.outline, kFewestCorners, "about what is dug out", excavation.place);
+}
+
 void check(const Analysis& analysis) {
   if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
@@ -137,8 +187,8 @@ Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
 }
 
 bool is_empty(const Content& content) {
-  return !content.units && !content.drawing && !content.blocks && !content.cover && !content.analysis &&
-         !content.motion && !content.choices;
+  return !content.units && !content.drawing && !content.blocks && !content.cover && !content.covers &&
+         !content.analysis && !content.motion && !content.choices;
 }
 
 template <class Part>
@@ -174,6 +224,7 @@ Reading read(const Source& source, const ReadHint&) {
   check(content.drawing);
   check(content.blocks);
   check(content.cover);
+  check(content.covers);
   check(content.analysis);
   name_file(content.drawing, source.name);
   name_file(content.blocks, source.name);
@@ -196,8 +247,8 @@ std::string write(const Content& content) {
 }  // namespace
 
 bool fits_a_case(const Content& content) {
-  return content.drawing || content.blocks || content.cover || content.analysis || content.motion || content.units ||
-         content.choices;
+  return content.drawing || content.blocks || content.cover || content.covers || content.analysis || content.motion ||
+         content.units || content.choices;
 }
 
 const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read, write};

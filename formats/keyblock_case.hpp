@@ -6,6 +6,7 @@
 //   keyblock   1, the version of the layout: needed
 //   units      length, mass, time: names of the base units
 //   drawing | blocks | cover    the geometry: lines that are cut to blocks, blocks, or elements on covers; lists of rows
+//   covers     bodies on covers: mesh, functions, what holds and loads them; values may be expressions in x, y, nx, ny
 //   analysis   controls, materials, loads in time
 //   motion     rows time, x, y: acceleration over gravity
 //   run        profile, and `set`: settings as `keyblock run --set` takes them

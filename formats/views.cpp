@@ -128,7 +128,7 @@ std::string write_csv(const Content& content) {
   throw std::invalid_argument("there is no geometry and there are no frames to write");
 }
 
-constexpr std::array<std::string_view, 4> kNeverShown{"units", "analysis", "motion", "run"};
+constexpr std::array<std::string_view, 5> kNeverShown{"units", "covers", "analysis", "motion", "run"};
 
 // Everything but the part that the view takes.
 LeftOut all_but(std::string_view part) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
@@ -34,6 +35,24 @@ Loop one_chain(const std::vector<Loop>& loops) {
   Loop chain = loops.front();
   for (std::size_t i = 1; i < loops.size(); ++i)
     if (!loops[i].empty()) chain = bridged(chain, loops[i]);
+  return chain;
+}
+
+/// The corners in the order of `one_chain`: a walk repeats corners, which are told by their positions.
+std::vector<const FieldCorner*> one_chain(const FieldElement& element) {
+  std::vector<Loop> loops;
+  std::vector<const FieldCorner*> all;
+  for (const auto& loop : element.loops) {
+    loops.emplace_back();
+    for (const FieldCorner& corner : loop) {
+      loops.back().push_back(corner.position);
+      all.push_back(&corner);
+    }
+  }
+  if (loops.size() == 1) return all;
+  std::vector<const FieldCorner*> chain;
+  for (const Point p : one_chain(loops))
+    chain.push_back(*std::find_if(all.begin(), all.end(), [&](const FieldCorner* c) { return c->position == p; }));
   return chain;
 }
 
@@ -96,6 +115,38 @@ void append_cell_data(std::string& text, const Frame& frame) {
   text += "</CellData>\n";
 }
 
+std::string head(double time, std::size_t points, std::size_t cells) {
+  return fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n"
+      "<UnstructuredGrid>\n<FieldData>\n"
+      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
+      "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+      format_real(time), points, cells);
+}
+
+/// Displacement and stress of corners, one a line.
+void append_field(std::string& text, const std::vector<const FieldCorner*>& corners) {
+  const auto append = [&](std::string_view name, int width, auto value) {
+    text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", name,
+                        width);
+    for (const FieldCorner* corner : corners) text += value(*corner) + "\n";
+    text += "</DataArray>\n";
+  };
+  using C = const FieldCorner&;
+  append("displacement", 3, [](C c) { return vector_text(c.displacement.x, c.displacement.y); });
+  append("stress_xx", 1, [](C c) { return format_real(c.stress.xx); });
+  append("stress_yy", 1, [](C c) { return format_real(c.stress.yy); });
+  append("stress_xy", 1, [](C c) { return format_real(c.stress.xy); });
+}
+
+void append_numbers(std::string& text, std::string_view name, const FieldFrame& frame, int FieldElement::*number) {
+  text += fmt::format("<DataArray type=\"Int32\" Name=\"{}\" NumberOfComponents=\"1\" format=\"ascii\">\n", name);
+  for (const FieldElement& element : frame.elements) text += fmt::format("{}\n", element.*number + 1);
+  text += "</DataArray>\n";
+}
+
 std::string attribute(std::string_view text) {
   std::string safe;
   for (char c : text) {
@@ -120,18 +171,35 @@ std::string vtu(const Frame& frame) {
     chains.push_back(one_chain(element.loops));
     point_count += chains.back().size();
   }
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n"
-      "<UnstructuredGrid>\n<FieldData>\n"
-      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
-      "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-      format_real(frame.time), point_count, chains.size());
+  std::string text = head(frame.time, point_count, chains.size());
   append_points(text, chains);
   append_polygons(text, chains);
   append_cell_data(text, frame);
   return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+std::string vtu(const FieldFrame& frame) {
+  std::vector<Loop> chains;
+  std::vector<const FieldCorner*> corners;
+  std::vector<const FieldCorner*> middles;
+  for (const FieldElement& element : frame.elements) {
+    chains.emplace_back();
+    for (const FieldCorner* corner : one_chain(element)) {
+      corners.push_back(corner);
+      chains.back().push_back(corner->position);
+    }
+    middles.push_back(&element.middle);
+  }
+  std::string text = head(frame.time, corners.size(), chains.size());
+  append_points(text, chains);
+  append_polygons(text, chains);
+  text += "<PointData>\n";
+  append_field(text, corners);
+  text += "</PointData>\n<CellData>\n";
+  append_numbers(text, "body", frame, &FieldElement::body);
+  append_numbers(text, "material", frame, &FieldElement::material);
+  append_field(text, middles);
+  return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 std::string pvd(const std::vector<std::pair<double, std::string>>& time_and_file) {

@@ -310,4 +310,41 @@ TEST(Commands, compare_shows_both_profiles_or_the_one_asked_for) {
   EXPECT_FALSE(contains(one.output, "error legacy")) << one.output;
 }
 
+// Cook's membrane: 23.966 (legacy_cases/cook_membrane).
+TEST(Commands, bodies_on_covers_are_checked_solved_and_drawn) {
+  const std::string file = kCases + "cook_membrane/coarse/coarse.json";
+  const ProgramRun check = run_keyblock({"check", file});
+  EXPECT_EQ(check.exit_code, 0) << check.messages;
+  EXPECT_TRUE(contains(check.output, "unknowns: derived functions on ")) << check.output;
+  EXPECT_TRUE(contains(check.output, " elements, 1 body; 1 static solve of 1 load step")) << check.output;
+  const std::string out = fresh_folder("covers") + "/out";
+  const ProgramRun run = run_keyblock({"run", file, "-o", out});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  for (const char* name : {"run.json", "picture.svg", "history.csv", "points.csv", "fields.pvd", "frames/00000001.vtu"})
+    EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+  const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
+  const auto& step = record["load_steps"][0];
+  EXPECT_LT(step["unbalanced"].get<double>(), 1e-9);
+  EXPECT_LT(step["residual"].get<double>(), 1e-9);
+  EXPECT_NEAR(step["measured_points"][0]["dy"].get<double>(), 23.966, 0.024);
+  EXPECT_NEAR(step["supports"][0]["y"].get<double>(), -1, 1e-9);
+  EXPECT_EQ(run_keyblock({"run", file, "-o", out, "--force", "--set", "mesh.side=wide"}).exit_code, 2);
+  EXPECT_EQ(
+      run_keyblock({"run", file, "-o", out, "--force", "--set", "functions=linear", "--set", "mesh.side=8"}).exit_code,
+      0);
+}
+
+TEST(Commands, a_body_on_covers_that_can_move_is_exit_4) {
+  std::string text = read_text(kCases + "cook_membrane/coarse/coarse.json");
+  const std::string held = "{\"along\": [[0, 44], [0, 0]]}";
+  ASSERT_TRUE(contains(text, held));
+  text.replace(text.find(held), held.size(), "{\"along\": [[0, 44], [0, 0]], \"held\": \"normal\"}");
+  const std::string folder = fresh_folder("loose");
+  testing::write_text(folder + "/loose.json", text);
+  const ProgramRun run = run_keyblock({"run", folder + "/loose.json", "-o", folder + "/out"});
+  EXPECT_EQ(run.exit_code, 4) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "body 1, about (24, 30), can move along (0, 1): nothing holds it there"))
+      << run.messages;
+}
+
 }  // namespace keyblock

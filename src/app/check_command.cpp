@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/cover_run.hpp"
 #include "app/run_report.hpp"
 #include "formats/case.hpp"
 #include "run/prepare.hpp"
@@ -31,7 +32,8 @@ struct CheckOptions {
 struct CaseReport {
   Warnings warnings;
   std::vector<std::string> errors;
-  std::optional<Requirements> plan;  ///< what a run would take; only where geometry and analysis are there
+  std::optional<CoverCounts> covers;  ///< of bodies on covers
+  std::optional<Requirements> plan;   ///< what a run would take; only where geometry and analysis are there
 };
 
 Json counts_of(const Drawing& drawing) {
@@ -128,10 +130,11 @@ void print(const Requirements& plan) {
 }
 
 void print(const CaseReport& report) {
-  if (report.warnings.empty() && !report.plan) return;
+  if (report.warnings.empty() && !report.plan && !report.covers) return;
   fmt::print("the files together:\n");
   print(report.warnings);
   if (report.plan) print(*report.plan);
+  if (report.covers) fmt::print("  {}\n", sentence_of(*report.covers));
 }
 
 /// Several geometries or analyses are no one case: each file is looked at alone, and that is said at the second.
@@ -159,21 +162,28 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
-  if (Warnings told = several_cases(files); !told.empty()) return {std::move(told), {}, std::nullopt};
+  if (Warnings told = several_cases(files); !told.empty()) return {std::move(told), {}, std::nullopt, std::nullopt};
   try {
     const Checked checked = check(formats::pair(contents));
-    CaseReport report{checked.warnings, {}, std::nullopt};
+    CaseReport report{checked.warnings, {}, std::nullopt, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
     const auto& geometry = checked.problem.geometry;
     const bool is_whole = checked.problem.analysis &&
                           (std::holds_alternative<Drawing>(geometry) || std::holds_alternative<Blocks>(geometry));
     if (!is_whole || !report.errors.empty()) return report;
-    const Prepared prepared = prepare(checked.problem, profile_of(checked.problem, profile), {});
+    const std::string chosen = profile_of(checked.problem, profile);
+    if (checked.problem.covers) {
+      const CoverCase cover_case(checked.problem, chosen);
+      report.warnings = joined(std::move(report.warnings), cover_case.warnings());
+      report.covers = cover_case.counts();
+      return report;
+    }
+    const Prepared prepared = prepare(checked.problem, chosen, {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
     return report;
   } catch (const InputError& error) {
-    return {{}, {error.what()}, std::nullopt};
+    return {{}, {error.what()}, std::nullopt, std::nullopt};
   }
 }
 
@@ -181,6 +191,7 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
   Json json = {{"files", Json::array()},
                {"case", {{"warnings", warning_list_json(report.warnings)}, {"errors", report.errors}}}};
   if (report.plan) json["case"]["requires"] = requirements_json(*report.plan);
+  if (report.covers) json["case"]["covers"] = counts_json(*report.covers);
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }

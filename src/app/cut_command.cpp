@@ -23,6 +23,7 @@
 #include "formats/dda_blocks.hpp"
 #include "formats/nmm_cover.hpp"
 #include "report/blocks_picture.hpp"
+#include "report/field_picture.hpp"
 
 namespace keyblock {
 namespace {
@@ -84,15 +85,34 @@ void warn_of_holes(const Blocks& blocks) {
   }
 }
 
-/// The drawing on a mesh: writes the cover file, and adds the counts to those of cutting.
+/// Elements as they were cut.
+FieldFrame field_of(const Manifold& manifold) {
+  FieldFrame field;
+  for (const ManifoldElement& element : manifold.elements) {
+    FieldElement& out = field.elements.emplace_back();
+    out.body = element.body;
+    out.material = manifold.body_materials[static_cast<std::size_t>(element.body)];
+    for (const auto& loop : manifold.polygon(element)) {
+      out.loops.emplace_back();
+      for (const Point p : loop) out.loops.back().push_back({p, {}, {}});
+    }
+  }
+  return field;
+}
+
+/// The drawing on a mesh: writes the cover file and the picture, and adds the counts to those of cutting.
 void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
-  FittedMesh fitted = fitted_mesh(options.mesh, cut.graph);
+  FittedMesh fitted = mesh_asked_for(options.mesh, cut.graph);
   Manifold manifold = cut_cover(cut.graph, std::move(fitted.mesh));
   const int absorbed = options.absorbs ? absorb_small_pieces(manifold) : 0;
   if (!cut.blocks.blocks.bolts.empty())
     spdlog::warn("{}", to_string(Warning{"bolts_not_written", cut.blocks.blocks.place, "a cover file holds no bolts"}));
   if (!options.output.empty())
     write_file(options.output, formats::kNmmCover.write({{}, {}, {}, to_cover(manifold, cut.blocks.blocks)}));
+  if (!options.picture.empty())
+    write_file(options.picture, report::mesh_picture(fmt::format("{} elements on {} physical covers",
+                                                                 manifold.elements.size(), manifold.covers.size()),
+                                                     field_of(manifold)));
   counts["elements"] = manifold.elements.size();
   counts["covers"] = manifold.covers.size();
   counts["boundary_loops"] = manifold.boundary_loops.size();
@@ -124,7 +144,7 @@ ExitCode cut_file(const CutOptions& options) {
     warn_of_holes(cut.blocks);
     write_file(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}));
   }
-  if (!options.picture.empty()) write_file(options.picture, report::blocks_picture(cut.blocks));
+  if (!options.picture.empty() && !has_mesh) write_file(options.picture, report::blocks_picture(cut.blocks));
   if (options.as_json) {
     fmt::print("{}\n", counts.dump(2, ' ', false, Json::error_handler_t::replace));
   } else {
@@ -145,7 +165,7 @@ Action configure_cut(CLI::App& app) {
   auto options = std::make_shared<CutOptions>();
   app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs")->required();
   app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file");
-  app.add_option("--svg", options->picture, "a picture of the blocks to write");
+  app.add_option("--svg", options->picture, "a picture to write: of the blocks, or of the mesh and its elements");
   app.add_option(
          "--merging", options->merging,
          "how near crossings become one node: nearest_first, independent of the order of lines, or in_order_found, "

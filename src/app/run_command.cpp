@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "app/command.hpp"
+#include "app/cover_run.hpp"
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
 #include "app/run_report.hpp"
@@ -19,6 +20,7 @@
 #include "app/saved_run.hpp"
 #include "app/usage_error.hpp"
 #include "base/sha256.hpp"
+#include "run/cover_settings.hpp"
 #include "run/profile.hpp"
 #include "run/settings_guide.hpp"
 #include "run/settings_table.hpp"
@@ -160,6 +162,19 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
   return request;
 }
 
+ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, const RunRecord& record) {
+  for (const std::string& file : options.files) require_not_below(file, options.folder);
+  formats::Case chosen = loaded;
+  try {
+    for (const auto& [name, value] : overrides_of(options.sets)) set(*chosen.problem.covers, name, value);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  return run_covers(
+      chosen, {std::filesystem::path(options.files.front()).stem().string(), record.profile, options.folder,
+               options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
+}
+
 // `saved`: the checkpoint to go on from, its request already taken; none for a run from the start.
 ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
@@ -168,6 +183,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   record.profile = profile_of(loaded.problem, options.profile);
   record.inputs = input_records(loaded.files);
   record.timings.read = watch.lap();
+  if (loaded.problem.covers) return run_on_covers(loaded, options, record);
   const Prepared prepared = prepare_as_asked(loaded.problem, options);
   record.timings.prepare = watch.lap();
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);

@@ -26,9 +26,9 @@ constexpr const char* kCheckpoint = "checkpoint.h5";
 
 // What a run writes at its end, and everything it may leave in its folder.
 constexpr std::array kResults{kRecord,      "history.csv", "fields.pvd", "picture.svg",
-                              "energy.svg", "steps.csv",   "blocks.csv"};
+                              "energy.svg", "steps.csv",   "blocks.csv", "points.csv"};
 constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
-                            "steps.csv", "blocks.csv",  kFrameFolder, kCheckpoint};
+                            "steps.csv", "blocks.csv",  "points.csv", kFrameFolder,  kCheckpoint};
 
 // How far each followed point has come, over time.
 std::vector<report::Curve> displacement_curves(const History& history) {
@@ -139,6 +139,19 @@ void RunFolder::finish(const std::string& title, const History& history, const s
   if (trace_ == Trace::no) return;
   write("steps.csv", formats::steps_csv(steps));
   write("blocks.csv", formats::blocks_csv(frames_));
+}
+
+void RunFolder::add(const FieldFrame& frame) {
+  const std::string name = fmt::format("{}/{:08}.vtu", kFrameFolder, frame.step);
+  write_file(folder_ / name, formats::vtu(frame));
+  frame_files_.emplace_back(frame.time, name);
+}
+
+void RunFolder::finish(const std::string& picture, const History& history) {
+  write("fields.pvd", formats::pvd(frame_files_));
+  write("history.csv", formats::history_csv(history));
+  write("points.csv", formats::points_csv(history));
+  write("picture.svg", picture);
 }
 
 void RunFolder::write_record(const std::string& json) {

@@ -9,6 +9,7 @@
 
 #include "app/files.hpp"
 #include "base/archive.hpp"
+#include "result/field_frame.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
 #include "result/ledger.hpp"
@@ -44,6 +45,10 @@ class RunFolder {
   /// history.csv, fields.pvd, picture.svg, energy.svg if there is a ledger and, for a trace, steps.csv and blocks.csv.
   void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
               const Ledger& ledger);
+
+  /// The same for bodies on covers: a frame's .vtu as `vtu` has it; history.csv, points.csv, fields.pvd and picture.svg.
+  void add(const FieldFrame& frame);
+  void finish(const std::string& picture, const History& history);
 
   /// run.json, last: where it stands, everything else does.
   void write_record(const std::string& json);

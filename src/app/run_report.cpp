@@ -29,14 +29,6 @@ const char* word_for(RunEnd end) {
   return "";
 }
 
-Json inputs_json(const std::vector<InputRecord>& inputs) {
-  Json all = Json::array();
-  for (const InputRecord& input : inputs)
-    all.push_back(
-        {{"file", input.file}, {"sha256", input.sha256}, {"format", input.format}, {"evidence", input.evidence}});
-  return all;
-}
-
 Json settings_json(const Settings& settings) {
   Json all = Json::object();
   for (const SettingText& setting : list(settings))
@@ -116,6 +108,14 @@ std::string kind_of(const Warning& warning) {
 }
 
 }  // namespace
+
+Json inputs_json(const std::vector<InputRecord>& inputs) {
+  Json all = Json::array();
+  for (const InputRecord& input : inputs)
+    all.push_back(
+        {{"file", input.file}, {"sha256", input.sha256}, {"format", input.format}, {"evidence", input.evidence}});
+  return all;
+}
 
 Json warning_list_json(const Warnings& warnings) {
   Json all = Json::array();

@@ -44,6 +44,8 @@ struct RunRecord {
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 
+nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
+
 /// Every warning with its place.
 nlohmann::ordered_json warning_list_json(const Warnings& warnings);
 

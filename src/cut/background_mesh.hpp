@@ -3,14 +3,10 @@
 #pragma once
 
 #include "geometry/box.hpp"
+#include "problem/cover_plan.hpp"
 #include "problem/manifold.hpp"
 
 namespace keyblock {
-
-enum class MeshShape {
-  equilateral,  ///< dx = 2/√3 dy
-  old,          ///< dx = 1.3 dy, as the old manifold cutter (legacy-formats 2.4; one of its samples is otherwise)
-};
 
 /// Rows stand `dy` apart, nodes of a row `dx`; every second row is shifted by dx/2. A node stands at `through`, and the
 /// rows run at `angle` to the x axis (radians). Lengths in the unit of the drawing.

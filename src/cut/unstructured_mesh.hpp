@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "geometry/box.hpp"
+#include "problem/cover_plan.hpp"
 #include "problem/manifold.hpp"
 
 namespace keyblock {
-
-/// Sides at this point are to be no longer than `side`.
-struct RefinedPoint {
-  Point at;
-  double side = 0;
-};
 
 /// The longest side wanted in a place: `side`, or less near refined points, from which it grows by `growth` per length.
 /// Lengths in the unit of the drawing, `side` and those of refined points above 0.

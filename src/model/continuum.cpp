@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/continuum.hpp"
 
+#include <algorithm>
+
 #include "geometry/box.hpp"
 #include "geometry/segment.hpp"
 #include "material/elastic.hpp"
+#include "model/body_load.hpp"
 
 namespace keyblock {
 namespace {
@@ -25,9 +28,42 @@ const BlockMaterial& Continuum::material(int element) const {
   return materials[static_cast<std::size_t>(manifold.body_materials[static_cast<std::size_t>(body)])];
 }
 
+Point Continuum::force_at(int element, Point x) const {
+  const BlockMaterial& of = material(element);
+  const Point weight{of.horizontal_force, -of.unit_weight};
+  return body_force ? weight + body_force(x) : weight;
+}
+
+Eigen::Vector3d Continuum::initial_stress_at(int element, Point x) const {
+  const BlockMaterial& of = material(element);
+  const Stress& s = of.initial_stress;
+  const Stress& per_y = of.stress_gradient;
+  Eigen::Vector3d stress(s.xx + per_y.xx * x.y, s.yy + per_y.yy * x.y, s.xy + per_y.xy * x.y);
+  if (!initial_stress) return stress;
+  const Stress more = initial_stress(x);
+  return stress + Eigen::Vector3d(more.xx, more.yy, more.xy);
+}
+
 Eigen::Matrix3d Continuum::modulus(int element) const {
   const BlockMaterial& values = material(element);
   return plane == Plane::stress ? plane_stress_modulus(values) : plane_strain_modulus(values);
+}
+
+Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& materials, const Settings& settings,
+                       CoverFunctions functions) {
+  Continuum continuum;
+  continuum.manifold = std::move(manifold);
+  for (int& material : continuum.manifold.body_materials)
+    material = std::clamp(material, 0, static_cast<int>(materials.size()) - 1);
+  continuum.materials = materials;
+  for (BlockMaterial& material : continuum.materials) {
+    const Eigen::Vector2d weight = weight_per_area(material, settings);
+    material.horizontal_force += weight.x();
+    material.unit_weight = -weight.y();
+  }
+  continuum.plane = settings.plane;
+  continuum.functions = functions;
+  return continuum;
 }
 
 Point ElementSide::normal() const {

@@ -22,13 +22,10 @@ struct Traction {
   std::function<Point(Point x, Point normal)> force;
 };
 
-/// Which component of the displacement is prescribed; `normal` with the value 0 is a line of symmetry.
-enum class Held { both, normal, x, y };
-
 struct PrescribedDisplacement {
   BoundaryPart along;
   Held held = Held::both;
-  std::function<Point(Point x)> value;
+  std::function<Point(Point x, Point normal)> value;
 };
 
 struct PointForce {
@@ -50,7 +47,9 @@ struct Continuum {
   std::vector<BlockMaterial> materials;  ///< `manifold.body_materials` are places in it
   Plane plane = Plane::stress;
   CoverFunctions functions = CoverFunctions::derived;
-  std::function<Point(Point x)> body_force;  ///< force / area; may be empty
+  std::function<Point(Point x)> body_force;  ///< force / area, beside the weight of the materials; may be empty
+  std::function<Stress(Point x)>
+      initial_stress;  ///< before any displacement, beside that of the materials; may be empty
   std::vector<Traction> tractions;
   std::vector<PrescribedDisplacement> prescribed;
   std::vector<PointForce> point_forces;
@@ -59,6 +58,29 @@ struct Continuum {
   const BlockMaterial& material(int element) const;
   /// D, 3 × 3, of an element.
   Eigen::Matrix3d modulus(int element) const;
+  /// Force / area: weight and push of the element's material, and `body_force`.
+  Point force_at(int element, Point x) const;
+  /// That of the element's material, linear in y, and `initial_stress`: xx, yy, xy.
+  Eigen::Vector3d initial_stress_at(int element, Point x) const;
+};
+
+/// Bodies on covers of a run in steps: materials weigh as `weight_per_area` says, those that do not exist are the nearest that do.
+Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& materials, const Settings& settings,
+                       CoverFunctions functions);
+
+/// Forces summed, and their moment about the origin (counter-clockwise).
+struct Resultant {
+  Point force;
+  double moment = 0;
+
+  void add(Point at, Point more) {
+    force = force + more;
+    moment += cross(at, more);
+  }
+  void add(const Resultant& more) {
+    force = force + more.force;
+    moment += more.moment;
+  }
 };
 
 /// An edge of an element on the boundary; the element lies to its left.

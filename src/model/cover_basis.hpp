@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "geometry/polynomial.hpp"
+#include "problem/cover_plan.hpp"
 #include "problem/manifold.hpp"
 
 namespace keyblock {
-
-/// What a physical cover i says of the displacement about it, P_i(x); the weights of the triangle λ_i join the three covers
-/// of an element, u = Σ λ_i P_i.
-enum class CoverFunctions {
-  constant,   ///< P_i = d_i: the old programs' first order, 2 unknowns a cover
-  derived,    ///< P_i = d_i + ½ g_i · (x - x_i), g_i from the covers about (derived_gradients): quadratic, 2 unknowns
-  linear,     ///< with 1, x, y: quadratic, 6 unknowns a cover of which some depend on the others
-  quadratic,  ///< with 1 to y²: cubic, 12 unknowns, likewise
-};
 
 /// Names of the command line and of tables.
 const char* name_of(CoverFunctions functions);

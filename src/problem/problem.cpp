@@ -151,7 +151,7 @@ class Checker {
     warn(zero_length_lines(drawing));
     drop_zero_length_lines(drawing);
     warn(unusual_ratio(drawing));
-    warn(no_fixed_points(drawing.fixed_lines.size(), drawing.place));
+    if (!checked_.problem.covers) warn(no_fixed_points(drawing.fixed_lines.size(), drawing.place));
     if (drawing.joints.empty())
       checked_.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
     if (checked_.problem.analysis) clamp_materials(drawing, *checked_.problem.analysis);
@@ -164,7 +164,7 @@ class Checker {
   void look_at(Blocks& blocks) {
     warn(zero_length_bolts(blocks));
     std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return is_point(bolt.segment); });
-    warn(no_fixed_points(blocks.fixed_points.size(), blocks.place));
+    if (!checked_.problem.covers) warn(no_fixed_points(blocks.fixed_points.size(), blocks.place));
     fail(impossible_blocks(blocks));
     fail(bolts_that_push(blocks.bolts, [&](const BlockBolt&) { return blocks.place; }));
     if (!checked_.problem.analysis) return;

@@ -10,6 +10,7 @@
 #include "problem/analysis.hpp"
 #include "problem/blocks.hpp"
 #include "problem/cover.hpp"
+#include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
 #include "problem/run_choices.hpp"
 
@@ -20,8 +21,9 @@ namespace keyblock {
 struct Problem {
   std::variant<std::monostate, Drawing, Blocks, Cover> geometry;
   std::optional<Analysis> analysis;
-  Units units = {};         ///< as a case file names them
-  RunChoices choices = {};  ///< of a case file
+  Units units = {};                                ///< as a case file names them
+  std::optional<CoverPlan> covers = std::nullopt;  ///< of a case file: its bodies are to stand on covers
+  RunChoices choices = {};                         ///< of a case file
   std::optional<TimeCurve> motion =
       std::nullopt;  ///< of the ground, a multiple of gravity; once checked, in the analysis
   Place place = {};  ///< the first of its files, for complaints about what is missing

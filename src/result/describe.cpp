@@ -18,6 +18,9 @@ void describe(Archive& a, PointFrame& point) {
   describe(a, "position", point.position);
   describe(a, "displacement", point.displacement);
   a.value("element", point.element);
+  a.value("stress_xx", point.stress.xx);
+  a.value("stress_yy", point.stress.yy);
+  a.value("stress_xy", point.stress.xy);
 }
 
 void describe(Archive& a, const char* name, std::vector<PointFrame>& points) {

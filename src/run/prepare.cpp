@@ -187,6 +187,9 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (const auto* cover = std::get_if<Cover>(&problem.geometry))
     throw InputError(cover->place, "expected a drawing or blocks to run, found a manifold cover: read, not yet run");
+  if (problem.covers)
+    throw InputError(problem.covers->place,
+                     "expected blocks to step, found bodies on covers, which are solved statically");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
   const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
   CutResult cut = blocks_of(problem, settings.node_merging);

@@ -15,10 +15,12 @@ std::vector<std::vector<Point>> loops_of(const Element& element, const State& st
   return loops;
 }
 
-std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const std::vector<PointState>& states) {
+std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const std::vector<PointState>& states,
+                                  const State& state) {
   std::vector<PointFrame> frames;
   for (std::size_t i = 0; i < points.size(); ++i)
-    frames.push_back({states[i].position, states[i].displacement, points[i].element.value});
+    frames.push_back({states[i].position, states[i].displacement, points[i].element.value,
+                      state.elements[points[i].element].stress});
   return frames;
 }
 
@@ -46,21 +48,21 @@ Frame frame_of(const Model& model, const State& state, const State& start, const
                               density * first.area,
                               density * (first.xx + first.yy)});
   }
-  frame.fixed_points = points_of(model.fixed_points, state.fixed_points);
-  frame.loading_points = points_of(model.loading_points, state.loading_points);
-  frame.measured_points = points_of(model.measured_points, state.measured_points);
+  frame.fixed_points = points_of(model.fixed_points, state.fixed_points, state);
+  frame.loading_points = points_of(model.loading_points, state.loading_points, state);
+  frame.measured_points = points_of(model.measured_points, state.measured_points, state);
   for (const BoltState& bolt : state.bolts)
     frame.bolts.push_back({bolt.first, bolt.second, bolt.force, bolt.is_broken});
   return frame;
 }
 
 HistoryRow history_row(const Model& model, const State& state, const State& start) {
-  HistoryRow row{state.step, state.time, points_of(model.measured_points, state.measured_points), {}};
+  HistoryRow row{state.step, state.time, points_of(model.measured_points, state.measured_points, state), {}};
   for (const BoltState& bolt : state.bolts) row.bolt_forces.push_back(bolt.force);
   if (!row.points.empty()) return row;
   for (ElementIndex e : indices(model.elements)) {
     const Point centroid = state.elements[e].centroid;
-    row.points.push_back({centroid, centroid - start.elements[e].centroid, e.value});
+    row.points.push_back({centroid, centroid - start.elements[e].centroid, e.value, state.elements[e].stress});
   }
   return row;
 }

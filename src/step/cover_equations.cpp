@@ -16,7 +16,7 @@ Eigen::VectorXd known(const StepSum& sum, const CoverMotion& start) {
 
 }  // namespace
 
-CoverEquations::CoverEquations(const CoverBodies& bodies)
+CoverEquations::CoverEquations(const ElasticBodies& bodies)
     : bodies_(bodies),
       tangent_(bodies.mass),
       factors_(tangent_, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions)) {}

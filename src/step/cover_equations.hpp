@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "step/cover_bodies.hpp"
+#include "step/elastic_bodies.hpp"
 #include "step/integrator.hpp"
 #include "system/part_factors.hpp"
 
@@ -25,11 +25,11 @@ struct CoverMotion {
 /// One object serves all steps of a run; the bodies must outlive it. The order of elimination is found once.
 class CoverEquations {
  public:
-  explicit CoverEquations(const CoverBodies& bodies);
+  explicit CoverEquations(const ElasticBodies& bodies);
 
-  const CoverBodies& bodies() const { return bodies_; }
+  const ElasticBodies& bodies() const { return bodies_; }
 
-  /// A new step. `load` F: all forces on the unknowns besides those above, CoverBodies::supports.load() included where its loads act.
+  /// A new step. `load` F: all forces on the unknowns besides those above, ElasticBodies::supports.load() included where its loads act.
   void begin(const CoverMotion& start, const Eigen::VectorXd& load, const StepRule& rule, double dt);
 
   /// Residual and factor at Δq = `increment`. Throws NotPositiveDefinite.
@@ -57,7 +57,7 @@ class CoverEquations {
   CoverMotion end(const Eigen::VectorXd& increment) const;
 
  private:
-  const CoverBodies& bodies_;
+  const ElasticBodies& bodies_;
   SparseSystem tangent_;
   PartFactors factors_;
   struct Weights {

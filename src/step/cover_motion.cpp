@@ -54,13 +54,13 @@ class Rounds {
 };
 
 // Elastic force, ghost penalty and supports at rest.
-Eigen::VectorXd static_force(const CoverBodies& bodies, const Eigen::VectorXd& q) {
+Eigen::VectorXd static_force(const ElasticBodies& bodies, const Eigen::VectorXd& q) {
   return bodies.elasticity.force(q, q, 1) + bodies.ghost.times(q) + bodies.supports.times(q);
 }
 
 }  // namespace
 
-CoverStep cover_step(CoverEquations& equations, const CoverMotion& start, const Eigen::VectorXd& load,
+ElasticStep cover_step(CoverEquations& equations, const CoverMotion& start, const Eigen::VectorXd& load,
                      const StepRule& rule, double dt) {
   equations.begin(start, load, rule, dt);
   Eigen::VectorXd increment = dt * start.v;
@@ -77,12 +77,12 @@ CoverStep cover_step(CoverEquations& equations, const CoverMotion& start, const 
   return {equations.end(increment), rounds.count(), rounds.residual(), rounds.is_solved()};
 }
 
-CoverMotion rest(const CoverBodies& bodies) {
+CoverMotion rest(const ElasticBodies& bodies) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(bodies.unknown_count());
   return {zero, zero, zero};
 }
 
-Eigen::VectorXd acceleration_at(const CoverBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+Eigen::VectorXd acceleration_at(const ElasticBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                 const Eigen::VectorXd& load) {
   PartFactors factors(bodies.mass, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions));
   factors.factorise(bodies.mass);
@@ -90,7 +90,7 @@ Eigen::VectorXd acceleration_at(const CoverBodies& bodies, const Eigen::VectorXd
   return factors.solve(force);
 }
 
-CoverEquilibrium cover_equilibrium(const CoverBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& load) {
+CoverEquilibrium cover_equilibrium(const ElasticBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& load) {
   SparseSystem tangent = bodies.mass;
   PartFactors factors(tangent, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions));
   const auto residual_at = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {

@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-struct CoverStep {
+struct ElasticStep {
   CoverMotion end;
   int iterations = 0;
   double residual = 0;  ///< over the largest of the forces
@@ -16,14 +16,14 @@ struct CoverStep {
 
 /// From `start` under `load` (CoverEquations::begin). Where is_solved is false, `end` is what 30 rounds left: a shorter step is the
 /// remedy. Throws NotPositiveDefinite.
-CoverStep cover_step(CoverEquations& equations, const CoverMotion& start, const Eigen::VectorXd& load,
+ElasticStep cover_step(CoverEquations& equations, const CoverMotion& start, const Eigen::VectorXd& load,
                      const StepRule& rule, double dt);
 
 /// Where all is undeformed and at rest.
-CoverMotion rest(const CoverBodies& bodies);
+CoverMotion rest(const ElasticBodies& bodies);
 
 /// M⁻¹ (load - elastic - constant - damping force): what `a` of a start is, for rules that carry accelerations.
-Eigen::VectorXd acceleration_at(const CoverBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+Eigen::VectorXd acceleration_at(const ElasticBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                 const Eigen::VectorXd& load);
 
 /// The static equilibrium under `load`, by Newton's method from q.
@@ -33,6 +33,6 @@ struct CoverEquilibrium {
   double residual = 0;
   bool is_solved = false;
 };
-CoverEquilibrium cover_equilibrium(const CoverBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& load);
+CoverEquilibrium cover_equilibrium(const ElasticBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& load);
 
 }  // namespace keyblock

@@ -58,7 +58,7 @@ class StepAnswer : public CoverFlexibility {
 
 class MassAnswer : public CoverFlexibility {
  public:
-  MassAnswer(const CoverBodies& bodies)
+  MassAnswer(const ElasticBodies& bodies)
       : functions_(bodies.rigid.functions()),
         factors_(bodies.mass, functions_, definiteness_of(bodies.continuum.functions)),
         size_(bodies.unknown_count()) {
@@ -78,7 +78,7 @@ class MassAnswer : public CoverFlexibility {
 
 class RigidAnswer : public CoverFlexibility {
  public:
-  RigidAnswer(const CoverBodies& bodies, const Eigen::VectorXd& d)
+  RigidAnswer(const ElasticBodies& bodies, const Eigen::VectorXd& d)
       : functions_(bodies.rigid.functions()), size_(bodies.unknown_count()) {
     const std::vector<RigidMotion> motions = bodies.rigid.motions(d, Eigen::VectorXd::Zero(size_));
     for (std::size_t b = 0; b < motions.size(); ++b) {

@@ -82,7 +82,7 @@ class CoverScene {
  private:
   int body_of(ElementIndex e) const;
 
-  CoverBodies bodies_;
+  ElasticBodies bodies_;
   ElementIndex first_;
   std::shared_ptr<const CoverKinematics> kinematics_;
   std::vector<double> carry_;  ///< of each body

@@ -44,6 +44,7 @@ Eigen::Vector3d ContinuumSolution::strain(int element, Point x) const {
 
 void add_supports_and_loads(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {
   add_cover_body_force(continuum, basis, system);
+  add_cover_initial_stress(continuum, basis, system);
   for (const PrescribedDisplacement& part : continuum.prescribed) add_prescribed(continuum, basis, part, system);
   for (const Traction& part : continuum.tractions) add_traction(continuum, basis, part, system);
   for (const PointForce& force : continuum.point_forces) add_point_force(basis, force, system);
@@ -65,8 +66,21 @@ ContinuumSolution solve_static(const Continuum& continuum) {
   return {std::move(basis), std::move(solution)};
 }
 
+ForceBalance balance_of(const Continuum& continuum, const ContinuumSolution& solution) {
+  ForceBalance balance;
+  balance.loads = sum_of_loads(continuum, solution.basis.degree());
+  for (const PointSpring& spring : continuum.point_springs) {
+    const Point u = solution.displacement(spring.element, spring.at);
+    balance.springs.add(spring.at, (-spring.stiffness * dot(u, spring.direction)) * spring.direction);
+  }
+  for (const PrescribedDisplacement& part : continuum.prescribed)
+    balance.supports.push_back(reaction_of(continuum, solution.basis, part, solution.solution.x));
+  return balance;
+}
+
 Stress stress_at(const Continuum& continuum, const ContinuumSolution& solution, int element, Point x) {
-  const Eigen::Vector3d s = continuum.modulus(element) * solution.strain(element, x);
+  const Eigen::Vector3d s =
+      continuum.modulus(element) * solution.strain(element, x) + continuum.initial_stress_at(element, x);
   return {s(0), s(1), s(2)};
 }
 

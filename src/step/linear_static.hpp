@@ -33,7 +33,15 @@ SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis
 /// All terms assembled, then one solve. Throws NotPositiveDefinite where a body can still move.
 ContinuumSolution solve_static(const Continuum& continuum);
 
-/// Tension positive; of the raw strain at that point, nothing recovered or averaged.
+/// The forces on all bodies together and their moments about the origin: they add up to nothing.
+struct ForceBalance {
+  Resultant loads;
+  Resultant springs;
+  std::vector<Resultant> supports;  ///< one a prescribed displacement
+};
+ForceBalance balance_of(const Continuum& continuum, const ContinuumSolution& solution);
+
+/// Tension positive, the initial stress included; of the raw strain at that point, nothing recovered or averaged.
 Stress stress_at(const Continuum& continuum, const ContinuumSolution& solution, int element, Point x);
 
 }  // namespace keyblock

@@ -32,6 +32,7 @@ void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>
 
 std::vector<std::string> CaseFolder::inputs() const {
   const std::string base = (folder / fs::absolute(folder).lexically_normal().filename()).string();
+  if (fs::exists(base + ".json")) return {base + ".json"};
   const auto either = [&](const char* native, const char* usual) {
     return base + (fs::exists(base + native) ? native : usual);
   };

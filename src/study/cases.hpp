@@ -8,7 +8,7 @@
 
 namespace keyblock::study {
 
-/// A case folder: `NAME/NAME.geo` or `.blk`, `NAME/NAME.ana` or `.df`, and `expected.csv` or `steps.csv` with
+/// A case folder: `NAME/NAME.json`, a case file; or `NAME/NAME.geo` or `.blk`, and `NAME/NAME.ana` or `.df`; and `expected.csv` or `steps.csv` with
 /// `blocks.csv`.
 struct CaseFolder {
   std::filesystem::path folder;

@@ -10,6 +10,8 @@
 #include <variant>
 
 #include "formats/case.hpp"
+#include "run/cover_case.hpp"
+#include "run/cover_settings.hpp"
 #include "run/prepare.hpp"
 #include "study/named_files.hpp"
 #include "study/quantities.hpp"
@@ -47,10 +49,11 @@ std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expe
   return values;
 }
 
-void require_numbers(const std::vector<ComparedValue>& values, const Model& model, const std::string& file) {
+void require_numbers(const std::vector<ComparedValue>& values, std::size_t points, std::size_t elements,
+                     const std::string& file) {
   for (const ComparedValue& v : values) {
     const bool of_point = owner_of(v.quantity) == Owner::point;
-    const std::size_t count = of_point ? model.measured_points.size() : model.elements.size();
+    const std::size_t count = of_point ? points : elements;
     if (v.block && (*v.block < 1 || *v.block > static_cast<int>(count)))
       throw InputError({file, 0, 0}, fmt::format("expected a {} from 1 to {}, found {}",
                                                  of_point ? "measured point" : "block", count, *v.block));
@@ -110,8 +113,43 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   return compared;
 }
 
+// Bodies on covers: each load step is an instant. A body that can still move is how the run failed.
+ComparedCase solve_and_pick(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
+  Problem problem = loaded.input.problem;
+  try {
+    for (const auto& [name, value] : overrides) set(*problem.covers, name, value);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({loaded.file.path, 0, 0}, error.what());
+  }
+  try {
+    const CoverCase cover_case(problem, compared.profile);
+    compared.warnings = joined(loaded.input.warnings, cover_case.warnings());
+    const Frame& start = cover_case.start().frame;
+    require_numbers(compared.values, start.measured_points.size(), start.elements.size(), loaded.table);
+    RunSoFar so_far;
+    const auto keep = [&](const CoverStep& step) {
+      pick(compared.values, so_far, step.frame, kSameInstant * problem.analysis->time_step);
+      compared.times.push_back(step.time);
+      compared.displacements.push_back(length(step.frame.elements.front().displacement));
+      compared.outcome.steps = step.step;
+      compared.outcome.time = step.time;
+    };
+    keep(cover_case.start());
+    cover_case.run(keep);
+    compared.start = so_far.start();
+    compared.end = so_far.now();
+  } catch (const NotPositiveDefinite& error) {
+    compared.outcome.end = RunEnd::failed;
+    compared.outcome.reason = error.what();
+  } catch (const InputError& error) {
+    compared.not_run = error.what();
+  }
+  return compared;
+}
+
 ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
   compared.name = loaded.folder.name;
+  if (loaded.input.problem.covers) return solve_and_pick(loaded, std::move(compared), overrides);
   const auto made = prepared_or_refused(loaded, compared.profile, overrides);
   if (const auto* why = std::get_if<std::string>(&made)) {
     compared.not_run = *why;
@@ -119,7 +157,8 @@ ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const st
   }
   const Prepared& prepared = std::get<Prepared>(made);
   compared.warnings = joined(loaded.input.warnings, prepared.warnings);
-  require_numbers(compared.values, prepared.scene.model, loaded.table);
+  require_numbers(compared.values, prepared.scene.model.measured_points.size(), prepared.scene.model.elements.size(),
+                  loaded.table);
   return run_and_pick(prepared.scene, std::move(compared));
 }
 

@@ -46,6 +46,7 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.drawing, content.drawing, file, "drawing");
   put(all.blocks, content.blocks, file, "set of blocks");
   put(all.cover, content.cover, file, "cover");
+  put(all.covers, content.covers, file, "set of covers");
   put(all.analysis, content.analysis, file, "analysis");
   all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
   all.tracks.insert(all.tracks.end(), content.tracks.begin(), content.tracks.end());

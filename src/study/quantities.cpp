@@ -78,6 +78,10 @@ const std::map<std::string, Quantity>& table() {
       {"point_dx", OfPoint([](const PointFrame& p) { return p.displacement.x; })},
       {"point_dy", OfPoint([](const PointFrame& p) { return p.displacement.y; })},
 
+      {"point_sxx", OfPoint([](const PointFrame& p) { return p.stress.xx; })},
+      {"point_syy", OfPoint([](const PointFrame& p) { return p.stress.yy; })},
+      {"point_sxy", OfPoint([](const PointFrame& p) { return p.stress.xy; })},
+
       {"total_area",
        OfScene([](const RunSoFar& r) { return sum(r.now(), [](const ElementFrame& e) { return e.area; }); })},
       {"block_count", OfScene([](const RunSoFar& r) { return static_cast<double>(r.now().elements.size()); })},

@@ -46,7 +46,8 @@ Eigen::Matrix2d at_point(const Eigen::MatrixX2d& stacked, Eigen::Index point) {
 
 }  // namespace
 
-CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis) : basis_(std::move(basis)) {
+CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
+    : basis_(std::move(basis)), more_(continuum.initial_stress) {
   for (int e = 0; e < basis_.element_count(); ++e) {
     initial_.push_back(continuum.material(e).initial_stress);
     gradient_.push_back(continuum.material(e).stress_gradient);
@@ -168,7 +169,9 @@ Eigen::MatrixX2d CoverElasticity::displacement_gradients(int e, const Eigen::Vec
 Eigen::Vector3d CoverElasticity::initial_stress(int e, Point x) const {
   const Stress& at_zero = initial_[static_cast<std::size_t>(e)];
   const Stress& per_y = gradient_[static_cast<std::size_t>(e)];
-  return {at_zero.xx + x.y * per_y.xx, at_zero.yy + x.y * per_y.yy, at_zero.xy + x.y * per_y.xy};
+  const Stress more = more_ ? more_(x) : Stress{};
+  return {at_zero.xx + x.y * per_y.xx + more.xx, at_zero.yy + x.y * per_y.yy + more.yy,
+          at_zero.xy + x.y * per_y.xy + more.xy};
 }
 
 Point CoverElasticity::position(const Eigen::VectorXd& d, int element, Point at_start) const {

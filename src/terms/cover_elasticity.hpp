@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "model/continuum.hpp"
@@ -63,6 +64,7 @@ class CoverElasticity {
   std::vector<Element> elements_;
   std::vector<Stress> initial_;   // of each element at y = 0
   std::vector<Stress> gradient_;  // and its change per y
+  std::function<Stress(Point)> more_;
 };
 
 }  // namespace keyblock

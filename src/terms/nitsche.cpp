@@ -31,32 +31,75 @@ Eigen::Matrix<double, 2, 3> on_plane(Point n) {
   return s;
 }
 
+/// A support at one point of quadrature.
+struct HeldPoint {
+  Point at;
+  double weight = 0;
+  Eigen::Matrix2d projector;
+  Eigen::Vector2d value;      ///< g
+  Eigen::Matrix2Xd held;      ///< P T
+  Eigen::Matrix2Xd traction;  ///< of the unknowns
+  Eigen::Vector2d initial;    ///< traction of the initial stress
+};
+
+template <class Visit>
+void visit_points(const Continuum& continuum, const ElementShape& shape, const PrescribedDisplacement& prescribed,
+                  const ElementSide& side, Visit visit) {
+  const Point n = side.normal();
+  const Eigen::Matrix2d p = projector(prescribed.held, n);
+  const Eigen::Matrix3d modulus = continuum.modulus(side.element);
+  const double all = length(side.edge.end - side.edge.start);
+  for (const GaussPoint& g : gauss_rule(shape.degree + 2)) {
+    const Point x = point_at(side.edge, g.at);
+    const Point value = prescribed.value(x, n);
+    visit(HeldPoint{x, all * g.weight, p, Eigen::Vector2d(value.x, value.y), p * shape.displacement(x),
+                    on_plane(n) * modulus * shape.strain(x),
+                    on_plane(n) * continuum.initial_stress_at(side.element, x)});
+  }
+}
+
+double penalty(const Continuum& continuum, CoverFunctions functions, const ElementShape& shape, int element) {
+  return stabilisation(functions).nitsche * shape.degree * shape.degree * continuum.modulus(element)(0, 0) /
+         shape.frame.size;
+}
+
 }  // namespace
 
 void add_prescribed(const Continuum& continuum, const CoverBasis& basis, const PrescribedDisplacement& prescribed,
                     SparseSystem& system) {
   for (const ElementSide& side : sides_along(continuum.manifold, prescribed.along)) {
     const ElementShape shape = basis.shape(side.element);
-    const Eigen::Matrix3d modulus = continuum.modulus(side.element);
-    const Eigen::Matrix2d p = projector(prescribed.held, side.normal());
-    const double beta =
-        stabilisation(basis.functions()).nitsche * shape.degree * shape.degree * modulus(0, 0) / shape.frame.size;
+    const double beta = penalty(continuum, basis.functions(), shape, side.element);
     const Eigen::Index n = 2 * shape.function_count();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
-    const double all = length(side.edge.end - side.edge.start);
-    for (const GaussPoint& g : gauss_rule(shape.degree + 2)) {
-      const Point x = point_at(side.edge, g.at);
-      const Point value = prescribed.value(x);
-      const Eigen::Matrix2Xd t = p * shape.displacement(x);
-      const Eigen::Matrix2Xd traction = on_plane(side.normal()) * modulus * shape.strain(x);
-      const Eigen::MatrixXd cross = traction.transpose() * t;
-      matrix += all * g.weight * (beta * t.transpose() * t - cross - cross.transpose());
-      load += all * g.weight * ((beta * t - p * traction).transpose() * Eigen::Vector2d(value.x, value.y));
-    }
+    visit_points(continuum, shape, prescribed, side, [&](const HeldPoint& h) {
+      const Eigen::MatrixXd cross = h.traction.transpose() * h.held;
+      matrix += h.weight * (beta * h.held.transpose() * h.held - cross - cross.transpose());
+      load += h.weight * ((beta * h.held - h.projector * h.traction).transpose() * h.value);
+      load += h.weight * (h.held.transpose() * h.initial);
+    });
     system.add_matrix(shape.functions, matrix);
     system.add_load(shape.functions, load);
   }
+}
+
+Resultant reaction_of(const Continuum& continuum, const CoverBasis& basis, const PrescribedDisplacement& prescribed,
+                      const Eigen::VectorXd& unknowns) {
+  Resultant sum;
+  for (const ElementSide& side : sides_along(continuum.manifold, prescribed.along)) {
+    const ElementShape shape = basis.shape(side.element);
+    const double beta = penalty(continuum, basis.functions(), shape, side.element);
+    Eigen::VectorXd d(2 * shape.function_count());
+    for (std::size_t a = 0; a < shape.functions.size(); ++a)
+      d.segment<2>(static_cast<Eigen::Index>(2 * a)) = unknowns.segment<2>(2 * shape.functions[a]);
+    visit_points(continuum, shape, prescribed, side, [&](const HeldPoint& h) {
+      const Eigen::Vector2d off = h.held * d - h.projector * h.value;
+      const Eigen::Vector2d force = h.weight * (h.projector * (h.traction * d + h.initial) - beta * off);
+      sum.add(h.at, {force.x(), force.y()});
+    });
+  }
+  return sum;
 }
 
 }  // namespace keyblock

@@ -35,7 +35,8 @@ struct Parsed {
   pugi::xml_document document;
   pugi::xml_node piece;
 
-  explicit Parsed(const Frame& frame) {
+  template <class AnyFrame>
+  explicit Parsed(const AnyFrame& frame) {
     EXPECT_TRUE(document.load_string(vtu(frame).c_str()));
     piece = document.child("VTKFile").child("UnstructuredGrid").child("Piece");
   }
@@ -88,6 +89,32 @@ TEST(Vtk, the_list_of_files_gives_real_times_and_safe_names) {
   EXPECT_STREQ(first.attribute("timestep").value(), "0.10000000000000001");
   EXPECT_STREQ(first.attribute("file").value(), "a&b.vtu");
   EXPECT_STREQ(first.next_sibling().attribute("timestep").value(), "1");
+}
+
+TEST(Vtk, a_field_has_displacement_and_stress_at_every_corner) {
+  FieldFrame frame{2, 0.5, {}};
+  const auto corner = [](double x, double y) { return FieldCorner{{x, y}, {x / 100, y / 10}, {x, y, x + y}}; };
+  frame.elements.push_back({0, 1, {{corner(0, 0), corner(2, 0), corner(0, 2)}}, corner(1, 1)});
+  frame.elements.push_back({1,
+                            0,
+                            {{corner(0, 0), corner(9, 0), corner(9, 9), corner(0, 9)},
+                             {corner(1, 1), corner(1, 2), corner(2, 2), corner(2, 1)}},
+                            corner(4, 4)});
+  const Parsed parsed(frame);
+  EXPECT_EQ(parsed.piece.attribute("NumberOfCells").as_int(), 2);
+  EXPECT_EQ(parsed.piece.attribute("NumberOfPoints").as_int(), 3 + 4 + 4 + 2);  // the way to the hole and back
+  const std::vector<double> places = numbers(parsed.piece.child("Points").child("DataArray"));
+  const std::vector<double> stress = parsed.array("PointData", "stress_xy");
+  const std::vector<double> moved = parsed.array("PointData", "displacement");
+  ASSERT_EQ(places.size(), 39U);
+  ASSERT_EQ(stress.size(), 13U);
+  for (std::size_t i = 0; i < stress.size(); ++i) {
+    EXPECT_EQ(stress[i], places[3 * i] + places[3 * i + 1]);
+    EXPECT_EQ(moved[3 * i + 1], places[3 * i + 1] / 10);
+  }
+  EXPECT_EQ(parsed.array("CellData", "body"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(parsed.array("CellData", "material"), (std::vector<double>{2, 1}));
+  EXPECT_EQ(parsed.array("CellData", "stress_xx"), (std::vector<double>{1, 4}));
 }
 
 }  // namespace keyblock::formats

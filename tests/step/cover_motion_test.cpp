@@ -32,14 +32,14 @@ Continuum square(CoverFunctions functions, double h) {
   return continuum;
 }
 
-CoverMotion moving(const CoverBodies& bodies, const Eigen::Vector3d& rates) {
+CoverMotion moving(const ElasticBodies& bodies, const Eigen::Vector3d& rates) {
   CoverMotion motion = rest(bodies);
   const Point centre = bodies.rigid.motions(motion.q, motion.v)[0].centre;
   motion.v = bodies.rigid.modes(0, motion.q, centre) * rates;
   return motion;
 }
 
-double area_of(const CoverBodies& bodies, const Eigen::VectorXd& q) {
+double area_of(const ElasticBodies& bodies, const Eigen::VectorXd& q) {
   double sum = 0;
   for (int e = 0; e < bodies.basis().element_count(); ++e) {
     const ManifoldElement& element = bodies.continuum.manifold.elements[static_cast<std::size_t>(e)];
@@ -55,7 +55,7 @@ double area_of(const CoverBodies& bodies, const Eigen::VectorXd& q) {
 
 TEST(CoverMotion, free_fall_is_exact) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies(square(functions, 0.6));
+    const ElasticBodies bodies(square(functions, 0.6));
     CoverEquations equations(bodies);
     CoverMotion motion = moving(bodies, {2, 3, 0});
     const Eigen::VectorXd weight = cover_weight(bodies.continuum, bodies.basis(), {0, -10});
@@ -76,7 +76,7 @@ struct Spin {
 };
 Spin spin(CoverFunctions functions, double force_weight, int steps) {
   const double dt = 0.01;
-  const CoverBodies bodies(square(functions, 0.6));
+  const ElasticBodies bodies(square(functions, 0.6));
   CoverEquations equations(bodies);
   CoverMotion motion = moving(bodies, {0.3, -0.2, 2});
   const RigidMotion start = bodies.rigid.motions(motion.q, motion.v)[0];
@@ -84,7 +84,7 @@ Spin spin(CoverFunctions functions, double force_weight, int steps) {
   const Eigen::VectorXd no_load = Eigen::VectorXd::Zero(bodies.unknown_count());
   Spin worst;
   for (int step = 1; step <= steps; ++step) {
-    const CoverStep made = cover_step(equations, motion, no_load, rule, dt);
+    const ElasticStep made = cover_step(equations, motion, no_load, rule, dt);
     EXPECT_TRUE(made.is_solved) << "step " << step;
     motion = made.end;
     if (step % 100 != 0) continue;
@@ -125,7 +125,7 @@ TEST(CoverMotion, a_weight_above_one_half_damps_strain_and_keeps_momenta) {
 // Stress damping acts on the strain's rate: a steady turn is free of it. Fixed matrices of the start would stop it within a turn.
 TEST(CoverMotion, stiffness_damping_leaves_a_turning_body_alone) {
   const double dt = 0.01;
-  const CoverBodies bodies(square(CoverFunctions::derived, 0.6), {0, 0.01});
+  const ElasticBodies bodies(square(CoverFunctions::derived, 0.6), {0, 0.01});
   CoverEquations equations(bodies);
   CoverMotion motion = moving(bodies, {0, 0, 2});
   const Eigen::VectorXd no_load = Eigen::VectorXd::Zero(bodies.unknown_count());
@@ -146,7 +146,7 @@ TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection)
   ContinuumBenchmark beam = clamped_cantilever(CoverFunctions::derived, 3);
   beam.continuum.materials[0] = elastic_material(1e9, 0.3);
   beam.continuum.materials[0].density = 2500;
-  const CoverBodies bodies(beam.continuum);
+  const ElasticBodies bodies(beam.continuum);
   const CoverMode mode = slowest_mode(bodies);
   EXPECT_NEAR(mode.frequency(), 1.0149, 0.002 * 1.0149);
 
@@ -169,7 +169,7 @@ TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection)
   double first_crossing = 0;
   double before = -1;
   for (int step = 1; step <= 400; ++step) {
-    const CoverStep made = cover_step(equations, motion, load, weighted(0.5, dt), dt);
+    const ElasticStep made = cover_step(equations, motion, load, weighted(0.5, dt), dt);
     ASSERT_TRUE(made.is_solved);
     motion = made.end;
     highest = std::max(highest, tip(motion.q) / tip(still.q));
@@ -206,7 +206,7 @@ TEST(CoverMotion, a_thin_cantilever_bends_as_the_elastica) {
   continuum.functions = CoverFunctions::derived;
   continuum.prescribed = {{{corners[3], corners[0]}, Held::both, [](Point) { return Point{}; }}};
   continuum.tractions = {{{corners[1], corners[2]}, [&](Point, Point) { return Point{0, 1 / height}; }}};
-  const CoverBodies bodies(continuum);
+  const ElasticBodies bodies(continuum);
   const int tip = element_at(bodies.continuum.manifold, 0, {1, height / 2});
   Eigen::VectorXd q = Eigen::VectorXd::Zero(bodies.unknown_count());
   const auto bend = [&](double from, double to, int steps) {

@@ -36,7 +36,7 @@ Continuum patch(CoverFunctions functions, const MeshSetting& mesh, double quadra
   continuum.materials = {elastic_material(1e6, 0.25)};
   continuum.plane = plane;
   continuum.functions = functions;
-  continuum.prescribed = {{closed(corners), Held::both, polynomial_field(quadratic).displacement}};
+  continuum.prescribed = {{closed(corners), Held::both, at_any_normal(polynomial_field(quadratic).displacement)}};
   // -div σ of the quadratic terms: strains ex,x = 2q, ey,y = q, gxy,x = q, gxy,y = -2q + q, ex,y = -2q, ey,x = q.
   const Eigen::Matrix3d d = continuum.modulus(0);
   const Eigen::Vector3d by_x(2 * quadratic, quadratic, -2 * quadratic);
@@ -106,7 +106,7 @@ TEST(LinearStatic, a_quadratic_field_is_exact_in_all_but_constant_cover_function
 TEST(LinearStatic, a_rigid_motion_makes_no_stress) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
     Continuum continuum = patch(functions, MeshSetting{0.04}, 0);
-    continuum.prescribed[0].value = [](Point p) { return Point{0.3 - p.y, -0.2 + p.x}; };
+    continuum.prescribed[0].value = [](Point p, Point) { return Point{0.3 - p.y, -0.2 + p.x}; };
     const ContinuumSolution solution = solve_static(continuum);
     for (const Point p : {Point{0.01, 0.01}, Point{0.2, 0.1}, Point{0.24, 0.12}}) {
       const Stress stress = stress_at(continuum, solution, p);
@@ -121,7 +121,7 @@ TEST(LinearStatic, a_rigid_motion_makes_no_stress) {
 TEST(LinearStatic, tractions_and_lines_of_symmetry_give_a_uniaxial_bar) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
     Continuum continuum = patch(functions, sliver_mesh(1e-8), 0);
-    const auto zero = [](Point) { return Point{}; };
+    const auto zero = [](Point, Point) { return Point{}; };
     continuum.prescribed = {{{{0, 0}, {0.24, 0}}, Held::normal, zero}, {{{0, 0}, {0, 0.12}}, Held::normal, zero}};
     continuum.tractions = {{{{0.24, 0}, {0.24, 0.12}}, [](Point, Point n) { return 1000 * n; }}};
     const ContinuumSolution solution = solve_static(continuum);

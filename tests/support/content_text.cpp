@@ -71,6 +71,31 @@ class Lister {
     list("body acceleration", a.body_acceleration);
   }
 
+  void list(const CoverPlan& plan) {
+    const MeshPlan& m = plan.mesh;
+    line("covers {} mesh {} {} {:a} {} {:a} {} {} {} {:a}", static_cast<int>(plan.functions), static_cast<int>(m.kind),
+         m.half_rows, m.side, static_cast<int>(m.shape), m.angle_deg, static_cast<int>(m.placement), text(m.through_x),
+         text(m.through_y), m.snap_ratio);
+    for (const auto& r : m.refined) line("refined {} {:a}", text(r.at), r.side);
+    for (const auto& t : plan.tractions) {
+      line("traction {} | {} | {}", t.x.text, t.y.text, t.pressure.text);
+      for (const Point p : t.along) line("along {}", text(p));
+    }
+    for (const auto& d : plan.displacements) {
+      line("displacement {} {} | {} | {}", static_cast<int>(d.held), d.x.text, d.y.text, d.normal.text);
+      for (const Point p : d.along) line("along {}", text(p));
+    }
+    for (const auto& f : plan.forces) line("force {} {}", text(f.at), text(f.force));
+    for (const auto& s : plan.springs) line("spring {} {} {:a}", text(s.at), text(s.direction), s.stiffness);
+    line("body force {} | {}", plan.body_force.x.text, plan.body_force.y.text);
+    const StressPlan& s = plan.initial_stress;
+    line("initial stress {} | {} | {}", s.xx.text, s.yy.text, s.xy.text);
+    for (const auto& e : plan.excavations) {
+      line("excavation {}", e.step);
+      for (const Point p : e.outline) line("outline {}", text(p));
+    }
+  }
+
   void list(const Units& units) { line("units {} {} {}", units.length, units.mass, units.time); }
   void list(const RunChoices& choices) {
     line("profile {}", choices.profile);
@@ -114,6 +139,7 @@ std::string content_text(const formats::Content& content) {
   if (content.cover) lister.list(*content.cover);
   if (content.analysis) lister.list(*content.analysis);
   if (content.units) lister.list(*content.units);
+  if (content.covers) lister.list(*content.covers);
   if (content.motion) lister.list(*content.motion);
   if (content.choices) lister.list(*content.choices);
   return lister.text_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Point zero(Point) {
+Point zero(Point, Point) {
   return {};
 }
 
@@ -87,7 +87,7 @@ ContinuumBenchmark unit_square(CoverFunctions functions, double h) {
     const double each = kPi * kPi * (2 * mu * s + (lambda + mu) * (s - c));
     return Point{each, each};
   };
-  b.continuum.prescribed = {{closed(corners), Held::both, b.exact.displacement}};
+  b.continuum.prescribed = {{closed(corners), Held::both, at_any_normal(b.exact.displacement)}};
   return b;
 }
 
@@ -113,7 +113,7 @@ ContinuumBenchmark exact_cantilever(CoverFunctions functions, double h) {
     g(1, 1) = k * 6 * nu * x.y * (length - x.x);
     return g;
   };
-  b.continuum.prescribed = {{{corners[3], corners[0]}, Held::both, b.exact.displacement}};
+  b.continuum.prescribed = {{{corners[3], corners[0]}, Held::both, at_any_normal(b.exact.displacement)}};
   b.continuum.tractions = {{{corners[1], corners[2]}, [=](Point x, Point) {
                               return Point{0, p / (2 * inertia) * (depth * depth / 4 - x.y * x.y)};
                             }}};

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "step/linear_static.hpp"
@@ -34,6 +35,11 @@ struct ExactField {
   std::function<Point(Point)> displacement;
   std::function<Eigen::Matrix2d(Point)> gradient;
 };
+
+/// A displacement to prescribe, whatever the boundary's direction.
+inline std::function<Point(Point, Point)> at_any_normal(std::function<Point(Point)> displacement) {
+  return [displacement = std::move(displacement)](Point x, Point) { return displacement(x); };
+}
 
 /// Relative to the norms of the exact field.
 struct FieldErrors {

@@ -19,7 +19,7 @@ struct CoverMode {
 };
 
 /// Inverse iteration on K φ = ω² M φ at the start.
-inline CoverMode slowest_mode(const CoverBodies& bodies) {
+inline CoverMode slowest_mode(const ElasticBodies& bodies) {
   SparseSystem stiffness = bodies.mass;
   stiffness.clear();
   bodies.elasticity.add_static_tangent(Eigen::VectorXd::Zero(bodies.unknown_count()), 1, stiffness);

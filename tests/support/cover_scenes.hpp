@@ -33,14 +33,8 @@ inline Scene mixed_scene_of(const Blocks& blocks, const std::vector<int>& meshed
     if (moved.block >= 0) parts.rest.fixed_points.push_back(moved);
   }
   Model bodies = model_from_manifold(parts.manifold, {}, analysis);
-  auto continuum = std::make_shared<Continuum>();
-  continuum->manifold = parts.manifold;
-  continuum->materials = analysis.block_materials;
-  continuum->plane = settings.plane;
-  continuum->functions = functions;
-  const double weight = analysis.block_materials.front().unit_weight;
-  continuum->body_force = [weight](Point) { return Point{0, -weight}; };
-  bodies.continuum = continuum;
+  bodies.continuum = std::make_shared<Continuum>(
+      continuum_of(std::move(parts.manifold), analysis.block_materials, settings, functions));
   Model model = joined(model_from_blocks(parts.rest, analysis), bodies);
   return scene_of(with_bases(std::move(model), settings.standard.basis), settings, analysis.dialect);
 }

@@ -17,6 +17,7 @@
 #include "formats/keyblock_case.hpp"
 #include "formats/nmm_analysis.hpp"
 #include "formats/nmm_cover.hpp"
+#include "formats/numbers.hpp"
 #include "formats/registry.hpp"
 #include "tests/support/content_text.hpp"
 
@@ -302,6 +303,62 @@ Content ddaml(Dice& dice) {
   return content;
 }
 
+/// A number, or an expression in the variables of a boundary.
+Formula formula(Dice& dice, bool on_boundary) {
+  if (dice.happens(0.6)) return {formats::format_real(any_real(dice)), {}};
+  return {on_boundary && dice.happens(0.5) ? "nx * x^2 - sin(ny)" : "x < 0 ? -y : 2*_pi*x", {}};
+}
+
+CoverPlan covers(Dice& dice) {
+  CoverPlan plan;
+  plan.functions = static_cast<CoverFunctions>(dice.below(4));
+  plan.mesh.kind = dice.happens(0.3) ? MeshKind::unstructured : MeshKind::regular;
+  if (plan.mesh.kind == MeshKind::regular && dice.happens(0.5))
+    plan.mesh.half_rows = 1 + dice.below(1000);
+  else
+    plan.mesh.side = positive_real(dice);
+  plan.mesh.shape = dice.happens(0.5) ? MeshShape::old : MeshShape::equilateral;
+  plan.mesh.angle_deg = dice.between(-180, 180);
+  plan.mesh.placement = dice.happens(0.5) ? MeshPlacement::aligned : MeshPlacement::free;
+  if (dice.happens(0.5)) plan.mesh.through_x = coordinate(dice);
+  if (dice.happens(0.5)) plan.mesh.through_y = coordinate(dice);
+  plan.mesh.refined = some(dice, 3, [](Dice& one) {
+    const Point at = any_point(one);
+    return RefinedPoint{at, positive_real(one)};
+  });
+  plan.tractions = some(dice, 3, [](Dice& one) {
+    TractionPlan part{polygon(one), {}, {}, {}, {}};
+    part.x = formula(one, true);
+    part.y = formula(one, true);
+    part.pressure = formula(one, true);
+    return part;
+  });
+  plan.displacements = some(dice, 3, [](Dice& one) {
+    DisplacementPlan part;
+    part.along = polygon(one);
+    part.held = static_cast<Held>(one.below(4));
+    if (part.held == Held::normal) part.normal = formula(one, true);
+    if (part.held == Held::both || part.held == Held::x) part.x = formula(one, true);
+    if (part.held == Held::both || part.held == Held::y) part.y = formula(one, true);
+    return part;
+  });
+  plan.forces = some(dice, 2, [](Dice& one) {
+    const Point at = any_point(one);
+    return ForcePlan{at, any_point(one), {}};
+  });
+  plan.springs = some(dice, 2, [](Dice& one) {
+    const Point at = any_point(one);
+    return SpringPlan{at, {1, coordinate(one)}, positive_real(one), {}};
+  });
+  plan.body_force = {formula(dice, false), formula(dice, false)};
+  plan.initial_stress = {formula(dice, false), formula(dice, false), formula(dice, false)};
+  plan.excavations = some(dice, 2, [](Dice& one) {
+    const int step = 1 + one.below(9);
+    return ExcavationPlan{step, polygon(one), {}};
+  });
+  return plan;
+}
+
 /// Whatever a Problem can hold, what no old format holds included.
 Content anything(Dice& dice) {
   constexpr std::array<Content (*)(Dice&), 3> kGeometries{native_drawing, blocks, cover};
@@ -320,6 +377,7 @@ Content anything(Dice& dice) {
     content.analysis = kAnalyses[static_cast<std::size_t>(dice.below(4))](dice).analysis;
     content.analysis->body_acceleration = curve_or_none(dice);
   }
+  if (dice.happens(0.3)) content.covers = covers(dice);
   if (dice.happens(0.5)) content.units = Units{"m", "t", "ms"};
   if (dice.happens(0.3)) content.motion = curve(dice);
   if (dice.happens(0.5)) content.choices = RunChoices{"standard", {{"motion", "static"}, {"odd \"name\"", "5"}}};

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "step/cover_bodies.hpp"
+#include "step/elastic_bodies.hpp"
 #include "terms/cover_stiffness.hpp"
 #include "tests/support/continuum_scenes.hpp"
 
@@ -17,7 +17,7 @@ namespace keyblock {
 namespace {
 
 /// The plate of nmm-01 with initial stress, on a mesh turned by 10°.
-CoverBodies plate(CoverFunctions functions, const Stress& initial = {}, const Stress& per_y = {}) {
+ElasticBodies plate(CoverFunctions functions, const Stress& initial = {}, const Stress& per_y = {}) {
   Continuum continuum;
   MeshSetting mesh{0.06};
   mesh.through = {0.013, 0.007};
@@ -26,7 +26,7 @@ CoverBodies plate(CoverFunctions functions, const Stress& initial = {}, const St
   continuum.materials[0].initial_stress = initial;
   continuum.materials[0].stress_gradient = per_y;
   continuum.functions = functions;
-  return CoverBodies(continuum);
+  return ElasticBodies(continuum);
 }
 
 constexpr Stress kInitial{3e4, -5e4, 2e4};
@@ -50,7 +50,7 @@ SparseSystem empty_like(const SparseSystem& system) {
 }
 
 /// Turned by 1 rad, moved, and deformed by some per cent.
-Eigen::VectorXd bent(const CoverBodies& bodies, double seed) {
+Eigen::VectorXd bent(const ElasticBodies& bodies, double seed) {
   return bodies.rigid.turned(1, {0.05, 0.1}, {0.3, -0.2}) + scattered(bodies.unknown_count(), 1e-3, seed);
 }
 
@@ -58,7 +58,7 @@ Eigen::VectorXd bent(const CoverBodies& bodies, double seed) {
 
 TEST(CoverElasticity, the_force_is_the_gradient_of_the_energy) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = plate(functions, kInitial, kPerY);
+    const ElasticBodies bodies = plate(functions, kInitial, kPerY);
     const Eigen::VectorXd d = bent(bodies, 1);
     const Eigen::VectorXd along = scattered(bodies.unknown_count(), 1, 2);
     const double h = 1e-6;
@@ -71,7 +71,7 @@ TEST(CoverElasticity, the_force_is_the_gradient_of_the_energy) {
 
 TEST(CoverElasticity, the_work_of_a_step_is_the_change_of_energy_and_what_the_weight_loses) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = plate(functions, kInitial, kPerY);
+    const ElasticBodies bodies = plate(functions, kInitial, kPerY);
     const Eigen::VectorXd d0 = bent(bodies, 1);
     const Eigen::VectorXd d1 = bodies.rigid.turned(0.7, {}, {}) + scattered(bodies.unknown_count(), 1e-3, 3);
     const double change = bodies.elasticity.energy(d1) - bodies.elasticity.energy(d0);
@@ -85,7 +85,7 @@ TEST(CoverElasticity, the_work_of_a_step_is_the_change_of_energy_and_what_the_we
 
 TEST(CoverElasticity, a_step_has_no_resultant_and_no_moment_about_its_mean_positions) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = plate(functions, kInitial, kPerY);
+    const ElasticBodies bodies = plate(functions, kInitial, kPerY);
     const Eigen::VectorXd d0 = bent(bodies, 1);
     const Eigen::VectorXd d1 = bodies.rigid.turned(0.7, {}, {}) + scattered(bodies.unknown_count(), 1e-3, 3);
     const Eigen::VectorXd force = bodies.elasticity.force(d0, d1, 0.8);
@@ -96,7 +96,7 @@ TEST(CoverElasticity, a_step_has_no_resultant_and_no_moment_about_its_mean_posit
 
 TEST(CoverElasticity, tangents_are_derivatives) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = plate(functions, kInitial, kPerY);
+    const ElasticBodies bodies = plate(functions, kInitial, kPerY);
     const Eigen::VectorXd d = bent(bodies, 1);
     const Eigen::VectorXd along = scattered(bodies.unknown_count(), 1, 2);
     const double h = 1e-7;
@@ -118,7 +118,7 @@ TEST(CoverElasticity, tangents_are_derivatives) {
 
 // What symmetry costs the tangent is of first order in the step: halved with it.
 TEST(CoverElasticity, what_the_symmetric_tangent_leaves_out_falls_with_the_step) {
-  const CoverBodies bodies = plate(CoverFunctions::derived);
+  const ElasticBodies bodies = plate(CoverFunctions::derived);
   const Eigen::VectorXd along = scattered(bodies.unknown_count(), 1e-3, 2);
   const auto left_out = [&](double angle) {
     const Eigen::VectorXd d0 = bodies.rigid.turned(0, {}, {});
@@ -136,7 +136,7 @@ TEST(CoverElasticity, what_the_symmetric_tangent_leaves_out_falls_with_the_step)
 
 TEST(CoverElasticity, the_tangent_at_the_start_is_the_linear_stiffness) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = plate(functions);
+    const ElasticBodies bodies = plate(functions);
     SparseSystem linear = empty_like(bodies.mass);
     add_cover_stiffness(bodies.continuum, bodies.basis(), linear);
     SparseSystem tangent = empty_like(bodies.mass);
@@ -148,7 +148,7 @@ TEST(CoverElasticity, the_tangent_at_the_start_is_the_linear_stiffness) {
 // nmm-02: a quarter turn in 90 steps of a degree about a point away from the plate, moved as well.
 TEST(CoverElasticity, a_rigid_motion_makes_no_stress_and_no_force) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = plate(functions);
+    const ElasticBodies bodies = plate(functions);
     Eigen::VectorXd before = Eigen::VectorXd::Zero(bodies.unknown_count());
     for (int step = 1; step <= 90; ++step) {
       const Eigen::VectorXd d =
@@ -170,7 +170,7 @@ TEST(CoverElasticity, a_rigid_motion_makes_no_stress_and_no_force) {
 // Stretched by a linear field, then turned by 1 rad: the Cauchy stress turns with the body.
 TEST(CoverElasticity, a_uniform_stress_turns_with_the_body) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = plate(functions, kInitial);
+    const ElasticBodies bodies = plate(functions, kInitial);
     const double sx = 1.01;
     const double sy = 0.99;
     const double c = std::cos(1.0);

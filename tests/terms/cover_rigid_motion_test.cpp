@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "step/cover_bodies.hpp"
+#include "step/elastic_bodies.hpp"
 #include "terms/cover_inertia.hpp"
 #include "tests/support/continuum_scenes.hpp"
 
@@ -13,20 +13,20 @@ namespace {
 
 constexpr double kDensity = 2500;
 
-CoverBodies rectangle(CoverFunctions functions) {
+ElasticBodies rectangle(CoverFunctions functions) {
   Continuum continuum;
   continuum.manifold = cut_body({rectangle_corners({1, 2}, {3, 3})}, MeshSetting{0.5});
   continuum.materials = {elastic_material(1e6, 0.25)};
   continuum.materials[0].density = kDensity;
   continuum.functions = functions;
-  return CoverBodies(continuum);
+  return ElasticBodies(continuum);
 }
 
 }  // namespace
 
 TEST(CoverRigidMotion, mass_centre_and_inertia_of_a_rectangle_turned_about_a_corner) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = rectangle(functions);
+    const ElasticBodies bodies = rectangle(functions);
     const Eigen::VectorXd d = bodies.rigid.turned(0.5, {1, 2}, {10, 0});
     const Point arm{std::cos(0.5) - 0.5 * std::sin(0.5), std::sin(0.5) + 0.5 * std::cos(0.5)};
     const RigidMotion motion = bodies.rigid.motions(d, 0 * d)[0];
@@ -39,7 +39,7 @@ TEST(CoverRigidMotion, mass_centre_and_inertia_of_a_rectangle_turned_about_a_cor
 
 TEST(CoverRigidMotion, momenta_and_energy_of_rigid_velocities) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = rectangle(functions);
+    const ElasticBodies bodies = rectangle(functions);
     const Eigen::VectorXd d = bodies.rigid.turned(0.5, {1, 2}, {10, 0});
     const Point centre = bodies.rigid.motions(d, 0 * d)[0].centre;
     const Eigen::VectorXd v = bodies.rigid.modes(0, d, centre) * Eigen::Vector3d(3, -4, 2);
@@ -55,7 +55,7 @@ TEST(CoverRigidMotion, momenta_and_energy_of_rigid_velocities) {
 
 TEST(CoverRigidMotion, weight_works_on_the_shift_of_the_centre) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
-    const CoverBodies bodies = rectangle(functions);
+    const ElasticBodies bodies = rectangle(functions);
     const Eigen::VectorXd weight = cover_weight(bodies.continuum, bodies.basis(), {0, -9.81});
     EXPECT_NEAR(weight.dot(bodies.rigid.turned(0.5, {2, 2.5}, {7, 3})), -9.81 * 3 * 2 * kDensity, 1e-8);
     // x² over the rectangle as ½ vᵀ M v of the field (x, 0): ∫ x² = (27 - 1)/3.

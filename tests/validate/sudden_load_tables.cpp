@@ -27,11 +27,11 @@ void check(bool is_met, const std::string& what) {
 }
 
 /// The beam of nmm-04 with E 1e9 and ρ 2500.
-CoverBodies beam(CoverFunctions functions, double rows, CoverDamping damping = {}) {
+ElasticBodies beam(CoverFunctions functions, double rows, CoverDamping damping = {}) {
   Continuum continuum = clamped_cantilever(functions, rows).continuum;
   continuum.materials[0] = elastic_material(1e9, 0.3);
   continuum.materials[0].density = 2500;
-  return CoverBodies(continuum, damping);
+  return ElasticBodies(continuum, damping);
 }
 
 /// Weights ½ of the velocity and `force_weight` of the elastic force.
@@ -55,7 +55,7 @@ void print_frequencies() {
   for (const auto& [functions, all_rows, asked] : rows_of) {
     double off = 0;
     for (const double rows : all_rows) {
-      const CoverBodies bodies = beam(functions, rows);
+      const ElasticBodies bodies = beam(functions, rows);
       const double frequency = slowest_mode(bodies).frequency();
       off = frequency / 1.0149 - 1;
       fmt::print("  {:<10} {:>5} {:>9} {:>9.5f} {:>8.3f}\n", name_of(functions), rows, bodies.unknown_count(),
@@ -68,7 +68,7 @@ void print_frequencies() {
 /// A run under the load from rest, seen as the deflection of the tip over the static one.
 class Swing {
  public:
-  Swing(const CoverBodies& bodies, const Eigen::VectorXd& still)
+  Swing(const ElasticBodies& bodies, const Eigen::VectorXd& still)
       : bodies_(bodies),
         equations_(bodies),
         tip_(element_at(bodies.continuum.manifold, 0, {10, 0.5})),
@@ -76,7 +76,7 @@ class Swing {
         motion_(rest(bodies)) {}
 
   void step(const StepRule& rule, double dt) {
-    const CoverStep made = cover_step(equations_, motion_, bodies_.supports.load(), rule, dt);
+    const ElasticStep made = cover_step(equations_, motion_, bodies_.supports.load(), rule, dt);
     check(made.is_solved, "a step is solved");
     motion_ = made.end;
   }
@@ -87,14 +87,14 @@ class Swing {
  private:
   double tip_of(const Eigen::VectorXd& q) const { return bodies_.elasticity.position(q, tip_, {10, 0.5}).y - 0.5; }
 
-  const CoverBodies& bodies_;
+  const ElasticBodies& bodies_;
   CoverEquations equations_;
   int tip_;
   double still_;
   CoverMotion motion_;
 };
 
-Eigen::VectorXd still_of(const CoverBodies& bodies) {
+Eigen::VectorXd still_of(const ElasticBodies& bodies) {
   return cover_equilibrium(bodies, rest(bodies).q, bodies.supports.load()).q;
 }
 
@@ -104,7 +104,7 @@ void print_curves() {
     double dt, force_weight, ratio;  // of stiffness damping to critical, in the first mode
   } runs[] = {{0.005, 0.5, 0}, {0.02, 0.5, 0},    {0.1, 0.5, 0},    {0.005, 1, 0},   {0.02, 1, 0},
               {0.1, 1, 0},     {0.02, 0.5, 0.02}, {0.02, 0.5, 0.1}, {0.02, 0.5, 0.5}};
-  const CoverBodies plain = beam(CoverFunctions::derived, 2);
+  const ElasticBodies plain = beam(CoverFunctions::derived, 2);
   const Eigen::VectorXd still = still_of(plain);
   const CoverMode mode = slowest_mode(plain);
   const double omega = mode.omega;
@@ -113,7 +113,7 @@ void print_curves() {
   fmt::print("  {:>6} {:>7} {:>7} | {}{:>8} {:>8} {:>8}\n", "dt s", "weight", "damping",
              "t/T = 0.5    1.0    1.5    2.0    3.0    4.0    5.0 | ", "highest", "of mode", "1 % at s");
   for (const auto& [dt, force_weight, ratio] : runs) {
-    const CoverBodies bodies = beam(CoverFunctions::derived, 2, {0, 2 * ratio / omega});
+    const ElasticBodies bodies = beam(CoverFunctions::derived, 2, {0, 2 * ratio / omega});
     Swing swing(bodies, still);
     const StepRule rule = rule_of(force_weight, dt);
     double highest = 0;
@@ -142,7 +142,7 @@ void print_curves() {
 /// Steps until what is left of the first mode is 1/1000: with the velocity carried over (amplitude of the vibration), and set to 0 before each
 /// step; theory per step (1 + Ω²/2)^-½ and (1 + Ω²/2)^-1, Ω = ω dt, of the weights ½ and 1.
 void print_steps_to_equilibrium() {
-  const CoverBodies bodies = beam(CoverFunctions::derived, 2);
+  const ElasticBodies bodies = beam(CoverFunctions::derived, 2);
   const Eigen::VectorXd still = still_of(bodies);
   const CoverMode mode = slowest_mode(bodies);
   const double whole = mode.coordinate(still);

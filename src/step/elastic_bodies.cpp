@@ -1,6 +1,6 @@
-// Assembles the constant matrices; see cover_bodies.hpp.
+// Assembles the constant matrices; see elastic_bodies.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/cover_bodies.hpp"
+#include "step/elastic_bodies.hpp"
 
 #include <utility>
 
@@ -36,7 +36,7 @@ SparseSystem supports_of(const Continuum& continuum, const CoverBasis& basis) {
 
 }  // namespace
 
-CoverBodies::CoverBodies(Continuum with_loads, CoverDamping with_damping)
+ElasticBodies::ElasticBodies(Continuum with_loads, CoverDamping with_damping)
     : continuum(std::move(with_loads)),
       damping(with_damping),
       elasticity(continuum, CoverBasis(continuum.manifold, continuum.functions)),
@@ -45,7 +45,7 @@ CoverBodies::CoverBodies(Continuum with_loads, CoverDamping with_damping)
       supports(supports_of(continuum, basis())),
       rigid(continuum.manifold, basis(), mass) {}
 
-double CoverBodies::energy(const Eigen::VectorXd& d) const {
+double ElasticBodies::energy(const Eigen::VectorXd& d) const {
   return elasticity.energy(d) + d.dot(ghost.times(d) + supports.times(d)) / 2;
 }
 

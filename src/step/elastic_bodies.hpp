@@ -16,7 +16,7 @@ struct CoverDamping {
   double stiffness = 0;  ///< b, time
 };
 
-struct CoverBodies {
+struct ElasticBodies {
   Continuum continuum;
   CoverDamping damping;
   CoverElasticity elasticity;
@@ -29,7 +29,7 @@ struct CoverBodies {
   SparseSystem supports;
   CoverRigidMotion rigid;
 
-  explicit CoverBodies(Continuum with_loads, CoverDamping with_damping = {});
+  explicit ElasticBodies(Continuum with_loads, CoverDamping with_damping = {});
 
   const CoverBasis& basis() const { return elasticity.basis(); }
   int unknown_count() const { return 2 * basis().function_count(); }

@@ -1,0 +1,81 @@
+"""Case files of bodies on covers, for the make_input.py of their cases.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import csv
+import json
+import math
+import os
+
+
+def rectangle(x0, y0, x1, y1):
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+def arc(radius, start, end, chords=64):
+    """Corners on a circle about the origin, both ends included; angles in degrees, the axes met exactly."""
+    points = []
+    for i in range(chords + 1):
+        angle = math.radians(start + (end - start) * i / chords)
+        x, y = radius * math.cos(angle), radius * math.sin(angle)
+        points.append((0.0 if abs(x) < 1e-12 else x, 0.0 if abs(y) < 1e-12 else y))
+    return points
+
+
+def case_text(corners, covers, young, poisson, measured, plane_strain=False):
+    """One body of one weightless material, one load step."""
+    blocks = {'blocks': [{'outer': [[x, y, 1] for x, y in corners]}],
+              'measured_points': [[x, y, 1] for x, y in measured]}
+    analysis = {'step_count': 1, 'time_step': 1, 'allowed_displacement_ratio': 0.1, 'plane_strain': plane_strain,
+                'block_materials': [{'density': 1, 'unit_weight': 0, 'youngs_modulus': young, 'poissons_ratio': poisson}],
+                'joint_materials': [{}]}
+    parts = [('keyblock', 1), ('blocks', blocks), ('covers', covers), ('analysis', analysis)]
+    return '{\n' + ',\n'.join(' "%s": %s' % (key, laid_out(value, 1)) for key, value in parts) + '\n}\n'
+
+
+def laid_out(value, depth):
+    """Objects and lists of objects or rows by lines, else on one line; long rows of numbers are broken."""
+    pad = ' ' * depth
+    if isinstance(value, dict) and depth < 3:
+        return '{\n' + ',\n'.join('%s %s: %s' % (pad, json.dumps(k), laid_out(v, depth + 1)) for k, v in value.items()) + '\n' + pad + '}'
+    if isinstance(value, list) and value and isinstance(value[0], dict):
+        return '[\n' + ',\n'.join(pad + ' ' + laid_out(v, depth + 1) for v in value) + '\n' + pad + ']'
+    if isinstance(value, dict):
+        return '{' + ', '.join('%s: %s' % (json.dumps(k), laid_out(v, depth + 1)) for k, v in value.items()) + '}'
+    text = json.dumps(value)
+    if len(text) < 110 or not isinstance(value, list):
+        return text
+    lines, line = [], ''
+    for row in value:
+        part = json.dumps(row)
+        if line and len(line) + len(part) > 100:
+            lines.append(line)
+            line = ''
+        line += (', ' if line else '') + part
+    lines.append(line)
+    return '[' + (',\n' + pad + '  ').join(lines) + ']'
+
+
+def write_case(folder, text, values, about, variants=(), slow=False):
+    """`values`: quantity, point, value, tolerance, reason of it, source. `variants`: name, settings, tolerance, reason."""
+    os.makedirs(folder, exist_ok=True)
+    name = os.path.basename(folder)
+    with open(os.path.join(folder, name + '.json'), 'w') as file:
+        file.write(text)
+    with open(os.path.join(folder, 'expected.csv'), 'w', newline='') as file:
+        rows = csv.writer(file, lineterminator='\n')
+        rows.writerow(['quantity', 'block', 'time', 'value', 'tolerance', 'tolerance_reason', 'source', 'judged'])
+        for quantity, point, value, tolerance, reason, source in values:
+            rows.writerow([quantity, point, 1, repr(float(value)), '%.6g' % tolerance, reason, source, 'standard'])
+    case = {'about': about, 'legacy': 'not run: bodies on covers are run by profile standard'}
+    if slow:
+        case['slow'] = True
+    if variants:
+        case['variants'] = [{'name': n, 'profile': 'standard', 'set': s, 'tolerance': t, 'reason': r} for n, s, t, r in variants]
+    with open(os.path.join(folder, 'case.json'), 'w') as file:
+        file.write(json.dumps(case, indent=1) + '\n')
+
+
+# Turned and shifted against every body here, so that nothing is aligned.
+def free_mesh(side):
+    return {'side': side, 'angle': 10, 'through_x': 0.0137, 'through_y': 0.0071}

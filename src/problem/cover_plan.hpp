@@ -1,0 +1,116 @@
+// What a case file says of its bodies on covers: the mesh, the functions, what holds and loads the bodies, what is dug out.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/error.hpp"
+#include "geometry/point.hpp"
+#include "problem/formula.hpp"
+
+namespace keyblock {
+
+/// What a physical cover i says of the displacement about it, P_i(x); the weights of the triangle λ_i join the three covers
+/// of an element, u = Σ λ_i P_i.
+enum class CoverFunctions {
+  constant,   ///< P_i = d_i: the old programs' first order, 2 unknowns a cover
+  derived,    ///< P_i = d_i + ½ g_i · (x - x_i), g_i from the covers about (derived_gradients): quadratic, 2 unknowns
+  linear,     ///< with 1, x, y: quadratic, 6 unknowns a cover of which some depend on the others
+  quadratic,  ///< with 1 to y²: cubic, 12 unknowns, likewise
+};
+
+/// Which component of the displacement is prescribed; `normal` with the value 0 is a line of symmetry.
+enum class Held { both, normal, x, y };
+
+enum class MeshKind { regular, unstructured };
+
+enum class MeshShape {
+  equilateral,  ///< dx = 2/√3 dy
+  old,          ///< dx = 1.3 dy, as the old manifold cutter (legacy-formats 2.4; one of its samples is otherwise)
+};
+
+enum class MeshPlacement {
+  free,     ///< wherever the mesh comes to stand
+  aligned,  ///< rows on the lower and the upper edge; unstructured: sides along all lines
+};
+
+/// Sides at this point are to be no longer than `side`.
+struct RefinedPoint {
+  Point at;
+  double side = 0;
+};
+
+/// A regular mesh has `half_rows` or `side`, an unstructured one `side`; with neither there is none.
+struct MeshPlan {
+  MeshKind kind = MeshKind::regular;
+  int half_rows = 0;  ///< n rows of the old density rule to either side of the middle
+  double side = 0;    ///< of the triangles; of an unstructured mesh the longest
+  MeshShape shape = MeshShape::equilateral;
+  double angle_deg = 0;  ///< of the rows to the x axis
+  MeshPlacement placement = MeshPlacement::free;
+  std::optional<double> through_x;  ///< where a node of a regular mesh stands; else the placement decides
+  std::optional<double> through_y;
+  std::vector<RefinedPoint> refined;
+  double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale are moved onto them
+  Place place;
+};
+
+/// Force per length of the boundary along a chain: (x, y) - pressure n, n the normal out of the body.
+struct TractionPlan {
+  std::vector<Point> along;
+  Formula x, y, pressure;
+  Place place;
+};
+
+struct DisplacementPlan {
+  std::vector<Point> along;
+  Held held = Held::both;
+  Formula x, y;
+  Formula normal;  ///< outward; where `held` is normal
+  Place place;
+};
+
+struct ForcePlan {
+  Point at;
+  Point force;
+  Place place;
+};
+
+struct SpringPlan {
+  Point at;
+  Point direction;
+  double stiffness = 0;
+  Place place;
+};
+
+struct BodyForcePlan {
+  Formula x, y;
+};
+
+/// Tension positive.
+struct StressPlan {
+  Formula xx, yy, xy;
+};
+
+/// From load step `step` (the first is 1) on, what lies within the outline is gone.
+struct ExcavationPlan {
+  int step = 1;
+  std::vector<Point> outline;
+  Place place;
+};
+
+struct CoverPlan {
+  CoverFunctions functions = CoverFunctions::derived;
+  MeshPlan mesh;
+  std::vector<TractionPlan> tractions;
+  std::vector<DisplacementPlan> displacements;
+  std::vector<ForcePlan> forces;
+  std::vector<SpringPlan> springs;
+  BodyForcePlan body_force;   ///< beside the weight of the materials
+  StressPlan initial_stress;  ///< beside that of the materials
+  std::vector<ExcavationPlan> excavations;
+  Place place;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,33 @@
+// One reported instant of bodies on covers: displacement and stress at the corners of every element.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "problem/analysis.hpp"
+
+namespace keyblock {
+
+/// A corner where it stood before any displacement.
+struct FieldCorner {
+  Point position;
+  Point displacement;
+  Stress stress;  ///< as the element has it: neighbours need not agree
+};
+
+/// One element; loops as in `ElementFrame`.
+struct FieldElement {
+  int body = 0;      ///< index from 0
+  int material = 0;  ///< block material, index from 0
+  std::vector<std::vector<FieldCorner>> loops;
+  FieldCorner middle;  ///< its centroid
+};
+
+struct FieldFrame {
+  int step = 0;  ///< 0 is the state before the first load step
+  double time = 0;
+  std::vector<FieldElement> elements;
+};
+
+}  // namespace keyblock

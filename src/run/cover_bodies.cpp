@@ -1,0 +1,74 @@
+// One mesh for all load steps; see cover_bodies.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/cover_bodies.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cut/cut_cover.hpp"
+#include "cut/excavate.hpp"
+#include "cut/fit_mesh.hpp"
+#include "cut/join_manifolds.hpp"
+
+namespace keyblock {
+namespace {
+
+/// All bodies in one graph, only to lay the mesh over them: pieces may lie on one another.
+BodyGraph together(const std::vector<BodyGraph>& graphs) {
+  BodyGraph all;
+  for (const BodyGraph& graph : graphs) {
+    const int first = static_cast<int>(all.nodes.size());
+    all.nodes.insert(all.nodes.end(), graph.nodes.begin(), graph.nodes.end());
+    for (BodyPiece piece : graph.pieces) {
+      piece.from += first;
+      piece.to += first;
+      all.pieces.push_back(piece);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+CoverBodies::CoverBodies(const Problem& problem) : problem_(problem) {
+  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) {
+    BodyCut cut = cut_bodies(*drawing);
+    points_ = cut.blocks.blocks.measured_points;
+    warnings_ = cut.blocks.warnings;
+    touches_ = cut.graph.materials.size() > 1 || std::ranges::any_of(cut.graph.pieces, &BodyPiece::is_slit);
+    graphs_.push_back(std::move(cut.graph));
+  } else if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) {
+    for (const BlockPolygon& block : blocks->blocks) graphs_.push_back(graph_of(block));
+    points_ = blocks->measured_points;
+    touches_ = graphs_.size() > 1;
+  } else {
+    throw InputError(problem.covers->place, "expected a drawing or blocks beside covers, found neither");
+  }
+  if (graphs_.empty()) throw InputError(problem.covers->place, "expected at least one body, found none");
+  try {
+    mesh_ = fitted_mesh(problem.covers->mesh, together(graphs_)).mesh;
+  } catch (const std::invalid_argument& error) {
+    const Place& mesh = problem.covers->mesh.place;
+    throw InputError(mesh.line > 0 ? mesh : problem.covers->place, error.what());
+  }
+}
+
+bool CoverBodies::changes_at(int step) const {
+  return std::ranges::any_of(problem_.covers->excavations, [&](const ExcavationPlan& e) { return e.step == step; });
+}
+
+Manifold CoverBodies::at(int step) const {
+  std::vector<std::vector<Point>> outlines;
+  for (const ExcavationPlan& excavation : problem_.covers->excavations)
+    if (excavation.step <= step) outlines.push_back(excavation.outline);
+  if (!outlines.empty()) {
+    const auto* blocks = std::get_if<Blocks>(&problem_.geometry);
+    const Drawing drawing = blocks != nullptr ? lines_of(*blocks) : std::get<Drawing>(problem_.geometry);
+    return cut_cover(excavated(drawing, outlines, NodeMerging::nearest_first, blocks), mesh_);
+  }
+  Manifold all = cut_cover(graphs_.front(), mesh_);
+  for (std::size_t g = 1; g < graphs_.size(); ++g) join(all, cut_cover(graphs_[g], mesh_));
+  return all;
+}
+
+}  // namespace keyblock

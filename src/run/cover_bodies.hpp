@@ -1,0 +1,37 @@
+// The bodies of a case on their mesh, at any load step: what is dug out by then is gone.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cut/cut_blocks.hpp"
+#include "problem/manifold.hpp"
+#include "problem/problem.hpp"
+
+namespace keyblock {
+
+class CoverBodies {
+ public:
+  /// `problem` has a drawing or blocks, an analysis and covers; views it. Throws InputError where it has not, or where the mesh
+  /// cannot be.
+  explicit CoverBodies(const Problem& problem);
+
+  /// The bodies at a load step; at 0 whole. Throws InputError where nothing is left.
+  Manifold at(int step) const;
+  bool changes_at(int step) const;  ///< something is dug out there
+
+  const std::vector<BlockPoint>& measured_points() const { return points_; }  ///< their blocks are bodies of step 0
+  const Warnings& warnings() const { return warnings_; }
+  bool touches() const { return touches_; }  ///< there is more than one body, or a joint that ends inside one
+
+ private:
+  const Problem& problem_;
+  std::vector<BodyGraph> graphs_;  ///< of the whole bodies: one for a drawing, one a block
+  TriangleMesh mesh_;
+  std::vector<BlockPoint> points_;
+  Warnings warnings_;
+  bool touches_ = false;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,278 @@
+// From plan to continuum to frames; see cover_case.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/cover_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <optional>
+#include <stdexcept>
+
+#include "geometry/polygon.hpp"
+#include "model/free_pieces.hpp"
+#include "run/cover_bodies.hpp"
+#include "run/cover_plan_parts.hpp"
+#include "run/profile.hpp"
+#include "run/settings_table.hpp"
+
+namespace keyblock {
+namespace {
+
+// A chain that covers less than this share of its length is told.
+constexpr double kAlmostAll = 1 - 1e-6;
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// Statics, by the analysis or by the settings of the case file.
+void require_statics(const Problem& problem, const std::string& profile) {
+  const Place& place = problem.analysis->place;
+  if (profile != "standard")
+    throw InputError(problem.covers->place,
+                     fmt::format("expected profile standard for bodies on covers, found {}", profile));
+  Settings settings = profile_settings(profile, *problem.analysis);
+  for (const auto& [name, value] : problem.choices.settings) {
+    try {
+      set(settings, name, value);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(problem.choices.place, error.what());
+    }
+  }
+  if (settings.standard.motion != MotionRule::equilibrium)
+    throw InputError(place, fmt::format("expected statics for bodies on covers (velocity_carry_over 0), found {}: the "
+                                        "motion of bodies on covers is not run",
+                                        problem.analysis->velocity_carry_over));
+}
+
+Warnings without_effect(const Problem& problem, bool touches) {
+  Warnings warnings;
+  const Place& place = problem.covers->place;
+  const auto has_points = [](const auto& geometry) {
+    if constexpr (requires { geometry.fixed_points; })
+      return !geometry.fixed_points.empty() || !geometry.loading_points.empty();
+    if constexpr (requires { geometry.fixed_lines; })
+      return !geometry.fixed_lines.empty() || !geometry.loading_points.empty();
+    return false;
+  };
+  if (std::visit(has_points, problem.geometry))
+    warnings.push_back({"points_without_effect", place,
+                        "fixed and loading points have no effect on covers: displacements and forces of covers have"});
+  if (touches)
+    warnings.push_back(
+        {"contact_without_effect", place,
+         "bodies and the two sides of a joint do not feel each other: statics on covers knows no contact"});
+  return warnings;
+}
+
+std::vector<BlockMaterial> weighted(std::vector<BlockMaterial> materials, const std::optional<double>& gravity) {
+  if (gravity)
+    for (BlockMaterial& material : materials) material.unit_weight = material.density * *gravity;
+  return materials;
+}
+
+double length_of(const BoundaryPart& part) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < part.size(); ++i) sum += distance(part[i], part[i + 1]);
+  return sum;
+}
+
+double length_found(const Manifold& manifold, const BoundaryPart& part) {
+  double sum = 0;
+  for (const ElementSide& side : sides_along(manifold, part)) sum += distance(side.edge.start, side.edge.end);
+  return sum;
+}
+
+using Reader = std::function<FieldCorner(int element, Point)>;
+
+FieldFrame field_of(const Manifold& manifold, int step, double time, const Reader& read) {
+  FieldFrame field{step, time, {}};
+  for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
+    const ManifoldElement& element = manifold.elements[e];
+    const int number = static_cast<int>(e);
+    FieldElement& out = field.elements.emplace_back();
+    out.body = element.body;
+    out.material = manifold.body_materials[static_cast<std::size_t>(element.body)];
+    const auto loops = manifold.polygon(element);
+    for (const auto& loop : loops) {
+      out.loops.emplace_back();
+      for (const Point p : loop) out.loops.back().push_back(read(number, p));
+    }
+    out.middle = read(number, centroid(loops.front()));
+  }
+  return field;
+}
+
+Frame frame_of(const FieldFrame& field, const std::vector<BlockMaterial>& materials) {
+  Frame frame{field.step, field.time, {}, {}, {}, {}, {}};
+  for (const FieldElement& element : field.elements) {
+    ElementFrame out{};
+    double area_now = 0;
+    double area_before = 0;
+    for (const auto& loop : element.loops) {
+      std::vector<Point> before;
+      out.loops.emplace_back();
+      for (const FieldCorner& corner : loop) {
+        before.push_back(corner.position);
+        out.loops.back().push_back(corner.position + corner.displacement);
+      }
+      area_now += area(out.loops.back());
+      area_before += area(before);
+    }
+    out.material = element.material;
+    out.centroid = element.middle.position + element.middle.displacement;
+    out.displacement = element.middle.displacement;
+    out.stress = element.middle.stress;
+    out.area = area_now;
+    out.mass = materials[static_cast<std::size_t>(element.material)].density * area_before;
+    frame.elements.push_back(std::move(out));
+  }
+  return frame;
+}
+
+}  // namespace
+
+struct CoverCase::Parts {
+  Problem problem;
+  CoverBodies bodies;
+  Warnings warnings;
+  Continuum loads;  ///< all that depends on no mesh
+  CoverStep start;
+  int load_steps = 1;
+
+  explicit Parts(const Problem& from) : problem(from), bodies(problem) {
+    const Analysis& analysis = *problem.analysis;
+    const CoverPlan& plan = *problem.covers;
+    loads.materials = weighted(analysis.block_materials, analysis.gravity);
+    loads.plane = analysis.plane_strain ? Plane::strain : Plane::stress;
+    put_loads(loads, plan);
+    load_steps = analysis.step_count;
+    for (const ExcavationPlan& excavation : plan.excavations)
+      if (excavation.step > load_steps)
+        throw InputError(excavation.place, fmt::format("expected a load step from 1 to {}, the step_count, found {}",
+                                                       load_steps, excavation.step));
+    warnings = joined(bodies.warnings(), without_effect(problem, bodies.touches()));
+    const Continuum whole = continuum_at(0);
+    look_at_chains(whole.manifold);
+    start.counts = counts_of(whole.manifold, CoverBasis(whole.manifold, whole.functions));
+    put_frames(start, whole, nullptr);
+  }
+
+  Continuum continuum_at(int step) const {
+    Continuum continuum = loads;
+    continuum.manifold = bodies.at(step);
+    put_points(continuum, *problem.covers);
+    return continuum;
+  }
+
+  // A boundary may be dug free later.
+  void look_at_chains(const Manifold& whole) {
+    std::vector<Manifold> stages;
+    for (int step = 1; step <= load_steps && !problem.covers->excavations.empty(); ++step)
+      if (bodies.changes_at(step)) stages.push_back(bodies.at(step));
+    const auto look = [&](const BoundaryPart& part, const Place& place) {
+      double found = length_found(whole, part);
+      for (const Manifold& stage : stages) found = std::max(found, length_found(stage, part));
+      if (found == 0)
+        throw InputError(place, fmt::format("expected a chain on the boundary of the bodies, found none of it there: "
+                                            "({:.9g}, {:.9g}), …",
+                                            part.front().x, part.front().y));
+      if (found < kAlmostAll * length_of(part))
+        warnings.push_back({"chain_off_boundary", place,
+                            fmt::format("only {:.6g} of the {:.6g} of this chain lie on the boundary of the bodies",
+                                        found, length_of(part))});
+    };
+    for (const TractionPlan& part : problem.covers->tractions) look(part.along, part.place);
+    for (const DisplacementPlan& part : problem.covers->displacements) look(part.along, part.place);
+  }
+
+  CoverCounts counts_of(const Manifold& manifold, const CoverBasis& basis) const {
+    CoverCounts counts;
+    counts.functions = loads.functions;
+    counts.bodies = static_cast<int>(manifold.body_materials.size());
+    counts.elements = static_cast<int>(manifold.elements.size());
+    counts.covers = static_cast<int>(manifold.covers.size());
+    counts.unknowns = 2 * basis.function_count();
+    counts.load_steps = load_steps;
+    counts.solves = 1;
+    for (int step = 2; step <= load_steps; ++step) counts.solves += bodies.changes_at(step) ? 1 : 0;
+    return counts;
+  }
+
+  void put_frames(CoverStep& to, const Continuum& continuum, const ContinuumSolution* solution) const {
+    const Reader read = [&](int element, Point p) {
+      FieldCorner corner{p, {}, {}};
+      if (solution != nullptr) {
+        corner.displacement = solution->displacement(element, p);
+        corner.stress = stress_at(continuum, *solution, element, p);
+      } else {
+        const Eigen::Vector3d s = continuum.initial_stress_at(element, p);
+        corner.stress = {s(0), s(1), s(2)};
+      }
+      return corner;
+    };
+    to.field = field_of(continuum.manifold, to.step, to.time, read);
+    to.frame = frame_of(to.field, continuum.materials);
+    const bool is_whole = problem.covers->excavations.empty();
+    for (const BlockPoint& point : bodies.measured_points()) {
+      const int element = element_holding(continuum.manifold, is_whole ? point.block : -1, point.position,
+                                          "a measured point", point.place);
+      const FieldCorner at = read(element, point.position);
+      to.frame.measured_points.push_back({at.position + at.displacement, at.displacement, element, at.stress});
+    }
+  }
+
+  CoverStep solved(int step) const {
+    const double begin = cpu_seconds();
+    CoverStep result;
+    result.step = step;
+    const Continuum continuum = continuum_at(step);
+    const std::vector<FreePiece> free = free_pieces(continuum);
+    if (!free.empty())
+      throw NotPositiveDefinite(fmt::format("load step {}: {}{}", step, to_string(free.front()),
+                                            free.size() > 1 ? fmt::format(" (and {} more)", free.size() - 1) : ""));
+    const ContinuumSolution solution = solve_static(continuum);
+    result.seconds = cpu_seconds() - begin;
+    result.counts = counts_of(continuum.manifold, solution.basis);
+    result.residual = solution.solution.residual;
+    result.refinements = solution.solution.refinements;
+    result.factor_entries = solution.solution.factor_entries;
+    result.balance = balance_of(continuum, solution);
+    put_frames(result, continuum, &solution);
+    return result;
+  }
+};
+
+CoverCase::CoverCase(const Problem& problem, const std::string& profile) {
+  if (!problem.analysis) throw InputError(problem.covers->place, "expected an analysis beside covers, found none");
+  require_statics(problem, profile);
+  parts_ = std::make_unique<Parts>(problem);
+}
+
+CoverCase::~CoverCase() = default;
+
+const Warnings& CoverCase::warnings() const {
+  return parts_->warnings;
+}
+
+const CoverCounts& CoverCase::counts() const {
+  return parts_->start.counts;
+}
+
+const CoverStep& CoverCase::start() const {
+  return parts_->start;
+}
+
+void CoverCase::run(const std::function<void(const CoverStep&)>& on_step) const {
+  std::optional<CoverStep> last;
+  for (int step = 1; step <= parts_->load_steps; ++step) {
+    if (!last || parts_->bodies.changes_at(step)) last = parts_->solved(step);
+    last->step = last->field.step = last->frame.step = step;
+    last->time = last->field.time = last->frame.time = step * parts_->problem.analysis->time_step;
+    on_step(*last);
+  }
+}
+
+}  // namespace keyblock

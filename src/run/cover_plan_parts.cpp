@@ -1,0 +1,86 @@
+// Formulas compiled once; points found in their elements.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/cover_plan_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "cut/to_cover.hpp"
+#include "geometry/box.hpp"
+#include "geometry/polygon.hpp"
+#include "geometry/segment.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr std::array<std::string_view, 4> kOnBoundary{"x", "y", "nx", "ny"};
+constexpr std::span<const std::string_view> kInBody = std::span(kOnBoundary).first<2>();
+
+// Of the extent of all bodies: cutting rounds, and a point on an edge is a point of the body.
+constexpr double kOnEdge = 1e-9;
+
+Traction traction_of(const TractionPlan& plan) {
+  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), pressure(plan.pressure, kOnBoundary);
+  return {plan.along, [=](Point at, Point n) {
+            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} - pressure({at.x, at.y, n.x, n.y}) * n;
+          }};
+}
+
+PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
+  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), normal(plan.normal, kOnBoundary);
+  return {plan.along, plan.held, [=](Point at, Point n) {
+            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} + normal({at.x, at.y, n.x, n.y}) * n;
+          }};
+}
+
+double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p) {
+  const auto loops = manifold.polygon(element);
+  double nearest = std::numeric_limits<double>::max();
+  bool is_in = side(loops.front(), p) != Side::outside;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (k > 0 && side(loops[k], p) == Side::inside) is_in = false;
+    for (std::size_t i = 0; i < loops[k].size(); ++i)
+      nearest = std::min(nearest, distance(Segment{loops[k][i], loops[k][(i + 1) % loops[k].size()]}, p));
+  }
+  return is_in ? 0 : nearest;
+}
+
+}  // namespace
+
+void put_loads(Continuum& continuum, const CoverPlan& plan) {
+  continuum.functions = plan.functions;
+  for (const TractionPlan& part : plan.tractions) continuum.tractions.push_back(traction_of(part));
+  for (const DisplacementPlan& part : plan.displacements) continuum.prescribed.push_back(displacement_of(part));
+  const Compiled fx(plan.body_force.x, kInBody), fy(plan.body_force.y, kInBody);
+  if (!fx.is_zero() || !fy.is_zero())
+    continuum.body_force = [=](Point p) { return Point{fx({p.x, p.y}), fy({p.x, p.y})}; };
+  const Compiled xx(plan.initial_stress.xx, kInBody), yy(plan.initial_stress.yy, kInBody),
+      xy(plan.initial_stress.xy, kInBody);
+  if (!xx.is_zero() || !yy.is_zero() || !xy.is_zero())
+    continuum.initial_stress = [=](Point p) { return Stress{xx({p.x, p.y}), yy({p.x, p.y}), xy({p.x, p.y})}; };
+}
+
+int element_holding(const Manifold& manifold, int body, Point p, const char* noun, const Place& place) {
+  Box box;
+  for (const ElementCorner& corner : manifold.corners) box.add(corner.position);
+  const double near = kOnEdge * length(box.size());
+  const int bodies = static_cast<int>(manifold.body_materials.size());
+  for (int b = body < 0 ? 0 : body; b < (body < 0 ? bodies : body + 1); ++b) {
+    const int element = element_at(manifold, b, p);
+    if (element >= 0 && gap_to(manifold, manifold.elements[static_cast<std::size_t>(element)], p) <= near)
+      return element;
+  }
+  throw InputError(place, fmt::format("expected {} in a body, found none at ({:.9g}, {:.9g})", noun, p.x, p.y));
+}
+
+void put_points(Continuum& continuum, const CoverPlan& plan) {
+  for (const ForcePlan& force : plan.forces)
+    continuum.point_forces.push_back(
+        {element_holding(continuum.manifold, -1, force.at, "a force", force.place), force.at, force.force});
+  for (const SpringPlan& spring : plan.springs)
+    continuum.point_springs.push_back({element_holding(continuum.manifold, -1, spring.at, "a spring", spring.place),
+                                       spring.at, (1 / length(spring.direction)) * spring.direction, spring.stiffness});
+}
+
+}  // namespace keyblock

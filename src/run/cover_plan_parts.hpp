@@ -1,0 +1,19 @@
+// The parts of a cover plan as the continuum takes them: formulas become functions of the place.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/continuum.hpp"
+#include "problem/cover_plan.hpp"
+
+namespace keyblock {
+
+/// Everything of the plan that does not depend on the mesh. Functions throw InputError where a formula has no finite value.
+void put_loads(Continuum& continuum, const CoverPlan& plan);
+
+/// Forces and springs at points, into their elements. Throws InputError for one that lies in no body.
+void put_points(Continuum& continuum, const CoverPlan& plan);
+
+/// The element that holds the point, of `body` if that is not -1. Throws InputError, saying `noun`, where none does.
+int element_holding(const Manifold& manifold, int body, Point p, const char* noun, const Place& place);
+
+}  // namespace keyblock

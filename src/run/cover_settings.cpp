@@ -1,0 +1,65 @@
+// One branch a name.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/cover_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "cut/fit_mesh.hpp"
+#include "model/cover_basis.hpp"
+
+namespace keyblock {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const char* expected, const std::string& value) {
+  throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}\"", name, expected, value));
+}
+
+double number_of(const std::string& name, const char* expected, const std::string& value) {
+  double number = 0;
+  const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), number);
+  if (fault != std::errc() || end != value.data() + value.size() || !std::isfinite(number))
+    refuse(name, expected, value);
+  return number;
+}
+
+}  // namespace
+
+void set(CoverPlan& plan, const std::string& name, const std::string& value) {
+  if (name == "functions") {
+    for (const CoverFunctions f :
+         {CoverFunctions::constant, CoverFunctions::derived, CoverFunctions::linear, CoverFunctions::quadratic}) {
+      if (value != name_of(f)) continue;
+      plan.functions = f;
+      return;
+    }
+    refuse(name, "constant, derived, linear or quadratic", value);
+  }
+  if (name == "mesh.side") {
+    plan.mesh.side = number_of(name, "a length above 0", value);
+    if (!(plan.mesh.side > 0)) refuse(name, "a length above 0", value);
+    plan.mesh.half_rows = 0;
+    return;
+  }
+  if (name == "mesh.half_rows") {
+    constexpr const char* kExpected = "a whole number from 1 to 1000";
+    const double rows = number_of(name, kExpected, value);
+    if (rows != std::floor(rows) || rows < 1 || rows > kMostHalfRows) refuse(name, kExpected, value);
+    plan.mesh.kind = MeshKind::regular;
+    plan.mesh.half_rows = static_cast<int>(rows);
+    plan.mesh.side = 0;
+    return;
+  }
+  if (name == "mesh.angle") {
+    plan.mesh.angle_deg = number_of(name, "degrees", value);
+    return;
+  }
+  throw std::invalid_argument(fmt::format(
+      "there is no setting \"{}\" of bodies on covers, only functions, mesh.side, mesh.half_rows, mesh.angle", name));
+}
+
+}  // namespace keyblock

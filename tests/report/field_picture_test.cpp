@@ -1,0 +1,43 @@
+// The picture of a field names what it shows: elements, the factor of the displacement, the component of the stress.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/field_picture.hpp"
+
+#include <gtest/gtest.h>
+
+namespace keyblock::report {
+namespace {
+
+/// A unit square whose upper edge moves right by 0.01, stress yy from -4 at the bottom to 1 on top.
+FieldFrame sheared() {
+  const FieldCorner low{{0, 0}, {0, 0}, {0, -4, 0}}, low_right{{1, 0}, {0, 0}, {0, -4, 0}};
+  const FieldCorner high_right{{1, 1}, {0.01, 0}, {0, 1, 0}}, high{{0, 1}, {0.01, 0}, {0, 1, 0}};
+  FieldFrame field{1, 1, {}};
+  field.elements.push_back({0, 0, {{low, low_right, high_right, high}}, {{0.5, 0.5}, {0.005, 0}, {0, -1.5, 0}}});
+  return field;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST(FieldPicture, it_names_elements_scale_and_stress) {
+  const FieldFrame field = sheared();
+  EXPECT_EQ(most_varied(field), StressShown::yy);
+  const std::string svg = field_picture({"a title", field, field, {}, StressShown::yy});
+  EXPECT_TRUE(contains(svg, "a title"));
+  EXPECT_TRUE(contains(svg, "mesh, 1 elements"));
+  EXPECT_TRUE(contains(svg, "displacement × 10"));  // 0.08 of the extent √2, rounded down to 1, 2 or 5
+  EXPECT_TRUE(contains(svg, "σyy"));
+  EXPECT_TRUE(contains(svg, ">3.17<"));  // mean of two corners of -4 and the middle; white stands for no stress
+}
+
+TEST(FieldPicture, a_field_at_rest_is_drawn_as_it_is) {
+  FieldFrame field = sheared();
+  for (auto& corner : field.elements[0].loops[0]) corner.displacement = {};
+  EXPECT_TRUE(contains(field_picture({"t", field, field, {}, StressShown::xx}), "displacement × 1<"));
+  EXPECT_TRUE(contains(mesh_picture("3 elements", field), "3 elements"));
+}
+
+}  // namespace keyblock::report
