@@ -27,6 +27,7 @@ inline constexpr Demand kHalfRows{[](double v) { return v >= 0 && v <= 1000 && i
 
 inline constexpr std::array<std::string_view, 4> kDialects{"berkeley", "shi", "ddaml", "manifold"};
 inline constexpr std::array<std::string_view, 4> kCoverFunctions{"constant", "derived", "linear", "quadratic"};
+inline constexpr std::array<std::string_view, 2> kCoverContacts{"felt", "ignored"};
 inline constexpr std::array<std::string_view, 4> kHeld{"both", "normal", "x", "y"};
 inline constexpr std::array<std::string_view, 2> kMeshKinds{"regular", "unstructured"};
 inline constexpr std::array<std::string_view, 2> kMeshShapes{"equilateral", "old"};
@@ -267,6 +268,11 @@ void describe(F& f, In<F, RefinedPoint>& point) {
 }
 
 template <class F>
+void describe(F& f, In<F, MeshedMaterial>& meshed) {
+  f.index("material", meshed.material);
+}
+
+template <class F>
 void describe(F& f, In<F, MeshPlan>& mesh) {
   f.word("kind", mesh.kind, kMeshKinds);
   f.integer("half_rows", mesh.half_rows, kHalfRows);
@@ -278,6 +284,7 @@ void describe(F& f, In<F, MeshPlan>& mesh) {
   f.optional_real("through_y", mesh.through_y, kAny);
   f.rows("refined", mesh.refined);
   f.real("snap_ratio", mesh.snap_ratio, kNotNegative);
+  f.rows("materials", mesh.materials);
 }
 
 template <class F>
@@ -334,6 +341,7 @@ void describe(F& f, In<F, ExcavationPlan>& excavation) {
 template <class F>
 void describe(F& f, In<F, CoverPlan>& covers) {
   f.word("functions", covers.functions, kCoverFunctions);
+  f.word("contact", covers.contact, kCoverContacts);
   f.object("mesh", covers.mesh);
   f.objects("tractions", covers.tractions);
   f.objects("displacements", covers.displacements);

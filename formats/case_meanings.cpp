@@ -67,13 +67,17 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"element", "number of the element that carries the point"},
 
     {"case.covers",
-     "bodies on covers (manifold method, statics): mesh, functions, supports, loads; the bodies are those of drawing "
+     "bodies on covers (manifold method): mesh, functions, supports, loads; the bodies are those of drawing "
      "or "
      "blocks, their materials those of the analysis"},
     {"functions",
      "of the physical covers: constant (2 unknowns a cover, first order), derived (2, second order), linear (6, second "
      "order), quadratic (12, third order)"},
+    {"contact",
+     "felt: bodies and the two sides of a joint touch, in statics as in time; ignored: statics in one linear solution a "
+     "load step, in which they pass through each other"},
     {"mesh", "the mathematical mesh; one of half_rows and side"},
+    {"mesh.materials", "numbers of the block materials whose blocks are given covers, [n] each; none: all blocks"},
     {"kind", "regular: rows of equal triangles; unstructured: Delaunay triangles, refined where asked"},
     {"half_rows", "n: rows of height 1.1 w/n, w the greater of height/2 and width/2.6 of the bodies; 0: not said"},
     {"mesh.side", "of the triangles, of an unstructured mesh the longest, L; 0: not said"},

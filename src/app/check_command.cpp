@@ -169,10 +169,10 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
     const auto& geometry = checked.problem.geometry;
     const bool is_whole = checked.problem.analysis &&
-                          (std::holds_alternative<Drawing>(geometry) || std::holds_alternative<Blocks>(geometry));
+                          !std::holds_alternative<std::monostate>(geometry);
     if (!is_whole || !report.errors.empty()) return report;
     const std::string chosen = profile_of(checked.problem, profile);
-    if (checked.problem.covers) {
+    if (is_solved_at_once(checked.problem, chosen, {})) {
       const CoverCase cover_case(checked.problem, chosen);
       report.warnings = joined(std::move(report.warnings), cover_case.warnings());
       report.covers = cover_case.counts();

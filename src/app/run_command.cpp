@@ -78,10 +78,26 @@ std::vector<Override> overrides_of(const std::vector<std::string>& sets) {
   return overrides;
 }
 
-// A wrong profile or setting is the user's, not the file's.
-Prepared prepare_as_asked(const Problem& problem, const RunOptions& options) {
+// What concerns the mesh goes into the plan of a case on covers; the rest is left.
+std::vector<Override> left_for_settings(Problem& problem, const RunOptions& options) {
   try {
-    const std::vector<Override> overrides = overrides_of(options.sets);
+    return set_plan(problem, overrides_of(options.sets));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+bool is_solved_at_once(const Problem& problem, const RunOptions& options, const std::vector<Override>& overrides) {
+  try {
+    return is_solved_at_once(problem, profile_of(problem, options.profile), overrides);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+// A wrong profile or setting is the user's, not the file's.
+Prepared prepare_as_asked(const Problem& problem, const RunOptions& options, const std::vector<Override>& overrides) {
+  try {
     return prepare(study::with_named_files(problem, overrides, {}), profile_of(problem, options.profile), overrides);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
@@ -164,14 +180,8 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
 
 ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, const RunRecord& record) {
   for (const std::string& file : options.files) require_not_below(file, options.folder);
-  formats::Case chosen = loaded;
-  try {
-    for (const auto& [name, value] : overrides_of(options.sets)) set(*chosen.problem.covers, name, value);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
   return run_covers(
-      chosen, {std::filesystem::path(options.files.front()).stem().string(), record.profile, options.folder,
+      loaded, {std::filesystem::path(options.files.front()).stem().string(), record.profile, options.folder,
                options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
 }
 
@@ -179,12 +189,13 @@ ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, c
 ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
   RunRecord record;
-  const formats::Case loaded = formats::load_case(options.files);
+  formats::Case loaded = formats::load_case(options.files);
   record.profile = profile_of(loaded.problem, options.profile);
+  const std::vector<Override> overrides = left_for_settings(loaded.problem, options);
   record.inputs = input_records(loaded.files);
   record.timings.read = watch.lap();
-  if (loaded.problem.covers) return run_on_covers(loaded, options, record);
-  const Prepared prepared = prepare_as_asked(loaded.problem, options);
+  if (is_solved_at_once(loaded.problem, options, overrides)) return run_on_covers(loaded, options, record);
+  const Prepared prepared = prepare_as_asked(loaded.problem, options, overrides);
   record.timings.prepare = watch.lap();
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
   record.warnings = joined(loaded.warnings, prepared.warnings);

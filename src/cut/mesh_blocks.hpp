@@ -26,7 +26,4 @@ struct MeshedBlocks {
 MeshedBlocks mesh_blocks(const Blocks& scene, const std::function<bool(const BlockPolygon&)>& is_meshed,
                          const std::function<TriangleMesh(const BodyGraph&)>& mesh_for);
 
-/// Appends bodies that share nothing with those before.
-void append(Manifold& manifold, const Manifold& more);
-
 }  // namespace keyblock

@@ -58,7 +58,7 @@ Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& mate
   continuum.materials = materials;
   for (BlockMaterial& material : continuum.materials) {
     const Eigen::Vector2d weight = weight_per_area(material, settings);
-    material.horizontal_force += weight.x();
+    material.horizontal_force = weight.x();
     material.unit_weight = -weight.y();
   }
   continuum.plane = settings.plane;

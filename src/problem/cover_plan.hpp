@@ -41,6 +41,15 @@ struct RefinedPoint {
   double side = 0;
 };
 
+/// Blocks of this material are given covers.
+struct MeshedMaterial {
+  int material = 0;  ///< block material, index from 0
+};
+
+/// felt: bodies, and the two sides of a joint, touch as blocks do, and each step is found with their forces; ignored: each load
+/// step is one linear solution in which they pass through each other.
+enum class CoverContact { felt, ignored };
+
 /// A regular mesh has `half_rows` or `side`, an unstructured one `side`; with neither there is none.
 struct MeshPlan {
   MeshKind kind = MeshKind::regular;
@@ -53,6 +62,7 @@ struct MeshPlan {
   std::optional<double> through_y;
   std::vector<RefinedPoint> refined;
   double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale are moved onto them
+  std::vector<MeshedMaterial> materials;  ///< of the blocks that are given covers, the others stay blocks; none: all are
   Place place;
 };
 
@@ -102,6 +112,7 @@ struct ExcavationPlan {
 
 struct CoverPlan {
   CoverFunctions functions = CoverFunctions::derived;
+  CoverContact contact = CoverContact::felt;
   MeshPlan mesh;
   std::vector<TractionPlan> tractions;
   std::vector<DisplacementPlan> displacements;

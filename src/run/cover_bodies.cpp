@@ -33,13 +33,13 @@ BodyGraph together(const std::vector<BodyGraph>& graphs) {
 CoverBodies::CoverBodies(const Problem& problem) : problem_(problem) {
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) {
     BodyCut cut = cut_bodies(*drawing);
-    points_ = cut.blocks.blocks.measured_points;
-    warnings_ = cut.blocks.warnings;
+    blocks_ = std::move(cut.blocks.blocks);
+    warnings_ = std::move(cut.blocks.warnings);
     touches_ = cut.graph.materials.size() > 1 || std::ranges::any_of(cut.graph.pieces, &BodyPiece::is_slit);
     graphs_.push_back(std::move(cut.graph));
   } else if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) {
     for (const BlockPolygon& block : blocks->blocks) graphs_.push_back(graph_of(block));
-    points_ = blocks->measured_points;
+    blocks_ = *blocks;
     touches_ = graphs_.size() > 1;
   } else {
     throw InputError(problem.covers->place, "expected a drawing or blocks beside covers, found neither");

@@ -21,7 +21,8 @@ class CoverBodies {
   Manifold at(int step) const;
   bool changes_at(int step) const;  ///< something is dug out there
 
-  const std::vector<BlockPoint>& measured_points() const { return points_; }  ///< their blocks are bodies of step 0
+  const Blocks& blocks() const { return blocks_; }  ///< that the bodies of step 0 were
+  const std::vector<BlockPoint>& measured_points() const { return blocks_.measured_points; }  ///< their blocks are bodies of step 0
   const Warnings& warnings() const { return warnings_; }
   bool touches() const { return touches_; }  ///< there is more than one body, or a joint that ends inside one
 
@@ -29,7 +30,7 @@ class CoverBodies {
   const Problem& problem_;
   std::vector<BodyGraph> graphs_;  ///< of the whole bodies: one for a drawing, one a block
   TriangleMesh mesh_;
-  std::vector<BlockPoint> points_;
+  Blocks blocks_;
   Warnings warnings_;
   bool touches_ = false;
 };

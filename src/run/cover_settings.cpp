@@ -39,6 +39,11 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
     }
     refuse(name, "constant, derived, linear or quadratic", value);
   }
+  if (name == "contact") {
+    if (value != "felt" && value != "ignored") refuse(name, "felt or ignored", value);
+    plan.contact = value == "felt" ? CoverContact::felt : CoverContact::ignored;
+    return;
+  }
   if (name == "mesh.side") {
     plan.mesh.side = number_of(name, "a length above 0", value);
     if (!(plan.mesh.side > 0)) refuse(name, "a length above 0", value);
@@ -60,6 +65,19 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
   }
   throw std::invalid_argument(fmt::format(
       "there is no setting \"{}\" of bodies on covers, only functions, mesh.side, mesh.half_rows, mesh.angle", name));
+}
+
+std::vector<std::pair<std::string, std::string>> set_plan(
+    Problem& problem, const std::vector<std::pair<std::string, std::string>>& overrides) {
+  if (!problem.covers) return overrides;
+  std::vector<std::pair<std::string, std::string>> left;
+  for (const auto& [name, value] : overrides) {
+    if (name == "functions" || name == "contact" || name.starts_with("mesh."))
+      set(*problem.covers, name, value);
+    else
+      left.emplace_back(name, value);
+  }
+  return left;
 }
 
 }  // namespace keyblock

@@ -11,6 +11,8 @@
 #include <stdexcept>
 
 #include "model/choose_basis.hpp"
+#include "run/cover_bodies.hpp"
+#include "run/cover_model.hpp"
 #include "model/from_blocks.hpp"
 #include "model/joint_strength.hpp"
 #include "run/profile.hpp"
@@ -82,6 +84,36 @@ void require_points(const Blocks& blocks, const Analysis& analysis) {
   if (motions != 0 && motions != blocks.fixed_points.size())
     throw InputError(analysis.place, fmt::format("expected motions of the {} fixed points of the geometry, found {}",
                                                  blocks.fixed_points.size(), motions));
+}
+
+/// What a geometry becomes, before settings look at it.
+struct Geometry {
+  CutResult cut;  ///< no blocks where elements hang on covers
+  Model model;
+};
+
+Geometry of_blocks(const Problem& problem, const Settings& settings) {
+  CutResult cut = blocks_of(problem, settings.node_merging);
+  require_points(cut.blocks, *problem.analysis);
+  Model model = model_from_blocks(cut.blocks, *problem.analysis);
+  return {std::move(cut), std::move(model)};
+}
+
+Geometry on_covers(const Problem& problem, const Settings& settings, const Place& place) {
+  if (settings.dynamics != Dynamics::standard)
+    throw InputError(place, "expected profile standard for bodies on covers, found legacy");
+  CoverModel made = cover_model(problem, settings);
+  Geometry geometry;
+  geometry.cut.blocks.place = place;
+  geometry.cut.warnings = std::move(made.warnings);
+  geometry.model = std::move(made.model);
+  return geometry;
+}
+
+Geometry geometry_of(const Problem& problem, const Settings& settings) {
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry)) return on_covers(problem, settings, cover->place);
+  if (problem.covers) return on_covers(problem, settings, problem.covers->place);
+  return of_blocks(problem, settings);
 }
 
 struct Plan {
@@ -167,6 +199,7 @@ Place place_of(const Problem& problem) {
   if (problem.analysis) return problem.analysis->place;
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return drawing->place;
   if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->place;
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry)) return cover->place;
   return problem.place;
 }
 
@@ -182,25 +215,28 @@ std::string profile_of(const Problem& problem, const std::string& asked) {
   return profile.empty() ? "standard" : profile;
 }
 
+bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
+  if (!problem.covers || !problem.analysis) return problem.covers.has_value();
+  if (!problem.covers->excavations.empty()) return true;
+  const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
+  const bool is_static =
+      settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
+  if (!is_static || !problem.covers->mesh.materials.empty()) return false;
+  return problem.covers->contact == CoverContact::ignored || !CoverBodies(problem).touches();
+}
+
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
-  if (const auto* cover = std::get_if<Cover>(&problem.geometry))
-    throw InputError(cover->place, "expected a drawing or blocks to run, found a manifold cover: read, not yet run");
-  if (problem.covers)
-    throw InputError(problem.covers->place,
-                     "expected blocks to step, found bodies on covers, which are solved statically");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
   const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
-  CutResult cut = blocks_of(problem, settings.node_merging);
-  require_points(cut.blocks, *problem.analysis);
+  auto [cut, scene_model] = geometry_of(problem, settings);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   std::vector<Override> all = problem.choices.settings;
   all.insert(all.end(), overrides.begin(), overrides.end());
   cut.warnings = joined(std::move(cut.warnings), without_effect(all, settings, problem.analysis->place));
   auto [model, needs] =
-      plan_of(with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor),
-              settings, cut.blocks.place);
+      plan_of(with_joint_strength(std::move(scene_model), settings.joint_strength_factor), settings, cut.blocks.place);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(cut.warnings),

@@ -88,7 +88,8 @@ std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, co
                                                         const std::vector<Override>& overrides) {
   const Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
   try {
-    return prepare(problem, profile, overrides);
+    const std::vector<Override> left = set_plan(problem, overrides);
+    return prepare(problem, profile, left);
   } catch (const std::invalid_argument& error) {
     throw InputError({loaded.file.path, 0, 0}, error.what());
   } catch (const InputError& error) {
@@ -114,13 +115,7 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
 }
 
 // Bodies on covers: each load step is an instant. A body that can still move is how the run failed.
-ComparedCase solve_and_pick(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
-  Problem problem = loaded.input.problem;
-  try {
-    for (const auto& [name, value] : overrides) set(*problem.covers, name, value);
-  } catch (const std::invalid_argument& error) {
-    throw InputError({loaded.file.path, 0, 0}, error.what());
-  }
+ComparedCase solve_and_pick(const Loaded& loaded, const Problem& problem, ComparedCase compared) {
   try {
     const CoverCase cover_case(problem, compared.profile);
     compared.warnings = joined(loaded.input.warnings, cover_case.warnings());
@@ -149,7 +144,13 @@ ComparedCase solve_and_pick(const Loaded& loaded, ComparedCase compared, const s
 
 ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
   compared.name = loaded.folder.name;
-  if (loaded.input.problem.covers) return solve_and_pick(loaded, std::move(compared), overrides);
+  Problem problem = loaded.input.problem;
+  try {
+    const std::vector<Override> left = set_plan(problem, overrides);
+    if (is_solved_at_once(problem, compared.profile, left)) return solve_and_pick(loaded, problem, std::move(compared));
+  } catch (const std::invalid_argument& error) {
+    throw InputError({loaded.file.path, 0, 0}, error.what());
+  }
   const auto made = prepared_or_refused(loaded, compared.profile, overrides);
   if (const auto* why = std::get_if<std::string>(&made)) {
     compared.not_run = *why;

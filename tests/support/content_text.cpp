@@ -76,6 +76,8 @@ class Lister {
     line("covers {} mesh {} {} {:a} {} {:a} {} {} {} {:a}", static_cast<int>(plan.functions), static_cast<int>(m.kind),
          m.half_rows, m.side, static_cast<int>(m.shape), m.angle_deg, static_cast<int>(m.placement), text(m.through_x),
          text(m.through_y), m.snap_ratio);
+    line("contact {}", static_cast<int>(plan.contact));
+    for (const auto& meshed : m.materials) line("meshed {}", meshed.material);
     for (const auto& r : m.refined) line("refined {} {:a}", text(r.at), r.side);
     for (const auto& t : plan.tractions) {
       line("traction {} | {} | {}", t.x.text, t.y.text, t.pressure.text);

@@ -312,6 +312,8 @@ Formula formula(Dice& dice, bool on_boundary) {
 CoverPlan covers(Dice& dice) {
   CoverPlan plan;
   plan.functions = static_cast<CoverFunctions>(dice.below(4));
+  plan.contact = dice.happens(0.3) ? CoverContact::ignored : CoverContact::felt;
+  plan.mesh.materials = some(dice, 3, [](Dice& one) { return MeshedMaterial{one.below(5)}; });
   plan.mesh.kind = dice.happens(0.3) ? MeshKind::unstructured : MeshKind::regular;
   if (plan.mesh.kind == MeshKind::regular && dice.happens(0.5))
     plan.mesh.half_rows = 1 + dice.below(1000);

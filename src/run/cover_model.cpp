@@ -1,0 +1,132 @@
+// Blocks and bodies cut apart, joined in one model, points handed to whoever carries them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/cover_model.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "cut/cut_cover.hpp"
+#include "cut/fit_mesh.hpp"
+#include "cut/from_cover.hpp"
+#include "cut/mesh_blocks.hpp"
+#include "cut/to_cover.hpp"
+#include "model/continuum.hpp"
+#include "model/from_blocks.hpp"
+#include "model/from_manifold.hpp"
+#include "model/join.hpp"
+#include "run/cover_bodies.hpp"
+#include "run/cover_plan_parts.hpp"
+
+namespace keyblock {
+namespace {
+
+Model with_continuum(Model model, Continuum continuum) {
+  model.continuum = std::make_shared<Continuum>(std::move(continuum));
+  return model;
+}
+
+Continuum planned(Manifold manifold, const Problem& problem, const Settings& settings) {
+  Continuum continuum =
+      continuum_of(std::move(manifold), problem.analysis->block_materials, settings, problem.covers->functions);
+  put_loads(continuum, *problem.covers);
+  put_points(continuum, *problem.covers);
+  return continuum;
+}
+
+CutResult blocks_of(const Problem& problem, const Settings& settings) {
+  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return cut_blocks(*drawing, settings.node_merging);
+  return {std::get<Blocks>(problem.geometry), {}, {}, {}};
+}
+
+// Some blocks on covers: joints that end inside them are pruned, as they are in blocks.
+class Mixed {
+ public:
+  Mixed(const Problem& problem, const Settings& settings)
+      : problem_(problem), cut_(blocks_of(problem, settings)), parts_(meshed()) {
+    if (parts_.manifold.elements.empty())
+      throw InputError(problem.covers->mesh.place, "expected a block of the materials that covers name, found none");
+    const Analysis& analysis = *problem.analysis;
+    Blocks rest = parts_.rest;
+    for (BlockBolt bolt : cut_.blocks.bolts) {
+      bolt.first_block = at(bolt.first_block).block;
+      bolt.second_block = at(bolt.second_block).block;
+      if (bolt.first_block >= 0 && bolt.second_block >= 0)
+        rest.bolts.push_back(bolt);
+      else
+        ++lost_bolts_;
+    }
+    Model bodies = with_continuum(model_from_manifold(parts_.manifold, {}, analysis),
+                                  planned(parts_.manifold, problem, settings));
+    model_ = rest.blocks.empty() ? std::move(bodies) : joined(model_from_blocks(rest, analysis), bodies);
+    model_.fixed_points = carried(cut_.blocks.fixed_points, analysis.fixed_point_motions);
+    model_.loading_points = carried(cut_.blocks.loading_points, analysis.point_loads);
+    model_.measured_points = carried(cut_.blocks.measured_points, {});
+  }
+
+  CoverModel result() && {
+    if (lost_bolts_ > 0)
+      cut_.warnings.push_back({"bolts_without_effect", problem_.covers->place, "bolts hold blocks, not bodies on covers"});
+    return {std::move(model_), std::move(cut_.warnings)};
+  }
+
+ private:
+  MeshedBlocks meshed() const {
+    const std::vector<MeshedMaterial>& materials = problem_.covers->mesh.materials;
+    const auto is_meshed = [&](const BlockPolygon& block) {
+      return std::ranges::count(materials, block.material, &MeshedMaterial::material) > 0;
+    };
+    try {
+      return mesh_blocks(cut_.blocks, is_meshed,
+                         [&](const BodyGraph& graph) { return fitted_mesh(problem_.covers->mesh, graph).mesh; });
+    } catch (const std::invalid_argument& error) {
+      throw InputError(problem_.covers->mesh.place, error.what());
+    }
+  }
+
+  const Whereabouts& at(int block) const { return parts_.blocks[static_cast<std::size_t>(block)]; }
+
+  std::vector<CarriedPoint> carried(const std::vector<BlockPoint>& points, const std::vector<TimeCurve>& curves) const {
+    std::vector<CarriedPoint> result;
+    const auto blocks = static_cast<int>(parts_.rest.blocks.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Whereabouts& where = at(points[i].block);
+      const int element =
+          where.block >= 0 ? where.block : blocks + element_at(parts_.manifold, where.body, points[i].position);
+      result.push_back({points[i].position, {element}, i < curves.size() ? curves[i] : TimeCurve{}});
+    }
+    return result;
+  }
+
+  const Problem& problem_;
+  CutResult cut_;
+  MeshedBlocks parts_;
+  Model model_;
+  int lost_bolts_ = 0;
+};
+
+// All bodies on one mesh, with the joints that end inside them.
+CoverModel all_on_covers(const Problem& problem, const Settings& settings) {
+  const CoverBodies bodies(problem);
+  const Manifold manifold = bodies.at(0);
+  Model model = model_from_manifold(manifold, points_in_elements(manifold, bodies.blocks()), *problem.analysis);
+  return {with_continuum(std::move(model), planned(manifold, problem, settings)), bodies.warnings()};
+}
+
+CoverModel of_cover_file(const Cover& cover, const Analysis& analysis, const Settings& settings) {
+  const Manifold manifold = manifold_of(cover);
+  return {with_continuum(model_from_manifold(manifold, points_of(cover), analysis),
+                         continuum_of(manifold, analysis.block_materials, settings, settings.standard.cover_functions)),
+          {}};
+}
+
+}  // namespace
+
+CoverModel cover_model(const Problem& problem, const Settings& settings) {
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry))
+    return of_cover_file(*cover, *problem.analysis, settings);
+  if (!problem.covers->mesh.materials.empty()) return Mixed(problem, settings).result();
+  return all_on_covers(problem, settings);
+}
+
+}  // namespace keyblock
