@@ -15,6 +15,7 @@
 #include "formats/case.hpp"
 #include "run/prepare.hpp"
 #include "run/profile.hpp"
+#include "study/named_files.hpp"
 
 namespace keyblock {
 namespace {
@@ -168,7 +169,8 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     const bool is_whole = checked.problem.analysis &&
                           (std::holds_alternative<Drawing>(geometry) || std::holds_alternative<Blocks>(geometry));
     if (!is_whole || !report.errors.empty()) return report;
-    const Prepared prepared = prepare(checked.problem, profile_of(checked.problem, profile), {});
+    const Prepared prepared =
+        prepare(study::with_named_files(checked.problem, {}, {}), profile_of(checked.problem, profile), {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
     return report;
