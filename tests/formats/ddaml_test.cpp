@@ -60,7 +60,7 @@ TEST(Ddaml, decimal_commas_in_the_text_of_an_element_are_refused_where_its_numbe
                     "</Joint></Jointlist></Geometry>");
   };
   EXPECT_EQ(error_of(joint("1,5 0,25 2 3")).substr(0, 59),
-            "f:1:82: error: expected a decimal point, or white space bes");
+            "f:1:75: error: expected a decimal point, or white space bes");
   EXPECT_EQ(error_of(joint("0,0 1,1")), "");
   EXPECT_EQ(names(read({"f", joint("1 2 3 4 5")}).warnings), (std::vector<std::string>{"surplus_numbers"}));
 }

@@ -59,7 +59,7 @@ TEST(Losses, everything_is_lost_to_nothing_part_by_part) {
                     {"drawing", 1, "{edge_node_ratio, boundary_count, joints, measured_points} → nothing"},
                     {"analysis", 1,
                      "{dialect, velocity_carry_over, step_count, time_step, "
-                     "allowed_displacement_ratio, automatic_time_step and 11 more} → nothing"}}));
+                     "allowed_displacement_ratio, automatic_time_step and 9 more} → nothing"}}));
 }
 
 TEST(Losses, frames_and_tracks_are_counted) {
