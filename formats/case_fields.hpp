@@ -14,8 +14,8 @@ namespace keyblock::formats {
 
 /// What a visitor F is handed: const where it writes. A visitor has `real`, `integer` (with the demand that a value must meet),
 /// `index` (from 1 in the file, from 0 inside), `formula` (a number or a text), `flag`, `word` (of an enumeration), `text`; `optional_real`, `optional_integer`;
-/// `row` (a struct as an array), `object`, `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors; `curve`, `curves`
-/// (rows of time and value) and `pairs` (an object of words).
+/// `row` (a struct as an array), `object`, `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors, with how many they
+/// hold at least where the list is needed; `curve`, `curves` (rows of time and value) and `pairs` (an object of words).
 template <class F, class T>
 using In = std::conditional_t<F::is_writing, const T, T>;
 
@@ -24,6 +24,7 @@ inline constexpr Demand kWhole{[](double v) { return v >= 0 && is_whole(v); }, "
 
 inline constexpr Demand kHalfRows{[](double v) { return v >= 0 && v <= 1000 && is_whole(v); },
                                   "a whole number from 0 to 1000"};
+inline constexpr Demand kStep{[](double v) { return is_whole(v); }, "a whole number"};
 
 inline constexpr std::array<std::string_view, 4> kDialects{"berkeley", "shi", "ddaml", "manifold"};
 inline constexpr std::array<std::string_view, 4> kCoverFunctions{"constant", "derived", "linear", "quadratic"};
@@ -108,7 +109,7 @@ void describe(F& f, In<F, BlockVertex>& vertex) {
 template <class F>
 void describe(F& f, In<F, BlockPolygon>& block) {
   f.index("material", block.material);
-  f.rows("outer", block.outer);
+  f.rows("outer", block.outer, 3);
   f.lists("holes", block.holes);
 }
 
@@ -365,6 +366,73 @@ void describe(F& f, In<F, RunChoices>& run) {
   f.pairs("set", run.settings);
 }
 
+template <class F>
+void describe(F& f, In<F, ElementFrame>& element) {
+  f.index("material", element.material);
+  f.lists("loops", element.loops, 1);
+  f.real("x", element.centroid.x);
+  f.real("y", element.centroid.y);
+  f.real("displacement_x", element.displacement.x);
+  f.real("displacement_y", element.displacement.y);
+  f.real("rotation", element.rotation);
+  f.real("velocity_x", element.velocity.x);
+  f.real("velocity_y", element.velocity.y);
+  f.real("velocity_rotation", element.velocity.rotation);
+  f.real("stress_xx", element.stress.xx);
+  f.real("stress_yy", element.stress.yy);
+  f.real("stress_xy", element.stress.xy);
+  f.real("area", element.area);
+  f.real("mass", element.mass);
+  f.real("moment_of_inertia", element.moment_of_inertia);
+}
+
+template <class F>
+void describe(F& f, In<F, PointFrame>& point) {
+  describe(f, point.position);
+  f.real("displacement_x", point.displacement.x);
+  f.real("displacement_y", point.displacement.y);
+  f.index("element", point.element);
+}
+
+template <class F>
+void describe(F& f, In<F, BoltFrame>& bolt) {
+  f.real("x1", bolt.first.x);
+  f.real("y1", bolt.first.y);
+  f.real("x2", bolt.second.x);
+  f.real("y2", bolt.second.y);
+  f.real("force", bolt.force);
+  f.flag("is_broken", bolt.is_broken);
+}
+
+template <class F>
+void describe(F& f, In<F, Frame>& frame) {
+  f.integer("step", frame.step, kStep);
+  f.real("time", frame.time);
+  f.rows("elements", frame.elements, 1);
+  f.rows("bolts", frame.bolts);
+  f.rows("fixed_points", frame.fixed_points);
+  f.rows("loading_points", frame.loading_points);
+  f.rows("measured_points", frame.measured_points);
+}
+
+template <class F>
+void describe(F& f, In<F, MeasuredRow>& row) {
+  f.integer("step", row.step, kStep);
+  f.real("time", row.time);
+  f.real("time_step", row.time_step);
+  describe(f, row.position);
+  f.real("displacement", row.displacement);
+  f.real("velocity_x", row.velocity.x);
+  f.real("velocity_y", row.velocity.y);
+  f.real("speed", row.speed);
+}
+
+template <class F>
+void describe(F& f, In<F, MeasuredTrack>& track) {
+  f.index("point", track.point);
+  f.rows("rows", track.rows, 0);
+}
+
 /// Everything but the version, which comes first.
 template <class F>
 void describe(F& f, In<F, Content>& content) {
@@ -375,6 +443,8 @@ void describe(F& f, In<F, Content>& content) {
   f.optional_object("covers", content.covers);
   f.optional_object("analysis", content.analysis);
   f.optional_curve("motion", content.motion);
+  f.objects("frames", content.frames);
+  f.objects("tracks", content.tracks);
   f.optional_object("run", content.choices);
 }
 

@@ -7,6 +7,12 @@
 #include "formats/numbers.hpp"
 
 namespace keyblock::formats {
+namespace {
+
+// Bytes a byte of the file: an empty curve takes more than a reader may hold of the two characters it stands in.
+constexpr std::size_t kMostOfEmptyCurves = 12;
+
+}  // namespace
 
 CaseReading::CaseReading(JsonValue value, std::string_view noun) : from_(value), noun_(noun) {
   if (value.kind() == JsonKind::array) in_row_ = value.begin();
@@ -46,6 +52,18 @@ const JsonValue& CaseReading::of_kind(JsonKind kind, std::string_view name) cons
   if (value_->kind() != kind)
     value_->fail(fmt::format("{} of {}: an {}", name, noun_, kind == JsonKind::array ? "array" : "object"));
   return *value_;
+}
+
+std::size_t CaseReading::size_of(const JsonValue& array) {
+  std::size_t size = 0;
+  for (auto i = array.begin(); i != array.end(); ++i) ++size;
+  return size;
+}
+
+void CaseReading::require(std::string_view name, std::size_t size, std::optional<std::size_t> least) {
+  if (!least) return;
+  if (value_ && size < *least) value_->fail(fmt::format("{} of {}: {} or more", name, noun_, *least));
+  if (!value_ && missing_.empty()) missing_ = fmt::format("the key {} of {}: an array", name, noun_);
 }
 
 void CaseReading::real(std::string_view name, double& value, const Demand& demand) {
@@ -131,7 +149,11 @@ void CaseReading::optional_curve(std::string_view name, std::optional<TimeCurve>
 
 void CaseReading::curves(std::string_view name, std::vector<TimeCurve>& curves) {
   if (!take(name)) return;
-  for (const JsonValue item : of_kind(JsonKind::array, name)) curves.push_back(curve_of(item, name));
+  const std::size_t size = size_of(of_kind(JsonKind::array, name));
+  if (size * sizeof(TimeCurve) > kMostOfEmptyCurves * value_->file_size())
+    value_->fail(fmt::format("{} of {}: curves with rows, not {} of which almost all are empty", name, noun_, size));
+  curves.reserve(size);
+  for (const JsonValue item : *value_) curves.push_back(curve_of(item, name));
 }
 
 void CaseReading::pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>& pairs) {

@@ -62,18 +62,22 @@ class CaseReading {
     if (take(name)) fill(of_kind(JsonKind::object, name), name, value.emplace());
   }
   template <class T>
-  void rows(std::string_view name, std::vector<T>& values) {
+  void rows(std::string_view name, std::vector<T>& values, std::optional<std::size_t> least = std::nullopt) {
     list(name, JsonKind::array, values);
+    require(name, values.size(), least);
   }
   template <class T>
   void objects(std::string_view name, std::vector<T>& values) {
     list(name, JsonKind::object, values);
   }
   template <class T>
-  void lists(std::string_view name, std::vector<std::vector<T>>& values) {
-    if (!take(name)) return;
-    for (const JsonValue item : of_kind(JsonKind::array, name))
-      fill_list(item, name, JsonKind::array, values.emplace_back());
+  void lists(std::string_view name, std::vector<std::vector<T>>& values,
+             std::optional<std::size_t> least = std::nullopt) {
+    if (take(name)) {
+      values.reserve(size_of(of_kind(JsonKind::array, name)));
+      for (const JsonValue item : *value_) fill_list(item, name, JsonKind::array, values.emplace_back());
+    }
+    require(name, values.size(), least);
   }
   void curve(std::string_view name, TimeCurve& curve);
   void optional_curve(std::string_view name, std::optional<TimeCurve>& curve);
@@ -84,6 +88,10 @@ class CaseReading {
   /// The value of the next field into `value_`; false where the object lacks it.
   bool take(std::string_view name);
   const JsonValue& of_kind(JsonKind kind, std::string_view name) const;
+  /// For lists of lists: an empty one is so short that a vector that grows would take many times the file.
+  static std::size_t size_of(const JsonValue& array);
+  /// Of the list last asked for: there where it is needed, with `least` items.
+  void require(std::string_view name, std::size_t size, std::optional<std::size_t> least);
 
   template <class T>
   static void fill(const JsonValue& from, std::string_view noun, T& value) {

@@ -55,16 +55,16 @@ class CaseSchema {
     add(name, object_of<T>(name));
   }
   template <class T>
-  void rows(std::string_view name, std::vector<T>&) {
-    add(name, list_of(row_of<T>(name)));
+  void rows(std::string_view name, std::vector<T>&, std::optional<std::size_t> least = std::nullopt) {
+    add_list(name, list_of(row_of<T>(name)), least);
   }
   template <class T>
   void objects(std::string_view name, std::vector<T>&) {
     add(name, list_of(object_of<T>(name)));
   }
   template <class T>
-  void lists(std::string_view name, std::vector<std::vector<T>>&) {
-    add(name, list_of(list_of(row_of<T>(name))));
+  void lists(std::string_view name, std::vector<std::vector<T>>&, std::optional<std::size_t> least = std::nullopt) {
+    add_list(name, list_of(list_of(row_of<T>(name))), least);
   }
   void curve(std::string_view name, TimeCurve&) { add(name, list_of(curve_row(name))); }
   void optional_curve(std::string_view name, std::optional<TimeCurve>&) { add(name, list_of(curve_row(name))); }
@@ -123,6 +123,11 @@ class CaseSchema {
     else
       required_.emplace_back(name);
     add(name, std::move(number), demand.wording == kAny.wording ? std::string_view{} : demand.wording);
+  }
+  void add_list(std::string_view name, Json list, std::optional<std::size_t> least) {
+    if (least) required_.emplace_back(name);
+    if (least.value_or(0) > 0) list["minItems"] = *least;
+    add(name, std::move(list));
   }
   void add(std::string_view name, Json schema, std::string_view demand = {}) {
     const std::string_view meaning = meaning_of(parent_, name);

@@ -90,7 +90,7 @@ void CaseWriting::optional_curve(std::string_view name, const std::optional<Time
 }
 
 void CaseWriting::curves(std::string_view name, const std::vector<TimeCurve>& curves) {
-  list(name, curves, [](CaseWriting& to, const TimeCurve& curve) { to.put_curve(curve); });
+  list(name, curves, std::nullopt, [](CaseWriting& to, const TimeCurve& curve) { to.put_curve(curve); });
 }
 
 void CaseWriting::pairs(std::string_view name, const std::vector<std::pair<std::string, std::string>>& pairs) {

@@ -55,16 +55,17 @@ class CaseWriting {
     if (value) object(name, *value);
   }
   template <class T>
-  void rows(std::string_view name, const std::vector<T>& values) {
-    list(name, values, [](CaseWriting& to, const T& value) { to.put(value, Shape::row); });
+  void rows(std::string_view name, const std::vector<T>& values, std::optional<std::size_t> least = std::nullopt) {
+    list(name, values, least, [](CaseWriting& to, const T& value) { to.put(value, Shape::row); });
   }
   template <class T>
   void objects(std::string_view name, const std::vector<T>& values) {
-    list(name, values, [](CaseWriting& to, const T& value) { to.put(value, Shape::object); });
+    list(name, values, std::nullopt, [](CaseWriting& to, const T& value) { to.put(value, Shape::object); });
   }
   template <class T>
-  void lists(std::string_view name, const std::vector<std::vector<T>>& values) {
-    list(name, values, [](CaseWriting& to, const std::vector<T>& rows) {
+  void lists(std::string_view name, const std::vector<std::vector<T>>& values,
+             std::optional<std::size_t> least = std::nullopt) {
+    list(name, values, least, [](CaseWriting& to, const std::vector<T>& rows) {
       to.put_list(rows, [](CaseWriting& into, const T& value) { into.put(value, Shape::row); });
     });
   }
@@ -100,8 +101,8 @@ class CaseWriting {
     text_ += ']';
   }
   template <class T, class Put>
-  void list(std::string_view name, const std::vector<T>& values, Put put_one) {
-    if (values.empty()) return;
+  void list(std::string_view name, const std::vector<T>& values, std::optional<std::size_t> least, Put put_one) {
+    if (values.empty() && !least) return;
     next(name);
     put_list(values, put_one);
   }

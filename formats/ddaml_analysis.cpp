@@ -9,6 +9,7 @@
 #include <cctype>
 #include <set>
 
+#include "formats/decimal_comma.hpp"
 #include "formats/demands.hpp"
 #include "formats/tokens.hpp"
 
@@ -117,7 +118,7 @@ class AnalysisReader {
     Cursor cursor(tokens, kNothing);
     cursor.enter({element.name()});
     const double value = cursor.next_real(attribute, demand);
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     return value;
   }
 
@@ -126,7 +127,7 @@ class AnalysisReader {
     Cursor cursor(tokens, kNothing);
     cursor.enter({element.name()});
     const int value = cursor.next_integer(attribute, demand);
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     return value;
   }
 
@@ -236,7 +237,7 @@ class AnalysisReader {
     Cursor cursor(tokens, kEnd);
     cursor.enter({element.name()});
     const double value = cursor.next_real(name, demand);
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     return value;
   }
 
@@ -252,11 +253,13 @@ class AnalysisReader {
     cursor.enter({element.name()});
     std::array<double, 3> values{};
     for (double& value : values) value = cursor.next_real(fmt::format("three numbers of {}", name));
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     return values;
   }
 
-  void keep_remainder(const Cursor& cursor) {
+  void keep_remainder(const Tokens& tokens, const Cursor& cursor) {
+    if (cursor.numbers_left() > 0)
+      refuse_decimal_commas(*tokens.map, tokens.text, tokens.start_of(0), tokens.end - tokens.start_of(0));
     for (Warning& warning : cursor.remainder()) add_warning(warnings_, std::move(warning));
   }
 
@@ -302,7 +305,7 @@ class AnalysisReader {
     properties.stiffness = cursor.next_real("the stiffness", kNotNegative);
     properties.strength = cursor.next_real("the strength");
     properties.pretension = cursor.next_real("the pre-tension");
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     analysis_.bolt_properties.push_back(properties);
   }
 
@@ -329,7 +332,7 @@ class AnalysisReader {
       const double x = cursor.next_real("the load in x");
       curve.values.push_back({x, cursor.next_real("the load in y")});
     }
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     return curve;
   }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "formats/decimal_comma.hpp"
 #include "formats/demands.hpp"
 #include "formats/tokens.hpp"
 
@@ -43,7 +44,7 @@ class GeometryReader {
     const Tokens tokens = element.attribute_tokens("distance");
     Cursor cursor(tokens, "nothing");
     result_.drawing.edge_node_ratio = cursor.next_real("the edge-node ratio", kEdgeNodeRatio);
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     if (edge_node_seen_)
       add_warning(result_.warnings,
                   {"repeated_element", element.place(), "Edgenodedist stands here again; the last counts"});
@@ -62,7 +63,9 @@ class GeometryReader {
     return false;
   }
 
-  void keep_remainder(const Cursor& cursor) {
+  void keep_remainder(const Tokens& tokens, const Cursor& cursor) {
+    if (cursor.numbers_left() > 0)
+      refuse_decimal_commas(*tokens.map, tokens.text, tokens.start_of(0), tokens.end - tokens.start_of(0));
     for (Warning& warning : cursor.remainder()) add_warning(result_.warnings, std::move(warning));
   }
 
@@ -81,7 +84,7 @@ class GeometryReader {
     Cursor cursor(tokens, kEnd);
     cursor.enter(record);
     const Segment segment = next_segment(cursor);
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     return segment;
   }
 
@@ -90,7 +93,7 @@ class GeometryReader {
     Cursor cursor(tokens, kEnd);
     cursor.enter(record);
     const Point point = next_point(cursor, "x", "y");
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     return {point, item.place()};
   }
 
@@ -99,7 +102,7 @@ class GeometryReader {
     Cursor cursor(tokens, "nothing");
     cursor.enter(record);
     const int type = cursor.next_index(meaning);
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     return type;
   }
 
@@ -154,7 +157,7 @@ class GeometryReader {
     const bool material_is_fifth_number = !item.attribute("type") && cursor.numbers_left() > 0;
     const int material = material_is_fifth_number ? cursor.next_index("the block material")
                                                   : type_of(item, "the block material (attribute type)", record);
-    keep_remainder(cursor);
+    keep_remainder(tokens, cursor);
     result_.drawing.material_lines.push_back({segment, material, item.place()});
   }
 

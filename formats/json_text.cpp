@@ -12,7 +12,7 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::size_t kDeepest = 12;  // a case file takes 7
+constexpr std::size_t kDeepest = 12;  // a case file takes 8
 constexpr std::size_t kLongest = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kQuoted = 40;      // characters of what was found that a message shows
 constexpr std::size_t kLeastOfNode = 2;  // characters that a value takes with what parts it from the next
@@ -176,7 +176,7 @@ class JsonReader {
   std::vector<std::size_t> open_;
 };
 
-JsonText::JsonText(const Source& source) : map_(source.name, source.text) {
+JsonText::JsonText(const Source& source) : map_(source.name, source.text), size_(source.text.size()) {
   if (source.text.size() > kLongest)
     throw InputError({source.name},
                      fmt::format("expected at most {} bytes of JSON, found {}", kLongest, source.text.size()));
@@ -189,6 +189,10 @@ JsonKind JsonValue::kind() const {
 
 Place JsonValue::place() const {
   return text_->map_.place(text_->nodes_[node_].offset);
+}
+
+std::size_t JsonValue::file_size() const {
+  return text_->size_;
 }
 
 double JsonValue::number() const {

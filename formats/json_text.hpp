@@ -25,6 +25,7 @@ class JsonValue {
 
   JsonKind kind() const;
   Place place() const;
+  std::size_t file_size() const;    ///< bytes of the whole text
   double number() const;            ///< of a number
   std::string_view string() const;  ///< of a string
 
@@ -81,6 +82,7 @@ class JsonText {
   };
 
   TextMap map_;
+  std::size_t size_;         ///< of the text
   std::vector<Node> nodes_;  ///< each before what stands in it
   std::string strings_;      ///< one behind the other, escapes resolved
 };

@@ -186,9 +186,26 @@ Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
   return warnings;
 }
 
+// Corners of the outer loop and of holes: areas and pictures are made of them.
+void check(const std::vector<Frame>& frames, const JsonValue& from) {
+  auto frame_from = from.begin();
+  for (const Frame& frame : frames) {
+    auto element_from = (*frame_from).member("elements")->begin();
+    for (const ElementFrame& element : frame.elements) {
+      for (const std::vector<Point>& loop : element.loops)
+        if (loop.size() < kFewestCorners)
+          fail((*element_from).place(), fmt::format("{} corners at least in each loop of an element", kFewestCorners),
+               static_cast<long long>(loop.size()));
+      ++element_from;
+    }
+    ++frame_from;
+  }
+}
+
 bool is_empty(const Content& content) {
   return !content.units && !content.drawing && !content.blocks && !content.cover && !content.covers &&
-         !content.analysis && !content.motion && !content.choices;
+         !content.analysis && !content.motion && !content.choices && content.frames.empty() &&
+         content.tracks.empty();
 }
 
 template <class Part>
@@ -213,7 +230,7 @@ Reading read(const Source& source, const ReadHint&) {
   fields.finish();
   const int geometries = (content.drawing ? 1 : 0) + (content.blocks ? 1 : 0) + (content.cover ? 1 : 0);
   if (geometries > 1) text.root().fail("one of drawing, blocks and cover");
-  if (is_empty(content))
+  if (!fits_a_case(content))
     reading.warnings.push_back({"empty_case", text.root().place(), "the case file holds nothing but its version"});
   if (content.choices) place_choices(*content.choices, *text.root().member("run"));
   if (content.drawing) reading.warnings = take_default_ratio(*content.drawing, *text.root().member("drawing"));
@@ -226,6 +243,7 @@ Reading read(const Source& source, const ReadHint&) {
   check(content.cover);
   check(content.covers);
   check(content.analysis);
+  if (!content.frames.empty()) check(content.frames, *text.root().member("frames"));
   name_file(content.drawing, source.name);
   name_file(content.blocks, source.name);
   name_file(content.cover, source.name);
@@ -234,7 +252,8 @@ Reading read(const Source& source, const ReadHint&) {
 }
 
 std::string write(const Content& content) {
-  if (!fits_a_case(content)) throw std::invalid_argument("a case file needs a geometry, an analysis or a motion");
+  if (!fits_a_case(content))
+    throw std::invalid_argument("a case file needs a geometry, an analysis, a motion or results");
   std::string text;
   CaseWriting fields(text, CaseWriting::Shape::object, 0);
   fields.integer("keyblock", kCaseVersion, {});
@@ -248,7 +267,7 @@ std::string write(const Content& content) {
 
 bool fits_a_case(const Content& content) {
   return content.drawing || content.blocks || content.cover || content.covers || content.analysis || content.motion ||
-         content.units || content.choices;
+         content.units || content.choices || !content.frames.empty() || !content.tracks.empty();
 }
 
 const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read, write};

@@ -9,6 +9,7 @@
 //   covers     bodies on covers: mesh, functions, what holds and loads them; values may be expressions in x, y, nx, ny
 //   analysis   controls, materials, loads in time
 //   motion     rows time, x, y: acceleration over gravity
+//   frames, tracks    results of a run: everything at instants, the ways of measured points; a run takes no notice of them
 //   run        profile, and `set`: settings as `keyblock run --set` takes them
 // `case_fields.hpp` names every key; `keyblock formats --schema` prints them with meaning, unit and default as
 // JSON Schema.
@@ -25,7 +26,7 @@ inline constexpr int kCaseVersion = 1;
 
 extern const Format kKeyblockCase;
 
-/// Whether a case file has a place for anything of it: all but frames and tracks, which are results.
+/// Whether there is anything of it to write.
 bool fits_a_case(const Content& content);
 
 /// The layout as JSON Schema (draft 2020-12).

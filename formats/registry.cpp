@@ -9,11 +9,10 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <memory>
 #include <vector>
 
-#include "base/large_pages.hpp"
+#include "base/file_bytes.hpp"
+#include "base/parallel.hpp"
 #include "formats/berkeley_measured.hpp"
 #include "formats/berkeley_replay.hpp"
 #include "formats/dda_analysis.hpp"
@@ -72,16 +71,25 @@ bool is_binary(char c) {
   return (byte < 0x20) & !is_white & (byte != 0x1a);
 }
 
-/// The first byte that no text holds; npos where there is none. Counted piece by piece: compilers make that fast.
-std::size_t find_binary(std::string_view text) {
+/// The first byte from `at` on and before `last` that no text holds; npos where there is none. Counted piece by piece:
+/// compilers make that fast.
+std::size_t find_binary(std::string_view text, std::size_t at, std::size_t last) {
   constexpr std::size_t kPiece = 4096;
-  for (std::size_t at = 0; at < text.size(); at += kPiece) {
-    const std::string_view piece = text.substr(at, kPiece);
+  for (; at < last; at += kPiece) {
+    const std::string_view piece = text.substr(at, std::min(kPiece, last - at));
     unsigned char any = 0;
     for (const char c : piece) any |= static_cast<unsigned char>(is_binary(c));
     if (any != 0) return at + static_cast<std::size_t>(std::ranges::find_if(piece, is_binary) - piece.begin());
   }
   return std::string_view::npos;
+}
+
+std::size_t find_binary(std::string_view text) {
+  std::vector<std::size_t> found(threads_for_bytes(text.size()));
+  at_once(found.size(), [&](std::size_t i) {
+    found[i] = find_binary(text, text.size() * i / found.size(), text.size() * (i + 1) / found.size());
+  });
+  return *std::ranges::min_element(found);
 }
 
 bool is_html(std::string_view text) {
@@ -94,6 +102,8 @@ void refuse_other_files(const Source& source) {
   const std::string_view text = without_bom(source.text);
   if (text.empty()) refuse({source.name}, "an empty file");
   if (is_blank(text)) refuse({source.name}, "nothing but white space");
+  if (text.starts_with("%PDF-") || text.starts_with("%!PS"))
+    refuse({source.name}, "a page for printing (PDF or PostScript)");
   if (const std::string_view name = drawing_program_binary(text); !name.empty()) refuse({source.name}, name);
   if (const std::size_t at = find_binary(text); at != std::string_view::npos)
     refuse(TextMap(source.name, text).place(at), "a binary file");
@@ -148,19 +158,7 @@ Source load(const std::string& path) {
   if (std::filesystem::is_directory(status)) throw InputError({path}, "expected a file, found a directory");
   if (!std::filesystem::is_regular_file(status))
     throw InputError({path}, "expected a regular file, found a device or pipe");
-  std::ifstream stream(path, std::ios::binary | std::ios::ate);
-  if (!stream) throw InputError({path}, "expected a readable file, found one that cannot be opened");
-  std::string text;
-  reserve_large(text, static_cast<std::size_t>(stream.tellg()));
-  stream.seekg(0);
-  constexpr std::size_t kPiece = 1 << 18;  // fits a cache: pieces are cheaper to move than to fault in twice
-  const auto piece = std::make_unique_for_overwrite<char[]>(kPiece);
-  while (stream) {
-    stream.read(piece.get(), kPiece);
-    text.append(piece.get(), static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) throw InputError({path}, "expected a readable file, found one that breaks off");
-  return {path, std::move(text)};
+  return {path, file_bytes(path)};
 }
 
 const Tokens& Opened::tokens() {

@@ -128,7 +128,7 @@ std::string write_csv(const Content& content) {
   throw std::invalid_argument("there is no geometry and there are no frames to write");
 }
 
-constexpr std::array<std::string_view, 5> kNeverShown{"units", "covers", "analysis", "motion", "run"};
+constexpr std::array<std::string_view, 6> kNeverShown{"units", "covers", "analysis", "motion", "tracks", "run"};
 
 // Everything but the part that the view takes.
 LeftOut all_but(std::string_view part) {
@@ -147,8 +147,10 @@ LeftOut with(LeftOut left_out, std::initializer_list<std::string_view> items) {
 
 LeftOut left_out_by_vtk(const Content& content) {
   if (!content.frames.empty()) {
-    LeftOut left_out = with(all_but("frames"), {"frames[].fixed_points", "frames[].loading_points",
-                                                "frames[].measured_points", "frames[].bolts"});
+    LeftOut left_out =
+        with(all_but("frames"),
+             {"frames[].step", "frames[].elements[].mass", "frames[].elements[].moment_of_inertia",
+              "frames[].fixed_points", "frames[].loading_points", "frames[].measured_points", "frames[].bolts"});
     left_out.frames_shown = 1;
     return left_out;
   }
@@ -163,9 +165,11 @@ LeftOut left_out_by_vtk(const Content& content) {
 
 LeftOut left_out_by_csv(const Content& content) {
   if (!content.frames.empty()) {
-    LeftOut left_out =
-        with(all_but("frames"), {"frames[].elements[].loops", "frames[].elements[].velocity", "frames[].fixed_points",
-                                 "frames[].loading_points", "frames[].measured_points", "frames[].bolts"});
+    LeftOut left_out = with(
+        all_but("frames"),
+        {"frames[].elements[].loops", "frames[].elements[].velocity_x", "frames[].elements[].velocity_y",
+         "frames[].elements[].velocity_rotation", "frames[].elements[].mass", "frames[].elements[].moment_of_inertia",
+         "frames[].fixed_points", "frames[].loading_points", "frames[].measured_points", "frames[].bolts"});
     left_out.frames_shown = content.frames.size();
     return left_out;
   }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -210,6 +212,30 @@ TEST(Commands, a_run_that_cannot_go_on_says_why_saves_its_state_and_exits_4) {
   EXPECT_EQ(record["outcome"]["end"], "failed");
   EXPECT_FALSE(record["outcome"]["reason"].get<std::string>().empty());
   EXPECT_TRUE(contains(read_text(out + "/fields.pvd"), ".vtu"));
+}
+
+TEST(Commands, a_run_at_a_limit_of_processor_time_saves_its_state_and_exits_5) {
+  const std::string out = fresh_folder("at_limit") + "/out";
+  const std::string rest = kCases + "block_at_rest/dynamic/dynamic";
+  const ProgramRun run =
+      testing::interrupt_keyblock({"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"},
+                                  out + "/frames/00000000.vtu", SIGXCPU);
+  EXPECT_EQ(run.exit_code, 5) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "stopped at the limit of processor time; keyblock run --resume")) << run.messages;
+  EXPECT_TRUE(std::filesystem::exists(out + "/checkpoint.h5"));
+}
+
+// 60 MB of numbers that take 240 MB as doubles.
+TEST(Commands, a_limit_of_memory_is_named_and_exits_5) {
+  const std::string folder = fresh_folder("starved");
+  std::string text = "0.01 30000000 0 0 0 0 0 0 0\n";
+  while (text.size() < 60000000) text += "1 1 1 1 1 1 1 1\n";
+  testing::write_text(folder + "/large.geo", text);
+  const std::string command =
+      fmt::format("ulimit -v 250000; '{}' check {}/large.geo 2> {}/messages", KEYBLOCK_PROGRAM, folder, folder);
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 5);
+  EXPECT_TRUE(contains(read_text(folder + "/messages"), "not enough memory for this within the limit"));
 }
 
 TEST(Commands, an_interrupted_run_saves_its_state_and_exits_130) {

@@ -44,6 +44,25 @@ TEST(Resume, a_killed_run_goes_on_and_ends_with_the_same_bytes) {
   }
 }
 
+TEST(Resume, a_run_killed_before_its_first_checkpoint_begins_again_and_ends_with_the_same_bytes) {
+  const std::string folder = fresh_folder("before_checkpoint");
+  const std::vector<std::string> arguments{"run", kStack + ".geo", kStack + ".ana", "--trace", "--set", "steps=400",
+                                           "-o"};
+  const auto into = [&](const std::string& out) {
+    auto all = arguments;
+    all.push_back(folder + out);
+    return all;
+  };
+  const auto killed = testing::interrupt_keyblock(into("/out"), folder + "/out/frames/00000008.vtu", SIGKILL);
+  ASSERT_EQ(killed.exit_code, 128 + SIGKILL);
+  const auto resumed = run_keyblock({"run", "--resume", folder + "/out"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.messages;
+  EXPECT_NE(resumed.messages.find("before its first checkpoint: it begins again"), std::string::npos)
+      << resumed.messages;
+  EXPECT_EQ(run_keyblock(into("/whole")).exit_code, 0);
+  EXPECT_TRUE(testing::contents(folder + "/out") == testing::contents(folder + "/whole"));
+}
+
 TEST(Resume, a_stopped_run_goes_on_and_its_checkpoint_goes_at_the_end) {
   const StoppedRun stopped("stopped");
   EXPECT_TRUE(fs::exists(stopped.out + "/checkpoint.h5"));
@@ -110,8 +129,7 @@ TEST(Resume, takes_the_run_as_it_was_asked_and_nothing_else) {
     EXPECT_EQ(run_keyblock({"run", "--resume", "nowhere", option}).exit_code, 2) << option;
   const auto nowhere = run_keyblock({"run", "--resume", "nowhere"});
   EXPECT_EQ(nowhere.exit_code, 2);
-  EXPECT_NE(nowhere.messages.find("checkpoint.h5, found none; a run that was killed"), std::string::npos)
-      << nowhere.messages;
+  EXPECT_NE(nowhere.messages.find("checkpoint.h5, found none; run … -o"), std::string::npos) << nowhere.messages;
   const std::string over = testing::fresh_folder("resume_over");
   testing::write_text(over + "/run.json", "{}");
   EXPECT_NE(run_keyblock({"run", "--resume", over}).messages.find("the run in " + over + " is over"),

@@ -62,11 +62,13 @@ std::string FileTree::problem_of(const study::BatchJob& job) const {
 
 FileTree survey(const fs::path& root, const fs::path& left_out, int largest_mebibytes, int threads,
                 const std::function<bool()>& is_stopped) {
-  const std::vector<std::string> paths = study::files_below(root, left_out);
+  study::FoundFiles found = study::files_below(root, left_out);
+  const std::vector<std::string>& paths = found.files;
   std::vector<SeenFile> seen(paths.size());
   for_each_in_parallel(paths.size(), threads, is_stopped,
                        [&](std::size_t i) { seen[i] = see(root, paths[i], largest_mebibytes); });
   FileTree archive;
+  archive.passed_over = std::move(found.passed_over);
   if (is_stopped()) return archive;
   std::vector<study::BatchFile> files;
   for (SeenFile& file : seen) {

@@ -24,6 +24,7 @@ struct SeenFile {
 struct FileTree {
   std::map<std::string, SeenFile> files;  ///< by path
   std::vector<study::BatchJob> jobs;
+  std::vector<study::PassedOver> passed_over;
 
   /// What a job depends on: its files, and the expected values beside a case.
   std::vector<report::CatalogueFile> files_of(const study::BatchJob& job) const;

@@ -216,6 +216,7 @@ ExitCode run_batch(const BatchOptions& options) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(signal, stop_after_running_jobs) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks for
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options), is_stopped);
+  if (!archive.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(archive.passed_over));
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
   std::error_code is_no_matter;

@@ -16,6 +16,7 @@
 #include "formats/case.hpp"
 #include "run/prepare.hpp"
 #include "run/profile.hpp"
+#include "study/named_files.hpp"
 
 namespace keyblock {
 namespace {
@@ -178,7 +179,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
       report.covers = cover_case.counts();
       return report;
     }
-    const Prepared prepared = prepare(checked.problem, chosen, {});
+    const Prepared prepared = prepare(study::with_named_files(checked.problem, {}, {}), chosen, {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
     return report;

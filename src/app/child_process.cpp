@@ -79,8 +79,8 @@ ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits&
   if (child < 0 || (!was_killed && WEXITSTATUS(status) == kCannotStart))
     throw OutputError(fmt::format("cannot start this program again, or write {}", messages.string()));
   const int signal = was_killed ? WTERMSIG(status) : 0;
-  const bool has_stopped = !was_killed && WEXITSTATUS(status) == static_cast<int>(ExitCode::stopped);
-  const bool by_limit = limits.cpu_seconds > 0 && (signal == SIGXCPU || signal == SIGKILL || has_stopped);
+  const bool says_so = !was_killed && WEXITSTATUS(status) == static_cast<int>(ExitCode::limit);
+  const bool by_limit = limits.cpu_seconds > 0 && (signal == SIGXCPU || signal == SIGKILL || says_so);
   return {was_killed ? 128 + signal : WEXITSTATUS(status), by_limit};
 }
 

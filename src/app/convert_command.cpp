@@ -113,8 +113,8 @@ ExitCode convert_files(const ConvertOptions& options) {
   } else {
     for (const std::string& output : outputs) fmt::print("{}\n", output);
     for (const study::Loss& loss : conversion.losses)
-      fmt::print("lost: {}{}: {}\n", loss.item, loss.times > 1 ? fmt::format(" ({} times, the first)", loss.times) : "",
-                 loss.sentence);
+      fmt::print("{}: {}{}: {}\n", loss.sentence.starts_with("nothing → ") ? "added" : "lost", loss.item,
+                 loss.times > 1 ? fmt::format(" ({} times, the first)", loss.times) : "", loss.sentence);
   }
   if (is_refused) spdlog::error("keyblock: error: {} cannot hold all; nothing is written (--strict)", target.name);
   return is_refused ? ExitCode::check_failed : ExitCode::ok;

@@ -10,6 +10,7 @@ enum class ExitCode {
   usage = 2,              ///< the command line
   unreadable = 3,         ///< input that cannot be read or used
   numerical_failure = 4,  ///< the computation could not go on; the state is saved
+  limit = 5,              ///< a limit of processor time or memory ended it; what was reached is saved
   stopped = 130,          ///< by the user
 };
 

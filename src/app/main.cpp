@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,12 @@ void require_known(const std::string& command) {
   std::vector<const char*> names;
   for (const Command& known : kCommands) names.push_back(known.name);
   throw UsageError(fmt::format("there is no command \"{}\", only {}", command, fmt::join(names, ", ")));
+}
+
+// As `ulimit -v` or a batch sets it.
+bool has_memory_limit() {
+  rlimit limit{};
+  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
 int run_program(int argc, char** argv) {
@@ -85,8 +92,9 @@ int main(int argc, char** argv) {
     spdlog::error("{}: error: {}", error.path1().string(), error.code().message());
     return static_cast<int>(keyblock::ExitCode::usage);
   } catch (const std::bad_alloc&) {
-    spdlog::error("keyblock: error: there is not enough memory for this");
-    return static_cast<int>(keyblock::ExitCode::numerical_failure);
+    const bool is_limited = keyblock::has_memory_limit();
+    spdlog::error("keyblock: error: there is not enough memory for this{}", is_limited ? " within the limit" : "");
+    return static_cast<int>(is_limited ? keyblock::ExitCode::limit : keyblock::ExitCode::numerical_failure);
   } catch (const std::exception& error) {
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::numerical_failure);

@@ -126,6 +126,10 @@ void print_hint(const Settings& settings) {
         "--set quirk.velocity_from_coming_step=off often lets a run go on");
 }
 
+bool is_at_time_limit() {
+  return stop_signal == SIGXCPU;
+}
+
 void print_summary(const Prepared& prepared, const RunRecord& record, const std::string& folder) {
   log_warnings(record.warnings);
   if (record.outcome.end == RunEnd::failed) {
@@ -134,7 +138,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, const std:
   }
   if (record.outcome.end == RunEnd::stopped)
     spdlog::warn("stopped {}; keyblock run --resume {} goes on",
-                 stop_signal == SIGXCPU ? "at the limit of processor time" : "by request", folder);
+                 is_at_time_limit() ? "at the limit of processor time" : "by request", folder);
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
 }
 
@@ -145,7 +149,7 @@ ExitCode exit_code(RunEnd end) {
     case RunEnd::failed:
       return ExitCode::numerical_failure;
     case RunEnd::stopped:
-      return ExitCode::stopped;
+      return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
   }
   return ExitCode::numerical_failure;
 }
@@ -185,7 +189,7 @@ ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, c
                options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
 }
 
-// `saved`: the checkpoint to go on from, its request already taken; none for a run from the start.
+// `saved`: the checkpoint to go on from, its request already taken, or all that a run left before its first one; none for a new run.
 ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
   RunRecord record;
@@ -202,6 +206,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
 
   RunRequest request = request_of(options, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
+  const bool goes_on = saved && holds_steps(*saved);
   for (const std::string& file : options.files) require_not_below(file, options.folder);
   const int stride = stride_of(prepared.scene.settings.step_count);
   record.steps = StepRows(stride);
@@ -209,10 +214,12 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   StepWatch watch_steps(prepared);
   History history{!prepared.scene.model.measured_points.empty(), {}};
   const Trace trace = options.trace ? Trace::yes : Trace::no;
-  RunFolder folder = saved ? RunFolder(options.folder, trace)
-                           : RunFolder(options.folder, options.force ? Overwrite::yes : Overwrite::no, trace);
+  RunFolder folder = goes_on
+                         ? RunFolder(options.folder, trace)
+                         : RunFolder(options.folder, options.force || saved ? Overwrite::yes : Overwrite::no, trace);
   std::unique_ptr<Stepper> stepper;
-  if (saved) {
+  if (!goes_on) folder.write_checkpoint(bytes_before_steps(request));
+  if (goes_on) {
     describe_told(*saved, folder, history, record, watch_steps);
     saved->group("stepper", [&] { stepper = restored_stepper(prepared.scene, *saved); });
     folder.drop_what_followed();
@@ -221,6 +228,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   spdlog::info("{}, {} unknowns, {} steps", counted(prepared.blocks.blocks.size(), "block"),
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
   if (stepper) spdlog::info("going on after step {}", stepper->state().step);
+  if (saved && !stepper) spdlog::info("the run ended before its first checkpoint: it begins again");
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   std::signal(SIGHUP, ask_to_stop);
@@ -320,10 +328,12 @@ Action configure_run(CLI::App& options) {
   CLI::Option* force = options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
   options
       .add_option("--checkpoint-every", chosen->checkpoint_every,
-                  "seconds between checkpoints in the folder (default: 30); 0: only where the run is stopped")
+                  "seconds between checkpoints in the folder (default: 30); 0: none but at the start and where the run "
+                  "is stopped")
       ->check(CLI::NonNegativeNumber);
-  CLI::Option* resume =
-      options.add_option("--resume", chosen->resume, "folder of an interrupted run, which goes on from its checkpoint");
+  CLI::Option* resume = options.add_option(
+      "--resume", chosen->resume,
+      "folder of an interrupted run, which goes on from its checkpoint, or begins again before its first");
   for (CLI::Option* other : {files, profile, folder, sets, every, trace, force}) resume->excludes(other);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");
   return [chosen] { return run_files(*chosen); };

@@ -57,6 +57,16 @@ void describe_told(Archive& archive, RunFolder& folder, History& history, RunRec
   archive.group("folder", [&] { folder.describe(archive); });
 }
 
+std::string bytes_before_steps(RunRequest& request) {
+  Archive archive;
+  archive.group("request", [&] { describe(archive, request); });
+  return checkpoint_bytes(archive);
+}
+
+bool holds_steps(const Archive& saved) {
+  return std::ranges::any_of(saved.root().children, [](const auto& child) { return child->name == "stepper"; });
+}
+
 std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
                         Stepper& stepper) {
   Archive archive;
@@ -72,10 +82,8 @@ Archive read_checkpoint(const fs::path& file) {
     throw UsageError(
         fmt::format("nothing to resume: the run in {} is over, as its run.json says", file.parent_path().string()));
   if (!stream)
-    throw UsageError(
-        fmt::format("nothing to resume: expected {}, found none; a run that was killed before its first "
-                    "checkpoint begins again with run … -o {} --force",
-                    file.string(), file.parent_path().string()));
+    throw UsageError(fmt::format("nothing to resume: expected {}, found none; run … -o {} --force begins a run there",
+                                 file.string(), file.parent_path().string()));
   return archive_of_checkpoint(file.string(), {std::istreambuf_iterator<char>(stream), {}});
 }
 

@@ -37,6 +37,12 @@ std::string this_program();
 /// What the run has told: rows of history, steps and ledger, sums of them, warnings of steps, and its frames.
 void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch);
 
+/// What a run leaves at its start: the group request alone. Resumed from it, the run begins again.
+std::string bytes_before_steps(RunRequest& request);
+
+/// Whether there are steps to go on from behind the request.
+bool holds_steps(const Archive& saved);
+
 /// The whole checkpoint: groups request, records, folder, stepper.
 std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
                         Stepper& stepper);

@@ -114,7 +114,9 @@ std::vector<SettingRow> rows_of_loads_and_materials() {
           [](auto& s) -> auto& { return s.body_acceleration.constant.y; }, real(kAnyNumber)),
       row(
           "body_acceleration_file",
-          "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one",
+          "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one; a case file names it "
+          "from its "
+          "own folder",
           [](auto& s) -> auto& { return s.body_acceleration.file; }, any_text()),
       row(Materials::of_blocks, "mass_damping", "a of the damping matrix a M + b K; it slows rigid motion too [1/time]",
           at(&Settings::mass_damping), real(kNotNegative)),

@@ -9,6 +9,7 @@
 #include "report/thumbnail.hpp"
 #include "run/prepare.hpp"
 #include "study/batch_files.hpp"
+#include "study/named_files.hpp"
 
 namespace keyblock::study {
 
@@ -91,8 +92,11 @@ void follow(CatalogueRow& row, const std::vector<std::string>& paths, CheckDepth
   if (!checked.errors.empty()) throw checked.errors.front();
   const Warnings of_cut = look_at_scene(row, checked.problem);
   const bool is_prepared = depth == CheckDepth::plan && can_be_prepared(checked.problem);
-  warnings = joined(std::move(warnings),
-                    is_prepared ? prepare(checked.problem, profile_of(checked.problem, profile), {}).warnings : of_cut);
+  warnings =
+      joined(std::move(warnings),
+             is_prepared
+                 ? prepare(with_named_files(checked.problem, {}, {}), profile_of(checked.problem, profile), {}).warnings
+                 : of_cut);
 }
 
 }  // namespace

@@ -3,10 +3,13 @@
 #include "study/batch_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <fstream>
+#include <map>
 
 #include "formats/numbers.hpp"
 #include "formats/registry.hpp"
@@ -59,14 +62,38 @@ bool is_hidden(const fs::path& path) {
   return path.filename().string().starts_with('.');
 }
 
-void visit(const fs::path& folder, const fs::path& root, const fs::path& left_out, std::vector<std::string>& files) {
+// As `batch -o` makes it: its journal begins so.
+bool is_of_a_batch(const fs::path& folder) {
+  constexpr std::string_view kHead = "{\"batch\":";
+  std::ifstream journal(folder / "journal.jsonl", std::ios::binary);
+  std::string head(kHead.size(), ' ');
+  return journal.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead;
+}
+
+// Why an entry of a folder is no file of the archive; empty for files, and for folders to walk into.
+std::string_view why_not(const fs::directory_entry& entry) {
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (is_hidden(entry.path()) || fs::equivalent(entry.path(), left_out, ignored)) continue;
-    if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) visit(entry.path(), root, left_out, files);
-    if (entry.is_regular_file(ignored))
-      files.push_back(escaped(entry.path().lexically_relative(root).generic_string()));
+  const bool is_link = entry.is_symlink(ignored);
+  if (is_hidden(entry.path())) return "hidden";
+  if (is_link && !entry.exists(ignored)) return "dead link";
+  if (is_link && entry.is_directory(ignored)) return "link to a folder";
+  if (entry.is_directory(ignored)) return is_of_a_batch(entry.path()) ? "results of another batch" : "";
+  return entry.is_regular_file(ignored) ? "" : "device or pipe";
+}
+
+void visit(const fs::path& folder, const fs::path& root, const fs::path& left_out, FoundFiles& found) {
+  const auto name_of = [&](const fs::path& path) { return escaped(path.lexically_relative(root).generic_string()); };
+  std::error_code error, ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (fs::equivalent(entry.path(), left_out, ignored)) continue;
+    if (const std::string_view reason = why_not(entry); !reason.empty())
+      found.passed_over.push_back({name_of(entry.path()), reason});
+    else if (entry.is_directory(ignored))
+      visit(entry.path(), root, left_out, found);
+    else
+      found.files.push_back(name_of(entry.path()));
   }
+  if (error) found.passed_over.push_back({name_of(folder), "folder that cannot be opened"});
 }
 
 // A file that fits two dialects needs its geometry to be told, but is an analysis in either.
@@ -174,12 +201,23 @@ FitCounts counts_of(const Analysis& analysis) {
 
 }  // namespace
 
-std::vector<std::string> files_below(const fs::path& root, const fs::path& left_out) {
+FoundFiles files_below(const fs::path& root, const fs::path& left_out) {
   if (!fs::is_directory(root)) throw InputError({root.string(), 0, 0}, "expected a folder, found none");
-  std::vector<std::string> files;
-  visit(root, root, left_out, files);
-  std::ranges::sort(files);
-  return files;
+  FoundFiles found;
+  visit(root, root, left_out, found);
+  std::ranges::sort(found.files);
+  std::ranges::sort(found.passed_over, {}, &PassedOver::path);
+  return found;
+}
+
+std::string sentence_of(const std::vector<PassedOver>& passed_over) {
+  std::map<std::string_view, std::vector<std::string_view>> by_reason;
+  for (const PassedOver& entry : passed_over) by_reason[entry.reason].push_back(entry.path);
+  std::vector<std::string> parts;
+  for (const auto& [reason, paths] : by_reason)
+    parts.push_back(
+        fmt::format("{} × {} ({}{})", paths.size(), reason, paths.size() > 1 ? "the first " : "", paths[0]));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 fs::path place_of(const fs::path& root, const std::string& path) {

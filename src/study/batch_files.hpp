@@ -38,9 +38,24 @@ struct BatchFile {
   std::optional<FitCounts> counts;  ///< of geometries and analyses that can be read alone
 };
 
-/// The regular files at or below `root`, their paths as `BatchFile` has them, sorted, without hidden ones and those below `left_out`. Links to folders
-/// are not followed. Throws InputError where `root` is no folder.
-std::vector<std::string> files_below(const std::filesystem::path& root, const std::filesystem::path& left_out);
+/// What lies in an archive and is no file of it.
+struct PassedOver {
+  std::string path;         ///< as that of a BatchFile
+  std::string_view reason;  ///< "hidden", "dead link", …
+};
+
+struct FoundFiles {
+  std::vector<std::string> files;  ///< paths as those of a BatchFile, sorted
+  std::vector<PassedOver> passed_over;
+};
+
+/// The regular files at or below `root`; passed over are hidden files and folders, links to folders, dead links, devices and
+/// pipes, and folders with the results of other batches. What lies in `left_out` is not even that. Throws InputError where `root` is
+/// no folder.
+FoundFiles files_below(const std::filesystem::path& root, const std::filesystem::path& left_out);
+
+/// How many for which reason, with the first: "2 × hidden (the first .git), 1 × dead link (x)"; empty for none.
+std::string sentence_of(const std::vector<PassedOver>& passed_over);
 
 /// Where a file of the archive lies: the path below `root` with its bytes as the file system has them.
 std::filesystem::path place_of(const std::filesystem::path& root, const std::string& path);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "formats/analysis_parts.hpp"
@@ -22,6 +23,7 @@
 #include "formats/views.hpp"
 #include "study/berkeley_faults.hpp"
 #include "study/derived_geometry.hpp"
+#include "study/dropped_comments.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -188,17 +190,22 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   conversion.hint = hint_of(content);
   Content back;
   std::string why_not;
+  std::set<const std::string*> kept;
   for (const Target::Part& part : target.parts) {
     auto [text, reason] = written(*part.format, content);
     why_not = std::move(reason);
     if (text.empty()) continue;
     if (part.format->read) add_to(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
     const std::string* same = unchanged(files, *part.format, text);
+    kept.insert(same);
     conversion.files.push_back({part.format, part.ending, same ? *same : std::move(text)});
   }
   if (conversion.files.empty())
     throw InputError({files.front().path},
                      fmt::format("expected something that {} holds, found none: {}", target.name, why_not));
+  for (const formats::FileReading& file : files)
+    if (std::optional<Warning> dropped = dropped_comments(file); dropped && !kept.contains(&file.source.text))
+      conversion.warnings.push_back(std::move(*dropped));
   const auto left_out = target.parts.front().left_out;
   for (Loss& loss : left_out != nullptr ? losses(content, left_out(content)) : losses(content, back))
     conversion.losses.push_back(std::move(loss));

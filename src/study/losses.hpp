@@ -19,7 +19,7 @@ struct Loss {
   bool operator==(const Loss&) const = default;
 };
 
-/// In the order of the case file, then frames and tracks of measured points. The dialect of an analysis is no item: it is what is converted.
+/// In the order of the case file. The dialect of an analysis is no item: it is what is converted.
 std::vector<Loss> losses(const formats::Content& original, const formats::Content& converted);
 
 /// What a view, from which nothing can be read back, leaves out.

@@ -57,7 +57,7 @@ TEST_F(ConvertCommand, two_files_have_the_endings_behind_the_whole_name) {
 TEST_F(ConvertCommand, strict_writes_nothing_where_the_target_cannot_hold_all) {
   const ProgramRun loose = convert({"-o", folder_ + "loose.csv"});
   EXPECT_EQ(loose.exit_code, 0);
-  EXPECT_TRUE(contains(loose.output, "lost: analysis: an object → not shown")) << loose.output;
+  EXPECT_TRUE(contains(loose.output, "lost: analysis: {dialect, velocity_carry_over, ")) << loose.output;
   const ProgramRun strict = convert({"-o", folder_ + "strict.csv", "--strict"});
   EXPECT_EQ(strict.exit_code, 1);
   EXPECT_TRUE(contains(strict.messages, "csv cannot hold all")) << strict.messages;
@@ -92,8 +92,9 @@ TEST_F(ConvertCommand, json_names_outputs_losses_and_warnings) {
   ASSERT_EQ(run.exit_code, 0);
   const auto json = nlohmann::json::parse(run.output);
   EXPECT_EQ(json["outputs"], nlohmann::json::array({folder_ + "b.dxf"}));
-  EXPECT_EQ(json["losses"],
-            nlohmann::json::parse(R"([{"item": "analysis", "times": 1, "change": "an object → nothing"}])"));
+  ASSERT_EQ(json["losses"].size(), 1U);
+  EXPECT_EQ(json["losses"][0]["item"], "analysis");
+  EXPECT_TRUE(contains(json["losses"][0]["change"], "step_count")) << json["losses"][0];
   EXPECT_TRUE(json["warnings"].empty());
 }
 

@@ -54,6 +54,17 @@ TEST(Ddaml, geometry_and_analysis_are_read_from_one_file) {
   ASSERT_TRUE(reading.content.analysis);
 }
 
+TEST(Ddaml, decimal_commas_in_the_text_of_an_element_are_refused_where_its_numbers_are_too_many) {
+  const auto joint = [](const std::string& text) {
+    return document("<Geometry><Edgenodedist distance='0.01'/><Jointlist><Joint type='1'>" + text +
+                    "</Joint></Jointlist></Geometry>");
+  };
+  EXPECT_EQ(error_of(joint("1,5 0,25 2 3")).substr(0, 59),
+            "f:1:75: error: expected a decimal point, or white space bes");
+  EXPECT_EQ(error_of(joint("0,0 1,1")), "");
+  EXPECT_EQ(names(read({"f", joint("1 2 3 4 5")}).warnings), (std::vector<std::string>{"surplus_numbers"}));
+}
+
 TEST(Ddaml, geometry_lands_in_its_places) {
   const Drawing drawing = *read({"f", document(kGeometry)}).content.drawing;
   EXPECT_EQ(drawing.edge_node_ratio, .01);

@@ -135,6 +135,29 @@ TEST(KeyblockCase, faults_of_covers_are_named_where_they_stand) {
             "f:2:58: error: expected step of excavations: a whole number fr");
 }
 
+TEST(KeyblockCase, results_are_held_and_their_faults_named) {
+  const std::string element = "[1, [[[0, 0], [3, 0], [0, 3]]], 1, 1, 0.5, 0, 0, 0, 0, 0, 0, 0, 0, 4.5, 0, 0]";
+  const auto text = [&](const std::string& elements, const std::string& tracks) {
+    return "{\"keyblock\": 1,\n\"frames\": [{\"time\": 2, \"elements\": [\n" + elements + "]}],\n\"tracks\": [\n" +
+           tracks + "]}";
+  };
+  const std::string track = R"({"point": 2, "rows": [[1, 0.5, 0.5, 2, 3, 0.1, 1, -1, 1.5]]})";
+  const Content content = read({"f", text(element, track)}).content;
+  EXPECT_EQ(content.frames.at(0).time, 2);
+  EXPECT_EQ(content.frames[0].elements.at(0).displacement, (Point{0.5, 0}));
+  EXPECT_EQ(content.frames[0].elements[0].area, 4.5);
+  EXPECT_EQ(content.tracks.at(0), (MeasuredTrack{1, {{1, 0.5, 0.5, {2, 3}, 0.1, {1, -1}, 1.5}}}));
+  EXPECT_EQ(error_of(text(element + ",\n[1, [[[0, 0], [3, 0]]], 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]", track)),
+            "f:4:1: error: expected 3 corners at least in each loop of an element, found 2");
+  EXPECT_EQ(error_of(text("[1, []]", track)).substr(0, 60),
+            "f:3:5: error: expected loops of elements: 1 or more, found a");
+  EXPECT_EQ(error_of(text("", track)), "f:2:36: error: expected elements of frames: 1 or more, found an array");
+  EXPECT_EQ(error_of(text(element, R"({"point": 2})")),
+            "f:5:1: error: expected the key rows of tracks: an array, found an object");
+  EXPECT_EQ(error_of(text(element, R"({"point": 2, "rows": [[1.5, 0, 0, 0, 0, 0, 0, 0, 0]]})")),
+            "f:5:24: error: expected step of rows: a whole number, found 1.5");
+}
+
 TEST(KeyblockCase, the_schema_knows_the_keys_of_the_file) {
   const auto schema = nlohmann::json::parse(case_schema());
   const auto file = nlohmann::json::parse(kSquare, nullptr, true, true);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "formats/keyblock_case.hpp"
 #include "formats/knowledge.hpp"
 #include "formats/registry.hpp"
 #include "tests/fuzz/exercise.hpp"
@@ -133,6 +134,31 @@ TEST_F(Bounds, a_megabyte_of_one_record_is_read_within_the_limits_in_every_forma
       expect_within_limits(find_reader(format->name), text, content.name);
     }
   EXPECT_GE(cases, 30);
+}
+
+// As another program may write it: nothing between numbers but a comma.
+TEST_F(Bounds, a_case_file_without_white_space_is_read_within_the_limits) {
+  for (const LongContent& content : long_contents(100000)) {
+    std::string text = kKeyblockCase.write(content.content);
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
+    expect_within_limits(find_reader("keyblock-case"), text, content.name);
+  }
+}
+
+// Whether they are accepted or refused.
+TEST_F(Bounds, a_case_file_of_the_shortest_items_is_read_within_the_limits) {
+  for (const std::string list :
+       {R"("frames":[)", R"("tracks":[)", R"("frames":[{"elements":[)", R"("tracks":[{"rows":[)",
+        R"("blocks":{"blocks":[)", R"("blocks":{"blocks":[{"outer":[)", R"("blocks":{"blocks":[{"holes":[)",
+        R"("analysis":{"point_loads":[)", R"("analysis":{"block_materials":[)", R"("motion":[)"})
+    for (const std::string item : {"{}", "[]", "0", "[[]]"}) {
+      std::string text = R"({"keyblock":1,)" + list + item;
+      while (text.size() < kMegabyte) text += "," + item;
+      const std::ptrdiff_t opened = std::ranges::count(list, '[');
+      text += opened == 2 ? "]}]" : "]";
+      if (list.find(":{") != std::string::npos) text += "}";
+      expect_within_limits(find_reader("keyblock-case"), text + "}", list + item);
+    }
 }
 
 TEST_F(Bounds, what_fuzzing_once_found_is_stood_by_every_reader) {

@@ -94,6 +94,20 @@ std::vector<LongContent> long_contents(std::size_t count) {
   add("joint materials", shortest_analysis(),
       [&](Analysis& a) { fill(a.joint_materials, count, a.joint_materials[0]); });
   add("bolt properties", shortest_analysis(), [&](Analysis& a) { fill(a.bolt_properties, count, {1, 1, 1}); });
+  const auto add_results = [&](std::string name, std::vector<Frame> frames, std::vector<MeasuredTrack> tracks) {
+    Content content;
+    content.frames = std::move(frames);
+    content.tracks = std::move(tracks);
+    all.push_back({std::move(name), std::move(content)});
+  };
+  const ElementFrame element{{{{0, 0}, {1, 0}, {0, 1}}}, 0, {}, {}, 0, {}, {}, 0, 0, 0};
+  const Frame frame{0, 0, {element}, {}, {}, {}, {}};
+  add_results("frames", std::vector(count / 3, frame), {});
+  add_results("elements of a frame", {{0, 0, std::vector(count / 3, element), {}, {}, {}, {}}}, {});
+  add_results("points of a frame", {{0, 0, {element}, std::vector(count, PointFrame{}), {}, {}, {}}}, {});
+  add_results("bolts of a frame", {{0, 0, {element}, {}, {}, {}, std::vector(count, BoltFrame{})}}, {});
+  add_results("tracks", {}, std::vector<MeasuredTrack>(count));
+  add_results("rows of a track", {}, {{0, std::vector<MeasuredRow>(count)}});
   add("rows of a load", shortest_analysis(), [&](Analysis& a) {
     a.point_loads.resize(2);
     for (std::size_t i = 0; i < count; ++i) a.point_loads[0].times.push_back(static_cast<double>(i));

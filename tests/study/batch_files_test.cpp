@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "formats/registry.hpp"
+#include "study/batch_journal.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 #include "tests/support/two_triangles.hpp"
@@ -17,10 +18,19 @@ namespace fs = std::filesystem;
 
 TEST(BatchFiles, all_but_hidden_ones_and_those_of_the_results_are_found_in_order) {
   const fs::path root = testing::fresh_folder("batch_files");
-  for (const char* folder : {"b", "out/jobs", ".git"}) fs::create_directories(root / folder);
-  for (const char* file : {"z", "b/a", "out/jobs/x", ".git/config", ".hidden"}) testing::write_text(root / file, "");
+  for (const char* folder : {"b", "out/jobs", ".git", "old/jobs"}) fs::create_directories(root / folder);
+  for (const char* file : {"z", "b/a", "out/jobs/x", ".git/config", ".hidden", "old/jobs/y"})
+    testing::write_text(root / file, "");
+  testing::write_text(root / "old/journal.jsonl", journal_head("check"));
   fs::create_directory_symlink(root, root / "b" / "round");
-  EXPECT_EQ(files_below(root, root / "out"), (std::vector<std::string>{"b/a", "z"}));
+  fs::create_symlink(root / "gone", root / "b" / "dead");
+  fs::create_symlink(root / "z", root / "b" / "same");
+  const FoundFiles found = files_below(root, root / "out");
+  EXPECT_EQ(found.files, (std::vector<std::string>{"b/a", "b/same", "z"}));
+  EXPECT_EQ(sentence_of(found.passed_over),
+            "1 × dead link (b/dead), 2 × hidden (the first .git), 1 × link to a folder (b/round), "
+            "1 × results of another batch (old)");
+  EXPECT_EQ(sentence_of({}), "");
   EXPECT_THROW(files_below(root / "z", {}), InputError);
 }
 
@@ -33,6 +43,7 @@ TEST(BatchFiles, content_decides_what_a_file_is) {
   EXPECT_EQ(role_of("00_control_xml.ana"), FileRole::analysis);
   EXPECT_EQ(role_of("05_empty_geo.geo"), FileRole::unreadable);
   EXPECT_EQ(role_of("expected.csv"), FileRole::side_file);
+  EXPECT_EQ(look_at({"f", "%PDF-1.4\n1 2 3 4 5 6 7 8 9 10 11 12\n"}, "paper.pdf").role, FileRole::foreign);
   EXPECT_EQ(look_at({"f", "0.005 3\n.1\n-.2\n.3\n"}, "quake.geo").role, FileRole::side_file);
 }
 
@@ -54,7 +65,7 @@ TEST(BatchFiles, names_that_are_no_utf_8_are_escaped_and_found_again) {
   const fs::path root = testing::fresh_folder("batch_escapes");
   const std::vector<std::string> raw{"50%", "50%25", "B\xF6schung", "B\xC3\xB6schung", "\xED\xA0\x80", "\xC0\xAF"};
   for (const std::string& name : raw) testing::write_text(root / name, name);
-  const std::vector<std::string> names = files_below(root, {});
+  const std::vector<std::string> names = files_below(root, {}).files;
   EXPECT_EQ(names,
             (std::vector<std::string>{"%C0%AF", "%ED%A0%80", "50%25", "50%2525", "B%F6schung", "B\xC3\xB6schung"}));
   std::vector<std::string> found;

@@ -12,12 +12,12 @@
 #include <set>
 #include <sstream>
 
-#include "formats/berkeley_replay.hpp"
 #include "formats/dda_blocks.hpp"
 #include "formats/dda_geometry.hpp"
 #include "formats/keyblock_case.hpp"
 #include "geometry/polygon.hpp"
 #include "study/derived_geometry.hpp"
+#include "tests/support/content_text.hpp"
 #include "tests/support/random_contents.hpp"
 #include "tests/support/two_triangles.hpp"
 
@@ -58,6 +58,8 @@ Content read_back(const Conversion& conversion) {
     if (read.units) back.units = read.units;
     if (read.choices) back.choices = read.choices;
     if (read.motion) back.motion = read.motion;
+    if (!read.frames.empty()) back.frames = read.frames;
+    if (!read.tracks.empty()) back.tracks = read.tracks;
   }
   return back;
 }
@@ -213,17 +215,52 @@ TEST(Convert, everything_fits_the_case_file) {
   }
 }
 
-TEST(Convert, a_case_file_holds_no_results_and_says_so) {
-  Content content;
-  content.choices = RunChoices{"legacy", {}};
-  Content frames = content, tracks = content;
-  frames.frames.resize(3);
-  tracks.tracks.resize(1);
-  const Target& target = *find_target("keyblock-case");
-  EXPECT_EQ(converted(frames, target).losses, (std::vector<Loss>{{"frames", 1, "3 items → nothing"}}));
-  EXPECT_EQ(converted(tracks, target).losses, (std::vector<Loss>{{"tracks", 1, "1 item → nothing"}}));
-  frames.choices.reset();
-  EXPECT_THROW(convert({file_of(formats::kBerkeleyReplay, "", frames)}, target, Faults::none), InputError);
+// One triangle with a bolt to itself, which moves by 0.5, and two measured points of which one has no row.
+TEST(Convert, replays_and_measured_points_fit_the_case_file) {
+  const formats::Source replay{"f",
+                               "1 1 1 7 1 0 1\n0 0 0  1 1 3\n"
+                               "0 0 0  0 0 0  0 1 0  0 0 1  0 0 0  0 0 0  0 0 0  0 0 0\n0 0 1 0 0 0 0 0 0\n"
+                               "0 0 0 0  0 0.1 0.1 1  0 0.2 0.2 1\n"
+                               "0 0 0  0 0.5 0  0 1.5 0  0 0.5 1  0 0 0  0 0 0  0 0 0  0 0 0\n0.5 0 1 0 0 0 0 0 0\n"
+                               "0 0 0 0  0 0.6 0.1 1  0 0.7 0.2 1\n"};
+  const formats::Source measured{"f", "measpoint1=[\n1 0.5 0.5 2 3 0.1 1 -1 1.5\n];\nmeaspoint2=[];\n"};
+  for (const formats::Source& source : {replay, measured}) {
+    formats::FileReading file;
+    file.path = "f";
+    file.source = source;
+    file.choice = formats::recognise(source);
+    file.reading = formats::read(source);
+    const Content& content = file.reading->content;
+    ASSERT_EQ(content.frames.size() + content.tracks.size(), 2U);
+    const Conversion conversion = convert({file}, *find_target("keyblock-case"), Faults::none);
+    EXPECT_EQ(conversion.losses, std::vector<Loss>{});
+    EXPECT_EQ(testing::content_text(read_back(conversion)), testing::content_text(content));
+  }
+  EXPECT_NEAR(formats::read(replay).content.frames.at(1).elements.at(0).displacement.x, 0.5, 1e-15);
+}
+
+TEST(Convert, a_format_without_results_says_that_they_are_lost) {
+  Dice dice(3);
+  Content content = testing::content_kinds().front().draw(dice);
+  content.tracks.resize(1);
+  content.frames.resize(3);
+  for (Frame& frame : content.frames) frame.elements.emplace_back().loops = {{{0, 0}, {1, 0}, {0, 1}}};
+  EXPECT_EQ(converted(content, *find_target("dda-geometry")).losses,
+            (std::vector<Loss>{{"frames", 1, "3 items → nothing"}, {"tracks", 1, "1 item → nothing"}}));
+}
+
+TEST(Convert, comments_are_kept_with_the_bytes_or_named) {
+  formats::FileReading file;
+  file.path = "f";
+  file.source = {"f", "0.01  # a comment\n4 4 0 0 0 0 0 0\n0 0 4 0. 1\n4 0 4 1 1\n4 1 0 1 1 0 1 0 0 1\n"};
+  file.choice = formats::recognise(file.source);
+  file.reading = formats::read(file.source);
+  const auto told = [&](std::string_view target) {
+    return std::ranges::count(convert({file}, *find_target(target), Faults::none).warnings, "comments_dropped",
+                              &Warning::name);
+  };
+  EXPECT_EQ(told("dda-geometry"), 0);
+  EXPECT_EQ(told("keyblock-case"), 1);
 }
 
 TEST(Convert, a_case_in_millimetres_becomes_a_drawing_in_millimetres) {
@@ -397,18 +434,20 @@ TEST(Convert, what_a_view_does_not_show_is_lost) {
   content.blocks->fixed_points = {{{0.25, 0.5}, 0, {}}};
   content.units = Units{"m", "t", "s"};
   EXPECT_EQ(converted(content, *find_target("csv")).losses,
-            (std::vector<Loss>{{"units", 1, "an object → not shown"},
+            (std::vector<Loss>{{"units", 1, "{length, mass, time} → not shown"},
                                {"blocks.blocks[].material", 1, "2 → not shown"},
                                {"blocks.fixed_points[].block", 1, "1 → not shown"}}));
   EXPECT_EQ(converted(content, *find_target("vtk")).losses,
-            (std::vector<Loss>{{"units", 1, "an object → not shown"},
+            (std::vector<Loss>{{"units", 1, "{length, mass, time} → not shown"},
                                {"blocks.blocks[].outer[].joint_material", 3, "3 → not shown"},
                                {"blocks.fixed_points", 1, "1 item → not shown"}}));
   content.frames.resize(3);
+  for (Frame& frame : content.frames) frame.bolts.resize(1);
   content.tracks.resize(1);
   const std::vector<Loss> of_grid = converted(content, *find_target("vtk")).losses;
-  for (const Loss& loss : {Loss{"blocks", 1, "an object → not shown"}, Loss{"frames", 1, "3 items → the last 1"},
-                           Loss{"tracks", 1, "1 item → not shown"}, Loss{"frames[].bolts", 3, "not shown"}})
+  for (const Loss& loss :
+       {Loss{"blocks", 1, "{blocks, fixed_points} → not shown"}, Loss{"frames", 1, "3 items → the last 1"},
+        Loss{"tracks", 1, "1 item → not shown"}, Loss{"frames[].bolts", 3, "1 item → not shown"}})
     EXPECT_EQ(std::ranges::count(of_grid, loss), 1) << loss.item;
 }
 

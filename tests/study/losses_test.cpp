@@ -46,17 +46,20 @@ TEST(Losses, what_is_gone_or_came_is_said) {
   other.drawing->joints.pop_back();
   other.analysis->contact_penalty = 0.5;
   other.choices = RunChoices{"legacy", {}};
-  EXPECT_EQ(losses(scene(), other), (Losses{{"units", 1, "an object → nothing"},
+  EXPECT_EQ(losses(scene(), other), (Losses{{"units", 1, "{length, mass, time} → nothing"},
                                             {"drawing.joints", 1, "2 items → 1 item"},
                                             {"drawing.measured_points", 1, "1 item → nothing"},
                                             {"analysis.contact_penalty", 1, "nothing → 0.5"},
-                                            {"run", 1, "nothing → an object"}}));
+                                            {"run", 1, "nothing → {profile}"}}));
 }
 
 TEST(Losses, everything_is_lost_to_nothing_part_by_part) {
-  EXPECT_EQ(losses(scene(), Content{}), (Losses{{"units", 1, "an object → nothing"},
-                                                {"drawing", 1, "an object → nothing"},
-                                                {"analysis", 1, "an object → nothing"}}));
+  EXPECT_EQ(losses(scene(), Content{}),
+            (Losses{{"units", 1, "{length, mass, time} → nothing"},
+                    {"drawing", 1, "{edge_node_ratio, boundary_count, joints, measured_points} → nothing"},
+                    {"analysis", 1,
+                     "{dialect, velocity_carry_over, step_count, time_step, "
+                     "allowed_displacement_ratio, automatic_time_step and 9 more} → nothing"}}));
 }
 
 TEST(Losses, frames_and_tracks_are_counted) {
@@ -65,6 +68,8 @@ TEST(Losses, frames_and_tracks_are_counted) {
   one.tracks.resize(1);
   two.frames.resize(2);
   EXPECT_EQ(losses(one, two), (Losses{{"tracks", 1, "1 item → nothing"}}));
+  two.frames[1].time = 0.5;
+  EXPECT_EQ(losses(one, two).at(0), (Loss{"frames[].time", 1, "0 → 0.5"}));
   two.frames.pop_back();
   EXPECT_EQ(losses(one, two).at(0), (Loss{"frames", 1, "2 items → 1 item"}));
 }
@@ -72,11 +77,12 @@ TEST(Losses, frames_and_tracks_are_counted) {
 TEST(Losses, a_view_loses_the_items_it_leaves_out) {
   Content content = scene();
   content.frames.resize(3);
+  content.frames[1].bolts.resize(2);
   const formats::LeftOut left_out{{"units", "drawing.joints[].joint_material", "frames[].bolts"}, 1};
-  EXPECT_EQ(losses(content, left_out), (Losses{{"units", 1, "an object → not shown"},
+  EXPECT_EQ(losses(content, left_out), (Losses{{"units", 1, "{length, mass, time} → not shown"},
                                                {"drawing.joints[].joint_material", 2, "1 → not shown"},
-                                               {"frames", 1, "3 items → the last 1"},
-                                               {"frames[].bolts", 3, "not shown"}}));
+                                               {"frames[].bolts", 1, "2 items → not shown"},
+                                               {"frames", 1, "3 items → the last 1"}}));
 }
 
 }  // namespace keyblock::study

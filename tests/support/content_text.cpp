@@ -105,6 +105,30 @@ class Lister {
   }
   void list(const TimeCurve& motion) { list("motion of the ground", motion); }
 
+  void list(const Frame& frame) {
+    line("frame {} {:a}", frame.step, frame.time);
+    for (const auto& e : frame.elements) {
+      line("element {} {} {} {:a} {:a} {:a} {:a}", e.material, text(e.centroid), text(e.displacement), e.rotation,
+           e.velocity.x, e.velocity.y, e.velocity.rotation);
+      line("{:a} {:a} {:a} {:a} {:a} {:a}", e.stress.xx, e.stress.yy, e.stress.xy, e.area, e.mass, e.moment_of_inertia);
+      for (const auto& loop : e.loops) {
+        line("loop");
+        for (const auto& p : loop) line("{}", text(p));
+      }
+    }
+    for (const auto& b : frame.bolts) line("bolt {} {} {:a} {}", text(b.first), text(b.second), b.force, b.is_broken);
+    for (const auto* points : {&frame.fixed_points, &frame.loading_points, &frame.measured_points}) {
+      line("points");
+      for (const auto& p : *points) line("{} {} {}", text(p.position), text(p.displacement), p.element);
+    }
+  }
+  void list(const MeasuredTrack& track) {
+    line("track {}", track.point);
+    for (const auto& r : track.rows)
+      line("{} {:a} {:a} {} {:a} {} {:a}", r.step, r.time, r.time_step, text(r.position), r.displacement,
+           text(r.velocity), r.speed);
+  }
+
   std::string text_;
 
  private:
@@ -143,6 +167,8 @@ std::string content_text(const formats::Content& content) {
   if (content.units) lister.list(*content.units);
   if (content.covers) lister.list(*content.covers);
   if (content.motion) lister.list(*content.motion);
+  for (const Frame& frame : content.frames) lister.list(frame);
+  for (const MeasuredTrack& track : content.tracks) lister.list(track);
   if (content.choices) lister.list(*content.choices);
   return lister.text_;
 }

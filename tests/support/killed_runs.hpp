@@ -13,7 +13,7 @@ std::map<std::string, std::string> contents(const std::string& folder);
 
 struct KilledRuns {
   int killed = 0;        ///< runs that still ran at their moment
-  int resumed = 0;       ///< of those, the ones that had written a checkpoint; the others began again
+  int resumed = 0;       ///< of those, the ones that had begun to write into their folder; the others were asked again
   int killed_twice = 0;  ///< of those, how often the run was killed again and resumed again
   std::string
       differs;  ///< the first file that is another, or the message of a program that failed; empty if all is the same

@@ -361,7 +361,52 @@ CoverPlan covers(Dice& dice) {
   return plan;
 }
 
-/// Whatever a Problem can hold, what no old format holds included.
+PointFrame point_frame(Dice& dice) {
+  const Point position = any_point(dice);
+  return {position, any_point(dice), dice.below(4) - 1};
+}
+
+Frame frame(Dice& dice) {
+  Frame drawn;
+  drawn.step = dice.below(1000);
+  drawn.time = positive_real(dice);
+  const int count = 1 + dice.below(3);
+  for (int i = 0; i < count; ++i) {
+    ElementFrame& element = drawn.elements.emplace_back();
+    element.loops.push_back(polygon(dice));
+    if (dice.happens(0.3)) element.loops.push_back(polygon(dice));
+    element.material = dice.below(3);
+    element.centroid = any_point(dice);
+    element.displacement = any_point(dice);
+    for (double* value :
+         {&element.rotation, &element.velocity.x, &element.velocity.y, &element.velocity.rotation, &element.stress.xx,
+          &element.stress.yy, &element.stress.xy, &element.area, &element.mass, &element.moment_of_inertia})
+      *value = any_real(dice);
+  }
+  drawn.bolts = some(dice, 2, [](Dice& one) {
+    const Point first = any_point(one), second = any_point(one);
+    return BoltFrame{first, second, any_real(one), one.happens(0.5)};
+  });
+  drawn.fixed_points = some(dice, 2, point_frame);
+  drawn.loading_points = some(dice, 2, point_frame);
+  drawn.measured_points = some(dice, 2, point_frame);
+  return drawn;
+}
+
+MeasuredTrack track(Dice& dice) {
+  MeasuredTrack drawn{dice.below(9), {}};
+  const int count = dice.below(4);
+  for (int i = 0; i < count; ++i) {
+    MeasuredRow& row = drawn.rows.emplace_back();
+    row.step = i;
+    for (double* value : {&row.time, &row.time_step, &row.position.x, &row.position.y, &row.displacement,
+                          &row.velocity.x, &row.velocity.y, &row.speed})
+      *value = any_real(dice);
+  }
+  return drawn;
+}
+
+/// Whatever the program knows, what no old format holds included.
 Content anything(Dice& dice) {
   constexpr std::array<Content (*)(Dice&), 3> kGeometries{native_drawing, blocks, cover};
   constexpr std::array<Content (*)(Dice&), 4> kAnalyses{berkeley_analysis, shi_analysis, manifold_analysis,
@@ -382,6 +427,8 @@ Content anything(Dice& dice) {
   if (dice.happens(0.3)) content.covers = covers(dice);
   if (dice.happens(0.5)) content.units = Units{"m", "t", "ms"};
   if (dice.happens(0.3)) content.motion = curve(dice);
+  if (dice.happens(0.2)) content.frames = some(dice, 3, frame);
+  if (dice.happens(0.2)) content.tracks = some(dice, 3, track);
   if (dice.happens(0.5)) content.choices = RunChoices{"standard", {{"motion", "static"}, {"odd \"name\"", "5"}}};
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;

@@ -1,0 +1,81 @@
+// Compiled as C++23, where the library has it: only then can a string be made long without being filled first.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/file_bytes.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstddef>
+
+#include "base/error.hpp"
+#include "base/large_pages.hpp"
+#include "base/parallel.hpp"
+
+namespace keyblock {
+namespace {
+
+class OpenFile {
+ public:
+  explicit OpenFile(const std::string& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    struct stat status {};
+    if (descriptor_ < 0 || fstat(descriptor_, &status) != 0)
+      throw InputError({path}, "expected a readable file, found one that cannot be opened");
+    size_ = static_cast<std::size_t>(status.st_size);
+  }
+  ~OpenFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  std::size_t size() const { return size_; }
+
+  /// The bytes from `first` to `last` to their place in `room`; false where the file breaks off.
+  bool read(char* room, std::size_t first, std::size_t last) const {
+    while (first < last) {
+      const ssize_t count = pread(descriptor_, room + first, last - first, static_cast<off_t>(first));
+      if (count == 0 || (count < 0 && errno != EINTR)) return false;
+      if (count > 0) first += static_cast<std::size_t>(count);
+    }
+    return true;
+  }
+
+ private:
+  int descriptor_;
+  std::size_t size_ = 0;
+};
+
+template <typename Fill>
+void make_long(std::string& text, std::size_t size, Fill fill) {
+#ifdef __cpp_lib_string_resize_and_overwrite
+  text.resize_and_overwrite(size, [&](char* room, std::size_t) {
+    fill(room);
+    return size;
+  });
+#else
+  text.resize(size);
+  fill(text.data());
+#endif
+}
+
+}  // namespace
+
+std::string file_bytes(const std::string& path) {
+  const OpenFile file(path);
+  const std::size_t parts = threads_for_bytes(file.size());
+  std::atomic<bool> is_whole = true;
+  std::string text;
+  reserve_large(text, file.size());
+  make_long(text, file.size(), [&](char* room) {
+    at_once(parts, [&](std::size_t i) {
+      if (!file.read(room, file.size() * i / parts, file.size() * (i + 1) / parts)) is_whole = false;
+    });
+  });
+  if (!is_whole) throw InputError({path}, "expected a readable file, found one that breaks off");
+  return text;
+}
+
+}  // namespace keyblock
