@@ -202,12 +202,6 @@ void check(const std::vector<Frame>& frames, const JsonValue& from) {
   }
 }
 
-bool is_empty(const Content& content) {
-  return !content.units && !content.drawing && !content.blocks && !content.cover && !content.covers &&
-         !content.analysis && !content.motion && !content.choices && content.frames.empty() &&
-         content.tracks.empty();
-}
-
 template <class Part>
 void check(std::optional<Part>& part) {
   if (part) check(*part);
