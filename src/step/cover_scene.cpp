@@ -122,7 +122,7 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
       kinematics_(std::make_shared<CoverKinematics>(model, first_, bodies_.basis())),
       equations_(std::make_unique<CoverEquations>(bodies_)),
       mass_inverse_(std::make_shared<MassAnswer>(bodies_)) {
-  weight_ = bodies_.constant.load();
+  weight_ = bodies_.supports.load();
   for (const int material : bodies_.continuum.manifold.body_materials)
     carry_.push_back(settings.velocity_carry_over.of(material));
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(bodies_.unknown_count());
@@ -229,8 +229,7 @@ std::vector<std::pair<ElementIndex, double>> CoverScene::largest_forces(const Ei
 
 double CoverScene::strain_loss(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double weight) const {
   const Eigen::VectorXd way = to - from;
-  const Eigen::VectorXd force =
-      bodies_.elasticity.force(from, to, weight) + bodies_.constant.times(from + weight * way);
+  const Eigen::VectorXd force = bodies_.force(from, to, weight, weight);
   return force.dot(way) - (strain_energy(to) - strain_energy(from));
 }
 
@@ -244,7 +243,7 @@ double CoverScene::damping_work(const Eigen::VectorXd& from, const Eigen::Vector
 }
 
 Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d) const {
-  return bodies_.elasticity.force(d, d, 1) + bodies_.constant.times(d);
+  return bodies_.force(d);
 }
 
 Stress CoverScene::stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const {
