@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "step/linear_static.hpp"
-#include "terms/ghost_force.hpp"
 
 namespace keyblock {
 namespace {
@@ -55,11 +54,9 @@ void CoverEquations::evaluate(const Eigen::VectorXd& increment) {
   increment_ = increment;
   const Eigen::VectorXd end = start_ + increment;
   const Eigen::VectorXd inertia = bodies_.mass.times(weights_.mass * increment + known_inertia_);
-  const Eigen::VectorXd elastic = bodies_.elasticity.force(start_, end, weights_.strain);
-  const Eigen::VectorXd ghost = ghost_force(bodies_.ghost, bodies_.rigid.functions(), start_, end, rule_.stiffness);
-  const Eigen::VectorXd held = bodies_.supports.times(start_ + rule_.stiffness * increment);
-  residual_ = inertia + elastic + ghost + held - load_;
-  force_scale_ = std::max({inertia.norm(), elastic.norm(), held.norm(), load_.norm()});
+  const Eigen::VectorXd resisting = bodies_.force(start_, end, weights_.strain, weights_.support);
+  residual_ = inertia + resisting - load_;
+  force_scale_ = std::max({inertia.norm(), resisting.norm(), load_.norm()});
 }
 
 CoverMotion CoverEquations::end(const Eigen::VectorXd& increment) const {

@@ -53,11 +53,6 @@ class Rounds {
   bool is_solved_ = false;
 };
 
-// Elastic force, ghost penalty and supports at rest.
-Eigen::VectorXd static_force(const ElasticBodies& bodies, const Eigen::VectorXd& q) {
-  return bodies.elasticity.force(q, q, 1) + bodies.ghost.times(q) + bodies.supports.times(q);
-}
-
 }  // namespace
 
 ElasticStep cover_step(CoverEquations& equations, const CoverMotion& start, const Eigen::VectorXd& load,
@@ -86,16 +81,14 @@ Eigen::VectorXd acceleration_at(const ElasticBodies& bodies, const Eigen::Vector
                                 const Eigen::VectorXd& load) {
   PartFactors factors(bodies.mass, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions));
   factors.factorise(bodies.mass);
-  const Eigen::VectorXd force = load - static_force(bodies, q) - bodies.damping.mass * bodies.mass.times(v);
+  const Eigen::VectorXd force = load - bodies.force(q) - bodies.damping.mass * bodies.mass.times(v);
   return factors.solve(force);
 }
 
 CoverEquilibrium cover_equilibrium(const ElasticBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& load) {
   SparseSystem tangent = bodies.mass;
   PartFactors factors(tangent, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions));
-  const auto residual_at = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
-    return static_force(bodies, at) - load;
-  };
+  const auto residual_at = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd { return bodies.force(at) - load; };
   Eigen::VectorXd at = q;
   Eigen::VectorXd residual = residual_at(at);
   Rounds rounds(bodies.mass);

@@ -230,9 +230,7 @@ std::vector<std::pair<ElementIndex, double>> CoverScene::largest_forces(const Ei
 
 double CoverScene::strain_loss(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double weight) const {
   const Eigen::VectorXd way = to - from;
-  const Eigen::VectorXd force = bodies_.elasticity.force(from, to, weight) +
-                                ghost_force(bodies_.ghost, bodies_.rigid.functions(), from, to, weight) +
-                                bodies_.supports.times(from + weight * way);
+  const Eigen::VectorXd force = bodies_.force(from, to, weight, weight);
   return force.dot(way) - (strain_energy(to) - strain_energy(from));
 }
 
@@ -246,7 +244,7 @@ double CoverScene::damping_work(const Eigen::VectorXd& from, const Eigen::Vector
 }
 
 Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d) const {
-  return bodies_.elasticity.force(d, d, 1) + bodies_.ghost.times(d) + bodies_.supports.times(d);
+  return bodies_.force(d);
 }
 
 Stress CoverScene::stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const {

@@ -7,6 +7,7 @@
 #include "step/linear_static.hpp"
 #include "terms/cover_inertia.hpp"
 #include "terms/cover_loads.hpp"
+#include "terms/ghost_force.hpp"
 #include "terms/nitsche.hpp"
 
 namespace keyblock {
@@ -44,6 +45,12 @@ ElasticBodies::ElasticBodies(Continuum with_loads, CoverDamping with_damping)
       ghost(ghost_of(continuum, basis())),
       supports(supports_of(continuum, basis())),
       rigid(continuum.manifold, basis(), mass) {}
+
+Eigen::VectorXd ElasticBodies::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double strain,
+                                   double weight) const {
+  return elasticity.force(d0, d1, strain) + ghost_force(ghost, rigid.functions(), d0, d1, weight) +
+         supports.times(d0 + weight * (d1 - d0));
+}
 
 double ElasticBodies::energy(const Eigen::VectorXd& d) const {
   return elasticity.energy(d) + d.dot(ghost.times(d) + supports.times(d)) / 2;

@@ -33,6 +33,10 @@ struct ElasticBodies {
 
   const CoverBasis& basis() const { return elasticity.basis(); }
   int unknown_count() const { return 2 * basis().function_count(); }
+  /// What resists the way from d0 to d1: elastic force with the weight `strain`, ghost_force with `weight`, H (d0 + weight (d1 - d0)).
+  Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double strain, double weight) const;
+  /// At rest: the gradient of the energy.
+  Eigen::VectorXd force(const Eigen::VectorXd& d) const { return force(d, d, 1, 1); }
   /// Elastic energy, ½ dᵀ G d and ½ dᵀ H d.
   double energy(const Eigen::VectorXd& d) const;
 };
