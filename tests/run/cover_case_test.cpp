@@ -138,7 +138,7 @@ TEST(CoverCase, what_is_dug_out_relaxes_its_edge) {
   analysis.step_count = 3;
   analysis.block_materials[0].unit_weight = 0;
   CoverPlan& covers = *problem.covers;
-  covers.mesh.side = 0.25;
+  covers.mesh.side = 0.125;
   covers.displacements = {{{{0, 0}, {2, 0}}, Held::normal, {}, {}, {}, {}},
                           {{{0, 0}, {0, 2}}, Held::normal, {}, {}, {}, {}}};
   covers.tractions = {{quarter(2), {}, {}, {"1", {}}, {}}};
