@@ -89,7 +89,7 @@ class Chaining {
   std::vector<int> chain_;
 };
 
-std::vector<CoverPoint> points_in_elements(const Manifold& manifold, const std::vector<BlockPoint>& points) {
+std::vector<CoverPoint> in_elements(const Manifold& manifold, const std::vector<BlockPoint>& points) {
   std::vector<CoverPoint> result;
   for (const BlockPoint& point : points)
     result.push_back({point.position, element_at(manifold, point.block, point.position), point.place});
@@ -119,6 +119,11 @@ int element_at(const Manifold& manifold, int body, Point p) {
   return nearest;
 }
 
+ElementPoints points_in_elements(const Manifold& manifold, const Blocks& blocks) {
+  return {in_elements(manifold, blocks.fixed_points), in_elements(manifold, blocks.loading_points),
+          in_elements(manifold, blocks.measured_points)};
+}
+
 Cover to_cover(const Manifold& manifold, const Blocks& blocks) {
   Cover cover;
   cover.place = blocks.place;
@@ -145,9 +150,10 @@ Cover to_cover(const Manifold& manifold, const Blocks& blocks) {
     cover.loop_vertices.push_back(cover.loop_vertices[first]);
     cover.loops.push_back({first, loop.size});
   }
-  cover.fixed_points = points_in_elements(manifold, blocks.fixed_points);
-  cover.loading_points = points_in_elements(manifold, blocks.loading_points);
-  cover.measured_points = points_in_elements(manifold, blocks.measured_points);
+  ElementPoints points = points_in_elements(manifold, blocks);
+  cover.fixed_points = std::move(points.fixed);
+  cover.loading_points = std::move(points.loading);
+  cover.measured_points = std::move(points.measured);
   return cover;
 }
 

@@ -50,6 +50,11 @@ void describe(Archive& a, State& state) {
     a.value("y", vertex.y);
   });
   a.table("elements", state.elements, [&](ElementState& element) { describe(a, element); });
+  a.table("nodes", state.nodes, [&](NodeState& node) {
+    describe(a, "position", node.position);
+    describe(a, "velocity", node.velocity);
+    describe(a, "last_step", node.last_step);
+  });
   describe(a, "fixed_points", state.fixed_points);
   describe(a, "loading_points", state.loading_points);
   describe(a, "measured_points", state.measured_points);

@@ -2,41 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/from_blocks.hpp"
 
-#include <algorithm>
 #include <limits>
 
 #include "geometry/polygon.hpp"
+#include "model/build.hpp"
 #include "model/material_stress.hpp"
 
 namespace keyblock {
 namespace {
 
-int nearest_existing(int index, std::size_t count) {
-  return count == 0 ? 0 : std::clamp(index, 0, static_cast<int>(count) - 1);
-}
-
-void add_loop(Model& model, const BlockLoop& loop, ElementIndex element) {
-  const int first = model.vertices.end_index().value;
-  const int size = static_cast<int>(loop.size());
-  for (int i = 0; i < size; ++i) {
-    const BlockVertex& corner = loop[static_cast<std::size_t>(i)];
-    model.vertices.push_back({element,
-                              {first + (i + 1) % size},
-                              {first + (i + size - 1) % size},
-                              nearest_existing(corner.joint_material, model.joint_materials.size())});
-    model.start_vertices.push_back(corner.position);
-  }
-  model.elements[element].loop_sizes.push_back(size);
-}
-
 void add_block(Model& model, const BlockPolygon& block) {
-  const ElementIndex index = model.elements.end_index();
-  const VertexIndex first = model.vertices.end_index();
-  model.elements.push_back(
-      {nearest_existing(block.material, model.block_materials.size()), &affine_basis(), first, first, {}});
-  add_loop(model, block.outer, index);
-  for (const BlockLoop& hole : block.holes) add_loop(model, hole, index);
-  model.elements[index].end_vertex = model.vertices.end_index();
+  const int own_cover = model.elements.end_index().value;
+  begin_element(model, block.material, affine_basis(), {own_cover});
+  const auto add = [&](const BlockLoop& loop) {
+    std::vector<Corner> corners;
+    for (const BlockVertex& corner : loop) corners.push_back({corner.position, corner.joint_material});
+    add_loop(model, corners);
+  };
+  add(block.outer);
+  for (const BlockLoop& hole : block.holes) add(hole);
 }
 
 std::vector<CarriedPoint> carried(const std::vector<BlockPoint>& points, const std::vector<TimeCurve>& curves) {
@@ -59,18 +43,6 @@ std::vector<Bolt> bolts_of(const Blocks& blocks) {
                      strength_of(bolt),
                      bolt.pretension});
   return bolts;
-}
-
-// Half the greater of width and height of all block vertices at the start (legacy-rules, notation).
-double scale_of(const std::vector<Point>& vertices) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Point low{kFar, kFar};
-  Point high{-kFar, -kFar};
-  for (Point p : vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y) / 2;
 }
 
 double mean_area_of(const Blocks& blocks) {

@@ -3,7 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "base/index.hpp"
@@ -13,13 +16,23 @@
 
 namespace keyblock {
 
+struct Continuum;
+
 /// A corner of a boundary loop. The element lies to the left of the edge to `next`.
 struct Vertex {
   ElementIndex element;
   VertexIndex next;
   VertexIndex previous;
   int joint_material = 0;  ///< of the edge that arrives from `previous`
+  bool is_inner = false;   ///< that edge leads into another element of the same body: nothing touches it
+  /// Where the boundary edge that leaves here ends and the next begins, and where the one before begins: of other elements
+  /// where the boundary of this one ends. None where the edge that leaves is inner.
+  VertexIndex boundary_next = {};
+  VertexIndex boundary_previous = {};
 };
+
+/// Numbers of the covers that an element hangs on: three, or the one that is a block's own.
+using CoverList = boost::container::static_vector<int, 3>;
 
 /// A polygon with a material and a basis. Its unknowns are block number `index` of the system.
 struct Element {
@@ -28,9 +41,17 @@ struct Element {
   VertexIndex first_vertex;  ///< outer loop first, then holes, each contiguous
   VertexIndex end_vertex;
   std::vector<int> loop_sizes;
+  CoverList covers = {};
 
   IndexRange<VertexIndex> vertices() const { return {first_vertex, end_vertex}; }
+  bool is_on_covers() const { return covers.size() > 1; }
+  bool can_move() const { return basis->unknown_count() > 0 || is_on_covers(); }
 };
+
+/// Neighbours, and elements around a node that no joint parts, hang together: they do not touch each other.
+inline bool share_a_cover(const Element& a, const Element& b) {
+  return std::ranges::any_of(a.covers, [&](int c) { return std::ranges::find(b.covers, c) != b.covers.end(); });
+}
 
 /// A point that travels with an element; `curve` is its load (loading point) or its motion (fixed point).
 struct CarriedPoint {
@@ -69,10 +90,14 @@ struct Model {
   Table<ElementIndex, Element> elements;
   Table<VertexIndex, Vertex> vertices;
   std::vector<Point> start_vertices;
+  std::vector<Point>
+      nodes;  ///< at the start, of the covers 0, 1, … that elements share; an element hangs on three of them
   std::vector<CarriedPoint> fixed_points;
   std::vector<CarriedPoint> loading_points;
   std::vector<CarriedPoint> measured_points;
   std::vector<Bolt> bolts;
+  std::shared_ptr<const Continuum>
+      continuum;  ///< what the elements on covers, the last ones, were cut from; none without them
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;
   double mean_area = 0;  ///< of the elements at the start

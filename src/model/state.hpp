@@ -21,6 +21,13 @@ struct ElementState {
   double rotation = 0;  ///< sum of the step rotations, rad
 };
 
+/// A cover that elements share: its unknowns are the displacement of its node.
+struct NodeState {
+  Point position;
+  Point velocity;   ///< as `ElementState::velocity`
+  Point last_step;  ///< as `ElementState::last_step`
+};
+
 /// A carried point now, and how far it has come.
 struct PointState {
   Point position;
@@ -41,6 +48,7 @@ struct State {
   double dt = 0;  ///< of the last accepted step
   Table<VertexIndex, Point> vertices;
   Table<ElementIndex, ElementState> elements;
+  std::vector<NodeState> nodes;  ///< of the covers that elements share
   std::vector<PointState> fixed_points;
   std::vector<PointState> loading_points;
   std::vector<PointState> measured_points;

@@ -49,6 +49,13 @@ struct BoundaryEdge {
   int corner = 0;
 };
 
+/// Points that elements carry, in the order of the files.
+struct ElementPoints {
+  std::vector<CoverPoint> fixed;
+  std::vector<CoverPoint> loading;
+  std::vector<CoverPoint> measured;
+};
+
 /// Elements and covers. All indices from 0. Elements share no corners; neighbours and the two sides of a joint repeat
 /// positions to the bit.
 struct Manifold {

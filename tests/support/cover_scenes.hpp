@@ -1,0 +1,46 @@
+// Scenes for Dynamics::standard in which some blocks hang on covers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cut/background_mesh.hpp"
+#include "cut/mesh_blocks.hpp"
+#include "model/continuum.hpp"
+#include "model/from_manifold.hpp"
+#include "model/join.hpp"
+#include "tests/support/standard_scenes.hpp"
+
+namespace keyblock::testing {
+
+/// A mesh of the given half rows, turned by 10 degrees: nothing is aligned.
+inline TriangleMesh turned_mesh(const BodyGraph& graph, int half_rows) {
+  Box box;
+  for (Point p : graph.nodes) box.add(p);
+  RegularMesh mesh = centred_mesh(box, half_rows, MeshShape::equilateral);
+  mesh.angle = radians(10);
+  return regular_triangles(box, mesh);
+}
+
+/// Blocks with the numbers `meshed` (from 0) on covers.
+inline Scene mixed_scene_of(const Blocks& blocks, const std::vector<int>& meshed, const Analysis& analysis,
+                            const Settings& settings, int half_rows, CoverFunctions functions) {
+  int number = 0;
+  const auto is_meshed = [&](const BlockPolygon&) { return std::ranges::count(meshed, number++) > 0; };
+  MeshedBlocks parts =
+      mesh_blocks(blocks, is_meshed, [&](const BodyGraph& graph) { return turned_mesh(graph, half_rows); });
+  for (const BlockPoint& point : blocks.fixed_points) {
+    BlockPoint moved = point;
+    moved.block = parts.blocks[static_cast<std::size_t>(point.block)].block;
+    if (moved.block >= 0) parts.rest.fixed_points.push_back(moved);
+  }
+  Model bodies = model_from_manifold(parts.manifold, {}, analysis);
+  auto continuum = std::make_shared<Continuum>();
+  continuum->manifold = parts.manifold;
+  continuum->materials = analysis.block_materials;
+  continuum->plane = settings.plane;
+  continuum->functions = functions;
+  bodies.continuum = continuum;
+  Model model = joined(model_from_blocks(parts.rest, analysis), bodies);
+  return scene_of(with_bases(std::move(model), settings.standard.basis), settings, analysis.dialect);
+}
+
+}  // namespace keyblock::testing
