@@ -33,7 +33,7 @@ double unbalanced(const ForceBalance& balance) {
   return largest > 0 ? length(sum.force) / largest : length(sum.force);
 }
 
-Json json_of(const CoverStep& step) {
+Json json_of(const SolvedStep& step) {
   Json supports = Json::array();
   for (const Resultant& support : step.balance.supports) supports.push_back(json_of(support));
   Json points = Json::array();
@@ -88,14 +88,14 @@ ExitCode run_covers(const formats::Case& loaded, const CoverRunRequest& request)
   FieldFrame end;
   std::vector<PointFrame> measured;
   Json steps = Json::array();
-  const auto keep = [&](const CoverStep& step) {
+  const auto keep = [&](const SolvedStep& step) {
     folder.add(step.field);
     history.rows.push_back({step.step, step.time, step.frame.measured_points, {}});
     end = step.field;
     measured = step.frame.measured_points;
   };
   keep(cover_case.start());
-  cover_case.run([&](const CoverStep& step) {
+  cover_case.run([&](const SolvedStep& step) {
     keep(step);
     steps.push_back(json_of(step));
     spdlog::info("load step {}: residual {:.1e}, forces balance to {:.1e}, {:.2f} s", step.step, step.residual,

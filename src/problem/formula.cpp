@@ -13,6 +13,9 @@
 namespace keyblock {
 namespace {
 
+// The parser's time grows with the square of runs of operators.
+constexpr std::size_t kLongest = 10000;
+
 std::optional<double> number_in(const std::string& text) {
   double value = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -56,6 +59,8 @@ struct Compiled::Expression {
   }
 
   void compile() {
+    if (formula.text.size() > kLongest)
+      refuse(0, fmt::format("one of {} characters, more than {}", formula.text.size(), kLongest));
     if (const std::size_t at = assignment_in(formula.text); at != std::string::npos) refuse(at, "an assignment");
     for (std::size_t i = 0; i < names.size(); ++i) parser.DefineVar(names[i], &values[i]);
     try {

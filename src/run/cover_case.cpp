@@ -12,7 +12,7 @@
 
 #include "geometry/polygon.hpp"
 #include "model/free_pieces.hpp"
-#include "run/cover_bodies.hpp"
+#include "run/planned_bodies.hpp"
 #include "run/cover_plan_parts.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
@@ -136,10 +136,10 @@ Frame frame_of(const FieldFrame& field, const std::vector<BlockMaterial>& materi
 
 struct CoverCase::Parts {
   Problem problem;
-  CoverBodies bodies;
+  PlannedBodies bodies;
   Warnings warnings;
   Continuum loads;  ///< all that depends on no mesh
-  CoverStep start;
+  SolvedStep start;
   int load_steps = 1;
 
   explicit Parts(const Problem& from) : problem(from), bodies(problem) {
@@ -201,7 +201,7 @@ struct CoverCase::Parts {
     return counts;
   }
 
-  void put_frames(CoverStep& to, const Continuum& continuum, const ContinuumSolution* solution) const {
+  void put_frames(SolvedStep& to, const Continuum& continuum, const ContinuumSolution* solution) const {
     const Reader read = [&](int element, Point p) {
       FieldCorner corner{p, {}, {}};
       if (solution != nullptr) {
@@ -224,9 +224,9 @@ struct CoverCase::Parts {
     }
   }
 
-  CoverStep solved(int step) const {
+  SolvedStep solved(int step) const {
     const double begin = cpu_seconds();
-    CoverStep result;
+    SolvedStep result;
     result.step = step;
     const Continuum continuum = continuum_at(step);
     const std::vector<FreePiece> free = free_pieces(continuum);
@@ -261,12 +261,12 @@ const CoverCounts& CoverCase::counts() const {
   return parts_->start.counts;
 }
 
-const CoverStep& CoverCase::start() const {
+const SolvedStep& CoverCase::start() const {
   return parts_->start;
 }
 
-void CoverCase::run(const std::function<void(const CoverStep&)>& on_step) const {
-  std::optional<CoverStep> last;
+void CoverCase::run(const std::function<void(const SolvedStep&)>& on_step) const {
+  std::optional<SolvedStep> last;
   for (int step = 1; step <= parts_->load_steps; ++step) {
     if (!last || parts_->bodies.changes_at(step)) last = parts_->solved(step);
     last->step = last->field.step = last->frame.step = step;

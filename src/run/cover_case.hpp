@@ -27,7 +27,7 @@ struct CoverCounts {
 };
 
 /// A load step solved.
-struct CoverStep {
+struct SolvedStep {
   int step = 0;
   double time = 0;
   FieldFrame field;
@@ -51,11 +51,11 @@ class CoverCase {
   const CoverCounts& counts() const;  ///< of the start
 
   /// The bodies before any load step, undisplaced.
-  const CoverStep& start() const;
+  const SolvedStep& start() const;
 
   /// Solves the load steps in turn and hands out each; where nothing was dug out the solution of the step before is handed out
   /// again. Throws NotPositiveDefinite that says which body can still move.
-  void run(const std::function<void(const CoverStep&)>& on_step) const;
+  void run(const std::function<void(const SolvedStep&)>& on_step) const;
 
  private:
   struct Parts;

@@ -15,7 +15,7 @@
 #include "model/from_blocks.hpp"
 #include "model/from_manifold.hpp"
 #include "model/join.hpp"
-#include "run/cover_bodies.hpp"
+#include "run/planned_bodies.hpp"
 #include "run/cover_plan_parts.hpp"
 
 namespace keyblock {
@@ -107,7 +107,7 @@ class Mixed {
 
 // All bodies on one mesh, with the joints that end inside them.
 CoverModel all_on_covers(const Problem& problem, const Settings& settings) {
-  const CoverBodies bodies(problem);
+  const PlannedBodies bodies(problem);
   const Manifold manifold = bodies.at(0);
   Model model = model_from_manifold(manifold, points_in_elements(manifold, bodies.blocks()), *problem.analysis);
   return {with_continuum(std::move(model), planned(manifold, problem, settings)), bodies.warnings()};

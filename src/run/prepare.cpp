@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "model/choose_basis.hpp"
-#include "run/cover_bodies.hpp"
+#include "run/planned_bodies.hpp"
 #include "run/cover_model.hpp"
 #include "model/from_blocks.hpp"
 #include "model/joint_strength.hpp"
@@ -222,7 +222,7 @@ bool is_solved_at_once(const Problem& problem, const std::string& profile, const
   const bool is_static =
       settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
   if (!is_static || !problem.covers->mesh.materials.empty()) return false;
-  return problem.covers->contact == CoverContact::ignored || !CoverBodies(problem).touches();
+  return problem.covers->contact == CoverContact::ignored || !PlannedBodies(problem).touches();
 }
 
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {

@@ -44,7 +44,6 @@ Eigen::Vector3d ContinuumSolution::strain(int element, Point x) const {
 
 void add_supports_and_loads(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {
   add_cover_body_force(continuum, basis, system);
-  add_cover_initial_stress(continuum, basis, system);
   for (const PrescribedDisplacement& part : continuum.prescribed) add_prescribed(continuum, basis, part, system);
   for (const Traction& part : continuum.tractions) add_traction(continuum, basis, part, system);
   for (const PointForce& force : continuum.point_forces) add_point_force(basis, force, system);
@@ -56,6 +55,7 @@ SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis
   SparseSystem system(basis.function_count(), coupled_functions(basis, pairs));
   add_cover_stiffness(continuum, basis, system);
   add_ghost_penalty(continuum, basis, pairs, system);
+  add_cover_initial_stress(continuum, basis, system);
   add_supports_and_loads(continuum, basis, system);
   return system;
 }

@@ -122,7 +122,7 @@ ComparedCase solve_and_pick(const Loaded& loaded, const Problem& problem, Compar
     const Frame& start = cover_case.start().frame;
     require_numbers(compared.values, start.measured_points.size(), start.elements.size(), loaded.table);
     RunSoFar so_far;
-    const auto keep = [&](const CoverStep& step) {
+    const auto keep = [&](const SolvedStep& step) {
       pick(compared.values, so_far, step.frame, kSameInstant * problem.analysis->time_step);
       compared.times.push_back(step.time);
       compared.displacements.push_back(length(step.frame.elements.front().displacement));

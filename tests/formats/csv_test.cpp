@@ -72,7 +72,7 @@ TEST(Csv, written_numbers_read_back_the_same) {
 
 TEST(Csv, history_names_dimensions_and_every_point) {
   History history;
-  history.rows.push_back({1, 0.5, {{{1, 2}, {3, 4}, 0}, {{5, 6}, {7, 8}, 1}}, {}});
+  history.rows.push_back({1, 0.5, {{{1, 2}, {3, 4}, 0, {}}, {{5, 6}, {7, 8}, 1, {}}}, {}});
   EXPECT_EQ(history_csv(history),
             "step,time [T],x1 [L],y1 [L],dx1 [L],dy1 [L],x2 [L],y2 [L],dx2 [L],dy2 [L]\n"
             "1,0.5,1,2,3,4,5,6,7,8\n");
@@ -80,7 +80,7 @@ TEST(Csv, history_names_dimensions_and_every_point) {
 
 TEST(Csv, history_ends_with_the_forces_of_bolts) {
   History history;
-  history.rows.push_back({1, 0.5, {{{1, 2}, {3, 4}, 0}}, {-50, 100.5}});
+  history.rows.push_back({1, 0.5, {{{1, 2}, {3, 4}, 0, {}}}, {-50, 100.5}});
   EXPECT_EQ(history_csv(history),
             "step,time [T],x1 [L],y1 [L],dx1 [L],dy1 [L],bolt1 [F],bolt2 [F]\n"
             "1,0.5,1,2,3,4,-50,100.5\n");

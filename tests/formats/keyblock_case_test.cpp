@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/keyblock_case.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,26 +87,26 @@ constexpr const char* kMesh = R"("mesh": {"side": 0.5})";
 }  // namespace
 
 TEST(KeyblockCase, covers_hold_mesh_supports_and_loads) {
-  const Reading reading = read({"f", on_covers(R"({"functions": "linear",
+  const Reading reading = read({"f", on_covers(R"json({"functions": "linear",
  "mesh": {"kind": "unstructured", "side": 2, "refined": [[1, 2, 0.1]], "placement": "aligned"},
  "tractions": [{"along": [[0, 0], [1, 0]], "x": "3*y", "pressure": 7}],
  "displacements": [{"along": [[0, 0], [0, 1]], "held": "normal"}, {"along": [[1, 1], [2, 1]], "x": 0.25}],
  "forces": [[1, 2, 3, 4]], "springs": [[1, 2, 0, 1, 1000]],
  "body_force": {"y": "-9.81 * 2500"}, "initial_stress_field": {"yy": "25*(y - 10)"},
- "excavations": [{"step": 2, "outline": [[0, 0], [1, 0], [1, 1]]}]})")});
+ "excavations": [{"step": 2, "outline": [[0, 0], [1, 0], [1, 1]]}]})json")});
   const CoverPlan& plan = *reading.content.covers;
-EXPECT_EQ(plan.functions, CoverFunctions::linear);
-EXPECT_EQ(plan.mesh.kind, MeshKind::unstructured);
-EXPECT_EQ(plan.mesh.refined.at(0).side, 0.1);
-EXPECT_EQ(plan.tractions.at(0).x.text, "3*y");
-EXPECT_EQ(plan.tractions.at(0).pressure.text, "7");
-EXPECT_EQ(plan.displacements.at(0).held, Held::normal);
-EXPECT_EQ(plan.displacements.at(1).held, Held::both);
-EXPECT_EQ(plan.forces.at(0).force, (Point{3, 4}));
-EXPECT_EQ(plan.springs.at(0).stiffness, 1000);
-EXPECT_EQ(plan.initial_stress.yy.text, "25*(y - 10)");
-EXPECT_EQ(plan.initial_stress.xy.text, "0");
-EXPECT_EQ(plan.excavations.at(0).outline.at(2), (Point{1, 1}));
+  EXPECT_EQ(plan.functions, CoverFunctions::linear);
+  EXPECT_EQ(plan.mesh.kind, MeshKind::unstructured);
+  EXPECT_EQ(plan.mesh.refined.at(0).side, 0.1);
+  EXPECT_EQ(plan.tractions.at(0).x.text, "3*y");
+  EXPECT_EQ(plan.tractions.at(0).pressure.text, "7");
+  EXPECT_EQ(plan.displacements.at(0).held, Held::normal);
+  EXPECT_EQ(plan.displacements.at(1).held, Held::both);
+  EXPECT_EQ(plan.forces.at(0).force, (Point{3, 4}));
+  EXPECT_EQ(plan.springs.at(0).stiffness, 1000);
+  EXPECT_EQ(plan.initial_stress.yy.text, "25*(y - 10)");
+  EXPECT_EQ(plan.initial_stress.xy.text, "0");
+  EXPECT_EQ(plan.excavations.at(0).outline.at(2), (Point{1, 1}));
 }
 
 TEST(KeyblockCase, faults_of_covers_are_named_where_they_stand) {
@@ -116,23 +117,23 @@ TEST(KeyblockCase, faults_of_covers_are_named_where_they_stand) {
             "f:2:20: error: expected a mesh with one of half_rows and side, found both");
   EXPECT_EQ(error_of(on_covers("{}")), "f:2:11: error: expected a mesh with one of half_rows and side, found neither");
   EXPECT_EQ(fault(R"("body_force": {"y": "2*z"})"),
-            "f:2:57: error: expected a number or an expression in x, y, found \"z\"");
+            "f:2:58: error: expected a number or an expression in x, y, found \"z\"");
   EXPECT_EQ(fault(R"("body_force": {"y": "2*(x"})").substr(0, 61),
-            "f:2:59: error: expected a number or an expression in x, y, fou");
+            "f:2:60: error: expected a number or an expression in x, y, fo");
   EXPECT_EQ(fault(R"("tractions": [{"along": [[0, 0], [1, 0]], "x": "x = 3"}])"),
-            "f:2:84: error: expected a number or an expression in x, y, nx, ny, found an assignment");
+            "f:2:85: error: expected a number or an expression in x, y, nx, ny, found an assignment");
   EXPECT_EQ(fault(R"("tractions": [{"along": [[0, 0], [1, 0]], "x": "1, 2"}])"),
-            "f:2:82: error: expected a number or an expression in x, y, nx, ny, found 2 values in \"1, 2\"");
+            "f:2:83: error: expected a number or an expression in x, y, nx, ny, found 2 values in \"1, 2\"");
   EXPECT_EQ(fault(R"("tractions": [{"along": [[0, 0]], "x": 1}])"),
-            "f:2:47: error: expected 2 points at least along a boundary, found 1");
+            "f:2:49: error: expected 2 points at least along a boundary, found 1");
   EXPECT_EQ(fault(R"("displacements": [{"along": [[0, 0], [1, 0]], "held": "normal", "y": 1}])"),
-            "f:2:102: error: expected no y where y is not held, found 1");
+            "f:2:104: error: expected no y where y is not held, found 1");
   EXPECT_EQ(fault(R"("displacements": [{"along": [[0, 0], [1, 0]], "held": "none"}])"),
-            "f:2:87: error: expected held of displacements: one of both, normal, x, y, found \"none\"");
+            "f:2:89: error: expected held of displacements: one of both, normal, x, y, found \"none\"");
   EXPECT_EQ(fault(R"("springs": [[0, 0, 0, 0, 5]])"),
-            "f:2:45: error: expected a direction of the spring, found (0, 0)");
+            "f:2:47: error: expected a direction of the spring, found (0, 0)");
   EXPECT_EQ(fault(R"("excavations": [{"step": 0, "outline": []}])").substr(0, 62),
-            "f:2:58: error: expected step of excavations: a whole number fr");
+            "f:2:60: error: expected step of excavations: a whole number fr");
 }
 
 TEST(KeyblockCase, results_are_held_and_their_faults_named) {

@@ -49,15 +49,15 @@ Problem square() {
   return problem;
 }
 
-CoverStep last_step(const Problem& problem) {
-  CoverStep last;
-  CoverCase(problem, "standard").run([&](const CoverStep& step) { last = step; });
+SolvedStep last_step(const Problem& problem) {
+  SolvedStep last;
+  CoverCase(problem, "standard").run([&](const SolvedStep& step) { last = step; });
   return last;
 }
 
 std::string fault_of(const Problem& problem) {
   try {
-    CoverCase(problem, "standard").run([](const CoverStep&) {});
+    CoverCase(problem, "standard").run([](const SolvedStep&) {});
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -91,7 +91,7 @@ TEST(CoverCase, a_column_carries_its_weight_and_all_forces_balance) {
     Problem problem = square();
     set(*problem.covers, "functions", functions);
     problem.covers->displacements[0].y.text = "3*0.25/2000*x^2";
-    const CoverStep step = last_step(problem);
+    const SolvedStep step = last_step(problem);
     ASSERT_EQ(step.frame.measured_points.size(), 2U);
     EXPECT_NEAR(step.frame.measured_points[1].stress.yy, -3, 1e-8) << functions;
     EXPECT_NEAR(step.frame.measured_points[0].displacement.y, -0.006 + 0.000375, 1e-13) << functions;
@@ -109,7 +109,7 @@ TEST(CoverCase, an_initial_stress_in_balance_with_the_loads_moves_nothing) {
   problem.covers->displacements[0].held = Held::both;
   problem.covers->initial_stress = {{"-5", {}}, {"-3*(2 - y)", {}}, {"0", {}}};
   problem.covers->tractions = {{{{2, 0}, {2, 2}}, {}, {}, {"5", {}}, {}}};
-  const CoverStep step = last_step(problem);
+  const SolvedStep step = last_step(problem);
   EXPECT_LT(length(step.frame.measured_points[0].displacement), 1e-14);
   EXPECT_NEAR(step.frame.measured_points[1].stress.yy, -3, 1e-11);
   EXPECT_NEAR(step.frame.measured_points[1].stress.xx, -5, 1e-11);
@@ -138,7 +138,7 @@ TEST(CoverCase, what_is_dug_out_relaxes_its_edge) {
   analysis.step_count = 3;
   analysis.block_materials[0].unit_weight = 0;
   CoverPlan& covers = *problem.covers;
-  covers.mesh.side = 0.25;
+  covers.mesh.side = 0.125;
   covers.displacements = {{{{0, 0}, {2, 0}}, Held::normal, {}, {}, {}, {}},
                           {{{0, 0}, {0, 2}}, Held::normal, {}, {}, {}, {}}};
   covers.tractions = {{quarter(2), {}, {}, {"1", {}}, {}}};
@@ -148,7 +148,7 @@ TEST(CoverCase, what_is_dug_out_relaxes_its_edge) {
   std::vector<int> elements;
   const CoverCase disc_case(problem, "standard");
   EXPECT_EQ(disc_case.counts().solves, 2);
-  disc_case.run([&](const CoverStep& step) {
+  disc_case.run([&](const SolvedStep& step) {
     const Point u = step.frame.measured_points[0].displacement;
     inward.push_back(-edge * (u.x + u.y));
     elements.push_back(step.counts.elements);
@@ -205,7 +205,7 @@ TEST(CoverCase, a_force_and_a_spring_at_points_carry_each_other) {
   problem.covers->displacements = {{{{0, 0}, {0, 2}}, Held::x, {}, {}, {}, {}}};
   problem.covers->springs = {{{1, 1}, {0, 2}, 50, {}}};
   problem.covers->forces = {{{1, 1}, {0, -2}, {}}};
-  const CoverStep step = last_step(problem);
+  const SolvedStep step = last_step(problem);
   EXPECT_NEAR(step.frame.measured_points[1].displacement.y, -0.04, 1e-12);  // -2 / 50
   EXPECT_NEAR(step.balance.springs.force.y, 2, 1e-11);
 }

@@ -204,7 +204,7 @@ TEST(CoverMotion, a_thin_cantilever_bends_as_the_elastica) {
   continuum.manifold = cut_body({corners}, mesh);
   continuum.materials = {elastic_material(12 / std::pow(height, 3), 0)};  // EI = 1
   continuum.functions = CoverFunctions::derived;
-  continuum.prescribed = {{{corners[3], corners[0]}, Held::both, [](Point) { return Point{}; }}};
+  continuum.prescribed = {{{corners[3], corners[0]}, Held::both, [](Point, Point) { return Point{}; }}};
   continuum.tractions = {{{corners[1], corners[2]}, [&](Point, Point) { return Point{0, 1 / height}; }}};
   const ElasticBodies bodies(continuum);
   const int tip = element_at(bodies.continuum.manifold, 0, {1, height / 2});

@@ -1,6 +1,6 @@
-// One mesh for all load steps; see cover_bodies.hpp.
+// One mesh for all load steps; see planned_bodies.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/cover_bodies.hpp"
+#include "run/planned_bodies.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -30,7 +30,7 @@ BodyGraph together(const std::vector<BodyGraph>& graphs) {
 
 }  // namespace
 
-CoverBodies::CoverBodies(const Problem& problem) : problem_(problem) {
+PlannedBodies::PlannedBodies(const Problem& problem) : problem_(problem) {
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) {
     BodyCut cut = cut_bodies(*drawing);
     blocks_ = std::move(cut.blocks.blocks);
@@ -53,11 +53,11 @@ CoverBodies::CoverBodies(const Problem& problem) : problem_(problem) {
   }
 }
 
-bool CoverBodies::changes_at(int step) const {
+bool PlannedBodies::changes_at(int step) const {
   return std::ranges::any_of(problem_.covers->excavations, [&](const ExcavationPlan& e) { return e.step == step; });
 }
 
-Manifold CoverBodies::at(int step) const {
+Manifold PlannedBodies::at(int step) const {
   std::vector<std::vector<Point>> outlines;
   for (const ExcavationPlan& excavation : problem_.covers->excavations)
     if (excavation.step <= step) outlines.push_back(excavation.outline);
