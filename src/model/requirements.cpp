@@ -12,6 +12,7 @@
 #include "base/counted.hpp"
 #include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
+#include "model/continuum.hpp"
 #include "model/material_choices.hpp"
 
 namespace keyblock {
@@ -24,8 +25,29 @@ std::size_t elements_with(const Model& model, int unknowns) {
       model.elements, [&](const Element& element) { return element.basis->unknown_count() == unknowns; }));
 }
 
+/// Under profile `standard`; the old step gives them unknowns of their own.
+std::size_t on_covers(const Model& model) {
+  return model.continuum ? static_cast<std::size_t>(std::ranges::count_if(model.elements, &Element::is_on_covers)) : 0;
+}
+
+/// Two for each function of each cover.
+int unknowns_on_covers(const Model& model) {
+  if (!model.continuum) return 0;
+  const auto covers = static_cast<int>(model.continuum->manifold.covers.size());
+  switch (model.continuum->functions) {
+    case CoverFunctions::constant:
+    case CoverFunctions::derived:
+      return 2 * covers;
+    case CoverFunctions::linear:
+      return 6 * covers;
+    case CoverFunctions::quadratic:
+      return 12 * covers;
+  }
+  return 0;
+}
+
 bool deforms(const Model& model) {
-  return elements_with(model, affine_basis().unknown_count()) > 0;
+  return elements_with(model, affine_basis().unknown_count()) > 0 || on_covers(model) > 0;
 }
 
 bool is_standard(const Settings& settings) {
@@ -33,14 +55,14 @@ bool is_standard(const Settings& settings) {
 }
 
 bool can_touch(const Model& model) {
-  return model.elements.size() > 1 && elements_with(model, 0) < model.elements.size();
+  return model.elements.size() > 1 && std::ranges::any_of(model.elements, &Element::can_move);
 }
 
 /// Numbers of the materials of blocks that can move.
 std::set<int> moving_materials(const Model& model) {
   std::set<int> materials;
   for (const Element& element : model.elements)
-    if (element.basis->unknown_count() > 0) materials.insert(element.material);
+    if (element.can_move()) materials.insert(element.material);
   return materials;
 }
 
@@ -205,6 +227,7 @@ Reason impact(const Model& model, const Settings& settings) {
 Reason start(const Model& model, const Settings& settings) {
   if (!is_standard(settings) || !is_in_time(settings)) return std::nullopt;
   if (settings.standard.start == StartRule::sudden) return "sudden: loads meet unstressed blocks";
+  if (model.continuum) return "sudden: no other start is known for bodies on covers";
   if (initial_stress(model, settings)) return "by the stress of the file";
   return "compatible: contact forces and strains fit the first accelerations";
 }
@@ -247,7 +270,12 @@ std::string bases(const Model& model, const Settings& settings) {
   const std::string chosen = settings.standard.basis.own.empty() ? "" : " (chosen by block material)";
   add(affine, "affine, 6 unknowns each," + chosen, "block");
   add(rigid, "rigid, 3 unknowns each," + chosen, "block");
-  add(count - affine - rigid, "fixed, none,", "held block");
+  const std::size_t covered = on_covers(model);
+  if (covered > 0)
+    words += fmt::format("{}{} functions, {} unknowns on {} physical covers, for {}", words.empty() ? "" : "; ",
+                         name_of(model.continuum->functions), unknowns_on_covers(model),
+                         model.continuum->manifold.covers.size(), counted(covered, "element"));
+  add(count - affine - rigid - covered, "fixed, none,", "held block");
   return words;
 }
 
@@ -265,6 +293,7 @@ bool Requirements::has(TermKind term) const {
 Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement) {
   Requirements needs;
   for (const Element& element : model.elements) needs.unknowns += element.basis->unknown_count();
+  needs.unknowns += unknowns_on_covers(model);
   needs.basis = bases(model, settings);
   for (const auto& [term, name, reason_for] : kRows) {
     Reason reason = reason_for(model, settings);

@@ -28,7 +28,7 @@ struct PointFrame {
   Point position;
   Point displacement;  ///< since the start
   int element = 0;     ///< index from 0
-  Stress stress;       ///< of the element, on covers that at the point
+  Stress stress = {};  ///< of the element, on covers that at the point
 };
 
 /// A bolt between two elements.
