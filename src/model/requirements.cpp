@@ -12,6 +12,7 @@
 #include "base/counted.hpp"
 #include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
+#include "model/hanging.hpp"
 #include "model/material_choices.hpp"
 
 namespace keyblock {
@@ -238,8 +239,10 @@ std::string bases(const Model& model, const Settings& settings) {
   const std::size_t count = model.elements.size();
   const std::size_t affine = elements_with(model, affine_basis().unknown_count());
   const std::size_t rigid = elements_with(model, rigid_basis().unknown_count());
-  if (!is_standard(settings) && affine == count)
+  if (!is_standard(settings) && affine == count && model.nodes.empty())
     return fmt::format("affine, 6 unknowns each, for all {} blocks (Shi's block)", count);
+  if (!model.nodes.empty() && affine == count)
+    return fmt::format("first-order, 2 unknowns each, of {} covers that {} elements share", model.nodes.size(), count);
   std::string words;
   const auto add = [&](std::size_t of, const std::string& what, const char* noun) {
     if (of > 0) words += fmt::format("{}{} for {}", words.empty() ? "" : "; ", what, counted(of, noun));
@@ -264,7 +267,9 @@ bool Requirements::has(TermKind term) const {
 
 Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement) {
   Requirements needs;
-  for (const Element& element : model.elements) needs.unknowns += element.basis->unknown_count();
+  needs.unknowns = static_cast<int>(2 * model.nodes.size());
+  for (const Element& element : model.elements)
+    if (!hangs_on_nodes(element)) needs.unknowns += element.basis->unknown_count();
   needs.basis = bases(model, settings);
   for (const auto& [term, name, reason_for] : kRows) {
     Reason reason = reason_for(model, settings);

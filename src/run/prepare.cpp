@@ -10,8 +10,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cut/from_cover.hpp"
 #include "model/choose_basis.hpp"
 #include "model/from_blocks.hpp"
+#include "model/from_manifold.hpp"
+#include "model/hanging.hpp"
 #include "model/joint_strength.hpp"
 #include "run/profile.hpp"
 #include "run/setting_row.hpp"
@@ -57,7 +60,7 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   if (std::ranges::any_of(analysis.block_materials, is_strained))
     warn("initial_strain_without_effect", "initial strains are read, but move nothing, as in the old program");
   const auto is_pushed = [](const BlockMaterial& m) { return m.horizontal_force != 0; };
-  if (std::ranges::any_of(analysis.block_materials, is_pushed))
+  if (!blocks.blocks.empty() && std::ranges::any_of(analysis.block_materials, is_pushed))
     warn("horizontal_force_without_effect", "horizontal body forces are read, but act on elements of a cover only");
   if (analysis.over_relaxation)
     warn("over_relaxation_without_effect", "the over-relaxation factor is read; the equations are solved directly");
@@ -76,12 +79,46 @@ Warnings without_effect(const std::vector<Override>& overrides, const Settings& 
 }
 
 // Motions belong to points by their order: a point lost in cutting would give its motion to another.
-void require_points(const Blocks& blocks, const Analysis& analysis) {
-  if (blocks.blocks.empty()) throw InputError(blocks.place, "expected at least one block, found none");
+void require_motions(std::size_t fixed_points, const Analysis& analysis) {
   const std::size_t motions = analysis.fixed_point_motions.size();
-  if (motions != 0 && motions != blocks.fixed_points.size())
+  if (motions != 0 && motions != fixed_points)
     throw InputError(analysis.place, fmt::format("expected motions of the {} fixed points of the geometry, found {}",
-                                                 blocks.fixed_points.size(), motions));
+                                                 fixed_points, motions));
+}
+
+/// What a geometry becomes, before settings look at it.
+struct Geometry {
+  CutResult cut;  ///< no blocks where elements hang on covers
+  Model model;
+};
+
+Geometry of_blocks(const Problem& problem, const Settings& settings) {
+  CutResult cut = blocks_of(problem, settings.node_merging);
+  if (cut.blocks.blocks.empty()) throw InputError(cut.blocks.place, "expected at least one block, found none");
+  require_motions(cut.blocks.fixed_points.size(), *problem.analysis);
+  Model model = model_from_blocks(cut.blocks, *problem.analysis);
+  return {std::move(cut), std::move(model)};
+}
+
+// The old step alone moves elements on covers, each by the affine field of its three nodes. The exact rotation of each would tear
+// neighbours apart.
+Geometry of_cover(const Cover& cover, const Analysis& analysis, const Settings& settings) {
+  if (settings.dynamics == Dynamics::standard)
+    throw InputError(
+        cover.place,
+        "expected a drawing or blocks to run in profile standard, found a manifold cover: profile legacy runs it");
+  if (settings.rotation == Rotation::exact)
+    refuse_value("rotation", "first_order, for elements on covers would part under the other", "exact");
+  require_motions(cover.fixed_points.size(), analysis);
+  Geometry geometry;
+  geometry.cut.blocks.place = cover.place;
+  geometry.model = with_affine_elements(model_from_manifold(manifold_of(cover), points_of(cover), analysis));
+  return geometry;
+}
+
+Geometry geometry_of(const Problem& problem, const Settings& settings) {
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry)) return of_cover(*cover, *problem.analysis, settings);
+  return of_blocks(problem, settings);
 }
 
 struct Plan {
@@ -167,6 +204,7 @@ Place place_of(const Problem& problem) {
   if (problem.analysis) return problem.analysis->place;
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return drawing->place;
   if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->place;
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry)) return cover->place;
   return problem.place;
 }
 
@@ -185,19 +223,15 @@ std::string profile_of(const Problem& problem, const std::string& asked) {
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
-  if (const auto* cover = std::get_if<Cover>(&problem.geometry))
-    throw InputError(cover->place, "expected a drawing or blocks to run, found a manifold cover: read, not yet run");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
   const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
-  CutResult cut = blocks_of(problem, settings.node_merging);
-  require_points(cut.blocks, *problem.analysis);
+  auto [cut, scene_model] = geometry_of(problem, settings);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   std::vector<Override> all = problem.choices.settings;
   all.insert(all.end(), overrides.begin(), overrides.end());
   cut.warnings = joined(std::move(cut.warnings), without_effect(all, settings, problem.analysis->place));
   auto [model, needs] =
-      plan_of(with_joint_strength(model_from_blocks(cut.blocks, *problem.analysis), settings.joint_strength_factor),
-              settings, cut.blocks.place);
+      plan_of(with_joint_strength(std::move(scene_model), settings.joint_strength_factor), settings, cut.blocks.place);
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(cut.warnings),
