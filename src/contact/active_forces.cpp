@@ -7,7 +7,7 @@
 namespace keyblock {
 namespace {
 
-// Up to this many unknowns a dense factor beats the sparse one's bookkeeping.
+// Up to this many unknowns a dense factor beats the sparse one's bookkeeping. What covers couple is dense anyhow.
 constexpr std::size_t kMostDense = 48;
 
 }  // namespace
@@ -59,7 +59,7 @@ ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<G
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(set_.rows.size()));
   const Eigen::VectorXd given = set_.forces(none, 1);
   from_given_ = set_.kept(problem.w * given + added.cwiseProduct(given));
-  if (set_.rows.size() <= kMostDense)
+  if (set_.rows.size() <= kMostDense || !problem.w.covers().is_none())
     factorise_dense();
   else
     sparse_ = std::make_unique<ForcesOfBlocks>(problem.w, set_, added);
@@ -77,13 +77,13 @@ void ActiveForces::factorise_dense() {
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
   for (Eigen::Index r = 0; r < size; ++r) {
     const Eigen::Index force = set_.rows[static_cast<std::size_t>(r)];
-    const RowThrough row(problem_.w.row(force), problem_.w.flexibility());
+    const RowThrough row(problem_.w, force);
     for (std::size_t i = 0; i < set_.columns.size(); ++i) {
       const ActiveSet::Column& column = set_.columns[i];
       if (column.unknown < 0) continue;
       const auto other = static_cast<Eigen::Index>(i);
       const double own = other == force ? problem_.w.added()[force] + added_[force] : 0;
-      a(r, column.unknown) += column.factor * (row.times(problem_.w.row(other)) + own);
+      a(r, column.unknown) += column.factor * (row.times(other) + own);
     }
   }
   dense_.compute(a);

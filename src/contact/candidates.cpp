@@ -88,8 +88,15 @@ class Grid {
 }  // namespace
 
 std::vector<ElementPair> close_pairs(const Model& model, const State& state, double distance) {
+  std::vector<ElementIndex> all;
+  for (ElementIndex e : indices(model.elements)) all.push_back(e);
+  return close_pairs(model, state, all, distance);
+}
+
+std::vector<ElementPair> close_pairs(const Model& model, const State& state, const std::vector<ElementIndex>& among,
+                                     double distance) {
   std::vector<Box> boxes;
-  for (ElementIndex e : indices(model.elements)) boxes.push_back(box_of(model, state, e));
+  for (ElementIndex e : among) boxes.push_back(box_of(model, state, e));
   std::vector<ElementPair> pairs;
   if (boxes.size() < 2) return pairs;
   Grid grid(boxes, distance);
@@ -118,7 +125,7 @@ std::vector<ElementPair> close_pairs(const Model& model, const State& state, dou
     }
     std::ranges::sort(met);
     met.erase(std::unique(met.begin(), met.end()), met.end());
-    for (int a : met) pairs.push_back({{a}, {b}});
+    for (int a : met) pairs.push_back({among[static_cast<std::size_t>(a)], among[static_cast<std::size_t>(b)]});
   }
   std::ranges::sort(pairs);
   return pairs;

@@ -19,4 +19,8 @@ struct ElementPair {
 /// the search.
 std::vector<ElementPair> close_pairs(const Model& model, const State& state, double distance);
 
+/// The same among some elements only, ascending.
+std::vector<ElementPair> close_pairs(const Model& model, const State& state, const std::vector<ElementIndex>& among,
+                                     double distance);
+
 }  // namespace keyblock

@@ -1,14 +1,82 @@
-// Products row by row; the diagonal is made once.
+// Products row by row; the diagonal, and what covers couple, are made once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/contact_matrix.hpp"
 
 #include <utility>
 
 namespace keyblock {
-ContactMatrix::ContactMatrix(ContactRows rows, Table<ElementIndex, UnknownBlock> flexibility)
+namespace {
+
+ContactRow through(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& blocks) {
+  return {row.vertex_element, row.edge_element, row.of_vertex * blocks[row.vertex_element],
+          row.of_edge * blocks[row.edge_element]};
+}
+
+// Of the blocks alone.
+double product(const ContactRow& a, const ContactRow& b) {
+  double sum = 0;
+  if (a.vertex_element == b.vertex_element) sum += a.of_vertex.dot(b.of_vertex);
+  if (a.vertex_element == b.edge_element) sum += a.of_vertex.dot(b.of_edge);
+  if (a.edge_element == b.vertex_element) sum += a.of_edge.dot(b.of_vertex);
+  if (a.edge_element == b.edge_element) sum += a.of_edge.dot(b.of_edge);
+  return sum;
+}
+
+Eigen::VectorXd diagonal_with(const CoverCoupling& covers, const ContactRows& rows, const Flexibility& flexibility) {
+  Eigen::VectorXd diagonal(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(i);
+    diagonal[n] = product(through(rows[i], flexibility.blocks), rows[i]);
+    if (!covers.is_none()) diagonal[n] += covers.entry(n, n);
+  }
+  return diagonal;
+}
+
+}  // namespace
+
+CoverCoupling::CoverCoupling(const ContactRows& rows, const Flexibility& flexibility) {
+  if (!flexibility.covers) return;
+  places_.assign(rows.size(), -1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].covers.empty()) continue;
+    places_[i] = static_cast<Eigen::Index>(rows_.size());
+    rows_.push_back(static_cast<Eigen::Index>(i));
+  }
+  const auto count = static_cast<Eigen::Index>(rows_.size());
+  const auto row = [&](Eigen::Index i) -> const ContactRow& {
+    return rows[static_cast<std::size_t>(rows_[static_cast<std::size_t>(i)])];
+  };
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(flexibility.covers->size(), count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (const CoverEntry& entry : row(i).covers)
+      forces.col(i).segment<2>(2 * entry.function) += Eigen::Vector2d(entry.x, entry.y);
+  const Eigen::MatrixXd answers = flexibility.covers->times(forces);
+  matrix_.resize(count, count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const Eigen::VectorXd answer = answers.col(j);
+    for (Eigen::Index i = j; i < count; ++i) matrix_(i, j) = matrix_(j, i) = row(i).of_covers(answer);
+  }
+}
+
+double CoverCoupling::entry(Eigen::Index i, Eigen::Index j) const {
+  const Eigen::Index at = places_[static_cast<std::size_t>(i)];
+  const Eigen::Index to = places_[static_cast<std::size_t>(j)];
+  return at < 0 || to < 0 ? 0 : matrix_(at, to);
+}
+
+double CoverCoupling::rate(Eigen::Index i, const Eigen::VectorXd& forces) const {
+  if (is_none() || places_[static_cast<std::size_t>(i)] < 0) return 0;
+  const auto column = matrix_.col(places_[static_cast<std::size_t>(i)]);
+  double sum = 0;
+  for (std::size_t j = 0; j < rows_.size(); ++j) sum += column[static_cast<Eigen::Index>(j)] * forces[rows_[j]];
+  return sum;
+}
+
+ContactMatrix::ContactMatrix(ContactRows rows, Flexibility flexibility)
     : rows_(std::move(rows)),
       flexibility_(std::move(flexibility)),
-      diagonal_(diagonal_of(rows_, flexibility_)),
+      covers_(rows_, flexibility_),
+      diagonal_(diagonal_with(covers_, rows_, flexibility_)),
       added_(Eigen::VectorXd::Zero(diagonal_.size())) {}
 
 void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
@@ -20,25 +88,16 @@ Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {
   return rates(rows_, answer(rows_, flexibility_, forces)) + added_.cwiseProduct(forces);
 }
 
-Eigen::VectorXd diagonal_of(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility) {
-  Eigen::VectorXd diagonal(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    diagonal[static_cast<Eigen::Index>(i)] = RowThrough(rows[i], flexibility).times(rows[i]);
-  return diagonal;
+Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility) {
+  return diagonal_with(CoverCoupling(rows, flexibility), rows, flexibility);
 }
 
-RowThrough::RowThrough(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& flexibility) : through_(row) {
-  through_.of_vertex *= flexibility[through_.vertex_element];
-  through_.of_edge *= flexibility[through_.edge_element];
-}
+RowThrough::RowThrough(const ContactMatrix& w, Eigen::Index i)
+    : w_(w), i_(i), through_(through(w.row(i), w.flexibility().blocks)) {}
 
-double RowThrough::times(const ContactRow& other) const {
-  double sum = 0;
-  if (through_.vertex_element == other.vertex_element) sum += through_.of_vertex.dot(other.of_vertex);
-  if (through_.vertex_element == other.edge_element) sum += through_.of_vertex.dot(other.of_edge);
-  if (through_.edge_element == other.vertex_element) sum += through_.of_edge.dot(other.of_vertex);
-  if (through_.edge_element == other.edge_element) sum += through_.of_edge.dot(other.of_edge);
-  return sum;
+double RowThrough::times(Eigen::Index j) const {
+  const double of_covers = w_.covers().is_none() ? 0 : w_.covers().entry(i_, j);
+  return product(through_, w_.row(j)) + of_covers;
 }
 
 }  // namespace keyblock

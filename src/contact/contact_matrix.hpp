@@ -1,4 +1,4 @@
-// What forces of contacts and ties do to the rates along them, without the matrix of that ever being formed.
+// What forces of contacts and ties do to the rates along them, without the matrix of that ever being formed for blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,17 +8,35 @@
 
 namespace keyblock {
 
+/// G B Gᵀ by way of the covers alone, which couple every row that they have a part in: dense, a solution a row.
+class CoverCoupling {
+ public:
+  CoverCoupling() = default;
+  CoverCoupling(const ContactRows& rows, const Flexibility& flexibility);
+
+  bool is_none() const { return places_.empty(); }
+  double entry(Eigen::Index i, Eigen::Index j) const;
+  /// Row i times forces.
+  double rate(Eigen::Index i, const Eigen::VectorXd& forces) const;
+
+ private:
+  std::vector<Eigen::Index> places_;  ///< of each row in the matrix; −1 where covers have no part in it
+  std::vector<Eigen::Index> rows_;    ///< the other way
+  Eigen::MatrixXd matrix_;
+};
+
 /// W = G B Gᵀ + diag(added), with a row of G a force and a block of B an element: the flexibility of its unknowns, symmetric,
-/// zero in rows and columns of unknowns that do not answer. Those that do come first.
+/// zero in rows and columns of unknowns that do not answer. Those that do come first. Covers have one common part of B.
 class ContactMatrix {
  public:
   ContactMatrix() = default;
-  ContactMatrix(ContactRows rows, Table<ElementIndex, UnknownBlock> flexibility);
+  ContactMatrix(ContactRows rows, Flexibility flexibility);
 
   Eigen::Index rows() const { return diagonal_.size(); }
   const Eigen::VectorXd& diagonal() const { return diagonal_; }
   const ContactRow& row(Eigen::Index i) const { return rows_[static_cast<std::size_t>(i)]; }
-  const Table<ElementIndex, UnknownBlock>& flexibility() const { return flexibility_; }
+  const Flexibility& flexibility() const { return flexibility_; }
+  const CoverCoupling& covers() const { return covers_; }
   const Eigen::VectorXd& added() const { return added_; }
 
   /// The compliance of a spring, 1/p.
@@ -28,21 +46,24 @@ class ContactMatrix {
 
  private:
   ContactRows rows_;
-  Table<ElementIndex, UnknownBlock> flexibility_;
+  Flexibility flexibility_;
+  CoverCoupling covers_;
   Eigen::VectorXd diagonal_;
   Eigen::VectorXd added_;
 };
 
 /// The diagonal of G B Gᵀ alone.
-Eigen::VectorXd diagonal_of(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility);
+Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility);
 
 /// A row of G times B, for entries of W where a few are wanted: entry (i, j) is row i times row j, without what was added.
 class RowThrough {
  public:
-  RowThrough(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& flexibility);
-  double times(const ContactRow& other) const;
+  RowThrough(const ContactMatrix& w, Eigen::Index i);
+  double times(Eigen::Index j) const;
 
  private:
+  const ContactMatrix& w_;
+  Eigen::Index i_;
   ContactRow through_;
 };
 

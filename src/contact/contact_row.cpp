@@ -8,14 +8,25 @@ Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ContactRow& row = rows[i];
-    result[static_cast<Eigen::Index>(i)] =
-        row.of_vertex.dot(x[row.vertex_element].transpose()) + row.of_edge.dot(x[row.edge_element].transpose());
+    result[static_cast<Eigen::Index>(i)] = row.of_vertex.dot(x[row.vertex_element].transpose()) +
+                                           row.of_edge.dot(x[row.edge_element].transpose()) + row.of_covers(x.covers);
   }
   return result;
 }
 
-UnknownsTable answer(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks,
-                     const Eigen::VectorXd& forces) {
+double ContactRow::of_covers(const Eigen::VectorXd& x) const {
+  double sum = 0;
+  for (const CoverEntry& entry : covers) sum += entry.x * x[2 * entry.function] + entry.y * x[2 * entry.function + 1];
+  return sum;
+}
+
+void ContactRow::add_covers(double force, Eigen::VectorXd& sum) const {
+  for (const CoverEntry& entry : covers)
+    sum.segment<2>(2 * entry.function) += force * Eigen::Vector2d(entry.x, entry.y);
+}
+
+UnknownsTable answer(const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& forces) {
+  const Table<ElementIndex, UnknownBlock>& blocks = flexibility.blocks;
   UnknownsTable sum;
   for (ElementIndex e : indices(blocks)) sum.push_back(Unknowns::Zero(blocks[e].rows()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -24,6 +35,10 @@ UnknownsTable answer(const ContactRows& rows, const Table<ElementIndex, UnknownB
     sum[rows[i].edge_element] += f * rows[i].of_edge.transpose();
   }
   for (ElementIndex e : indices(blocks)) sum[e] = blocks[e] * sum[e];
+  if (!flexibility.covers) return sum;
+  sum.covers = Eigen::VectorXd::Zero(flexibility.covers->size());
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].add_covers(forces[static_cast<Eigen::Index>(i)], sum.covers);
+  sum.covers = flexibility.covers->times(sum.covers);
   return sum;
 }
 

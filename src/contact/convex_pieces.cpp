@@ -37,10 +37,15 @@ class Cutter {
   ConvexPieces run(const Element& element) {
     const std::vector<VertexIndex> ring = distinct(element);
     ConvexPiece whole;
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (!is_straight(at(ring[(i + ring.size() - 1) % ring.size()]), at(ring[i]), at(ring[(i + 1) % ring.size()])))
-        whole.corners.push_back(ring[i]);
-    whole.is_inner.assign(whole.corners.size(), false);
+    const auto is_inner = [&](std::size_t i) { return model_.vertices[ring[i % ring.size()]].is_inner; };
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const bool straight =
+          is_straight(at(ring[(i + ring.size() - 1) % ring.size()]), at(ring[i]), at(ring[(i + 1) % ring.size()]));
+      if (straight && is_inner(i) == is_inner(i + 1)) continue;
+      whole.corners.push_back(ring[i]);
+      whole.is_inner.push_back(is_inner(i + 1));  // of the edge that leaves here
+    }
+    if (std::ranges::count(whole.is_inner, false) == 0) return {};
     cut(whole);
     return std::move(pieces_);
   }

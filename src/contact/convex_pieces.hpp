@@ -17,7 +17,8 @@ struct ConvexPiece {
 
 using ConvexPieces = std::vector<ConvexPiece>;
 
-/// One piece for a convex element; none for an element with a hole. Vertices on a straight edge are no corners.
+/// One piece for a convex element; none for an element with a hole, or with inner edges only. Vertices on a straight edge are no
+/// corners, unless one side of it is inner.
 ConvexPieces convex_pieces(const Model& model, ElementIndex element);
 
 }  // namespace keyblock

@@ -40,7 +40,7 @@ ForcesOfBlocks::ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, con
 
 void ForcesOfBlocks::number() {
   int row = 0;
-  for (const UnknownBlock& flexibility : w_.flexibility()) {
+  for (const UnknownBlock& flexibility : w_.flexibility().blocks) {
     const int size = answering(flexibility);
     blocks_.push_back(size > 0 ? static_cast<int>(sizes_.size()) : -1);
     if (size == 0) continue;
@@ -64,8 +64,9 @@ int ForcesOfBlocks::size_of(int block) const {
 }
 
 void ForcesOfBlocks::assemble() {
-  for (ElementIndex e : indices(w_.flexibility()))
-    if (blocks_[e] >= 0) factor_->add(blocks_[e], blocks_[e], inverse_of(w_.flexibility()[e], size_of(blocks_[e])));
+  for (ElementIndex e : indices(w_.flexibility().blocks))
+    if (blocks_[e] >= 0)
+      factor_->add(blocks_[e], blocks_[e], inverse_of(w_.flexibility().blocks[e], size_of(blocks_[e])));
   for (std::size_t first = 0; first < set_.rows.size();) {
     const Eigen::Index pair = set_.rows[first] - set_.rows[first] % 2;
     const bool is_two = first + 1 < set_.rows.size() && set_.rows[first + 1] == pair + 1;

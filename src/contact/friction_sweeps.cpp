@@ -16,7 +16,7 @@ class Sweep {
   Sweep(const FrictionalProblem& problem, Eigen::VectorXd forces) : p_(problem), forces_(std::move(forces)) {
     ContactRows rows;
     for (Eigen::Index i = 0; i < forces_.size(); ++i) rows.push_back(p_.w.row(i));
-    answer_ = answer(rows, p_.w.flexibility(), forces_);
+    answer_ = answer(rows, {p_.w.flexibility().blocks}, forces_);
   }
 
   const Eigen::VectorXd& forces() const { return forces_; }
@@ -38,7 +38,7 @@ class Sweep {
     const ContactRow& row = p_.w.row(i);
     const double y = p_.b[i] + p_.w.added()[i] * forces_[i] +
                      row.of_vertex.dot(answer_[row.vertex_element].transpose()) +
-                     row.of_edge.dot(answer_[row.edge_element].transpose());
+                     row.of_edge.dot(answer_[row.edge_element].transpose()) + p_.w.covers().rate(i, forces_);
     return forces_[i] - y / p_.w.diagonal()[i];
   }
   void put(Eigen::Index i, double force) {
@@ -46,8 +46,8 @@ class Sweep {
     const double change = force - forces_[i];
     if (change == 0) return;
     forces_[i] = force;
-    answer_[row.vertex_element] += change * (p_.w.flexibility()[row.vertex_element] * row.of_vertex.transpose());
-    answer_[row.edge_element] += change * (p_.w.flexibility()[row.edge_element] * row.of_edge.transpose());
+    answer_[row.vertex_element] += change * (p_.w.flexibility().blocks[row.vertex_element] * row.of_vertex.transpose());
+    answer_[row.edge_element] += change * (p_.w.flexibility().blocks[row.edge_element] * row.of_edge.transpose());
   }
 
   const FrictionalProblem& p_;

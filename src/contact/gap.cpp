@@ -2,53 +2,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/gap.hpp"
 
+#include "contact/point_motion.hpp"
+
 namespace keyblock {
 namespace {
-
-Eigen::RowVector2d row_vector(Point p) {
-  return {p.x, p.y};
-}
 
 class Rows {
  public:
   Rows(const Model& model, const Reference& reference, const UnknownsTable& q)
-      : model_(model), reference_(reference), q_(q), vertices_(vertices_at(model, reference, q)) {}
+      : model_(model), points_(model, reference, q), vertices_(vertices_at(model, reference, q)) {}
 
   void add(const Touch& touch, ContactRows& rows) const {
     const ElementIndex a = model_.vertices[touch.vertex].element;
     const ElementIndex b = model_.vertices[touch.start].element;
     const Point n = normal_of(touch, vertices_);
-    const Point t{-n.y, n.x};
-    const DisplacementOperator at_point = of_point(touch);
-    rows.push_back({a, b, row_vector(n) * at_point, -row_vector(n) * of_foot(touch)});
-    rows.push_back({a, b, row_vector(t) * at_point, -row_vector(t) * opposite(b, point_of(touch, vertices_))});
+    const PointMotion at_point = of_point(touch);
+    rows.push_back(row_between(a, at_point, b, of_foot(touch), n));
+    rows.push_back(row_between(a, at_point, b, points_.at_place(b, point_of(touch, vertices_)), {-n.y, n.x}));
   }
 
  private:
-  DisplacementOperator at(VertexIndex v) const {
-    const ElementIndex e = model_.vertices[v].element;
-    return jacobian(*model_.elements[e].basis, q_[e], reference_.offsets[v]);
-  }
-  DisplacementOperator of_point(const Touch& touch) const {
-    if (touch.kind != TouchKind::middle) return at(touch.vertex);
-    return (1 - touch.along) * at(touch.vertex) + touch.along * at(touch.other);
+  PointMotion of_point(const Touch& touch) const {
+    if (touch.kind != TouchKind::middle) return points_.of_vertex(touch.vertex);
+    return between(points_.of_vertex(touch.vertex), points_.of_vertex(touch.other), touch.along);
   }
   // With s the share of the edge at the foot of the point; a corner is met as it is.
-  DisplacementOperator of_foot(const Touch& touch) const {
-    if (touch.kind == TouchKind::bisector) return at(touch.other);
+  PointMotion of_foot(const Touch& touch) const {
+    if (touch.kind == TouchKind::bisector) return points_.of_vertex(touch.other);
     const Point along = vertices_[touch.end] - vertices_[touch.start];
     const double s = dot(point_of(touch, vertices_) - vertices_[touch.start], along) / dot(along, along);
-    return (1 - s) * at(touch.start) + s * at(touch.end);
-  }
-  DisplacementOperator opposite(ElementIndex e, Point x) const {
-    const Basis& basis = *model_.elements[e].basis;
-    const Point centroid = reference_.centroids[e] + translation(basis, q_[e]);
-    return jacobian(basis, q_[e], material_offset(basis, q_[e], x - centroid));
+    return between(points_.of_vertex(touch.start), points_.of_vertex(touch.end), s);
   }
 
   const Model& model_;
-  const Reference& reference_;
-  const UnknownsTable& q_;
+  PointMotions points_;
   Table<VertexIndex, Point> vertices_;
 };
 

@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/ties.hpp"
 
+#include "contact/point_motion.hpp"
+
 namespace keyblock {
 namespace {
-
-using Row = ContactRow::Row;
 
 class MovedPoints {
  public:
   MovedPoints(const Model& model, const Reference& reference, const UnknownsTable& q)
-      : model_(model), reference_(reference), q_(q) {}
+      : model_(model), reference_(reference), q_(q), motions_(model, reference, q) {}
 
   Point place(ElementIndex e, Point start) const { return point_at(model_, reference_, q_, e, start); }
-  DisplacementOperator derivative(ElementIndex e, Point start) const {
-    return jacobian(*model_.elements[e].basis, q_[e], start - reference_.centroids[e]);
-  }
+  PointMotion motion(const MaterialPoint& point) const { return motions_.of_point(point.element, point.start); }
+  PointMotion motion(const CarriedPoint& point) const { return motions_.of_point(point.element, point.start); }
   Segment ends(const Bolt& bolt) const {
     return {place(bolt.first.element, bolt.first.start), place(bolt.second.element, bolt.second.start)};
   }
@@ -24,27 +23,23 @@ class MovedPoints {
   const Model& model_;
   const Reference& reference_;
   const UnknownsTable& q_;
+  PointMotions motions_;
 };
 
-ContactRow against_plane(ElementIndex e, Row row) {
-  Row nothing = Row::Zero(row.size());
-  return {e, e, std::move(row), std::move(nothing)};
-}
-
 // Velocity of the second end against the first in the given direction.
-ContactRow bolt_row(const Bolt& bolt, const MovedPoints& points, Eigen::RowVector2d direction) {
+ContactRow bolt_row(const Bolt& bolt, const MovedPoints& points, Point direction) {
   const ElementIndex first = bolt.first.element;
   const ElementIndex second = bolt.second.element;
-  const Row of_first = -direction * points.derivative(first, bolt.first.start);
-  const Row of_second = direction * points.derivative(second, bolt.second.start);
-  if (first == second) return against_plane(first, of_first + of_second);
-  return {second, first, of_second, of_first};
+  ContactRow row = row_between(second, points.motion(bolt.second), first, points.motion(bolt.first), direction);
+  if (first != second) return row;
+  row.of_vertex += row.of_edge;
+  row.of_edge.setZero();
+  return row;
 }
 
-Eigen::RowVector2d direction_of(const Segment& bolt) {
+Point direction_of(const Segment& bolt) {
   const double size = distance(bolt.start, bolt.end);
-  if (size == 0) return Eigen::RowVector2d::Zero();
-  return Eigen::RowVector2d(bolt.end.x - bolt.start.x, bolt.end.y - bolt.start.y) / size;
+  return size == 0 ? Point{} : (1 / size) * (bolt.end - bolt.start);
 }
 
 Eigen::VectorXd pairs_of(const std::vector<Point>& points) {
@@ -60,9 +55,9 @@ ContactRows bolt_rows(const Model& model, const Reference& reference, const Unkn
   const MovedPoints points(model, reference, q);
   ContactRows rows;
   for (const Bolt& bolt : model.bolts) {
-    const Eigen::RowVector2d along = direction_of(points.ends(bolt));
+    const Point along = direction_of(points.ends(bolt));
     rows.push_back(bolt_row(bolt, points, along));
-    rows.push_back(bolt_row(bolt, points, {-along.y(), along.x()}));
+    rows.push_back(bolt_row(bolt, points, {-along.y, along.x}));
   }
   return rows;
 }
@@ -80,7 +75,7 @@ Eigen::VectorXd elongations(const Model& model, const Reference& reference, cons
 std::vector<CarriedPoint> held_points(const Model& model) {
   std::vector<CarriedPoint> held;
   for (const CarriedPoint& point : model.fixed_points)
-    if (model.elements[point.element].basis->unknown_count() > 0) held.push_back(point);
+    if (model.elements[point.element].can_move()) held.push_back(point);
   return held;
 }
 
@@ -89,9 +84,9 @@ ContactRows point_rows(const Model& model, const Reference& reference, const Unk
   const MovedPoints moved(model, reference, q);
   ContactRows rows;
   for (const CarriedPoint& point : points) {
-    const DisplacementOperator velocity = moved.derivative(point.element, point.start);
-    rows.push_back(against_plane(point.element, velocity.row(0)));
-    rows.push_back(against_plane(point.element, velocity.row(1)));
+    const PointMotion motion = moved.motion(point);
+    rows.push_back(row_of(point.element, motion, {1, 0}));
+    rows.push_back(row_of(point.element, motion, {0, 1}));
   }
   return rows;
 }

@@ -30,7 +30,7 @@ constexpr int monomial_place(Exponents e) {
 std::vector<Exponents> exponents(int degree);
 
 /// Coordinates near 1 about an origin near by: nothing is lost far from (0, 0), and powers stay comparable.
-struct Frame {
+struct LocalFrame {
   Point origin;
   double size = 1;
 
@@ -48,6 +48,6 @@ Eigen::VectorXd product(const Eigen::VectorXd& a, int degree_a, const Eigen::Vec
 
 /// ∫ of all monomials of the local coordinates up to `degree` over the region to the left of the closed loops, clockwise
 /// loops (holes) counting negative; area in the squared unit of the loops.
-Eigen::VectorXd polygon_moments(std::span<const std::vector<Point>> loops, const Frame& frame, int degree);
+Eigen::VectorXd polygon_moments(std::span<const std::vector<Point>> loops, const LocalFrame& frame, int degree);
 
 }  // namespace keyblock

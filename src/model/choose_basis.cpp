@@ -21,6 +21,7 @@ Model with_bases(Model model, const PerMaterial<BlockBasis>& basis) {
   for (const CarriedPoint& point : model.fixed_points) points[point.element].push_back(&point);
   for (ElementIndex e : indices(model.elements)) {
     Element& element = model.elements[e];
+    if (element.is_on_covers()) continue;
     const Basis& moving = basis.of(element.material) == BlockBasis::rigid ? rigid_basis() : affine_basis();
     element.basis = pins(points[e]) ? &fixed_basis() : &moving;
   }
@@ -28,9 +29,8 @@ Model with_bases(Model model, const PerMaterial<BlockBasis>& basis) {
 }
 
 bool has_held_moving_element(const Model& model) {
-  return std::ranges::any_of(model.fixed_points, [&](const CarriedPoint& point) {
-    return model.elements[point.element].basis->unknown_count() > 0;
-  });
+  return std::ranges::any_of(model.fixed_points,
+                             [&](const CarriedPoint& point) { return model.elements[point.element].can_move(); });
 }
 
 }  // namespace keyblock

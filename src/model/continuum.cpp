@@ -20,10 +20,13 @@ double extent(const Manifold& manifold) {
 
 }  // namespace
 
-Eigen::Matrix3d Continuum::modulus(int element) const {
+const BlockMaterial& Continuum::material(int element) const {
   const int body = manifold.elements[static_cast<std::size_t>(element)].body;
-  const int material = manifold.body_materials[static_cast<std::size_t>(body)];
-  const BlockMaterial& values = materials[static_cast<std::size_t>(material)];
+  return materials[static_cast<std::size_t>(manifold.body_materials[static_cast<std::size_t>(body)])];
+}
+
+Eigen::Matrix3d Continuum::modulus(int element) const {
+  const BlockMaterial& values = material(element);
   return plane == Plane::stress ? plane_stress_modulus(values) : plane_strain_modulus(values);
 }
 

@@ -56,6 +56,7 @@ struct Continuum {
   std::vector<PointForce> point_forces;
   std::vector<PointSpring> point_springs;
 
+  const BlockMaterial& material(int element) const;
   /// D, 3 × 3, of an element.
   Eigen::Matrix3d modulus(int element) const;
 };

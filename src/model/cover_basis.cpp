@@ -25,13 +25,13 @@ int order_of(CoverFunctions functions) {
 }
 
 /// About the middle of the triangle, with the side of an equilateral one of its area.
-Frame frame_of(const std::array<Point, 3>& t) {
+LocalFrame frame_of(const std::array<Point, 3>& t) {
   const double area = cross(t[1] - t[0], t[2] - t[0]) / 2;
   return {(1.0 / 3) * (t[0] + t[1] + t[2]), std::sqrt(4 / std::sqrt(3.0) * area)};
 }
 
 /// λ_k of a triangle in local coordinates.
-std::array<Eigen::VectorXd, 3> weights_of(const std::array<Point, 3>& triangle, const Frame& frame) {
+std::array<Eigen::VectorXd, 3> weights_of(const std::array<Point, 3>& triangle, const LocalFrame& frame) {
   std::array<Point, 3> t;
   for (std::size_t k = 0; k < 3; ++k) t[k] = frame.local(triangle[k]);
   const double twice_area = cross(t[1] - t[0], t[2] - t[0]);

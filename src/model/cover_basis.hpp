@@ -29,7 +29,7 @@ struct ElementShape {
   int degree = 1;                              ///< of the polynomials
   std::span<const int> functions;              ///< n of them, numbered in the whole manifold
   Eigen::Map<const Eigen::MatrixXd> monomial;  ///< monomials of the local coordinates × n
-  Frame frame;
+  LocalFrame frame;
 
   int function_count() const { return static_cast<int>(functions.size()); }
   /// N, 1 × n.
@@ -61,7 +61,7 @@ class CoverBasis {
   CoverFunctions functions_;
   int degree_ = 1;
   int function_count_ = 0;
-  std::vector<Frame> frames_;
+  std::vector<LocalFrame> frames_;
   std::vector<int> numbers_;  // of all elements, one after the other
   std::vector<double> coefficients_;
   std::vector<std::size_t> first_number_;

@@ -78,8 +78,25 @@ Point material_offset(const Basis& basis, const Unknowns& q, Point from_centroid
   return point_of(stretch.inverse() * Eigen::Vector2d(local.x, local.y));
 }
 
+void UnknownsTable::set_zero() {
+  for (Unknowns& of : *this) of.setZero();
+  covers.setZero();
+}
+
+UnknownsTable& UnknownsTable::operator*=(double factor) {
+  for (Unknowns& of : *this) of *= factor;
+  covers *= factor;
+  return *this;
+}
+
+bool operator==(const UnknownsTable& a, const UnknownsTable& b) {
+  const Table<ElementIndex, Unknowns>& blocks = a;
+  return blocks == b && a.covers.size() == b.covers.size() && a.covers == b.covers;
+}
+
 Point point_at(const Model& model, const Reference& reference, const UnknownsTable& q, ElementIndex element,
                Point start) {
+  if (reference.is_on_covers(element)) return moved(start, reference.covers->shares(element, start), q.covers);
   const Basis& basis = *model.elements[element].basis;
   const Point centroid = reference.centroids[element];
   const Point arm = turned(stretched(basis, q[element], start - centroid), angle_of(basis, q[element]));
@@ -89,6 +106,12 @@ Point point_at(const Model& model, const Reference& reference, const UnknownsTab
 Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& reference, const UnknownsTable& q) {
   Table<VertexIndex, Point> vertices(model.vertices.size());
   for (ElementIndex e : indices(model.elements)) {
+    if (reference.is_on_covers(e)) {
+      for (VertexIndex v : model.elements[e].vertices())
+        vertices[v] =
+            moved(model.start_vertices[static_cast<std::size_t>(v.value)], reference.covers->of_vertex(v), q.covers);
+      continue;
+    }
     const Basis& basis = *model.elements[e].basis;
     const Point centroid = reference.centroids[e] + translation(basis, q[e]);
     const double angle = angle_of(basis, q[e]);
@@ -101,6 +124,7 @@ Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& refer
 UnknownsTable plus(const UnknownsTable& a, double s, const UnknownsTable& b) {
   UnknownsTable sum = a;
   for (ElementIndex e : indices(sum)) sum[e] += s * b[e];
+  sum.covers += s * b.covers;
   return sum;
 }
 

@@ -2,20 +2,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "geometry/simplex.hpp"
+#include "model/cover_kinematics.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
 
 namespace keyblock {
 
-/// Unknowns of all elements: displacement of the centroid, total angle, strain in the frame that turns with the block.
-using UnknownsTable = Table<ElementIndex, Unknowns>;
+/// Unknowns of all blocks: displacement of the centroid, total angle, strain in the frame that turns with the block. Elements on
+/// covers have none of their own.
+struct UnknownsTable : Table<ElementIndex, Unknowns> {
+  using Table::Table;
+
+  Eigen::VectorXd covers;  ///< (dx, dy) of each cover function; empty where nothing hangs on covers
+
+  void set_zero();
+  UnknownsTable& operator*=(double factor);
+  friend bool operator==(const UnknownsTable& a, const UnknownsTable& b);
+};
 
 /// The undeformed blocks, in coordinates of their own: constant during a run.
 struct Reference {
   Table<ElementIndex, Point> centroids;
-  Table<ElementIndex, Moments> moments;  ///< about the centroid
-  Table<VertexIndex, Point> offsets;     ///< of the vertices from the centroid
+  Table<ElementIndex, Moments> moments;           ///< about the centroid
+  Table<VertexIndex, Point> offsets;              ///< of the vertices from the centroid
+  std::shared_ptr<const CoverKinematics> covers;  ///< of elements on covers; none where there are none
+
+  bool is_on_covers(ElementIndex e) const { return covers && covers->carries(e); }
 };
 
 Reference reference_of(const Model& model, const Settings& settings);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "base/index.hpp"
@@ -14,6 +15,8 @@
 #include "problem/blocks.hpp"
 
 namespace keyblock {
+
+struct Continuum;
 
 /// A corner of a boundary loop. The element lies to the left of the edge to `next`.
 struct Vertex {
@@ -41,6 +44,8 @@ struct Element {
   CoverList covers = {};
 
   IndexRange<VertexIndex> vertices() const { return {first_vertex, end_vertex}; }
+  bool is_on_covers() const { return covers.size() > 1; }
+  bool can_move() const { return basis->unknown_count() > 0 || is_on_covers(); }
 };
 
 /// Neighbours, and elements around a node that no joint parts, hang together: they do not touch each other.
@@ -91,6 +96,8 @@ struct Model {
   std::vector<CarriedPoint> loading_points;
   std::vector<CarriedPoint> measured_points;
   std::vector<Bolt> bolts;
+  std::shared_ptr<const Continuum>
+      continuum;  ///< what the elements on covers, the last ones, were cut from; none without them
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;
   double mean_area = 0;  ///< of the elements at the start

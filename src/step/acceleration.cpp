@@ -39,7 +39,7 @@ double largest_force(const StandardScene& scene, const UnknownsTable& a) {
   double largest = 0;
   for (ElementIndex e : indices(a))
     if (a[e].size() > 0) largest = std::max(largest, (scene.bodies[e].mass * a[e]).head<2>().norm());
-  return largest;
+  return scene.covers ? std::max(largest, scene.covers->greatest_momentum(a.covers)) : largest;
 }
 
 }  // namespace
@@ -52,7 +52,10 @@ UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& mo
   Eigen::VectorXd forces(static_cast<Eigen::Index>(rows.size()));
   forces << forces_of(motion), ties.remembered();
   const UnknownsTable loads = loads_at(scene, motion.q, time);
-  UnknownsTable a = answer(rows, every(scene.bodies, &Body::mass_inverse), forces);
+  UnknownsTable a = answer(rows, mass_flexibility(scene), forces);
+  if (scene.covers)
+    a.covers += scene.covers->mass_inverse()->times(loads.covers - scene.covers->elastic_force(motion.q.covers) -
+                                                    scene.covers->damping_force(motion.v.covers));
   for (ElementIndex e : indices(a)) {
     const Body& body = scene.bodies[e];
     a[e] += body.mass_inverse *
@@ -65,7 +68,7 @@ UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion
   const Touches closed = without_springs(scene, closed_of(motion));
   if (closed.empty() && scene.held.empty()) return motion.a;
   const ContactRows rows = rows_with_points(scene, motion.q, closed);
-  const auto blocks = every(scene.bodies, &Body::mass_inverse);
+  const Flexibility blocks = mass_flexibility(scene);
   const double goal = kTolerance * largest_force(scene, motion.a) + kSmallest;
   FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, motion.a), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : closed) {

@@ -46,8 +46,8 @@ class Settling {
         loads_(loads_at(scene, motion_.q, 0)),
         rigid_(every(scene.bodies, &Body::rigid_mass_inverse)) {
     const ContactRows of_bolts = bolt_rows(scene.model, scene.reference, motion_.q);
-    if (!of_bolts.empty()) loads_ = plus(loads_, 1, answer(of_bolts, identities(), pretensions()));
-    const Scales scales = scales_of(scene_, loads_, motion_.v);
+    if (!of_bolts.empty()) loads_ = plus(loads_, 1, answer(of_bolts, {identities()}, pretensions()));
+    const Scales scales = scales_of(scene_, loads_, motion_.q, motion_.v);
     tolerance_ = kForceTolerance * scales.force;
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) heaviest_ = std::max(heaviest_, body.mass(0, 0));
@@ -86,7 +86,7 @@ class Settling {
     const double dt = scene_.settings.time_step;
     forces_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
     if (!rows_.empty()) {
-      FrictionalProblem problem{ContactMatrix(rows_, scaled(dt, rigid_)),
+      FrictionalProblem problem{ContactMatrix(rows_, {scaled(dt, rigid_)}),
                                 dt * rates(rows_, product(rigid_, loads_)),
                                 {},
                                 tolerance_,
@@ -98,7 +98,7 @@ class Settling {
       problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
       forces_ = solve(problem, forces_).forces;
     }
-    acceleration_ = plus(product(rigid_, loads_), 1, answer(rows_, rigid_, forces_));
+    acceleration_ = plus(product(rigid_, loads_), 1, answer(rows_, {rigid_}, forces_));
   }
 
   bool break_sheared_bonds() {
@@ -139,7 +139,7 @@ class Settling {
       increments.push_back(flexibility[e] * unbalanced);
     }
     FrictionalProblem problem{
-        ContactMatrix(rows_, flexibility), rates(rows_, increments), {}, tolerance_, kLooser * tolerance_, {}};
+        ContactMatrix(rows_, {flexibility}), rates(rows_, increments), {}, tolerance_, kLooser * tolerance_, {}};
     const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
     const double beyond = kBeyond * problem.b.cwiseAbs().maxCoeff() +
                           kBeyond * problem.w.diagonal().maxCoeff() * forces_.cwiseAbs().maxCoeff();
@@ -163,7 +163,7 @@ class Settling {
   }
 
   void strain() {
-    UnknownsTable forces = plus(loads_, 1, answer(rows_, identities(), forces_));
+    UnknownsTable forces = plus(loads_, 1, answer(rows_, {identities()}, forces_));
     for (ElementIndex e : indices(forces)) {
       const Body& body = scene_.bodies[e];
       const Eigen::Index strains = body.mass.rows() - kRigidUnknowns;
@@ -178,7 +178,7 @@ class Settling {
   // Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of pushes that
   // would close a gap by a large shift only to the elastic contact.
   void shift() {
-    FrictionalProblem problem{ContactMatrix(rows_, rigid_), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
+    FrictionalProblem problem{ContactMatrix(rows_, {rigid_}), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
     const std::vector<double> gaps = gaps_from_wanted();
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       problem.laws.push_back(normal(i) != 0 ? kTie : ForceLaw{});
@@ -193,7 +193,7 @@ class Settling {
     }
     if (missing == 0) return;
     problem.goal = problem.acceptable = kShiftTolerance * missing / problem.w.diagonal().maxCoeff();
-    const UnknownsTable by = answer(rows_, rigid_, newton(problem, Eigen::VectorXd::Zero(forces_.size())).forces);
+    const UnknownsTable by = answer(rows_, {rigid_}, newton(problem, Eigen::VectorXd::Zero(forces_.size())).forces);
     motion_.q = plus(motion_.q, 1, by);
     asked_ += missing;
     for (ElementIndex e : indices(by))

@@ -41,13 +41,20 @@ double relative_error(const StandardScene& scene, const Motion& before, const Mo
     greatest = worse(greatest, error.head<2>().norm() / scene.bodies[e].size);
     greatest = worse(greatest, error.tail(error.size() - 2).maxCoeff<Eigen::PropagateNaN>());
   }
-  return greatest;
+  if (!scene.covers) return greatest;
+  const Eigen::VectorXd change = after.a.covers - before.a.covers;
+  const Eigen::VectorXd mean =
+      rule.carries_acceleration() ? Eigen::VectorXd(before.a.covers + change / 2) : after.a.covers;
+  const Eigen::VectorXd error =
+      dt * dt * (rule.error_of_change * change.cwiseAbs() + rule.error_of_acceleration * mean.cwiseAbs()) +
+      dt * (after.v.covers - before.v.covers - dt * mean).cwiseAbs();
+  return worse(greatest, error.maxCoeff<Eigen::PropagateNaN>() / scene.covers->size());
 }
 
 bool all_finite(const Motion& motion) {
   const auto is_finite = [](const Unknowns& u) { return u.allFinite(); };
   return std::ranges::all_of(motion.q, is_finite) && std::ranges::all_of(motion.v, is_finite) &&
-         std::ranges::all_of(motion.a, is_finite);
+         std::ranges::all_of(motion.a, is_finite) && motion.q.covers.allFinite() && motion.v.covers.allFinite();
 }
 
 Verdict by_error(const StandardScene& scene, const Motion& before, const Motion& after, double dt) {

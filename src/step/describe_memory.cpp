@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/describe_memory.hpp"
 
+#include <string>
+
 #include "model/describe_state.hpp"
 
 namespace keyblock {
@@ -77,6 +79,9 @@ void describe(Archive& a, TieMemory& ties) {
 
 void describe(Archive& a, const char* name, UnknownsTable& table) {
   a.table(name, table, [&](Unknowns& unknowns) { describe(a, "unknowns", unknowns); });
+  if (table.covers.size() > 0)
+    a.values((std::string(name) + "_covers").c_str(),
+             {table.covers.data(), static_cast<std::size_t>(table.covers.size())});
 }
 
 }  // namespace

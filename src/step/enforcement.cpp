@@ -29,8 +29,7 @@ bool has_corner_on(const Model& model, ElementIndex corners, ElementIndex edges,
 constexpr std::ptrdiff_t kFewBlocks = 8;
 
 bool has_few_blocks(const Model& model) {
-  const auto can_move = [](const Element& e) { return e.basis->unknown_count() > 0; };
-  return std::ranges::count_if(model.elements, can_move) <= kFewBlocks;
+  return std::ranges::count_if(model.elements, &Element::can_move) <= kFewBlocks;
 }
 
 bool is_automatic(Enforcement enforcement) {
@@ -53,7 +52,7 @@ std::vector<ElementPair> touching_pairs(const Model& model) {
 
 bool has_ring(const Model& model, const std::vector<ElementPair>& touching) {
   const int held = static_cast<int>(model.elements.size());
-  const auto node = [&](ElementIndex e) { return model.elements[e].basis->unknown_count() == 0 ? held : e.value; };
+  const auto node = [&](ElementIndex e) { return !model.elements[e].can_move() ? held : e.value; };
   std::set<std::pair<int, int>> joins;  // once, however many held blocks one block touches
   for (const ElementPair& pair : touching) {
     const auto [lower, upper] = std::minmax({node(pair.lower), node(pair.upper)});

@@ -40,22 +40,24 @@ double largest_load(const StandardScene& scene, const UnknownsTable& loads) {
     const Body& body = scene.bodies[e];
     largest = std::max({largest, size_of_force(loads[e], body.size), size_of_force(body.initial_stress, body.size)});
   }
-  return largest;
+  return scene.covers ? std::max(largest, scene.covers->largest_load(loads.covers)) : largest;
 }
 
 double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt) {
   const std::vector<double> ways = ways_left(scene, motion, time);
   double largest = 0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    const Body& body = scene.bodies[scene.held[i].element];
-    if (ways[i] > kInPlace * body.size) largest = std::max(largest, body.mass(0, 0) * ways[i] / (dt * dt));
+    const ElementIndex e = scene.held[i].element;
+    const double mass =
+        scene.reference.is_on_covers(e) ? scene.covers->body_at_start(e).mass : scene.bodies[e].mass(0, 0);
+    if (ways[i] > kInPlace * scene.bodies[e].size) largest = std::max(largest, mass * ways[i] / (dt * dt));
   }
   return largest;
 }
 
 Balance balance_of(const StandardScene& scene, const Motion& motion, double time, double least_load) {
   Motion still = motion;
-  for (Unknowns& v : still.v) v.setZero();
+  still.v.set_zero();
   const UnknownsTable a = balanced_acceleration(scene, still, time);
   const double load = std::max(least_load, largest_load(scene, loads_at(scene, motion.q, time)));
   Balance balance;
@@ -63,6 +65,11 @@ Balance balance_of(const StandardScene& scene, const Motion& motion, double time
   for (ElementIndex e : indices(a)) {
     const double force = size_of_force(scene.bodies[e].mass * a[e], scene.bodies[e].size);
     if (!(force <= kBalanced * load)) balance.blocks.push_back(e);
+    if (load > 0) balance.share = worse(balance.share, force / load);
+  }
+  if (!scene.covers) return balance;
+  for (const auto& [element, force] : scene.covers->largest_forces(scene.covers->momentum(a.covers))) {
+    if (!(force <= kBalanced * load)) balance.blocks.push_back(element);
     if (load > 0) balance.share = worse(balance.share, force / load);
   }
   return balance;

@@ -31,14 +31,14 @@ double size_of(const StandardScene& scene) {
   double size = 0;
   for (const Body& body : scene.bodies)
     if (body.mass.rows() > 0) size = std::max(size, body.size);
-  return size;
+  return scene.covers ? std::max(size, scene.covers->size()) : size;
 }
 
 double momentum_of(const StandardScene& scene, const UnknownsTable& v) {
   double greatest = 0;
   for (ElementIndex e : indices(v))
     if (v[e].size() > 0) greatest = std::max(greatest, (scene.bodies[e].mass * v[e]).head<2>().norm());
-  return greatest;
+  return scene.covers ? std::max(greatest, scene.covers->greatest_momentum(v.covers)) : greatest;
 }
 
 std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, const Touches& touches) {
@@ -49,8 +49,9 @@ std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, 
 }
 
 // Rows of a touch, with the arms that its forces had `time` ago: both centroids and the point of contact then lay back along
-// their velocities. The directions stay.
+// their velocities. The directions stay. Bodies on covers keep the arms of the end of the step.
 void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& v, double time) {
+  if (!normal.covers.empty()) return;
   const Unknowns& of_vertex = v[normal.vertex_element];
   const Unknowns& of_edge = v[normal.edge_element];
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
@@ -87,7 +88,7 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
   for (std::size_t i = 0; i < all.size(); ++i)
     least[i] = i < impacts.size() ? all[i].rest_gap : std::min(least[i], 0.0);
   const double tolerable = kNoOverlap * size_of(scene);
-  const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
+  const Flexibility blocks = rigid_flexibility(scene, q);
   for (int pass = 0; pass < kMostPasses; ++pass) {
     std::vector<double> room = gaps_of(scene, q, all);
     for (std::size_t i = 0; i < all.size(); ++i) room[i] -= least[i];
@@ -105,9 +106,10 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
   return q;
 }
 
-UnknownsTable rigid_part(UnknownsTable v) {
+UnknownsTable rigid_part(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v) {
   for (Unknowns& of : v)
     if (of.size() > kRigidUnknowns) of.tail(of.size() - kRigidUnknowns).setZero();
+  if (scene.covers) v.covers = scene.covers->rigid_part(q.covers, v.covers);
   return v;
 }
 
@@ -118,9 +120,10 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   touches = joined(touches, closed);
   ContactRows rows = rows_with_points(scene, q, touches);
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
-  const auto blocks = every(scene.bodies, &Body::rigid_mass_inverse);
+  const Flexibility blocks = rigid_flexibility(scene, q);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
-  FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, rigid_part(v)), {}, goal, kLooser * goal, {}};
+  FrictionalProblem problem{
+      ContactMatrix(rows, blocks), rates(rows, rigid_part(scene, q, v)), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
@@ -143,7 +146,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
                                    const Touches& closed, double time, double dt) {
   if (closed.empty() && scene.held.empty()) return v;
-  const auto blocks = every(scene.bodies, &Body::mass_inverse);
+  const Flexibility blocks = mass_flexibility(scene);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
   const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};

@@ -34,8 +34,8 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
 Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
                 const std::vector<Meeting>& meetings, const Touches& closed);
 
-/// Velocities without their strain rates.
-UnknownsTable rigid_part(UnknownsTable v);
+/// Velocities without their strain rates, in the configuration q.
+UnknownsTable rigid_part(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v);
 
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants, with the full mass: both
 /// are kept in positions, and without this their rates would change sign each step.

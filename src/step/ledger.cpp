@@ -71,6 +71,24 @@ double inertia_loss(const Body& body, const StepTrail& trail, ElementIndex e) {
   return lead.dot(body.mass * dv) / trail.dt + rule.inertia_lead * way.dot(body.mass * da);
 }
 
+// As a block, with the elastic force that large rotations have.
+void add_covers(const CoverScene& covers, const StepTrail& trail, EnergyFlow& flow) {
+  const StepRule& rule = trail.rule;
+  const Eigen::VectorXd dq = trail.smooth.q.covers - trail.start.q.covers;
+  const Eigen::VectorXd dv = trail.smooth.v.covers - trail.start.v.covers;
+  const Eigen::VectorXd da = trail.smooth.a.covers - trail.start.a.covers;
+  const Eigen::VectorXd lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
+  const Eigen::VectorXd way = trail.dt / 2 * (trail.start.v.covers + trail.smooth.v.covers) + lead;
+  flow.external += (trail.loads.covers - covers.weight()).dot(dq);
+  flow.projection -= covers.weight().dot(trail.end.q.covers - trail.smooth.q.covers);
+  flow.damping += covers.damping_work(trail.start.q.covers, trail.smooth.q.covers,
+                                      rule.damping.increment * dq + rule.damping.velocity * trail.start.v.covers +
+                                          rule.damping.acceleration * trail.start.a.covers,
+                                      trail.dt);
+  flow.algorithmic += lead.dot(covers.momentum(dv)) / trail.dt + rule.inertia_lead * way.dot(covers.momentum(da)) +
+                      covers.strain_loss(trail.start.q.covers, trail.smooth.q.covers, rule.stiffness);
+}
+
 EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
   const StepRule& rule = trail.rule;
   EnergyFlow flow;
@@ -83,6 +101,7 @@ EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
     flow.damping += dq.dot(body.damping * sum_of(rule.damping, dq, trail.start, e));
     flow.algorithmic += inertia_loss(body, trail, e) + (rule.stiffness - 0.5) * dq.dot(body.stiffness * dq);
   }
+  if (scene.covers) add_covers(*scene.covers, trail, flow);
   return flow;
 }
 
@@ -199,6 +218,12 @@ Momentum load_impulse(const StandardScene& scene, const StepTrail& trail) {
     const Point arm = present_centroid(scene, e, (trail.start.q[e] + trail.smooth.q[e]) / 2) - scene.mass_centre;
     impulse += {trail.dt * force, trail.dt * (cross(arm, force) + load[2])};
   }
+  if (!scene.covers) return impulse;
+  const Eigen::VectorXd middle = (trail.start.q.covers + trail.smooth.q.covers) / 2;
+  for (const WholeBody& body : scene.covers->whole(middle, trail.loads.covers)) {
+    const Point force{body.resultant[0], body.resultant[1]};
+    impulse += {trail.dt * force, trail.dt * (cross(body.centre - scene.mass_centre, force) + body.resultant[2])};
+  }
   return impulse;
 }
 
@@ -225,7 +250,7 @@ double kinetic_energy(const StandardScene& scene, const UnknownsTable& v) {
   double energy = 0;
   for (ElementIndex e : indices(v))
     if (v[e].size() > 0) energy += half_square(scene.bodies[e].mass, v[e]);
-  return energy;
+  return scene.covers ? energy + scene.covers->kinetic_energy(v.covers) : energy;
 }
 
 StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion) {
@@ -238,27 +263,35 @@ StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion) {
     stored.strain += strain_energy(body, motion.q[e]);
     stored.gravity -= body.weight.dot(motion.q[e]);
   }
+  if (!scene.covers) return stored;
+  stored.strain += scene.covers->strain_energy(motion.q.covers);
+  stored.gravity -= scene.covers->weight().dot(motion.q.covers);
   return stored;
 }
 
 LedgerRow ledger_row(const StandardScene& scene, const Motion& motion) {
   LedgerRow row;
   row.stored = stored_energy(scene, motion);
+  const auto add = [&](Point centre, double size, Point linear, double spin) {
+    const Point arm = centre - scene.mass_centre;
+    row.momentum += {linear, cross(arm, linear) + spin};
+    row.momentum_size.linear += length(linear);
+    row.momentum_size.angular += (length(arm) + size) * length(linear) + std::abs(spin);
+  };
   for (ElementIndex e : indices(motion.v)) {
     if (motion.v[e].size() == 0) continue;
     const Unknowns p = scene.bodies[e].mass * motion.v[e];
-    const Point linear{p[0], p[1]};
-    const Point arm = present_centroid(scene, e, motion.q[e]) - scene.mass_centre;
-    const double orbital = cross(arm, linear);
-    row.momentum += {linear, orbital + p[2]};
-    row.momentum_size.linear += length(linear);
-    row.momentum_size.angular += (length(arm) + scene.bodies[e].size) * length(linear) + std::abs(p[2]);
+    add(present_centroid(scene, e, motion.q[e]), scene.bodies[e].size, {p[0], p[1]}, p[2]);
   }
+  if (scene.covers)
+    for (const WholeBody& body : scene.covers->whole(motion.q.covers, scene.covers->momentum(motion.v.covers)))
+      add(body.centre, body.size, {body.resultant[0], body.resultant[1]}, body.resultant[2]);
   return row;
 }
 
 LedgerScope ledger_scope(const StandardScene& scene) {
-  const bool has_supports = std::ranges::any_of(scene.bodies, [](const Body& body) { return body.mass.rows() == 0; });
+  const bool has_supports =
+      std::ranges::any_of(scene.model.elements, [](const Element& element) { return !element.can_move(); });
   const bool is_dynamic = scene.settings.standard.motion == MotionRule::dynamic;
   return {is_dynamic, has_supports || !scene.held.empty(), scene.mass_centre};
 }

@@ -10,18 +10,6 @@
 namespace keyblock {
 namespace {
 
-FunctionGroups coupled_functions(const CoverBasis& basis, const std::vector<GhostPair>& pairs) {
-  FunctionGroups groups;
-  for (int e = 0; e < basis.element_count(); ++e) groups.add(basis.shape(e).functions);
-  for (const GhostPair& pair : pairs) groups.add(pair.functions);
-  return groups;
-}
-
-Definiteness definiteness(CoverFunctions functions) {
-  const bool is_independent = functions == CoverFunctions::constant || functions == CoverFunctions::derived;
-  return is_independent ? Definiteness::definite : Definiteness::semidefinite;
-}
-
 Eigen::VectorXd unknowns_of(const ContinuumSolution& solution, const ElementShape& shape) {
   Eigen::VectorXd d(2 * shape.function_count());
   for (std::size_t a = 0; a < shape.functions.size(); ++a)
@@ -30,6 +18,18 @@ Eigen::VectorXd unknowns_of(const ContinuumSolution& solution, const ElementShap
 }
 
 }  // namespace
+
+FunctionGroups coupled_functions(const CoverBasis& basis, const std::vector<GhostPair>& pairs) {
+  FunctionGroups groups;
+  for (int e = 0; e < basis.element_count(); ++e) groups.add(basis.shape(e).functions);
+  for (const GhostPair& pair : pairs) groups.add(pair.functions);
+  return groups;
+}
+
+Definiteness definiteness_of(CoverFunctions functions) {
+  const bool is_independent = functions == CoverFunctions::constant || functions == CoverFunctions::derived;
+  return is_independent ? Definiteness::definite : Definiteness::semidefinite;
+}
 
 Point ContinuumSolution::displacement(int element, Point x) const {
   const ElementShape shape = basis.shape(element);
@@ -42,22 +42,26 @@ Eigen::Vector3d ContinuumSolution::strain(int element, Point x) const {
   return shape.strain(x) * unknowns_of(*this, shape);
 }
 
-SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis) {
-  const std::vector<GhostPair> pairs = ghost_pairs(continuum.manifold, basis);
-  SparseSystem system(basis.function_count(), coupled_functions(basis, pairs));
-  add_cover_stiffness(continuum, basis, system);
-  add_ghost_penalty(continuum, basis, pairs, system);
+void add_supports_and_loads(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {
   add_cover_body_force(continuum, basis, system);
   for (const PrescribedDisplacement& part : continuum.prescribed) add_prescribed(continuum, basis, part, system);
   for (const Traction& part : continuum.tractions) add_traction(continuum, basis, part, system);
   for (const PointForce& force : continuum.point_forces) add_point_force(basis, force, system);
   for (const PointSpring& spring : continuum.point_springs) add_point_spring(basis, spring, system);
+}
+
+SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis) {
+  const std::vector<GhostPair> pairs = ghost_pairs(continuum.manifold, basis);
+  SparseSystem system(basis.function_count(), coupled_functions(basis, pairs));
+  add_cover_stiffness(continuum, basis, system);
+  add_ghost_penalty(continuum, basis, pairs, system);
+  add_supports_and_loads(continuum, basis, system);
   return system;
 }
 
 ContinuumSolution solve_static(const Continuum& continuum) {
   CoverBasis basis(continuum.manifold, continuum.functions);
-  SparseSolution solution = solve(assemble_static(continuum, basis), definiteness(continuum.functions));
+  SparseSolution solution = solve(assemble_static(continuum, basis), definiteness_of(continuum.functions));
   return {std::move(basis), std::move(solution)};
 }
 

@@ -4,6 +4,7 @@
 
 #include "model/continuum.hpp"
 #include "system/sparse_solve.hpp"
+#include "terms/ghost_penalty.hpp"
 
 namespace keyblock {
 
@@ -16,6 +17,15 @@ struct ContinuumSolution {
   /// Engineering strain (ex, ey, gxy).
   Eigen::Vector3d strain(int element, Point x) const;
 };
+
+/// What couples: the functions of each element, and of both elements of each pair.
+FunctionGroups coupled_functions(const CoverBasis& basis, const std::vector<GhostPair>& pairs);
+
+/// Of the matrices of a kind of functions: those of linear and quadratic ones depend on each other.
+Definiteness definiteness_of(CoverFunctions functions);
+
+/// Prescribed displacements, point springs and loads.
+void add_supports_and_loads(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system);
 
 /// All terms.
 SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis);

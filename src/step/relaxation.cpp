@@ -79,7 +79,7 @@ class Relaxation {
   }
 
   void stop() {
-    for (Unknowns& v : result_.motion.v) v.setZero();
+    result_.motion.v.set_zero();
     result_.motion.a = balanced_acceleration(scene_, result_.motion, time_);
     kinetic_ = 0;
   }

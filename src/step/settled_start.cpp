@@ -36,9 +36,9 @@ class Settling {
  public:
   Settling(const StandardScene& scene, Motion motion) : scene_(scene), motion_(std::move(motion)) {
     velocities_ = motion_.v;
-    for (Unknowns& v : motion_.v) v.setZero();
+    motion_.v.set_zero();
     loads_ = loads_at(scene, motion_.q, 0);
-    scales_ = scales_of(scene, loads_, velocities_);
+    scales_ = scales_of(scene, loads_, motion_.q, velocities_);
   }
 
   Settled run() {

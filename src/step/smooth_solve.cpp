@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/worse.hpp"
 #include "contact/gap.hpp"
@@ -26,6 +27,8 @@ constexpr double kTolerable = 1e-6;
 // forces are then as good as that, and gaps are those of the estimate itself in any case.
 constexpr int kMostRows = 2;
 constexpr double kSameRows = 1e-9;
+// The matrix of bodies on covers is kept from round to round while a round leaves less than this share of the change before.
+constexpr double kWorstGain = 0.03;
 // Where every touch has a spring, the springs make the forces unique: the first proximal term is this share of their
 // compliance, which may be far below that of the blocks.
 constexpr double kWeakTerm = 1e-3;
@@ -47,9 +50,11 @@ class SmoothSolve {
         bonds_(start.bonds),
         ties_(scene, start, time, dt) {
     for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
-    increments_ = touches.empty() && ties_.count() == 0 ? free_ : steady();
+    if (scene.covers) prepare_covers(loads.covers);
+    increments_ = is_linear() ? free_ : steady();
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) size_ = std::max(size_, body.size);
+    if (scene.covers) size_ = std::max(size_, scene.covers->size());
     problem_.goal = tolerance.goal;
     problem_.acceptable = tolerance.acceptable;
     result_.forces = remembered_forces();
@@ -62,6 +67,11 @@ class SmoothSolve {
     result_.q = plus(start_.q, 1, increments_);
     result_.v = plus(known_velocity_, rate(), increments_);
     result_.a = plus(known_acceleration_, rule_.end_acceleration.increment, increments_);
+    if (covers_ && result_.converged) {
+      CoverMotion end = covers_->end(increments_.covers);
+      result_.v.covers = std::move(end.v);
+      result_.a.covers = std::move(end.a);
+    }
     result_.bonds = bonds_;
     result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()));
     result_.rows = std::move(rows_);
@@ -74,10 +84,20 @@ class SmoothSolve {
     laws_.clear();
     for (const Touch& touch : touches_) laws_.push_back(contact_law(scene_, bonds_, touch));
     result_.converged = true;
-    double change = touches_.empty() && ties_.count() == 0 ? 0 : 1;
+    double change = is_linear() ? 0 : 1;
     double unsolved = std::numeric_limits<double>::infinity();
+    double before = change;
     for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
-      if (round == 0 || (round < kMostRows && greatest_change(increments_, linearised_) > kSameRows)) linearise();
+      const bool rows_moved = round > 0 && round < kMostRows && greatest_change(increments_, linearised_) > kSameRows;
+      const bool falls_slowly = covers_ != nullptr && round > 1 && change > kWorstGain * before;
+      if (round == 0 || falls_slowly) refactor_covers();
+      if (!result_.converged) return;
+      if (round == 0 || rows_moved || falls_slowly) linearise();
+      before = change;
+      if (covers_) {
+        covers_->evaluate(increments_.covers);
+        free_.covers = covers_->free_increment();
+      }
       set_right_side(increments_);
       unsolved = residual(problem_, result_.forces);
       UnknownsTable next = next_increments();
@@ -90,15 +110,25 @@ class SmoothSolve {
 
   void prepare(ElementIndex e, const Unknowns& load) {
     StepEquations equations = step_equations(scene_.bodies[e], {start_.q[e], start_.v[e], start_.a[e]}, load, rule_);
-    inverse_.push_back(std::move(equations.inverse));
-    if (rule_.judging_inertia > 0) judging_.push_back(std::move(equations.judging));
+    inverse_.blocks.push_back(std::move(equations.inverse));
+    if (rule_.judging_inertia > 0) judging_.blocks.push_back(std::move(equations.judging));
     free_.push_back(std::move(equations.free));
     known_velocity_.push_back(std::move(equations.known_velocity));
     known_acceleration_.push_back(std::move(equations.known_acceleration));
   }
 
-  static UnknownsTable times(double by, UnknownsTable x) {
-    for (Unknowns& of : x) of *= by;
+  void prepare_covers(const Eigen::VectorXd& load) {
+    covers_ = &scene_.covers->equations();
+    covers_->begin({start_.q.covers, start_.v.covers, start_.a.covers}, load, rule_, dt_);
+    known_velocity_.covers = covers_->known_velocity();
+    known_acceleration_.covers = covers_->known_acceleration();
+  }
+
+  // Blocks by themselves are: strain is measured in their own frame.
+  bool is_linear() const { return touches_.empty() && ties_.count() == 0 && !scene_.covers; }
+
+  static UnknownsTable scaled(UnknownsTable x, double by) {
+    x *= by;
     return x;
   }
 
@@ -106,7 +136,19 @@ class SmoothSolve {
   double rate() const { return rule_.end_velocity.increment; }
 
   // Increments of a motion that goes on as it is: at rest none.
-  UnknownsTable steady() const { return times(1 / rate(), plus(start_.v, -1, known_velocity_)); }
+  UnknownsTable steady() const { return scaled(plus(start_.v, -1, known_velocity_), 1 / rate()); }
+
+  // A body on covers that buckles, or turns inside out, has no factor; in a shorter step it may have one.
+  void refactor_covers() {
+    if (!covers_) return;
+    try {
+      covers_->linearise(increments_.covers);
+    } catch (const NotPositiveDefinite&) {
+      result_.converged = false;
+    }
+    inverse_.covers = scene_.covers->flexibility_of_step();
+    if (!judging_.blocks.empty()) judging_.covers = inverse_.covers;
+  }
 
   void linearise() {
     linearised_ = increments_;
@@ -117,7 +159,7 @@ class SmoothSolve {
     problem_.w = ContactMatrix(rows_, inverse_);
     const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
     problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * size_;
-    if (!judging_.empty()) problem_.scale = diagonal_of(rows_, judging_);
+    if (!judging_.blocks.empty()) problem_.scale = diagonal_of(rows_, judging_);
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
     for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -220,6 +262,9 @@ class SmoothSolve {
       greatest = worse(greatest, change.head<2>().maxCoeff<Eigen::PropagateNaN>() / scene_.bodies[e].size);
       greatest = worse(greatest, change.tail(change.size() - 2).maxCoeff<Eigen::PropagateNaN>());
     }
+    if (a.covers.size() > 0)
+      greatest =
+          worse(greatest, (a.covers - b.covers).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / scene_.covers->size());
     return greatest;
   }
 
@@ -235,13 +280,14 @@ class SmoothSolve {
   ContactRows rows_;
   FrictionalProblem problem_;
   UnknownsTable increments_;
-  UnknownsTable linearised_;  ///< increments about which rows and matrix were made
-  double size_ = 0;           ///< of the largest moving block
-  Table<ElementIndex, UnknownBlock> inverse_;
-  Table<ElementIndex, UnknownBlock> judging_;  ///< inverses by which forces are judged, where these are others
-  UnknownsTable free_;                         ///< increments without contact
-  UnknownsTable known_velocity_;               ///< what the increments leave of the velocities at the end
-  UnknownsTable known_acceleration_;           ///< the same of the accelerations
+  UnknownsTable linearised_;          ///< increments about which rows and matrix were made
+  double size_ = 0;                   ///< of the largest moving block
+  CoverEquations* covers_ = nullptr;  ///< of this step; none without bodies on covers
+  Flexibility inverse_;
+  Flexibility judging_;               ///< inverses by which forces are judged, where these are others
+  UnknownsTable free_;                ///< increments without contact
+  UnknownsTable known_velocity_;      ///< what the increments leave of the velocities at the end
+  UnknownsTable known_acceleration_;  ///< the same of the accelerations
   SmoothMotion result_;
 };
 

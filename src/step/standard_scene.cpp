@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/point_motion.hpp"
 #include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
 #include "step/enforcement.hpp"
@@ -27,6 +28,13 @@ Point mass_centre_of(const StandardScene& scene) {
     mass += scene.bodies[e].mass(0, 0);
     sum = sum + scene.bodies[e].mass(0, 0) * scene.reference.centroids[e];
   }
+  if (scene.covers) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(scene.covers->weight().size());
+    for (const WholeBody& body : scene.covers->whole(none, none)) {
+      mass += body.mass;
+      sum = sum + body.mass * body.centre;
+    }
+  }
   return mass > 0 ? (1 / mass) * sum : Point{};
 }
 
@@ -39,17 +47,27 @@ void add_constant_bolts(const StandardScene& scene, const UnknownsTable& q, Unkn
     const double force = scene.model.bolts[i].constant_force();
     loads[rows[2 * i].vertex_element] -= force * rows[2 * i].of_vertex.transpose();
     loads[rows[2 * i].edge_element] -= force * rows[2 * i].of_edge.transpose();
+    rows[2 * i].add_covers(-force, loads.covers);
   }
 }
 
 }  // namespace
 
 StandardScene standard_scene(Model model, Settings settings) {
-  StandardScene scene{std::move(model), {}, {}, {}, {}, {}, {}, 1};
+  StandardScene scene;
+  scene.model = std::move(model);
   scene.settings = with_enforcement_decided(std::move(settings), scene.model);
   scene.reference = reference_of(scene.model, scene.settings);
   scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
   for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
+  for (ElementIndex e : indices(scene.pieces))
+    if (!scene.pieces[e].empty()) scene.with_faces.push_back(e);
+  if (std::ranges::any_of(scene.model.elements, &Element::is_on_covers)) {
+    scene.covers = std::make_shared<CoverScene>(scene.model, scene.settings);
+    scene.reference.covers = scene.covers->kinematics();
+    for (ElementIndex e : indices(scene.bodies))
+      if (scene.model.elements[e].is_on_covers()) scene.bodies[e].size = scene.covers->body_at_start(e).size;
+  }
   scene.held = held_points(scene.model);
   scene.mass_centre = mass_centre_of(scene);
   return scene;
@@ -57,7 +75,8 @@ StandardScene standard_scene(Model model, Settings settings) {
 
 std::string unsupported(const StandardScene& scene) {
   for (ElementIndex e : indices(scene.pieces)) {
-    if (scene.pieces[e].empty())
+    const Element& element = scene.model.elements[e];
+    if (scene.pieces[e].empty() && (!element.is_on_covers() || element.loop_sizes.size() > 1))
       return fmt::format("expected blocks without holes, found block {} with one: it needs profile legacy",
                          e.value + 1);
     if (std::ranges::any_of(scene.pieces[e], [](const ConvexPiece& piece) { return piece.corners.size() < 3; }))
@@ -77,6 +96,10 @@ Motion start_motion(const StandardScene& scene) {
     motion.v.push_back(v);
     motion.a.push_back(Unknowns::Zero(count));
   }
+  if (scene.covers) {
+    motion.v.covers = scene.covers->start_velocity();
+    motion.q.covers = motion.a.covers = Eigen::VectorXd::Zero(motion.v.covers.size());
+  }
   motion.ties = tie_start(scene);
   return motion;
 }
@@ -84,39 +107,61 @@ Motion start_motion(const StandardScene& scene) {
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time) {
   UnknownsTable loads;
   for (const Body& body : scene.bodies) loads.push_back(body.weight);
+  if (scene.covers) loads.covers = scene.covers->weight();
   if (has_body_acceleration(scene.settings)) {
     const Eigen::Vector2d acceleration = body_acceleration_at(scene.settings, time);
     for (ElementIndex e : indices(loads))
       if (loads[e].size() > 0) loads[e].head<2>() += scene.bodies[e].mass(0, 0) * acceleration;
+    if (scene.covers) loads.covers += scene.covers->inertia_of({acceleration.x(), acceleration.y()});
   }
   for (const CarriedPoint& point : scene.model.loading_points) {
     const Point force = point.curve.at(time);
-    const Point offset = point.start - scene.reference.centroids[point.element];
-    const DisplacementOperator j = jacobian(*scene.model.elements[point.element].basis, q[point.element], offset);
-    loads[point.element] += j.transpose() * Eigen::Vector2d(force.x, force.y);
+    const PointMotion motion = PointMotions(scene.model, scene.reference, q).of_point(point.element, point.start);
+    loads[point.element] += motion.of_block.transpose() * Eigen::Vector2d(force.x, force.y);
+    for (const CoverShare& share : motion.of_covers)
+      loads.covers.segment<2>(2 * share.function) += share.value * Eigen::Vector2d(force.x, force.y);
   }
   add_constant_bolts(scene, q, loads);
-  for (Unknowns& load : loads) load *= scene.load_share;
+  loads *= scene.load_share;
   return loads;
 }
 
-Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& v) {
+Flexibility mass_flexibility(const StandardScene& scene) {
+  return {every(scene.bodies, &Body::mass_inverse), scene.covers ? scene.covers->mass_inverse() : nullptr};
+}
+
+Flexibility rigid_flexibility(const StandardScene& scene, const UnknownsTable& q) {
+  return {every(scene.bodies, &Body::rigid_mass_inverse),
+          scene.covers ? scene.covers->rigid_mass_inverse(q.covers) : nullptr};
+}
+
+Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,
+                 const UnknownsTable& v) {
   Scales scales;
+  const auto add = [&](double mass, double size, double force, double momentum) {
+    scales.force = std::max(scales.force, force);
+    scales.acceleration = std::max(scales.acceleration, force / mass);
+    scales.momentum = std::max(scales.momentum, momentum);
+    scales.size = std::max(scales.size, size);
+  };
   for (ElementIndex e : indices(loads)) {
     if (loads[e].size() == 0) continue;
     const Body& body = scene.bodies[e];
     const double mass = body.mass(0, 0);
     const double force = std::hypot(loads[e][0], loads[e][1]) + std::abs(loads[e][2]) / body.size;
-    scales.force = std::max(scales.force, force);
-    scales.acceleration = std::max(scales.acceleration, force / mass);
-    scales.momentum = std::max(scales.momentum, mass * (v[e].head<2>().norm() + body.size * std::abs(v[e][2])));
-    scales.size = std::max(scales.size, body.size);
+    add(mass, body.size, force, mass * (v[e].head<2>().norm() + body.size * std::abs(v[e][2])));
   }
+  if (!scene.covers) return scales;
+  for (const WholeBody& body : scene.covers->whole(q.covers, loads.covers))
+    add(body.mass, body.size, body.resultant.head<2>().norm() + std::abs(body.resultant[2]) / body.size, 0);
+  for (const WholeBody& body : scene.covers->whole(q.covers, scene.covers->momentum(v.covers)))
+    scales.momentum =
+        std::max(scales.momentum, body.resultant.head<2>().norm() + std::abs(body.resultant[2]) / body.size);
   return scales;
 }
 
 double slow_speed(const Scales& scales, const UnknownsTable& v, double dt) {
-  double fastest = 0;
+  double fastest = CoverScene::top_speed(v.covers);
   for (const Unknowns& of : v)
     if (of.size() > 0) fastest = std::max(fastest, of.head<2>().norm());
   return std::max(kSlowSteps * scales.acceleration * dt, kSpeedRoundOff * fastest);

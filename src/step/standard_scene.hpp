@@ -8,6 +8,7 @@
 #include "model/material_choices.hpp"
 #include "model/state.hpp"
 #include "step/contact_memory.hpp"
+#include "step/cover_scene.hpp"
 #include "step/standard_body.hpp"
 
 namespace keyblock {
@@ -17,15 +18,21 @@ struct StandardScene {
   Settings settings;
   Reference reference;
   Bodies bodies;
+  std::shared_ptr<const CoverScene> covers;  ///< none where nothing hangs on covers
   Table<ElementIndex, ConvexPieces> pieces;
-  std::vector<CarriedPoint> held;  ///< fixed points of elements that have unknowns
-  Point mass_centre;               ///< of the blocks that can move, at the start
-  double load_share = 1;           ///< of all loads, while they are put on
+  std::vector<ElementIndex> with_faces;  ///< elements that something may touch
+  std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
+  Point mass_centre;                     ///< of the blocks that can move, at the start
+  double load_share = 1;                 ///< of all loads, while they are put on
 
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
   bool has_springs() const { return has_enforcement(settings, model, Enforcement::penalty); }
 };
+
+/// M⁻¹ of everything, and M⁻¹ of translation and rotation of everything in the configuration q.
+Flexibility mass_flexibility(const StandardScene& scene);
+Flexibility rigid_flexibility(const StandardScene& scene, const UnknownsTable& q);
 
 /// An enforcement that is `automatic` is decided here.
 StandardScene standard_scene(Model model, Settings settings);
@@ -54,7 +61,8 @@ struct Scales {
   double momentum = 0;
   double size = 0;  ///< of the largest moving block
 };
-Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& v);
+Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,
+                 const UnknownsTable& v);
 
 /// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of free
 /// acceleration would give.

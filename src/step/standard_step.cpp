@@ -50,12 +50,12 @@ struct Split {
 
 Split split(const StandardScene& scene, const Motion& start, const Touches& touches, double slow) {
   const ContactRows rows = contact_rows(scene.model, scene.reference, start.q, touches);
-  const Eigen::VectorXd speeds = rates(rows, rigid_part(start.v));
+  const Eigen::VectorXd speeds = rates(rows, rigid_part(scene, start.q, start.v));
   const bool springs_stop = scene.settings.standard.impact == ImpactLaw::springs;
   Split parts;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const double speed = speeds[static_cast<Eigen::Index>(2 * i)];
-    if (springs_stop || speed > -slow || start.closed.of(touches[i])) {
+    if (springs_stop || speed >= -slow || start.closed.of(touches[i])) {
       parts.smooth.push_back(touches[i]);
     } else {
       parts.impacts.push_back(touches[i]);
@@ -74,7 +74,7 @@ class Attempt {
         dt_(dt),
         rule_(step_rule(scene.settings.standard, dt)),
         loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
-    scales_ = scales_of(scene, loads_, start.v);
+    scales_ = scales_of(scene, loads_, start.q, start.v);
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
     found_ = touches_of(scene, start, scales_, dt);
     leave_overlaps(scene, start, scales_, found_.touches);
@@ -144,8 +144,8 @@ class Attempt {
   void strike(const Touches& closed) {
     drop_passed();
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
-    const Eigen::VectorXd speeds =
-        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), rigid_part(step_.motion.v));
+    const Eigen::VectorXd speeds = rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts),
+                                         rigid_part(scene_, smooth_.q, step_.motion.v));
     std::vector<Meeting> meetings;
     for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
       const double gap = gap_of(parts_.impacts[i], vertices) - parts_.impacts[i].rest_gap;

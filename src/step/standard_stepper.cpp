@@ -50,11 +50,11 @@ First settled_first(const StandardScene& scene, Motion motion, const std::string
 
 First first_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
-  const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.v);
+  const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
   const StandardChoices& choices = scene.settings.standard;
   const bool as_drawn = choices.start == StartRule::sudden || choices.motion != MotionRule::dynamic;
-  if (as_drawn || has_initial_stress(scene)) return {std::move(motion), {}, {}};
+  if (as_drawn || scene.covers || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
   if (is_jointed && touching.size() > kMostExact)
@@ -103,6 +103,16 @@ std::vector<PointState> carried(const StandardScene& scene, const Motion& motion
 
 ElementState element_state(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
                            ElementIndex e) {
+  if (scene.reference.is_on_covers(e)) {
+    const Placement now = place(scene.model, vertices, e, scene.settings);
+    const Point at_start = scene.reference.centroids[e];
+    return {now.centroid,
+            now.moments,
+            motion.v[e],
+            motion.v[e],
+            scene.covers->stress(e, motion.q.covers, at_start),
+            scene.covers->rotation(e, motion.q.covers, at_start)};
+  }
   const Basis& basis = *scene.model.elements[e].basis;
   const Unknowns& q = motion.q[e];
   const double angle = angle_of(basis, q);
@@ -197,6 +207,7 @@ ControlledStep StandardStepper::make_step() {
   Motion start = motion_;
   for (ElementIndex e : indices(start.v))
     start.v[e] *= settings.velocity_carry_over.of(scene_.model.elements[e].material);
+  if (scene_.covers) start.v.covers = scene_.covers->carried_over(std::move(start.v.covers));
   ControlledStep made = settings.step_control == StepControl::constant
                             ? whole(scene_, motion_.q, standard_step(scene_, start, state_.time, dt), dt)
                             : controlled_step(scene_, start, state_.time, dt, next_part_);

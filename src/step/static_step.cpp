@@ -51,7 +51,7 @@ class StaticSolve {
  public:
   StaticSolve(const StandardScene& scene, const Motion& start, double time)
       : scene_(scene), start_(start), time_(time), slip_start_(start), closed_(start.closed) {
-    for (Unknowns& v : slip_start_.v) v.setZero();
+    slip_start_.v.set_zero();
     now_ = slip_start_;
   }
 
@@ -80,7 +80,7 @@ class StaticSolve {
   StandardStep finished() {
     result_.solves = solves_;
     result_.halvings = cuts_;
-    for (Unknowns& v : now_.v) v.setZero();
+    now_.v.set_zero();
     result_.motion = now_;
     result_.motion.closed = closed_;
     return std::move(result_);
@@ -91,7 +91,7 @@ class StaticSolve {
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
     load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, scene_.settings.time_step));
     if (load_ == 0) return false;
-    const Scales scales = scales_of(scene_, loads, now_.v);
+    const Scales scales = scales_of(scene_, loads, now_.q, now_.v);
     double slowest = std::numeric_limits<double>::max();
     bool all_strain = true;
     double lightest = slowest;
@@ -105,6 +105,13 @@ class StaticSolve {
       if (body.stiffness(last, last) > 0)
         slowest = std::min(slowest, std::sqrt(body.stiffness(last, last) / body.mass(last, last)));
       if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
+    }
+    if (scene_.covers) {
+      for (const WholeBody& body : scene_.covers->at_start()) {
+        lightest = std::min(lightest, body.mass);
+        heaviest = std::max(heaviest, body.mass);
+      }
+      slowest = std::min(slowest, scene_.covers->slow_frequency());
     }
     for (const Bolt& bolt : scene_.model.bolts)
       if (bolt.is_spring()) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
@@ -137,8 +144,8 @@ class StaticSolve {
     ++solves_;
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
     Motion still = now_;
-    for (Unknowns& v : still.v) v.setZero();
-    const Scales scales = scales_of(scene_, loads, still.v);
+    still.v.set_zero();
+    const Scales scales = scales_of(scene_, loads, still.q, still.v);
     FoundTouches found = touches_of(scene_, still, scales, tau_);
     const ForceTolerance tolerance{kForceGoal * load_,
                                    std::max(kForceAcceptable, kForceOnTheWay * result_.residual) * load_};
@@ -208,7 +215,7 @@ class StaticSolve {
   double work_of_mass(const UnknownsTable& a, const UnknownsTable& b) const {
     double sum = 0;
     for (ElementIndex e : indices(a)) sum += a[e].dot(scene_.bodies[e].mass * b[e]);
-    return sum;
+    return scene_.covers ? sum + a.covers.dot(scene_.covers->momentum(b.covers)) : sum;
   }
 
   // A touch is closed that was open where slip is counted from.

@@ -29,7 +29,7 @@ constexpr double kSameLine = 0.999;
 constexpr double kTouching = 1e-6;
 
 double top_speed(const StandardScene& scene, const UnknownsTable& v) {
-  double top = 0;
+  double top = scene.covers ? CoverScene::top_speed(v.covers) : 0;
   for (ElementIndex e : indices(v)) {
     const Eigen::Index n = v[e].size();
     if (n == 0) continue;
@@ -70,9 +70,11 @@ FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, P
                           const TouchSearch& search) {
   State state;
   state.vertices = vertices;
-  std::vector<ElementPair> pairs = close_pairs(scene.model, state, search.reach);
+  std::vector<ElementPair> pairs = close_pairs(scene.model, state, scene.with_faces, search.reach);
   std::erase_if(pairs, [&](const ElementPair& pair) {
-    return scene.bodies[pair.lower].mass.rows() + scene.bodies[pair.upper].mass.rows() == 0;  // neither can move
+    const Element& lower = scene.model.elements[pair.lower];
+    const Element& upper = scene.model.elements[pair.upper];
+    return (lower.is_on_covers() && share_a_cover(lower, upper)) || (!lower.can_move() && !upper.can_move());
   });
   FoundTouches found = find_touches(pairs, scene.pieces, vertices, search);
   name_joints(found.touches, scene.model, vertices);

@@ -96,4 +96,14 @@ void SparseSystem::add_load(std::span<const int> functions, const Eigen::VectorX
     load_.segment<2>(2 * functions[a]) += part.segment<2>(static_cast<Eigen::Index>(2 * a));
 }
 
+void SparseSystem::clear() {
+  lower_.coeffs().setZero();
+  load_.setZero();
+}
+
+void SparseSystem::add_scaled(double factor, const SparseSystem& other) {
+  assert(other.lower_.nonZeros() == lower_.nonZeros() && "both have the same groups");
+  lower_.coeffs() += factor * other.lower_.coeffs();
+}
+
 }  // namespace keyblock

@@ -30,6 +30,13 @@ class SparseSystem {
   /// b += `part`, 2n.
   void add_load(std::span<const int> functions, const Eigen::VectorXd& part);
 
+  /// A = 0, b = 0.
+  void clear();
+  /// A += `factor` times the matrix of `other`, which has the same groups.
+  void add_scaled(double factor, const SparseSystem& other);
+  /// A x.
+  Eigen::VectorXd times(const Eigen::VectorXd& x) const { return lower_.selfadjointView<Eigen::Lower>() * x; }
+
   const Eigen::SparseMatrix<double>& lower() const { return lower_; }
   const Eigen::VectorXd& load() const { return load_; }
 

@@ -10,7 +10,7 @@ struct GradientProducts {
   Eigen::MatrixXd xx, xy, yy;
 };
 
-GradientProducts gradient_products(int degree, const Frame& frame, const Eigen::VectorXd& moments) {
+GradientProducts gradient_products(int degree, const LocalFrame& frame, const Eigen::VectorXd& moments) {
   const std::vector<Exponents> list = exponents(degree);
   const auto n = static_cast<Eigen::Index>(list.size());
   GradientProducts g{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};

@@ -29,7 +29,7 @@ FrictionalProblem chain(int elements, std::mt19937& engine) {
       rows.push_back({{e}, {other}, ContactRow::Row(random(1, size(e))), ContactRow::Row(random(1, size(other)))});
   }
   FrictionalProblem problem;
-  problem.w = ContactMatrix(rows, flexibility);
+  problem.w = ContactMatrix(rows, {flexibility});
   problem.b = random(2 * elements, 1);
   problem.laws.assign(static_cast<std::size_t>(elements), {0.4, 0.1, -0.2});
   return problem;
@@ -77,7 +77,7 @@ TEST(FrictionalProblem, a_tolerated_gap_settles_forces_that_their_law_allows) {
     rows.push_back({{0}, {0}, Eigen::RowVector2d(0, 1), Eigen::RowVector2d(0, 0)});
   }
   FrictionalProblem problem;
-  problem.w = ContactMatrix(rows, {UnknownBlock(Eigen::Matrix2d::Identity())});
+  problem.w = ContactMatrix(rows, {{UnknownBlock(Eigen::Matrix2d::Identity())}});
   problem.b = Eigen::Vector4d(-10, 0, -10 - 1e-6, 0);
   problem.laws = {kTie, kTie};
   problem.goal = problem.acceptable = 1e-9;

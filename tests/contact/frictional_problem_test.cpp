@@ -17,7 +17,7 @@ ContactMatrix directly(const Eigen::MatrixXd& w) {
   ContactRows rows;
   for (Eigen::Index i = 0; i < w.rows(); ++i)
     rows.push_back({{0}, {0}, Eigen::RowVectorXd::Unit(w.cols(), i), Eigen::RowVectorXd::Zero(w.cols())});
-  return {rows, {UnknownBlock(w)}};
+  return {rows, {{UnknownBlock(w)}}};
 }
 
 // A unit mass over one contact, pressed with `press` and pushed with `push`.

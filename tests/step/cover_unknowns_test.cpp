@@ -12,14 +12,14 @@
 #include "geometry/polygon.hpp"
 #include "step/linear_static.hpp"
 #include "tests/cut/drawings.hpp"
-#include "tests/support/cover_scenes.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/shi_cover_scenes.hpp"
 
 namespace keyblock {
 namespace {
 
-using testing::cover_scene;
 using testing::plain_analysis;
+using testing::shi_cover_scene;
 using testing::step_once;
 
 Drawing drawing_of_lines(const std::vector<Segment>& lines) {
@@ -43,7 +43,7 @@ double greatest_stress(const State& state) {
 }  // namespace
 
 TEST(CoverUnknowns, a_body_on_covers_falls_freely_without_stress) {
-  const Scene scene = cover_scene(drawing_of_lines(rectangle({0, 0}, {1, 1})), 3, plain_analysis(0.01, 50));
+  const Scene scene = shi_cover_scene(drawing_of_lines(rectangle({0, 0}, {1, 1})), 3, plain_analysis(0.01, 50));
   ASSERT_GT(scene.model.elements.size(), 20U);
   Stepping stepping = start(scene);
   const State before = stepping.state;
@@ -61,7 +61,7 @@ TEST(CoverUnknowns, the_start_velocity_of_a_material_turns_each_body_about_its_o
   Analysis analysis = plain_analysis(0.01, 1);
   analysis.dialect = AnalysisDialect::manifold;
   analysis.block_materials[0].initial_velocity = {3, -2, 0.5};
-  const Scene scene = cover_scene(
+  const Scene scene = shi_cover_scene(
       drawing_of_lines(rectangle({0, 0}, {2, 1}) + std::vector<Segment>{{{1, -0.1}, {1, 1.1}}}), 2, analysis);
   const Stepping stepping = start(scene);
   for (ElementIndex e : indices(scene.model.elements)) {
@@ -91,7 +91,7 @@ TEST(CoverUnknowns, one_long_static_step_is_the_static_solution_of_the_same_cove
   analysis.gravity = 0;
   analysis.block_materials[0].unit_weight = 0;
   analysis.point_loads = {TimeCurve{{0}, {{0, -100}}, {}}};
-  const Scene scene = cover_scene(manifold, points, analysis);
+  const Scene scene = shi_cover_scene(manifold, points, analysis);
   Stepping stepping = start(scene);
   step_once(scene, stepping);
 
@@ -131,7 +131,7 @@ TEST(CoverUnknowns, the_lips_of_a_slit_in_one_body_do_not_pass_through_each_othe
   analysis.block_materials[0].unit_weight = 0;
   analysis.point_loads = {TimeCurve{{0}, {{0, -2e5}}, {}}};
   const auto overlap = [&](bool has_contact) {
-    Scene scene = cover_scene(drawing, 3, analysis);
+    Scene scene = shi_cover_scene(drawing, 3, analysis);
     scene.has_contact = has_contact;
     Stepping stepping = start(scene);
     run_steps(scene, stepping, 20);
@@ -166,7 +166,7 @@ TEST(CoverUnknowns, a_block_on_covers_slides_down_a_smooth_slope_as_theory_says_
     Analysis analysis = plain_analysis(0.005, 100);
     analysis.allowed_displacement_ratio = 0.02;
     analysis.joint_materials[0].friction_angle_deg = friction;
-    const Scene scene = cover_scene(drawing, 5, analysis);
+    const Scene scene = shi_cover_scene(drawing, 5, analysis);
     Stepping stepping = start(scene);
     const State before = stepping.state;
     run_steps(scene, stepping, 100);

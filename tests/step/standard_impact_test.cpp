@@ -192,7 +192,7 @@ TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
   const StandardScene scene = standard_scene(drawn.model, drawn.settings);
   Motion motion = start_motion(scene);
   const Touches touches =
-      touches_of(scene, motion, scales_of(scene, loads_at(scene, motion.q, 0), motion.v), 1e-3).touches;
+      touches_of(scene, motion, scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v), 1e-3).touches;
   ASSERT_EQ(touches.size(), 2);
   for (const double approach : {0.0, 1.0}) {
     motion.v[ElementIndex{1}] << 0, -approach, 0, 0, 0.4, 0;  // u v r ex ey gxy

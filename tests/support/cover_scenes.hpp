@@ -1,36 +1,48 @@
-// Small scenes of elements on covers for tests: a drawing cut by a mesh, stepped by the old rules.
+// Scenes for Dynamics::standard in which some blocks hang on covers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <utility>
-
 #include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
-#include "cut/to_cover.hpp"
+#include "cut/mesh_blocks.hpp"
+#include "model/continuum.hpp"
 #include "model/from_manifold.hpp"
-#include "model/hanging.hpp"
-#include "run/profile.hpp"
-#include "step/advance.hpp"
+#include "model/join.hpp"
+#include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::testing {
 
-inline Manifold cut_regularly(const BodyCut& bodies, int half_rows) {
+/// A mesh of the given half rows, turned by 10 degrees: nothing is aligned.
+inline TriangleMesh turned_mesh(const BodyGraph& graph, int half_rows) {
   Box box;
-  for (const BlockPolygon& block : bodies.blocks.blocks.blocks)
-    for (const BlockVertex& corner : block.outer) box.add(corner.position);
-  return cut_cover(bodies.graph, regular_triangles(box, centred_mesh(box, half_rows, MeshShape::equilateral)));
+  for (Point p : graph.nodes) box.add(p);
+  RegularMesh mesh = centred_mesh(box, half_rows, MeshShape::equilateral);
+  mesh.angle = radians(10);
+  return regular_triangles(box, mesh);
 }
 
-inline Scene cover_scene(const Manifold& manifold, const ElementPoints& points, const Analysis& analysis) {
-  return scene_of(with_affine_elements(model_from_manifold(manifold, points, analysis)),
-                  profile_settings("legacy", analysis), analysis.dialect);
-}
-
-inline Scene cover_scene(const Drawing& drawing, int half_rows, const Analysis& analysis) {
-  const BodyCut bodies = cut_bodies(drawing);
-  const Manifold manifold = cut_regularly(bodies, half_rows);
-  return cover_scene(manifold, points_in_elements(manifold, bodies.blocks.blocks), analysis);
+/// Blocks with the numbers `meshed` (from 0) on covers.
+inline Scene mixed_scene_of(const Blocks& blocks, const std::vector<int>& meshed, const Analysis& analysis,
+                            const Settings& settings, int half_rows, CoverFunctions functions) {
+  int number = 0;
+  const auto is_meshed = [&](const BlockPolygon&) { return std::ranges::count(meshed, number++) > 0; };
+  MeshedBlocks parts =
+      mesh_blocks(blocks, is_meshed, [&](const BodyGraph& graph) { return turned_mesh(graph, half_rows); });
+  for (const BlockPoint& point : blocks.fixed_points) {
+    BlockPoint moved = point;
+    moved.block = parts.blocks[static_cast<std::size_t>(point.block)].block;
+    if (moved.block >= 0) parts.rest.fixed_points.push_back(moved);
+  }
+  Model bodies = model_from_manifold(parts.manifold, {}, analysis);
+  auto continuum = std::make_shared<Continuum>();
+  continuum->manifold = parts.manifold;
+  continuum->materials = analysis.block_materials;
+  continuum->plane = settings.plane;
+  continuum->functions = functions;
+  const double weight = analysis.block_materials.front().unit_weight;
+  continuum->body_force = [weight](Point) { return Point{0, -weight}; };
+  bodies.continuum = continuum;
+  Model model = joined(model_from_blocks(parts.rest, analysis), bodies);
+  return scene_of(with_bases(std::move(model), settings.standard.basis), settings, analysis.dialect);
 }
 
 }  // namespace keyblock::testing

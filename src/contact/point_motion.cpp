@@ -1,0 +1,61 @@
+// Derivatives of the two kinds of map, and rows made of them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/point_motion.hpp"
+
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+void add(const PointMotion& motion, Point direction, std::vector<CoverEntry>& entries) {
+  for (const CoverShare& share : motion.of_covers)
+    entries.push_back({share.function, share.value * direction.x, share.value * direction.y});
+}
+
+}  // namespace
+
+PointMotion between(PointMotion a, const PointMotion& b, double s) {
+  a.of_block = (1 - s) * a.of_block + s * b.of_block;
+  for (CoverShare& share : a.of_covers) share.value *= 1 - s;
+  for (const CoverShare& share : b.of_covers) a.of_covers.push_back({share.function, s * share.value});
+  return a;
+}
+
+PointMotion PointMotions::of_vertex(VertexIndex v) const {
+  const ElementIndex e = model_.vertices[v].element;
+  if (reference_.is_on_covers(e)) {
+    const auto shares = reference_.covers->of_vertex(v);
+    return {DisplacementOperator(2, 0), {shares.begin(), shares.end()}};
+  }
+  return {jacobian(*model_.elements[e].basis, q_[e], reference_.offsets[v])};
+}
+
+PointMotion PointMotions::of_point(ElementIndex e, Point start) const {
+  if (reference_.is_on_covers(e)) return {DisplacementOperator(2, 0), reference_.covers->shares(e, start)};
+  return {jacobian(*model_.elements[e].basis, q_[e], start - reference_.centroids[e])};
+}
+
+PointMotion PointMotions::at_place(ElementIndex e, Point x) const {
+  if (reference_.is_on_covers(e)) return of_point(e, reference_.covers->start_of(e, q_.covers, x));
+  const Basis& basis = *model_.elements[e].basis;
+  const Point centroid = reference_.centroids[e] + translation(basis, q_[e]);
+  return {jacobian(basis, q_[e], material_offset(basis, q_[e], x - centroid))};
+}
+
+ContactRow row_between(ElementIndex a, const PointMotion& of_a, ElementIndex b, const PointMotion& of_b,
+                       Point direction) {
+  const Eigen::RowVector2d d(direction.x, direction.y);
+  ContactRow row{a, b, d * of_a.of_block, -d * of_b.of_block};
+  add(of_a, direction, row.covers);
+  add(of_b, -1 * direction, row.covers);
+  return row;
+}
+
+ContactRow row_of(ElementIndex e, const PointMotion& motion, Point direction) {
+  ContactRow::Row nothing = ContactRow::Row::Zero(motion.of_block.cols());
+  ContactRow row{e, e, Eigen::RowVector2d(direction.x, direction.y) * motion.of_block, std::move(nothing)};
+  add(motion, direction, row.covers);
+  return row;
+}
+
+}  // namespace keyblock

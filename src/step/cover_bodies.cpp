@@ -1,0 +1,52 @@
+// Assembles the constant matrices; see cover_bodies.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/cover_bodies.hpp"
+
+#include <utility>
+
+#include "step/linear_static.hpp"
+#include "terms/cover_inertia.hpp"
+#include "terms/cover_loads.hpp"
+#include "terms/nitsche.hpp"
+
+namespace keyblock {
+namespace {
+
+SparseSystem empty_system(const Continuum& continuum, const CoverBasis& basis) {
+  return {basis.function_count(), coupled_functions(basis, ghost_pairs(continuum.manifold, basis))};
+}
+
+SparseSystem mass_of(const Continuum& continuum, const CoverBasis& basis) {
+  SparseSystem mass = empty_system(continuum, basis);
+  add_cover_mass(continuum, basis, mass);
+  return mass;
+}
+
+SparseSystem ghost_of(const Continuum& continuum, const CoverBasis& basis) {
+  SparseSystem ghost = empty_system(continuum, basis);
+  add_ghost_penalty(continuum, basis, ghost_pairs(continuum.manifold, basis), ghost);
+  return ghost;
+}
+
+SparseSystem supports_of(const Continuum& continuum, const CoverBasis& basis) {
+  SparseSystem supports = empty_system(continuum, basis);
+  add_supports_and_loads(continuum, basis, supports);
+  return supports;
+}
+
+}  // namespace
+
+CoverBodies::CoverBodies(Continuum with_loads, CoverDamping with_damping)
+    : continuum(std::move(with_loads)),
+      damping(with_damping),
+      elasticity(continuum, CoverBasis(continuum.manifold, continuum.functions)),
+      mass(mass_of(continuum, basis())),
+      ghost(ghost_of(continuum, basis())),
+      supports(supports_of(continuum, basis())),
+      rigid(continuum.manifold, basis(), mass) {}
+
+double CoverBodies::energy(const Eigen::VectorXd& d) const {
+  return elasticity.energy(d) + d.dot(ghost.times(d) + supports.times(d)) / 2;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,40 @@
+// Bodies on covers as a run of steps needs them: all that does not change with the motion, integrated once.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/continuum.hpp"
+#include "system/sparse_system.hpp"
+#include "terms/cover_elasticity.hpp"
+#include "terms/cover_rigid_motion.hpp"
+
+namespace keyblock {
+
+/// a of a damping force a M v; b of a stress b D Ė against the rate of the Green strain, b K v at the start. It is objective: a turning
+/// body is not damped, as it would be by a fixed b K.
+struct CoverDamping {
+  double mass = 0;       ///< a, 1 / time
+  double stiffness = 0;  ///< b, time
+};
+
+struct CoverBodies {
+  Continuum continuum;
+  CoverDamping damping;
+  CoverElasticity elasticity;
+  SparseSystem mass;  ///< M; its groups are those of every matrix here
+  SparseSystem
+      ghost;  ///< G, a force after `ghost_force`: it vanishes for every affine d, so that rigid motion stays free
+  /// H: Nitsche's terms of prescribed displacements and point springs, a force H d whatever the motion. Nitsche's terms take stress and normal
+  /// of the boundary as at the start: a held part may not turn by more than a strain. Its load: body force, tractions, point forces and
+  /// what prescribed displacements other than 0 need, all in directions and sizes of the start.
+  SparseSystem supports;
+  CoverRigidMotion rigid;
+
+  explicit CoverBodies(Continuum with_loads, CoverDamping with_damping = {});
+
+  const CoverBasis& basis() const { return elasticity.basis(); }
+  int unknown_count() const { return 2 * basis().function_count(); }
+  /// Elastic energy, ½ dᵀ G d and ½ dᵀ H d.
+  double energy(const Eigen::VectorXd& d) const;
+};
+
+}  // namespace keyblock

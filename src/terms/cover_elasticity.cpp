@@ -1,0 +1,194 @@
+// Point by point, the points of an element stacked into one product of matrices; see cover_elasticity.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "terms/cover_elasticity.hpp"
+
+#include <Eigen/LU>
+#include <utility>
+
+#include "geometry/quadrature.hpp"
+
+namespace keyblock {
+namespace {
+
+/// Points exact for the energy: E is of degree 2 (degree - 1). First-order functions need one, at the centroid, where a stress that
+/// changes with y has its mean.
+std::vector<AreaPoint> points_of(const std::vector<std::vector<Point>>& loops, const ElementShape& shape) {
+  if (shape.degree > 1) return polygon_rule(loops, 4 * (shape.degree - 1));
+  const Eigen::VectorXd moments = polygon_moments(loops, shape.frame, 1);
+  const double size = shape.frame.size / moments(0);
+  return {{shape.frame.origin + Point{size * moments(1), size * moments(2)}, moments(0)}};
+}
+
+/// Row a: (dx, dy) of function a of the element.
+Eigen::MatrixX2d unknowns_of(const ElementShape& shape, const Eigen::VectorXd& d) {
+  Eigen::MatrixX2d own(shape.function_count(), 2);
+  for (int a = 0; a < shape.function_count(); ++a)
+    own.row(a) = d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]).transpose();
+  return own;
+}
+
+/// E of H = ∂u/∂X as (E11, E22, 2 E12), without FᵀF - I: nothing is lost where H is small.
+Eigen::Vector3d green_strain(const Eigen::Matrix2d& h) {
+  return {h(0, 0) + h.col(0).squaredNorm() / 2, h(1, 1) + h.col(1).squaredNorm() / 2,
+          h(0, 1) + h(1, 0) + h.col(0).dot(h.col(1))};
+}
+
+Eigen::Matrix2d tensor(const Eigen::Vector3d& stress) {
+  Eigen::Matrix2d s;
+  s << stress(0), stress(2), stress(2), stress(1);
+  return s;
+}
+
+/// The 2 × 2 of a point in what displacement_gradients stacks.
+Eigen::Matrix2d at_point(const Eigen::MatrixX2d& stacked, Eigen::Index point) {
+  return stacked.middleRows<2>(2 * point).transpose();
+}
+
+}  // namespace
+
+CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis) : basis_(std::move(basis)) {
+  for (int e = 0; e < basis_.element_count(); ++e) {
+    initial_.push_back(continuum.material(e).initial_stress);
+    gradient_.push_back(continuum.material(e).stress_gradient);
+    const ElementShape shape = basis_.shape(e);
+    const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
+    const std::vector<AreaPoint> points = points_of(loops, shape);
+    const auto count = static_cast<Eigen::Index>(points.size());
+    Element& element = elements_.emplace_back();
+    element.modulus = continuum.modulus(e);
+    element.gradients.resize(2 * count, shape.function_count());
+    element.weights.resize(count);
+    element.initial.resize(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const AreaPoint& point = points[static_cast<std::size_t>(i)];
+      element.gradients.middleRows<2>(2 * i) = shape.gradients(point.at);
+      element.weights(i) = point.weight;
+      element.initial.col(i) = initial_stress(e, point.at);
+    }
+  }
+}
+
+double CoverElasticity::energy(const Eigen::VectorXd& d) const {
+  double sum = 0;
+  for (int e = 0; e < basis_.element_count(); ++e) {
+    const Element& element = elements_[static_cast<std::size_t>(e)];
+    const Eigen::MatrixX2d h = displacement_gradients(e, d);
+    for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
+      const Eigen::Vector3d strain = green_strain(at_point(h, i));
+      sum += element.weights(i) * strain.dot(element.initial.col(i) + element.modulus * strain / 2);
+    }
+  }
+  return sum;
+}
+
+Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta) const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(d0.size());
+  Eigen::MatrixX2d flux;  // S F_halfᵀ
+  for (int e = 0; e < basis_.element_count(); ++e) {
+    const Element& element = elements_[static_cast<std::size_t>(e)];
+    const Eigen::MatrixX2d h0 = displacement_gradients(e, d0);
+    const Eigen::MatrixX2d h1 = displacement_gradients(e, d1);
+    flux.resize(h0.rows(), 2);
+    for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
+      const Eigen::Matrix2d start = at_point(h0, i);
+      const Eigen::Matrix2d end = at_point(h1, i);
+      const Eigen::Vector3d strain = (1 - theta) * green_strain(start) + theta * green_strain(end);
+      const Eigen::Matrix2d stress = tensor(element.initial.col(i) + element.modulus * strain);
+      const Eigen::Matrix2d mean = Eigen::Matrix2d::Identity() + (start + end) / 2;
+      flux.middleRows<2>(2 * i) = element.weights(i) * stress * mean.transpose();
+    }
+    const Eigen::MatrixX2d of_element = element.gradients.transpose() * flux;
+    const ElementShape shape = basis_.shape(e);
+    for (int a = 0; a < shape.function_count(); ++a)
+      force.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]) += of_element.row(a).transpose();
+  }
+  return force;
+}
+
+void CoverElasticity::add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta, double scale,
+                                  SparseSystem& system) const {
+  for (int e = 0; e < basis_.element_count(); ++e) {
+    const Element& element = elements_[static_cast<std::size_t>(e)];
+    const Eigen::MatrixX2d h0 = displacement_gradients(e, d0);
+    const Eigen::MatrixX2d h1 = displacement_gradients(e, d1);
+    Eigen::Matrix3Xd stress = element.initial;
+    for (Eigen::Index i = 0; i < element.weights.size(); ++i)
+      stress.col(i) +=
+          element.modulus * ((1 - theta) * green_strain(at_point(h0, i)) + theta * green_strain(at_point(h1, i)));
+    add_element_tangent(e, (h0 + h1) / 2, stress, theta * scale, scale / 2, system);
+  }
+}
+
+void CoverElasticity::add_static_tangent(const Eigen::VectorXd& d, double scale, SparseSystem& system) const {
+  for (int e = 0; e < basis_.element_count(); ++e) {
+    const Element& element = elements_[static_cast<std::size_t>(e)];
+    const Eigen::MatrixX2d h = displacement_gradients(e, d);
+    Eigen::Matrix3Xd stress = element.initial;
+    for (Eigen::Index i = 0; i < element.weights.size(); ++i)
+      stress.col(i) += element.modulus * green_strain(at_point(h, i));
+    add_element_tangent(e, h, stress, scale, scale, system);
+  }
+}
+
+// Bᵀ D B with three rows of B a point, ∇N S ∇N with two.
+void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, const Eigen::Matrix3Xd& stress,
+                                          double material, double geometric, SparseSystem& system) const {
+  const Element& element = elements_[static_cast<std::size_t>(e)];
+  const Eigen::Index count = element.weights.size();
+  const Eigen::Index n = element.gradients.cols();
+  Eigen::MatrixXd b(3 * count, 2 * n);
+  Eigen::MatrixXd weighted(3 * count, 2 * n);
+  Eigen::MatrixXd stressed(2 * count, n);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + at_point(mean, i);
+    const auto g = element.gradients.middleRows<2>(2 * i);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const Eigen::Vector2d ga = g.col(a);
+      for (Eigen::Index k = 0; k < 2; ++k)
+        b.block<3, 1>(3 * i, 2 * a + k) << f(k, 0) * ga(0), f(k, 1) * ga(1), f(k, 0) * ga(1) + f(k, 1) * ga(0);
+    }
+    weighted.middleRows<3>(3 * i) = (material * element.weights(i) * element.modulus) * b.middleRows<3>(3 * i);
+    stressed.middleRows<2>(2 * i) = (geometric * element.weights(i) * tensor(stress.col(i))) * g;
+  }
+  Eigen::MatrixXd tangent = b.transpose() * weighted;
+  const Eigen::MatrixXd both = element.gradients.transpose() * stressed;
+  for (Eigen::Index a = 0; a < n; ++a) {
+    for (Eigen::Index c = 0; c < n; ++c) {
+      tangent(2 * a, 2 * c) += both(a, c);
+      tangent(2 * a + 1, 2 * c + 1) += both(a, c);
+    }
+  }
+  system.add_matrix(basis_.shape(e).functions, tangent);
+}
+
+Eigen::MatrixX2d CoverElasticity::displacement_gradients(int e, const Eigen::VectorXd& d) const {
+  return elements_[static_cast<std::size_t>(e)].gradients * unknowns_of(basis_.shape(e), d);
+}
+
+Eigen::Vector3d CoverElasticity::initial_stress(int e, Point x) const {
+  const Stress& at_zero = initial_[static_cast<std::size_t>(e)];
+  const Stress& per_y = gradient_[static_cast<std::size_t>(e)];
+  return {at_zero.xx + x.y * per_y.xx, at_zero.yy + x.y * per_y.yy, at_zero.xy + x.y * per_y.xy};
+}
+
+Point CoverElasticity::position(const Eigen::VectorXd& d, int element, Point at_start) const {
+  const ElementShape shape = basis_.shape(element);
+  const Eigen::RowVector2d u = shape.values(at_start) * unknowns_of(shape, d);
+  return at_start + Point{u.x(), u.y()};
+}
+
+Eigen::Matrix2d CoverElasticity::deformation(const Eigen::VectorXd& d, int element, Point at_start) const {
+  const ElementShape shape = basis_.shape(element);
+  return Eigen::Matrix2d::Identity() + (shape.gradients(at_start) * unknowns_of(shape, d)).transpose();
+}
+
+Stress CoverElasticity::stress(const Eigen::VectorXd& d, int element, Point at_start) const {
+  const Eigen::Matrix2d f = deformation(d, element, at_start);
+  const Eigen::Vector3d strain = green_strain(f - Eigen::Matrix2d::Identity());
+  const Eigen::Matrix3d& modulus = elements_[static_cast<std::size_t>(element)].modulus;
+  const Eigen::Matrix2d s = tensor(initial_stress(element, at_start) + modulus * strain);
+  const Eigen::Matrix2d cauchy = f * s * f.transpose() / f.determinant();
+  return {cauchy(0, 0), cauchy(1, 1), cauchy(0, 1)};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,20 @@
+// Mass of bodies on covers: the matrix of inertia and the weight.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/continuum.hpp"
+#include "system/sparse_system.hpp"
+
+namespace keyblock {
+
+/// ∫ ρ NᵀN over an element, n × n, the same for both components; `moments` are those of its polygon in its shape's frame, to twice
+/// its degree. Exact for any polygon.
+Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& moments, double density);
+
+/// A += M: ½ vᵀ M v is the kinetic energy at any configuration, for x = X + Σ N_a d_a is linear in d.
+void add_cover_mass(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system);
+
+/// ∫ ρ Tᵀ g, of all functions; `acceleration` g with y up.
+Eigen::VectorXd cover_weight(const Continuum& continuum, const CoverBasis& basis, Point acceleration);
+
+}  // namespace keyblock

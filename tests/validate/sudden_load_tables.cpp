@@ -1,0 +1,189 @@
+// Prints benchmark nmm-06, a beam on covers under a load put on at once: frequency, curves of the tip for steps and dampings, steps to
+// equilibrium; fails where theory is missed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cut/to_cover.hpp"
+#include "tests/support/continuum_benchmarks.hpp"
+#include "tests/support/cover_modes.hpp"
+
+namespace {
+
+using namespace keyblock;
+
+int missed = 0;
+
+void check(bool is_met, const std::string& what) {
+  if (is_met) return;
+  ++missed;
+  fmt::print("  MISSED: {}\n", what);
+}
+
+/// The beam of nmm-04 with E 1e9 and ρ 2500.
+CoverBodies beam(CoverFunctions functions, double rows, CoverDamping damping = {}) {
+  Continuum continuum = clamped_cantilever(functions, rows).continuum;
+  continuum.materials[0] = elastic_material(1e9, 0.3);
+  continuum.materials[0].density = 2500;
+  return CoverBodies(continuum, damping);
+}
+
+/// Weights ½ of the velocity and `force_weight` of the elastic force.
+StepRule rule_of(double force_weight, double dt) {
+  StandardChoices choices;
+  choices.force_weight = force_weight;
+  return step_rule(choices, dt);
+}
+
+void print_frequencies() {
+  fmt::print(
+      "nmm-06 frequency, Hz: 1.0149 of the plane body, 1.0217 of Bernoulli's beam\n  {:<10} {:>5} {:>9} {:>9} {:>8}\n",
+      "functions", "rows", "unknowns", "Hz", "off %");
+  const struct {
+    CoverFunctions functions;
+    std::vector<double> rows;
+    double asked;  // of the finest
+  } rows_of[] = {{CoverFunctions::constant, {4, 8, 16}, 5e-3},
+                 {CoverFunctions::derived, {2, 3, 4}, 2e-3},
+                 {CoverFunctions::linear, {2, 3}, 2e-3}};
+  for (const auto& [functions, all_rows, asked] : rows_of) {
+    double off = 0;
+    for (const double rows : all_rows) {
+      const CoverBodies bodies = beam(functions, rows);
+      const double frequency = slowest_mode(bodies).frequency();
+      off = frequency / 1.0149 - 1;
+      fmt::print("  {:<10} {:>5} {:>9} {:>9.5f} {:>8.3f}\n", name_of(functions), rows, bodies.unknown_count(),
+                 frequency, 100 * off);
+    }
+    check(std::abs(off) <= asked, fmt::format("{} within {} %", name_of(functions), 100 * asked));
+  }
+}
+
+/// A run under the load from rest, seen as the deflection of the tip over the static one.
+class Swing {
+ public:
+  Swing(const CoverBodies& bodies, const Eigen::VectorXd& still)
+      : bodies_(bodies),
+        equations_(bodies),
+        tip_(element_at(bodies.continuum.manifold, 0, {10, 0.5})),
+        still_(tip_of(still)),
+        motion_(rest(bodies)) {}
+
+  void step(const StepRule& rule, double dt) {
+    const CoverStep made = cover_step(equations_, motion_, bodies_.supports.load(), rule, dt);
+    check(made.is_solved, "a step is solved");
+    motion_ = made.end;
+  }
+  void stop() { motion_.v.setZero(); }
+  const CoverMotion& motion() const { return motion_; }
+  double tip() const { return tip_of(motion_.q) / still_; }
+
+ private:
+  double tip_of(const Eigen::VectorXd& q) const { return bodies_.elasticity.position(q, tip_, {10, 0.5}).y - 0.5; }
+
+  const CoverBodies& bodies_;
+  CoverEquations equations_;
+  int tip_;
+  double still_;
+  CoverMotion motion_;
+};
+
+Eigen::VectorXd still_of(const CoverBodies& bodies) {
+  return cover_equilibrium(bodies, rest(bodies).q, bodies.supports.load()).q;
+}
+
+/// Tip over static deflection each quarter period, its highest value and that of the first mode, and the time after which it stays within 1 %.
+void print_curves() {
+  const struct {
+    double dt, force_weight, ratio;  // of stiffness damping to critical, in the first mode
+  } runs[] = {{0.005, 0.5, 0}, {0.02, 0.5, 0},    {0.1, 0.5, 0},    {0.005, 1, 0},   {0.02, 1, 0},
+              {0.1, 1, 0},     {0.02, 0.5, 0.02}, {0.02, 0.5, 0.1}, {0.02, 0.5, 0.5}};
+  const CoverBodies plain = beam(CoverFunctions::derived, 2);
+  const Eigen::VectorXd still = still_of(plain);
+  const CoverMode mode = slowest_mode(plain);
+  const double omega = mode.omega;
+  const double period = 2 * std::numbers::pi / omega;
+  fmt::print("\ntip over static deflection under a load put on at once (derived, 2 rows; period {:.4f} s)\n", period);
+  fmt::print("  {:>6} {:>7} {:>7} | {}{:>8} {:>8} {:>8}\n", "dt s", "weight", "damping",
+             "t/T = 0.5    1.0    1.5    2.0    3.0    4.0    5.0 | ", "highest", "of mode", "1 % at s");
+  for (const auto& [dt, force_weight, ratio] : runs) {
+    const CoverBodies bodies = beam(CoverFunctions::derived, 2, {0, 2 * ratio / omega});
+    Swing swing(bodies, still);
+    const StepRule rule = rule_of(force_weight, dt);
+    double highest = 0;
+    double of_mode = 0;
+    double outside = 0;
+    fmt::print("  {:>6} {:>7} {:>7} |   ", dt, force_weight, ratio);
+    double shown[] = {0.5, 1, 1.5, 2, 3, 4, 5};
+    std::size_t next = 0;
+    const int steps = static_cast<int>(5.05 * period / dt) + 1;
+    for (int k = 1; k <= steps; ++k) {
+      swing.step(rule, dt);
+      highest = std::max(highest, swing.tip());
+      of_mode = std::max(of_mode, mode.coordinate(swing.motion().q) / mode.coordinate(still));
+      if (std::abs(swing.tip() - 1) > 0.01) outside = k * dt;
+      for (; next < std::size(shown) && k * dt >= shown[next] * period - dt / 2; ++next)
+        fmt::print("{:>7.3f}", swing.tip());
+    }
+    fmt::print(" | {:>8.4f} {:>8.4f} {:>8}\n", highest, of_mode,
+               outside > (steps - 2) * dt ? "-" : fmt::format("{:.2f}", outside));
+    std::fflush(stdout);
+    if (force_weight == 0.5 && ratio == 0 && dt < 0.1)
+      check(std::abs(of_mode - 2) < 0.01, "twice the static deflection in the first mode within 0.5 %");
+  }
+}
+
+/// Steps until what is left of the first mode is 1/1000: with the velocity carried over (amplitude of the vibration), and set to 0 before each
+/// step; theory per step (1 + Ω²/2)^-½ and (1 + Ω²/2)^-1, Ω = ω dt, of the weights ½ and 1.
+void print_steps_to_equilibrium() {
+  const CoverBodies bodies = beam(CoverFunctions::derived, 2);
+  const Eigen::VectorXd still = still_of(bodies);
+  const CoverMode mode = slowest_mode(bodies);
+  const double whole = mode.coordinate(still);
+  fmt::print("\nsteps to 1/1000 of the first mode, weights 1/2 and 1\n  {:>6} {:>9} | {:>8} {:>8} | {:>8} {:>8}\n",
+             "w dt", "dt s", "dynamic", "theory", "static", "theory");
+  for (const double omega_dt : {0.1, 0.3, 1.0, 3.0, 10.0}) {
+    const double dt = omega_dt / mode.omega;
+    const StepRule rule = rule_of(1, dt);
+    const auto steps_of = [&](bool is_static) {
+      Swing swing(bodies, still);
+      for (int k = 1; k < 5000; ++k) {
+        swing.step(rule, dt);
+        if (is_static) swing.stop();
+        const double off = mode.coordinate(swing.motion().q) - whole;
+        const double speed = mode.coordinate(swing.motion().v) / mode.omega;
+        if (std::hypot(off, speed) < 1e-3 * std::abs(whole)) return k;
+      }
+      return 5000;
+    };
+    const double loss = std::log(1 + omega_dt * omega_dt / 2);
+    const int theory_dynamic = static_cast<int>(std::ceil(std::log(1000) / (loss / 2)));
+    const int theory_static = static_cast<int>(std::ceil(std::log(1000) / loss));
+    const int dynamic = steps_of(false);
+    const int statics = steps_of(true);
+    fmt::print("  {:>6} {:>9.5f} | {:>8} {:>8} | {:>8} {:>8}\n", omega_dt, dt, dynamic, theory_dynamic, statics,
+               theory_static);
+    std::fflush(stdout);
+    check(statics == theory_static, "steps of the static mode are those of theory");
+    // Above 4 the pair of eigenvalues is real, and the slower one takes longer than their mean.
+    if (omega_dt < 4)
+      check(std::abs(dynamic - theory_dynamic) <= std::max(3.0, 0.02 * theory_dynamic),
+            "steps of the dynamic mode are those of theory within 2 % or 3");
+  }
+}
+
+}  // namespace
+
+int main() {
+  print_frequencies();
+  print_curves();
+  print_steps_to_equilibrium();
+  fmt::print("\n{}\n", missed == 0 ? "all figures reached" : fmt::format("{} figures missed", missed));
+  return missed == 0 ? 0 : 1;
+}
