@@ -164,11 +164,9 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     const Checked checked = check(formats::pair(contents));
     CaseReport report{checked.warnings, {}, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
-    const auto& geometry = checked.problem.geometry;
-    const bool is_whole = checked.problem.analysis &&
-                          (std::holds_alternative<Drawing>(geometry) || std::holds_alternative<Blocks>(geometry));
-    if (!is_whole || !report.errors.empty()) return report;
-    const Prepared prepared = prepare(checked.problem, profile_of(checked.problem, profile), {});
+    const std::string chosen = profile_of(checked.problem, profile);
+    if (!can_prepare(checked.problem, chosen) || !report.errors.empty()) return report;
+    const Prepared prepared = prepare(checked.problem, chosen, {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
     return report;

@@ -21,7 +21,7 @@ std::vector<int> bodies_of(const Model& model) {
   UnionFind parts(model.elements.size());
   std::vector<int> first_of_node(model.nodes.size(), -1);
   for (ElementIndex e : indices(model.elements)) {
-    if (!hangs_on_nodes(model.elements[e])) continue;
+    if (!model.elements[e].is_on_covers()) continue;
     for (const int node : model.elements[e].covers) {
       int& first = first_of_node[static_cast<std::size_t>(node)];
       if (first < 0) first = e.value;
@@ -72,7 +72,7 @@ std::vector<NodeState> start_nodes(const Model& model, const Table<ElementIndex,
   }
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
-    if (!hangs_on_nodes(element)) continue;
+    if (!element.is_on_covers()) continue;
     const Weight& body = weights[static_cast<std::size_t>(bodies[static_cast<std::size_t>(e.value)])];
     const Velocity v = model.material_of(element).initial_velocity;
     for (const int number : element.covers) {
@@ -84,11 +84,20 @@ std::vector<NodeState> start_nodes(const Model& model, const Table<ElementIndex,
   return nodes;
 }
 
+std::vector<bool> carrying_nodes(const Model& model) {
+  std::vector<bool> carry(model.nodes.size(), false);
+  for (const Element& element : model.elements) {
+    if (!element.is_on_covers()) continue;
+    for (const int node : element.covers) carry[static_cast<std::size_t>(node)] = true;
+  }
+  return carry;
+}
+
 void hang_velocities(const Model& model, State& state) {
   if (model.nodes.empty()) return;
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
-    if (!hangs_on_nodes(element) || element.basis->unknown_count() == 0) continue;
+    if (!element.is_on_covers() || element.basis->unknown_count() == 0) continue;
     Eigen::Matrix<double, 6, 1> velocities;
     for (std::size_t i = 0; i < 3; ++i) {
       const Point v = state.nodes[static_cast<std::size_t>(element.covers[i])].velocity;

@@ -9,11 +9,6 @@
 
 namespace keyblock {
 
-/// Whether its unknowns come from shared covers; else they are a cover of its own.
-inline bool hangs_on_nodes(const Element& element) {
-  return element.covers.size() == 3;
-}
-
 /// A, 6 × 6: the unknowns u, v, r, ex, ey, gxy of the affine field about `centroid` that has the displacements
 /// (x1, y1, x2, y2, x3, y3) in the corners of a triangle. The centroid may lie outside it.
 Eigen::Matrix<double, 6, 6> affine_from_corners(const std::array<Point, 3>& corners, Point centroid);
@@ -30,6 +25,9 @@ std::vector<int> bodies_of(const Model& model);
 /// Nodes where they lie at the start, with the velocity of the body that they belong to: that of its material, turning about
 /// its centroid.
 std::vector<NodeState> start_nodes(const Model& model, const Table<ElementIndex, ElementState>& elements);
+
+/// Of each node, whether an element hangs on it; the others are places of covers that blocks have for themselves.
+std::vector<bool> carrying_nodes(const Model& model);
 
 /// Gives elements that hang on nodes the velocity of these.
 void hang_velocities(const Model& model, State& state);

@@ -25,6 +25,10 @@ std::size_t elements_with(const Model& model, int unknowns) {
       model.elements, [&](const Element& element) { return element.basis->unknown_count() == unknowns; }));
 }
 
+std::ptrdiff_t covers_in_use(const Model& model) {
+  return std::ranges::count(carrying_nodes(model), true);
+}
+
 bool deforms(const Model& model) {
   return elements_with(model, affine_basis().unknown_count()) > 0;
 }
@@ -242,7 +246,8 @@ std::string bases(const Model& model, const Settings& settings) {
   if (!is_standard(settings) && affine == count && model.nodes.empty())
     return fmt::format("affine, 6 unknowns each, for all {} blocks (Shi's block)", count);
   if (!model.nodes.empty() && affine == count)
-    return fmt::format("first-order, 2 unknowns each, of {} covers that {} elements share", model.nodes.size(), count);
+    return fmt::format("first-order, 2 unknowns each, of {} covers that {} elements share", covers_in_use(model),
+                       count);
   std::string words;
   const auto add = [&](std::size_t of, const std::string& what, const char* noun) {
     if (of > 0) words += fmt::format("{}{} for {}", words.empty() ? "" : "; ", what, counted(of, noun));
@@ -267,9 +272,9 @@ bool Requirements::has(TermKind term) const {
 
 Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement) {
   Requirements needs;
-  needs.unknowns = static_cast<int>(2 * model.nodes.size());
+  needs.unknowns = static_cast<int>(2 * covers_in_use(model));
   for (const Element& element : model.elements)
-    if (!hangs_on_nodes(element)) needs.unknowns += element.basis->unknown_count();
+    if (!element.is_on_covers()) needs.unknowns += element.basis->unknown_count();
   needs.basis = bases(model, settings);
   for (const auto& [term, name, reason_for] : kRows) {
     Reason reason = reason_for(model, settings);

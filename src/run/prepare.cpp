@@ -220,6 +220,12 @@ std::string profile_of(const Problem& problem, const std::string& asked) {
   return profile.empty() ? "standard" : profile;
 }
 
+bool can_prepare(const Problem& problem, const std::string& profile) {
+  if (!problem.analysis || std::holds_alternative<std::monostate>(problem.geometry)) return false;
+  return !std::holds_alternative<Cover>(problem.geometry) ||
+         profile_settings(profile, *problem.analysis).dynamics == Dynamics::shi;
+}
+
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");

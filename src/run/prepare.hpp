@@ -31,6 +31,9 @@ struct Prepared {
 /// the case file names one that is none.
 std::string profile_of(const Problem& problem, const std::string& asked);
 
+/// Whether geometry and analysis are there, and the profile steps that geometry: covers, `legacy` alone.
+bool can_prepare(const Problem& problem, const std::string& profile);
+
 /// The scene of a problem with geometry and analysis. Throws InputError where one is missing, lines close no block, or
 /// motions do not fit the points, or the case file has a setting or value that is none; std::invalid_argument for a profile or
 /// an override that is none. Settings of a case file count below the overrides.

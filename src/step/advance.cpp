@@ -74,9 +74,10 @@ int matrix_blocks(const Model& model, const Contacts& contacts) {
       for (const int b : model.elements[second].covers)
         if (a != b) pairs.push_back(std::minmax(a, b));
   };
-  std::size_t covers = model.nodes.size();
+  const std::vector<bool> nodes = carrying_nodes(model);
+  auto covers = static_cast<std::size_t>(std::ranges::count(nodes, true));
   for (ElementIndex e : indices(model.elements)) {
-    if (hangs_on_nodes(model.elements[e]))
+    if (model.elements[e].is_on_covers())
       couple(e, e);
     else
       ++covers;

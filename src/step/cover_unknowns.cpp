@@ -11,23 +11,26 @@ namespace keyblock {
 
 CoverUnknowns::CoverUnknowns(const Model& model, const State& state)
     : model_(model), has_shared_covers_(!model.nodes.empty()) {
-  if (has_shared_covers_) sizes_.assign(model.nodes.size(), 2);
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
+    const auto last = static_cast<std::size_t>(*std::ranges::max_element(element.covers));
+    if (sizes_.size() <= last) sizes_.resize(last + 1, 0);
     const int count = element.basis->unknown_count();
-    if (!hangs_on_nodes(element)) sizes_.push_back(count);
-    if (!has_shared_covers_) continue;
-    std::vector<Part>& parts = parts_.emplace_back();
-    if (hangs_on_nodes(element)) {
-      const Eigen::Matrix<double, 6, 6> a = affine_from_nodes(element, state.elements[e].centroid, state);
-      for (int i = 0; i < 3; ++i)
-        parts.push_back({element.covers[static_cast<std::size_t>(i)], a.middleCols<2>(2 * i).topRows(count)});
-    } else {
-      parts.push_back({element.covers[0], UnknownBlock::Identity(count, count)});
-    }
+    for (const int cover : element.covers) sizes_[static_cast<std::size_t>(cover)] = element.is_on_covers() ? 2 : count;
+    if (has_shared_covers_) parts_.push_back(parts_of(element, state.elements[e].centroid, state));
   }
   first_rows_.assign(sizes_.size() + 1, 0);
   std::partial_sum(sizes_.begin(), sizes_.end(), first_rows_.begin() + 1);
+}
+
+std::vector<CoverUnknowns::Part> CoverUnknowns::parts_of(const Element& element, Point centroid, const State& state) {
+  const int count = element.basis->unknown_count();
+  if (!element.is_on_covers()) return {{element.covers[0], UnknownBlock::Identity(count, count)}};
+  const Eigen::Matrix<double, 6, 6> a = affine_from_nodes(element, centroid, state);
+  std::vector<Part> parts;
+  for (int i = 0; i < 3; ++i)
+    parts.push_back({element.covers[static_cast<std::size_t>(i)], a.middleCols<2>(2 * i).topRows(count)});
+  return parts;
 }
 
 System CoverUnknowns::of_covers(const System& of_elements) const {
@@ -74,9 +77,10 @@ Increments CoverUnknowns::increments(const Solution& solution) const {
 }
 
 std::vector<Point> CoverUnknowns::node_steps(const Solution& solution) const {
-  std::vector<Point> steps;
-  for (Eigen::Index node = 0; node < static_cast<Eigen::Index>(model_.nodes.size()); ++node)
-    steps.push_back({solution.x[2 * node], solution.x[2 * node + 1]});
+  std::vector<Point> steps(model_.nodes.size());
+  const std::vector<bool> carry = carrying_nodes(model_);
+  for (std::size_t node = 0; node < steps.size(); ++node)
+    if (carry[node]) steps[node] = {solution.x[first_rows_[node]], solution.x[first_rows_[node] + 1]};
   return steps;
 }
 

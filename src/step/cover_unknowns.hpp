@@ -36,6 +36,7 @@ class CoverUnknowns {
     UnknownBlock share;  ///< A, n × unknowns of the cover
   };
 
+  static std::vector<Part> parts_of(const Element& element, Point centroid, const State& state);
   Unknowns unknowns_of(const Solution& solution, ElementIndex element) const;
 
   const Model& model_;

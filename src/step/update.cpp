@@ -51,7 +51,7 @@ std::vector<double> carry_overs_of_nodes(const Model& model, const Settings& set
   std::vector<double> carry_overs(model.nodes.size(), 0);
   if (carry_overs.empty()) return carry_overs;
   for (const Element& element : model.elements) {
-    if (!hangs_on_nodes(element)) continue;
+    if (!element.is_on_covers()) continue;
     for (const int node : element.covers)
       carry_overs[static_cast<std::size_t>(node)] = settings.velocity_carry_over.of(element.material);
   }

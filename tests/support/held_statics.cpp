@@ -88,9 +88,12 @@ HeldStatics held_statics(Scene scene, double spring) {
   Solution solution;
   solution.x = Eigen::VectorXd::Zero(stiff.matrix.row_count());
   const Eigen::VectorXd load = stiff.load(rows);
-  const Eigen::VectorXd x = stiffness.ldlt().solve(load);
-  solution.x(rows) = x;
+  if (!rows.empty()) {
+    const Eigen::VectorXd x = stiffness.ldlt().solve(load);
+    solution.x(rows) = x;
+  }
   result.increments = CoverUnknowns(model, state).increments(solution);
+  if (rows.empty()) return result;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass, Eigen::EigenvaluesOnly);
   result.omega = std::sqrt(std::max(0.0, modes.eigenvalues()[0]));
   result.least_stress_yy = 1e300;
