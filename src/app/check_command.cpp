@@ -168,10 +168,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     const Checked checked = check(formats::pair(contents));
     CaseReport report{checked.warnings, {}, std::nullopt, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
-    const auto& geometry = checked.problem.geometry;
-    const bool is_whole = checked.problem.analysis &&
-                          !std::holds_alternative<std::monostate>(geometry);
-    if (!is_whole || !report.errors.empty()) return report;
+    if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
     const std::string chosen = profile_of(checked.problem, profile);
     if (is_solved_at_once(checked.problem, chosen, {})) {
       const CoverCase cover_case(checked.problem, chosen);

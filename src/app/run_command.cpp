@@ -225,7 +225,8 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
     folder.drop_what_followed();
   }
   ProgressLine progress(prepared.scene.settings.step_count, stepper ? stepper->state().step : 0);
-  spdlog::info("{}, {} unknowns, {} steps", counted(prepared.blocks.blocks.size(), "block"),
+  spdlog::info("{}, {} unknowns, {} steps",
+               counted(prepared.scene.model.elements.size(), prepared.scene.model.nodes.empty() ? "block" : "element"),
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
   if (stepper) spdlog::info("going on after step {}", stepper->state().step);
   if (saved && !stepper) spdlog::info("the run ended before its first checkpoint: it begins again");

@@ -38,7 +38,8 @@ Json settings_json(const Settings& settings) {
 
 Json counts_json(const Prepared& prepared, const StepTotals& totals) {
   const Model& model = prepared.scene.model;
-  Json counts = {{"blocks", model.elements.size()},
+  const bool is_of_blocks = model.nodes.empty();
+  Json counts = {{is_of_blocks ? "blocks" : "elements", model.elements.size()},
                  {"vertices", model.vertices.size()},
                  {"unknowns", prepared.requirements.unknowns},
                  {"fixed_points", model.fixed_points.size()},
@@ -56,6 +57,7 @@ Json counts_json(const Prepared& prepared, const StepTotals& totals) {
     counts["greatest_displacement_ratio"] = totals.greatest_displacement_ratio;
     counts["greatest_residual"] = totals.greatest_residual;
   }
+  if (!is_of_blocks) counts["covers"] = model.nodes.size();
   if (prepared.cut) counts["snaps"] = prepared.snaps.size();
   return counts;
 }

@@ -32,21 +32,33 @@ class Detector {
   Detector(const Model& model, const State& state, const Settings& settings, const ContactRules& rules)
       : model_(model), state_(state), rules_(rules) {
     const double offset = settings.quirks.edge_direction_offset ? kBerkeleyDirectionOffset : 0;
-    for (VertexIndex v : indices(model.vertices)) leaving_.push_back(edge_direction(at(next(v)) - at(v), offset));
+    for (VertexIndex v : indices(model.vertices))
+      leaving_.push_back(edge_direction(at(end_of_edge(v)) - at(v), offset));
   }
 
   Detection run() {
     for (const auto& [a, b] : close_pairs(model_, state_, rules_.search_distance)) {
-      for (VertexIndex i : model_.elements[a].vertices())
-        for (VertexIndex j : model_.elements[b].vertices()) meet(i, j);
+      const bool hang_together = share_a_cover(model_.elements[a], model_.elements[b]);
+      for (VertexIndex i : model_.elements[a].vertices()) {
+        if (!next(i)) continue;
+        for (VertexIndex j : model_.elements[b].vertices())
+          if (next(j) && !(hang_together && follow_each_other(i, j))) meet(i, j);
+      }
     }
     return std::move(found_);
   }
 
  private:
   Point at(VertexIndex v) const { return state_.vertices[v]; }
-  VertexIndex next(VertexIndex v) const { return model_.vertices[v].next; }
-  VertexIndex previous(VertexIndex v) const { return model_.vertices[v].previous; }
+  // Along the boundary, from element to element.
+  VertexIndex next(VertexIndex v) const { return model_.vertices[v].boundary_next; }
+  VertexIndex previous(VertexIndex v) const { return model_.vertices[v].boundary_previous; }
+  ElementIndex element(VertexIndex v) const { return model_.vertices[v].element; }
+  bool follow_each_other(VertexIndex i, VertexIndex j) const { return next(i) == j || next(j) == i; }
+  // The end, in its element, of the edge that leaves v.
+  VertexIndex end_of_edge(VertexIndex v) const { return model_.vertices[v].next; }
+  // A vertex against the edge that leaves `start`: the reference line runs against it.
+  Triple against_edge(VertexIndex vertex, VertexIndex start) const { return {vertex, end_of_edge(start), start}; }
 
   Wedge wedge(VertexIndex v) const { return {leaving_[v], one_turn(leaving_[previous(v)] - 180)}; }
   bool is_convex(VertexIndex v) const { return wedge(v).angle() < kConvexBelow; }
@@ -69,7 +81,7 @@ class Detector {
   // Vertex p against the edge from `a` to its next vertex; p is known to be away from `a` itself.
   bool near_edge(VertexIndex p, VertexIndex a) const {
     const Point start = at(a);
-    const Point end = at(next(a));
+    const Point end = at(end_of_edge(a));
     if (distance(at(p), end) <= rules_.search_distance) return false;
     const Point edge = end - start;
     const double size = length(edge);
@@ -79,12 +91,14 @@ class Detector {
     return -rules_.search_distance <= inward && inward <= rules_.search_depth;
   }
 
+  // An element does not touch itself.
   void vertex_edge(VertexIndex i, VertexIndex j) {
+    if (element(i) == element(j)) return;
     const Wedge a = wedge(i);
     const Wedge b{leaving_[j], one_turn(leaving_[j] - 180)};
     if (!may_touch(a, b, rules_.angle_overlap)) return;
     Contact contact;
-    contact.first = {i, next(j), j};
+    contact.first = against_edge(i, j);
     const auto [gap_next, gap_previous] = gaps(a, b);
     if (gap_next < rules_.angle_overlap)
       contact.neighbour = next(i);
@@ -95,12 +109,13 @@ class Detector {
   }
 
   void vertex_vertex(VertexIndex i, VertexIndex j) {
+    if (element(i) == element(previous(j)) || element(j) == element(previous(i))) return;
     const Wedge a = wedge(i);
     const Wedge b = wedge(j);
     if (!may_touch(a, b, rules_.angle_overlap)) return;
     const auto [gap_next, gap_previous] = gaps(a, b);
-    if (gap_next < rules_.angle_overlap) parallel_pair({i, j, previous(j)}, {j, next(i), i});
-    if (gap_previous < rules_.angle_overlap) parallel_pair({j, i, previous(i)}, {i, next(j), j});
+    if (gap_next < rules_.angle_overlap) parallel_pair(against_edge(i, previous(j)), against_edge(j, i));
+    if (gap_previous < rules_.angle_overlap) parallel_pair(against_edge(j, previous(i)), against_edge(i, j));
     if (gap_next >= rules_.angle_overlap && gap_previous >= rules_.angle_overlap) true_vertex_vertex(i, j, a, b);
   }
 
@@ -136,10 +151,10 @@ class Detector {
     Contact contact;
     contact.kind = ContactKind::vertex_vertex;
     const bool first_on_j = between_next <= 180 - tie || (between_next <= 180 + tie && slope_b >= slope_a);
-    contact.first = first_on_j ? Triple{i, next(j), j} : Triple{j, next(i), i};
+    contact.first = first_on_j ? against_edge(i, j) : against_edge(j, i);
     const double first_direction = first_on_j ? b.from : a.from;
     const bool second_on_i = between_previous <= 180 - tie || (between_previous <= 180 + tie && slope_a >= slope_b);
-    contact.second = second_on_i ? Triple{j, i, previous(i)} : Triple{i, j, previous(j)};
+    contact.second = second_on_i ? against_edge(j, previous(i)) : against_edge(i, previous(j));
     if (second_on_i && std::abs(sine_of(first_direction)) < std::abs(sine_of(a.to)))
       std::swap(contact.first, contact.second);
     found_.contacts.push_back(contact);

@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// Weight per area, force / length². Under the quirk weight_of_first_material density × gravity. Without it the unit weight
+/// Weight and horizontal body force per area, force / length². Weight under the quirk weight_of_first_material density × gravity. Without it the unit weight
 /// of the material, turned and scaled as gravity is against that of the file: w g / |g_file|, so that a unit weight that is
 /// not density × gravity (buoyant rock) keeps its ratio. Where the file has no gravity, unit weights cannot be scaled:
 /// they act downward as they are, and density × gravity is added.

@@ -6,6 +6,7 @@
 
 #include "geometry/polygon.hpp"
 #include "model/build.hpp"
+#include "model/hanging.hpp"
 #include "model/material_stress.hpp"
 
 namespace keyblock {
@@ -74,6 +75,7 @@ Velocity berkeley_step_velocity(const BlockMaterial& material, AnalysisDialect d
 Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {
   Model model;
   model.block_materials = analysis.block_materials;
+  for (BlockMaterial& material : model.block_materials) material.horizontal_force = 0;
   model.joint_materials = analysis.joint_materials;
   for (const BlockPolygon& block : blocks.blocks) add_block(model, block);
   model.fixed_points = carried(blocks.fixed_points, analysis.fixed_point_motions);
@@ -100,6 +102,8 @@ State start_state(const Model& model, AnalysisDialect dialect, const Settings& s
     state.elements.push_back({centroid, moments, velocity, Unknowns::Zero(element.basis->unknown_count()),
                               start_stress(material, gradient, centroid.y), 0});
   }
+  state.nodes = start_nodes(model, state.elements);
+  hang_velocities(model, state);
   for (const CarriedPoint& p : model.fixed_points) state.fixed_points.push_back({p.start, {}});
   for (const CarriedPoint& p : model.loading_points) state.loading_points.push_back({p.start, {}});
   for (const CarriedPoint& p : model.measured_points) state.measured_points.push_back({p.start, {}});

@@ -13,6 +13,7 @@
 #include "model/body_load.hpp"
 #include "model/choose_basis.hpp"
 #include "model/continuum.hpp"
+#include "model/hanging.hpp"
 #include "model/material_choices.hpp"
 
 namespace keyblock {
@@ -44,6 +45,10 @@ int unknowns_on_covers(const Model& model) {
       return 12 * covers;
   }
   return 0;
+}
+
+std::ptrdiff_t covers_in_use(const Model& model) {
+  return std::ranges::count(carrying_nodes(model), true);
 }
 
 bool deforms(const Model& model) {
@@ -261,8 +266,11 @@ std::string bases(const Model& model, const Settings& settings) {
   const std::size_t count = model.elements.size();
   const std::size_t affine = elements_with(model, affine_basis().unknown_count());
   const std::size_t rigid = elements_with(model, rigid_basis().unknown_count());
-  if (!is_standard(settings) && affine == count)
+  if (!is_standard(settings) && affine == count && model.nodes.empty())
     return fmt::format("affine, 6 unknowns each, for all {} blocks (Shi's block)", count);
+  if (!model.nodes.empty() && affine == count)
+    return fmt::format("first-order, 2 unknowns each, of {} covers that {} elements share", covers_in_use(model),
+                       count);
   std::string words;
   const auto add = [&](std::size_t of, const std::string& what, const char* noun) {
     if (of > 0) words += fmt::format("{}{} for {}", words.empty() ? "" : "; ", what, counted(of, noun));
@@ -292,8 +300,9 @@ bool Requirements::has(TermKind term) const {
 
 Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement) {
   Requirements needs;
-  for (const Element& element : model.elements) needs.unknowns += element.basis->unknown_count();
-  needs.unknowns += unknowns_on_covers(model);
+  needs.unknowns = model.continuum ? unknowns_on_covers(model) : static_cast<int>(2 * covers_in_use(model));
+  for (const Element& element : model.elements)
+    if (!element.is_on_covers()) needs.unknowns += element.basis->unknown_count();
   needs.basis = bases(model, settings);
   for (const auto& [term, name, reason_for] : kRows) {
     Reason reason = reason_for(model, settings);

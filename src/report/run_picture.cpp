@@ -18,6 +18,8 @@ constexpr double kTitleHeight = 44;
 constexpr double kRoom = kPageWidth - 2 * kMargin;
 constexpr double kScaleBarHeight = 26;
 constexpr std::string_view kStartColour = "#b03060";
+constexpr std::string_view kInnerColour = "#888888";
+constexpr double kOutlineWidth = 1.2;
 
 /// Where the parts stand.
 struct Layout {
@@ -48,20 +50,27 @@ bool moved_visibly(const PageMap& map, const ElementFrame& start, const ElementF
   return false;
 }
 
+/// Elements inside a body are drawn by thin lines, its outline by a strong one.
 void draw_end(SvgPage& page, const PageMap& map, const Frame& end, double width) {
+  const bool has_outlines = !end.outlines.empty();
   for (const ElementFrame& element : end.elements)
-    page.polygon(map(element.loops),
-                 {.fill = area_colour(element.material), .stroke = "#333333", .stroke_width = width});
+    page.polygon(map(element.loops), {.fill = area_colour(element.material),
+                                      .stroke = has_outlines ? kInnerColour : "#333333",
+                                      .stroke_width = has_outlines ? width / 2 : width});
+  for (const std::vector<Point>& outline : end.outlines)
+    page.polygon({map(outline)}, {.stroke = "#222222", .stroke_width = kOutlineWidth});
 }
 
 /// Outlines of what stayed would only hide the picture.
 void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, double width) {
+  const Style dashed{.stroke = kStartColour, .stroke_width = std::min(width, 1.0), .dash = width > 0.5 ? "4 3" : "2 1"};
+  for (const std::vector<Point>& outline : picture.start.outlines) page.polygon({map(outline)}, dashed);
+  if (!picture.start.outlines.empty()) return;
   const std::vector<ElementFrame>& start = picture.start.elements;
   const std::vector<ElementFrame>& end = picture.end.elements;
   for (std::size_t i = 0; i < start.size(); ++i) {
     if (i < end.size() && !moved_visibly(map, start[i], end[i])) continue;
-    page.polygon(map(start[i].loops),
-                 {.stroke = kStartColour, .stroke_width = std::min(width, 1.0), .dash = width > 0.5 ? "4 3" : "2 1"});
+    page.polygon(map(start[i].loops), dashed);
   }
 }
 

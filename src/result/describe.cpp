@@ -34,9 +34,13 @@ void describe(Archive& a, BoltFrame& bolt) {
   a.value("is_broken", bolt.is_broken);
 }
 
-void describe(Archive& a, ElementFrame& element) {
-  a.list("loops", element.loops,
+void describe(Archive& a, const char* name, std::vector<std::vector<Point>>& loops) {
+  a.list(name, loops,
          [&](std::vector<Point>& loop) { a.list("points", loop, [&](Point& point) { describe(a, point); }); });
+}
+
+void describe(Archive& a, ElementFrame& element) {
+  describe(a, "loops", element.loops);
   a.value("material", element.material);
   describe(a, "centroid", element.centroid);
   describe(a, "displacement", element.displacement);
@@ -69,6 +73,7 @@ void describe(Archive& a, Frame& frame) {
   describe(a, "loading_points", frame.loading_points);
   describe(a, "measured_points", frame.measured_points);
   a.list("bolts", frame.bolts, [&](BoltFrame& bolt) { describe(a, bolt); });
+  describe(a, "outlines", frame.outlines);
 }
 
 void describe(Archive& a, HistoryRow& row) {

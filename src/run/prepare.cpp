@@ -10,11 +10,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cut/from_cover.hpp"
 #include "model/choose_basis.hpp"
-#include "run/planned_bodies.hpp"
-#include "run/cover_model.hpp"
 #include "model/from_blocks.hpp"
+#include "model/from_manifold.hpp"
+#include "model/hanging.hpp"
 #include "model/joint_strength.hpp"
+#include "run/cover_model.hpp"
+#include "run/planned_bodies.hpp"
 #include "run/profile.hpp"
 #include "run/setting_row.hpp"
 #include "run/settings_table.hpp"
@@ -59,7 +62,7 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   if (std::ranges::any_of(analysis.block_materials, is_strained))
     warn("initial_strain_without_effect", "initial strains are read, but move nothing, as in the old program");
   const auto is_pushed = [](const BlockMaterial& m) { return m.horizontal_force != 0; };
-  if (std::ranges::any_of(analysis.block_materials, is_pushed))
+  if (!blocks.blocks.empty() && std::ranges::any_of(analysis.block_materials, is_pushed))
     warn("horizontal_force_without_effect", "horizontal body forces are read, but act on elements of a cover only");
   if (analysis.over_relaxation)
     warn("over_relaxation_without_effect", "the over-relaxation factor is read; the equations are solved directly");
@@ -78,12 +81,11 @@ Warnings without_effect(const std::vector<Override>& overrides, const Settings& 
 }
 
 // Motions belong to points by their order: a point lost in cutting would give its motion to another.
-void require_points(const Blocks& blocks, const Analysis& analysis) {
-  if (blocks.blocks.empty()) throw InputError(blocks.place, "expected at least one block, found none");
+void require_motions(std::size_t fixed_points, const Analysis& analysis) {
   const std::size_t motions = analysis.fixed_point_motions.size();
-  if (motions != 0 && motions != blocks.fixed_points.size())
+  if (motions != 0 && motions != fixed_points)
     throw InputError(analysis.place, fmt::format("expected motions of the {} fixed points of the geometry, found {}",
-                                                 blocks.fixed_points.size(), motions));
+                                                 fixed_points, motions));
 }
 
 /// What a geometry becomes, before settings look at it.
@@ -94,19 +96,32 @@ struct Geometry {
 
 Geometry of_blocks(const Problem& problem, const Settings& settings) {
   CutResult cut = blocks_of(problem, settings.node_merging);
-  require_points(cut.blocks, *problem.analysis);
+  if (cut.blocks.blocks.empty()) throw InputError(cut.blocks.place, "expected at least one block, found none");
+  require_motions(cut.blocks.fixed_points.size(), *problem.analysis);
   Model model = model_from_blocks(cut.blocks, *problem.analysis);
   return {std::move(cut), std::move(model)};
 }
 
+// The old step moves elements each by the affine field of its three nodes. The exact rotation of each would tear neighbours apart.
+Model by_old_rules(const Cover& cover, const Analysis& analysis, const Settings& settings) {
+  if (settings.rotation == Rotation::exact)
+    refuse_value("rotation", "first_order, for elements on covers would part under the other", "exact");
+  return with_affine_elements(model_from_manifold(manifold_of(cover), points_of(cover), analysis));
+}
+
 Geometry on_covers(const Problem& problem, const Settings& settings, const Place& place) {
-  if (settings.dynamics != Dynamics::standard)
-    throw InputError(place, "expected profile standard for bodies on covers, found legacy");
-  CoverModel made = cover_model(problem, settings);
   Geometry geometry;
   geometry.cut.blocks.place = place;
-  geometry.cut.warnings = std::move(made.warnings);
-  geometry.model = std::move(made.model);
+  if (settings.dynamics == Dynamics::standard) {
+    CoverModel made = cover_model(problem, settings);
+    geometry.cut.warnings = std::move(made.warnings);
+    geometry.model = std::move(made.model);
+  } else if (const auto* cover = std::get_if<Cover>(&problem.geometry)) {
+    geometry.model = by_old_rules(*cover, *problem.analysis, settings);
+  } else {
+    throw InputError(place, "expected profile standard for bodies on covers, found legacy");
+  }
+  require_motions(geometry.model.fixed_points.size(), *problem.analysis);
   return geometry;
 }
 
@@ -223,6 +238,10 @@ bool is_solved_at_once(const Problem& problem, const std::string& profile, const
       settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
   if (!is_static || !problem.covers->mesh.materials.empty()) return false;
   return problem.covers->contact == CoverContact::ignored || !PlannedBodies(problem).touches();
+}
+
+bool can_prepare(const Problem& problem) {
+  return problem.analysis && !std::holds_alternative<std::monostate>(problem.geometry);
 }
 
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {

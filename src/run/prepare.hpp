@@ -35,9 +35,8 @@ std::string profile_of(const Problem& problem, const std::string& asked);
 /// touches, or contact is ignored, or something is dug out. Throws as `prepare`.
 bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
-/// Whether a case has bodies on covers of which each load step is one linear solution (run/cover_case): statics in which nothing
-/// touches, or contact is ignored, or something is dug out. Throws as `prepare`.
-bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
+/// Whether geometry and analysis are there.
+bool can_prepare(const Problem& problem);
 
 /// The scene of a problem with geometry and analysis. Throws InputError where one is missing, lines close no block, or
 /// motions do not fit the points, or the case file has a setting or value that is none; std::invalid_argument for a profile or

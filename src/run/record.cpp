@@ -15,6 +15,21 @@ std::vector<std::vector<Point>> loops_of(const Element& element, const State& st
   return loops;
 }
 
+std::vector<std::vector<Point>> outlines_of(const Model& model, const State& state) {
+  std::vector<std::vector<Point>> outlines;
+  if (model.nodes.empty()) return outlines;
+  Table<VertexIndex, char> is_done(model.vertices.size(), 0);
+  for (VertexIndex first : indices(model.vertices)) {
+    if (!model.vertices[first].boundary_next || is_done[first]) continue;
+    std::vector<Point>& outline = outlines.emplace_back();
+    for (VertexIndex v = first; !is_done[v]; v = model.vertices[v].boundary_next) {
+      is_done[v] = 1;
+      outline.push_back(state.vertices[v]);
+    }
+  }
+  return outlines;
+}
+
 std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const std::vector<PointState>& states,
                                   const State& state) {
   std::vector<PointFrame> frames;
@@ -27,7 +42,7 @@ std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const
 }  // namespace
 
 Frame frame_of(const Model& model, const State& state, const State& start, const Settings& settings) {
-  Frame frame{state.step, state.time, {}, {}, {}, {}, {}};
+  Frame frame{state.step, state.time, {}, {}, {}, {}, {}, outlines_of(model, state)};
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];

@@ -11,6 +11,7 @@
 #include "contact/carry.hpp"
 #include "contact/detect.hpp"
 #include "model/from_blocks.hpp"
+#include "model/hanging.hpp"
 #include "model/material_choices.hpp"
 #include "step/motion.hpp"
 #include "step/open_close.hpp"
@@ -65,20 +66,28 @@ double step_size(const Scene& scene, const Stepping& stepping) {
   return first_step_size(scene.model, stepping.state, scene.settings, speed);
 }
 
-// Elements, and pairs of elements with a contact (open ones included) or a bolt: what the matrix of a step may hold.
+// Covers, and pairs of covers with an element, a contact (open ones included) or a bolt: what the matrix of a step may hold.
 int matrix_blocks(const Model& model, const Contacts& contacts) {
-  std::vector<std::pair<ElementIndex, ElementIndex>> pairs;
-  for (const Contact& contact : contacts) {
-    const auto [a, b] =
-        std::minmax(model.vertices[contact.first.vertex].element, model.vertices[contact.first.start].element);
-    pairs.push_back({a, b});
+  std::vector<std::pair<int, int>> pairs;
+  const auto couple = [&](ElementIndex first, ElementIndex second) {
+    for (const int a : model.elements[first].covers)
+      for (const int b : model.elements[second].covers)
+        if (a != b) pairs.push_back(std::minmax(a, b));
+  };
+  const std::vector<bool> nodes = carrying_nodes(model);
+  auto covers = static_cast<std::size_t>(std::ranges::count(nodes, true));
+  for (ElementIndex e : indices(model.elements)) {
+    if (model.elements[e].is_on_covers())
+      couple(e, e);
+    else
+      ++covers;
   }
-  for (const Bolt& bolt : model.bolts)
-    if (bolt.first.element != bolt.second.element)
-      pairs.push_back(std::minmax(bolt.first.element, bolt.second.element));
+  for (const Contact& contact : contacts)
+    couple(model.vertices[contact.first.vertex].element, model.vertices[contact.first.start].element);
+  for (const Bolt& bolt : model.bolts) couple(bolt.first.element, bolt.second.element);
   std::ranges::sort(pairs);
   const auto repeated = std::ranges::unique(pairs);
-  return static_cast<int>(model.elements.size() + pairs.size() - repeated.size());
+  return static_cast<int>(covers + pairs.size() - repeated.size());
 }
 
 enum class Verdict { accepted, contacts_unsettled, moved_too_far, too_deep };
@@ -146,7 +155,7 @@ class Attempts {
   }
 
   std::variant<StepReport, StepFailure> accept(const OpenCloseOutcome& outcome) {
-    State end = update(scene_.model, std::move(start_), settings_, outcome.increments, dt_);
+    State end = update(scene_.model, std::move(start_), settings_, outcome.increments, dt_, outcome.node_steps);
     if (const std::string what = impossible(end); !what.empty()) return StepFailure{failure(what), {}};
     stepping_.state = std::move(end);
     stepping_.contacts = std::move(contacts_);

@@ -7,16 +7,10 @@
 #include <algorithm>
 
 #include "contact/springs.hpp"
+#include "step/cover_unknowns.hpp"
 
 namespace keyblock {
 namespace {
-
-Increments split(const Eigen::VectorXd& x, const Model& model, const BlockMatrix& matrix) {
-  Increments increments(model.elements.size());
-  for (ElementIndex e : indices(model.elements))
-    increments[e] = x.segment(matrix.first_row(e.value), matrix.size(e.value));
-  return increments;
-}
 
 // A contact that has just closed has no friction yet; in the first pass of a step friction is that of the
 // last step.
@@ -36,13 +30,14 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
                             Solver& solver) {
   OpenCloseOutcome outcome;
   outcome.contacts = std::move(contacts);
+  const CoverUnknowns covers(model, state);
   const int bound = settings.quirks.fixed_pass_bound ? kBerkeleyPassBound : settings.pass_limit;
   while (outcome.passes < bound) {
     ++outcome.passes;
     System system = without_contact;
     add_springs(outcome.contacts, model, state, rules, penalty, system);
     add_friction(outcome.contacts, friction_acts(outcome.contacts, attempt, outcome.passes), model, state, system);
-    const std::optional<Solution> solution = solver.solve(system);
+    const std::optional<Solution> solution = covers.solve(system, solver);
     if (!solution) {
       outcome.failure = "the system of equations could not be solved";
       return outcome;
@@ -53,7 +48,8 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
           fmt::format("the solution leaves forces out of balance by {:.1e} of the load", outcome.residual);
       return outcome;
     }
-    outcome.increments = split(solution->x, model, system.matrix);
+    outcome.increments = covers.increments(*solution);
+    outcome.node_steps = covers.node_steps(*solution);
     outcome.contacts = judge(std::move(outcome.contacts), model, state, outcome.increments, rules, penalty);
     outcome.still_changing = changed(outcome.contacts);
     const bool must_repeat = attempt == Attempt::first_of_run && outcome.passes == 1;

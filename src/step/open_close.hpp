@@ -30,6 +30,7 @@ enum class Attempt {
 struct OpenCloseOutcome {
   Contacts contacts;
   Increments increments;
+  std::vector<Point> node_steps;  ///< of the nodes that elements share
   int passes = 0;
   double residual = 0;                      ///< largest relative residual of its solves
   std::vector<std::size_t> still_changing;  ///< contacts that changed in the last pass: empty if the iteration ended

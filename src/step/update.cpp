@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/update.hpp"
 
+#include "model/hanging.hpp"
 #include "model/material_stress.hpp"
 #include "step/motion.hpp"
 
@@ -46,9 +47,21 @@ Stress stress_after(const Stress& stress, const Eigen::Vector3d& change) {
   return {stress.xx + change[0], stress.yy + change[1], stress.xy + change[2]};
 }
 
+std::vector<double> carry_overs_of_nodes(const Model& model, const Settings& settings) {
+  std::vector<double> carry_overs(model.nodes.size(), 0);
+  if (carry_overs.empty()) return carry_overs;
+  for (const Element& element : model.elements) {
+    if (!element.is_on_covers()) continue;
+    for (const int node : element.covers)
+      carry_overs[static_cast<std::size_t>(node)] = settings.velocity_carry_over.of(element.material);
+  }
+  return carry_overs;
+}
+
 }  // namespace
 
-State update(const Model& model, State state, const Settings& settings, const Increments& increments, double dt) {
+State update(const Model& model, State state, const Settings& settings, const Increments& increments, double dt,
+             const std::vector<Point>& node_steps) {
   const State before = state;
   const Mover mover(model, before, increments, settings.rotation);
   for (VertexIndex v : indices(model.vertices))
@@ -57,6 +70,10 @@ State update(const Model& model, State state, const Settings& settings, const In
   move(state.loading_points, model.loading_points, mover);
   move(state.measured_points, model.measured_points, mover);
   move(state.bolts, model.bolts, mover);
+  for (std::size_t i = 0; i < node_steps.size(); ++i) {
+    state.nodes[i].position = before.nodes[i].position + node_steps[i];
+    state.nodes[i].last_step = node_steps[i];
+  }
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);
@@ -83,6 +100,12 @@ State with_velocity_of_last_step(const Model& model, State state, const Settings
     const double carry_over = settings.velocity_carry_over.of(model.elements[e].material);
     now.velocity = 2 / dt * now.last_step - carry_over * now.velocity;
   }
+  const std::vector<double> carry_overs = carry_overs_of_nodes(model, settings);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    NodeState& node = state.nodes[i];
+    node.velocity = 2 / dt * node.last_step - carry_overs[i] * node.velocity;
+  }
+  hang_velocities(model, state);
   return state;
 }
 

@@ -67,11 +67,6 @@ Warnings look_at_scene(CatalogueRow& row, const Problem& problem) {
   return {};
 }
 
-bool can_be_prepared(const Problem& problem) {
-  return problem.analysis &&
-         (std::holds_alternative<Drawing>(problem.geometry) || std::holds_alternative<Blocks>(problem.geometry));
-}
-
 // What is found out before something throws stays in the row.
 void follow(CatalogueRow& row, const std::vector<std::string>& paths, CheckDepth depth, const std::string& profile,
             Warnings& warnings) {
@@ -91,12 +86,11 @@ void follow(CatalogueRow& row, const std::vector<std::string>& paths, CheckDepth
   }
   if (!checked.errors.empty()) throw checked.errors.front();
   const Warnings of_cut = look_at_scene(row, checked.problem);
-  const bool is_prepared = depth == CheckDepth::plan && can_be_prepared(checked.problem);
-  warnings =
-      joined(std::move(warnings),
-             is_prepared
-                 ? prepare(with_named_files(checked.problem, {}, {}), profile_of(checked.problem, profile), {}).warnings
-                 : of_cut);
+  const std::string chosen = profile_of(checked.problem, profile);
+  const bool is_prepared = depth == CheckDepth::plan && can_prepare(checked.problem) &&
+                           !is_solved_at_once(checked.problem, chosen, {});
+  warnings = joined(std::move(warnings),
+                    is_prepared ? prepare(with_named_files(checked.problem, {}, {}), chosen, {}).warnings : of_cut);
 }
 
 }  // namespace
