@@ -118,7 +118,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"initial_stress_field.yy", "F/L²; a number or an expression in x, y"},
     {"initial_stress_field.xy", "F/L²; a number or an expression in x, y"},
     {"excavations", "regions taken out of the bodies"},
-    {"step", "load step from which on the region is gone; the first is 1"},
+    {"excavations.step", "load step from which on the region is gone; the first is 1"},
     {"outline", "corners of the region"},
 
     {"case.analysis", "controls of the run, materials, loads in time"},

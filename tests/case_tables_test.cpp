@@ -45,6 +45,7 @@ TEST(CaseTables, there_are_twenty_one_sliding_blocks_and_every_case_has_one_inpu
   for (const fs::path& table : tables()) {
     const fs::path folder = table.parent_path();
     const fs::path input = folder / folder.filename();
+    if (fs::exists(input.string() + ".json")) continue;  // one file holds both
     EXPECT_TRUE(fs::exists(input.string() + ".geo") || fs::exists(input.string() + ".blk")) << folder;
     EXPECT_TRUE(fs::exists(input.string() + ".ana") || fs::exists(input.string() + ".df")) << folder;
   }

@@ -4,7 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <utility>
+
 #include "app/run_report.hpp"
+#include "model/material_choices.hpp"
 #include "result/describe.hpp"
 
 namespace keyblock {
@@ -18,6 +22,8 @@ constexpr double kLargeResidual = 1e-9;
 constexpr double kLargeImbalance = 1e-6;
 // A start that leaves more of its gaps than this is not the one asked for.
 constexpr double kLargeMisfit = 1e-6;
+// A static run that has come this far is said to be in equilibrium.
+constexpr double kNearEquilibrium = 0.99;
 
 std::vector<std::string> start_complaints(const StartReport& start) {
   std::vector<std::string> sentences;
@@ -34,6 +40,8 @@ std::vector<std::string> start_complaints(const StartReport& start) {
 
 StepWatch::StepWatch(const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
+  const Model& model = prepared.scene.model;
+  creeps_ = settings.dynamics == Dynamics::shi && is_static(settings, model) && !model.nodes.empty();
   const double time_step = settings.time_step;
   const bool constant = settings.step_control == StepControl::constant;
   const bool cut_stays = settings.quirks.cut_step_stays;
@@ -93,12 +101,17 @@ StepWatch::StepWatch(const Prepared& prepared) {
 
 void StepWatch::add(const StepReport& step) {
   ++steps_;
+  way_ += step.displacement_ratio;
+  before_ = std::exchange(last_, step.displacement_ratio);
   for (std::size_t i = 0; i < kinds_.size(); ++i)
     if (kinds_[i].concerns(step) && seen_[i].count++ == 0) seen_[i].first = step;
 }
 
 void StepWatch::describe(Archive& archive) {
   archive.value("steps", steps_);
+  archive.value("way", way_);
+  archive.value("before", before_);
+  archive.value("last", last_);
   archive.table("kinds", seen_, [&](Seen& seen) {
     keyblock::describe(archive, seen.first);
     archive.value("concerned", seen.count);
@@ -110,7 +123,22 @@ Warnings StepWatch::warnings(const Place& place) const {
   for (std::size_t i = 0; i < kinds_.size(); ++i)
     if (seen_[i].count > 0)
       warnings.push_back({kinds_[i].name, place, kinds_[i].sentence(seen_[i].first, seen_[i].count, steps_)});
-  return warnings;
+  return joined(std::move(warnings), far_from_equilibrium(place));
+}
+
+// Of a mode of frequency ω each step leaves the share p = 1 / (1 + (ω dt)²/2): steps shrink by p, and the sum of those to come is
+// the last times p / (1 - p).
+Warnings StepWatch::far_from_equilibrium(const Place& place) const {
+  if (!creeps_ || steps_ < 2 || way_ == 0) return {};
+  const double shrinking = before_ > 0 ? last_ / before_ : 1;
+  const double to_come = shrinking < 1 ? last_ * shrinking / (1 - shrinking) : std::numeric_limits<double>::infinity();
+  const double reached = way_ / (way_ + to_come);
+  if (reached > kNearEquilibrium) return {};
+  const std::string how_far = shrinking < 1 ? fmt::format("about {:.2g} % of the way to equilibrium", 100 * reached)
+                                            : "no sign of an equilibrium";
+  return {{"far_from_equilibrium", place,
+           fmt::format("static, each step from rest: after {} steps the last, {:.3g} of the one before, shows {}",
+                       steps_, shrinking, how_far)}};
 }
 
 Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place) {

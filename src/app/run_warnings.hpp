@@ -35,8 +35,15 @@ class StepWatch {
   };
 
   std::vector<Kind> kinds_;
+  /// Static steps of the old kind each start from rest, and creep: their last frame need not be equilibrium.
+  Warnings far_from_equilibrium(const Place& place) const;
+
   std::vector<Seen> seen_;  ///< one a kind
   int steps_ = 0;
+  bool creeps_ = false;
+  double way_ = 0;     ///< sum of the greatest displacements of the steps, over the allowed one
+  double before_ = 0;  ///< that of the last step but one
+  double last_ = 0;
 };
 
 /// Of a start not as asked, and of tables that end before the run does.

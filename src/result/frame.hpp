@@ -48,7 +48,7 @@ struct Frame {
   std::vector<PointFrame> loading_points;
   std::vector<PointFrame> measured_points;
   std::vector<BoltFrame> bolts;
-  std::vector<std::vector<Point>> outlines;  ///< around bodies of many elements; none where each element is one
+  std::vector<std::vector<Point>> outlines = {};  ///< around bodies of many elements; none where each element is one
 };
 
 }  // namespace keyblock

@@ -12,8 +12,8 @@
 
 #include "geometry/polygon.hpp"
 #include "model/free_pieces.hpp"
-#include "run/planned_bodies.hpp"
 #include "run/cover_plan_parts.hpp"
+#include "run/planned_bodies.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
 

@@ -25,6 +25,16 @@ double start_penalty(const Analysis& analysis) {
   return analysis.penalty_factor * stiffest->youngs_modulus;
 }
 
+// Manifold files state a time increment and a stiffness, and are taken at their word (inferred: under the rules that choose
+// both, nine of twelve old files come to a stop). Their program's velocities are those of the step made (legacy-formats 2.5).
+Settings as_in_manifold_files(Settings settings) {
+  settings.step_control = StepControl::constant;
+  settings.penalty_control = PenaltyControl::constant;
+  settings.quirks.velocity_from_coming_step = false;
+  settings.quirks.cut_step_stays = false;
+  return settings;
+}
+
 // The rules of the Berkeley program, quirks included. Shi's own dialect names its start velocity and gradient
 // apart, and gives each material its own weight: there the two quirks about them are off.
 Settings legacy(const Analysis& analysis) {
@@ -46,7 +56,7 @@ Settings legacy(const Analysis& analysis) {
   const bool is_berkeleys = analysis.dialect == AnalysisDialect::berkeley || analysis.dialect == AnalysisDialect::ddaml;
   settings.quirks.start_velocity_slots = is_berkeleys;
   settings.quirks.weight_of_first_material = is_berkeleys;
-  return settings;
+  return analysis.dialect == AnalysisDialect::manifold ? as_in_manifold_files(settings) : settings;
 }
 
 // What theory asks for: the file's scene, materials and step; none of the old programs' rules. Native files give each material

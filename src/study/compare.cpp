@@ -86,8 +86,8 @@ int first_block(const std::vector<ComparedValue>& values) {
 // A setting that is none is the case file's fault; a scene that the profile refuses is a result: the sentence why.
 std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, const std::string& profile,
                                                         const std::vector<Override>& overrides) {
+  Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
   try {
-    Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
     const std::vector<Override> left = set_plan(problem, overrides);
     return prepare(problem, profile, left);
   } catch (const std::invalid_argument& error) {

@@ -59,8 +59,9 @@ TEST(Formula, what_makes_no_sense_is_named_at_its_character) {
   EXPECT_NE(fault_of("(x"), "");
   EXPECT_NE(fault_of("1, 2"), "");
   EXPECT_NE(fault_of("x y"), "");
-  EXPECT_EQ(fault_of("1" + std::string(10000, ' ')),
-            "f:3:11: error: expected a number or an expression in x, y, found one of 10001 characters, more than 10000");
+  EXPECT_EQ(
+      fault_of("1" + std::string(10000, ' ')),
+      "f:3:11: error: expected a number or an expression in x, y, found one of 10001 characters, more than 10000");
   EXPECT_NE(fault_of("\"text\""), "");
 }
 

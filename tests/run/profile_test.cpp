@@ -38,6 +38,17 @@ TEST(Profile, quirks_of_berkeley_material_slots_are_off_in_shis_dialects) {
   }
 }
 
+TEST(Profile, manifold_files_are_taken_at_their_word_for_step_and_stiffness) {
+  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  analysis.dialect = AnalysisDialect::manifold;
+  analysis.automatic_time_step = true;
+  analysis.automatic_penalty = true;
+  const Settings settings = profile_settings("legacy", analysis);
+  EXPECT_EQ(settings.step_control, StepControl::constant);
+  EXPECT_EQ(settings.penalty_control, PenaltyControl::constant);
+  EXPECT_FALSE(settings.quirks.velocity_from_coming_step);
+}
+
 TEST(Profile, a_name_that_is_none_is_refused) {
   EXPECT_THROW(profile_settings("modern", testing::plain_analysis(1e-3, 1)), std::invalid_argument);
 }
