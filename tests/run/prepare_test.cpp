@@ -134,20 +134,17 @@ TEST(Prepare, horizontal_body_forces_are_warned_of_beside_blocks) {
             (std::vector<std::string>{"horizontal_force_without_effect"}));
 }
 
-TEST(Prepare, a_cover_is_stepped_by_the_old_rules_and_refused_by_name_in_standard) {
+TEST(Prepare, a_cover_is_stepped_in_both_profiles) {
   Cover cover = testing::two_triangles();
   cover.place = {"cv01", 0, 0};
-  const Prepared prepared = prepare({cover, analysis_of_file()}, "legacy", {});
-  EXPECT_EQ(prepared.scene.model.elements.size(), 2U);
-  EXPECT_EQ(prepared.requirements.unknowns, 12) << "two unknowns a cover";
-  EXPECT_TRUE(can_prepare({cover, analysis_of_file()}, "legacy"));
-  EXPECT_FALSE(can_prepare({cover, analysis_of_file()}, "standard"));
-  try {
-    prepare({cover, analysis_of_file()}, "standard", {});
-    FAIL() << "standard has no step for a cover file";
-  } catch (const InputError& error) {
-    expect_contains(error.what(), "cv01: error: expected a drawing or blocks to run in profile standard");
+  EXPECT_TRUE(can_prepare({cover, analysis_of_file()}));
+  for (const char* profile : {"legacy", "standard"}) {
+    const Prepared prepared = prepare({cover, analysis_of_file()}, profile, {});
+    EXPECT_EQ(prepared.scene.model.elements.size(), 2U) << profile;
+    EXPECT_EQ(prepared.requirements.unknowns, 12) << "two unknowns a cover, " << profile;
   }
+  const Prepared quadratic = prepare({cover, analysis_of_file()}, "standard", {{"cover_functions", "quadratic"}});
+  EXPECT_EQ(quadratic.requirements.unknowns, 72) << "twelve unknowns a cover";
 }
 
 TEST(Prepare, settings_that_do_not_go_together_are_refused) {
