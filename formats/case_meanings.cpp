@@ -74,7 +74,8 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "of the physical covers: constant (2 unknowns a cover, first order), derived (2, second order), linear (6, second "
      "order), quadratic (12, third order)"},
     {"contact",
-     "felt: bodies and the two sides of a joint touch, in statics as in time; ignored: statics in one linear solution a "
+     "felt: bodies and the two sides of a joint touch, in statics as in time; ignored: statics in one linear solution "
+     "a "
      "load step, in which they pass through each other"},
     {"mesh", "the mathematical mesh; one of half_rows and side"},
     {"mesh.materials", "numbers of the block materials whose blocks are given covers, [n] each; none: all blocks"},

@@ -42,7 +42,7 @@ struct StandardChoices {
   int load_steps = 1;  ///< equilibria from no load to that of the start: one a step, or several where steps are fewer
   PerMaterial<BlockBasis> basis = BlockBasis::affine;             ///< by block material
   PerMaterial<Enforcement> enforcement = Enforcement::automatic;  ///< by joint material
-  CoverFunctions cover_functions = CoverFunctions::derived;  ///< of the elements of a cover file
+  CoverFunctions cover_functions = CoverFunctions::derived;       ///< of the elements of a cover file
   StartRule start = StartRule::compatible;
   StrainDamping strain_damping = StrainDamping::critical;
   Integrator integrator = Integrator::weighted;

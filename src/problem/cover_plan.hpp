@@ -62,7 +62,8 @@ struct MeshPlan {
   std::optional<double> through_y;
   std::vector<RefinedPoint> refined;
   double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale are moved onto them
-  std::vector<MeshedMaterial> materials;  ///< of the blocks that are given covers, the others stay blocks; none: all are
+  std::vector<MeshedMaterial>
+      materials;  ///< of the blocks that are given covers, the others stay blocks; none: all are
   Place place;
 };
 

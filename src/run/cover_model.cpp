@@ -15,8 +15,8 @@
 #include "model/from_blocks.hpp"
 #include "model/from_manifold.hpp"
 #include "model/join.hpp"
-#include "run/planned_bodies.hpp"
 #include "run/cover_plan_parts.hpp"
+#include "run/planned_bodies.hpp"
 
 namespace keyblock {
 namespace {
@@ -56,8 +56,8 @@ class Mixed {
       else
         ++lost_bolts_;
     }
-    Model bodies = with_continuum(model_from_manifold(parts_.manifold, {}, analysis),
-                                  planned(parts_.manifold, problem, settings));
+    Model bodies =
+        with_continuum(model_from_manifold(parts_.manifold, {}, analysis), planned(parts_.manifold, problem, settings));
     model_ = rest.blocks.empty() ? std::move(bodies) : joined(model_from_blocks(rest, analysis), bodies);
     model_.fixed_points = carried(cut_.blocks.fixed_points, analysis.fixed_point_motions);
     model_.loading_points = carried(cut_.blocks.loading_points, analysis.point_loads);
@@ -66,7 +66,8 @@ class Mixed {
 
   CoverModel result() && {
     if (lost_bolts_ > 0)
-      cut_.warnings.push_back({"bolts_without_effect", problem_.covers->place, "bolts hold blocks, not bodies on covers"});
+      cut_.warnings.push_back(
+          {"bolts_without_effect", problem_.covers->place, "bolts hold blocks, not bodies on covers"});
     return {std::move(model_), std::move(cut_.warnings)};
   }
 

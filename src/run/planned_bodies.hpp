@@ -22,7 +22,9 @@ class PlannedBodies {
   bool changes_at(int step) const;  ///< something is dug out there
 
   const Blocks& blocks() const { return blocks_; }  ///< that the bodies of step 0 were
-  const std::vector<BlockPoint>& measured_points() const { return blocks_.measured_points; }  ///< their blocks are bodies of step 0
+  const std::vector<BlockPoint>& measured_points() const {
+    return blocks_.measured_points;
+  }  ///< their blocks are bodies of step 0
   const Warnings& warnings() const { return warnings_; }
   bool touches() const { return touches_; }  ///< there is more than one body, or a joint that ends inside one
 

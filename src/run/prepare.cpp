@@ -234,8 +234,7 @@ bool is_solved_at_once(const Problem& problem, const std::string& profile, const
   if (!problem.covers || !problem.analysis) return problem.covers.has_value();
   if (!problem.covers->excavations.empty()) return true;
   const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
-  const bool is_static =
-      settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
+  const bool is_static = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
   if (!is_static || !problem.covers->mesh.materials.empty()) return false;
   return problem.covers->contact == CoverContact::ignored || !PlannedBodies(problem).touches();
 }

@@ -56,7 +56,7 @@ class Rounds {
 }  // namespace
 
 ElasticStep cover_step(CoverEquations& equations, const CoverMotion& start, const Eigen::VectorXd& load,
-                     const StepRule& rule, double dt) {
+                       const StepRule& rule, double dt) {
   equations.begin(start, load, rule, dt);
   Eigen::VectorXd increment = dt * start.v;
   equations.evaluate(increment);

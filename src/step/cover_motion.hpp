@@ -17,7 +17,7 @@ struct ElasticStep {
 /// From `start` under `load` (CoverEquations::begin). Where is_solved is false, `end` is what 30 rounds left: a shorter step is the
 /// remedy. Throws NotPositiveDefinite.
 ElasticStep cover_step(CoverEquations& equations, const CoverMotion& start, const Eigen::VectorXd& load,
-                     const StepRule& rule, double dt);
+                       const StepRule& rule, double dt);
 
 /// Where all is undeformed and at rest.
 CoverMotion rest(const ElasticBodies& bodies);

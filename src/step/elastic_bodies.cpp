@@ -47,7 +47,7 @@ ElasticBodies::ElasticBodies(Continuum with_loads, CoverDamping with_damping)
       rigid(continuum.manifold, basis(), mass) {}
 
 Eigen::VectorXd ElasticBodies::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double strain,
-                                   double weight) const {
+                                     double weight) const {
   return elasticity.force(d0, d1, strain) + ghost_force(ghost, rigid.functions(), d0, d1, weight) +
          supports.times(d0 + weight * (d1 - d0));
 }

@@ -54,6 +54,7 @@ Content read_back(const Conversion& conversion) {
     if (read.drawing) back.drawing = read.drawing;
     if (read.blocks) back.blocks = read.blocks;
     if (read.cover) back.cover = read.cover;
+    if (read.covers) back.covers = read.covers;
     if (read.analysis) back.analysis = read.analysis;
     if (read.units) back.units = read.units;
     if (read.choices) back.choices = read.choices;
