@@ -182,10 +182,19 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
   return request;
 }
 
-ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, const RunRecord& record) {
+ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, const RunRecord& record,
+                       const std::vector<Override>& overrides) {
   for (const std::string& file : options.files) require_not_below(file, options.folder);
+  formats::Case chosen = loaded;
+  for (const Override& setting : overrides) {
+    chosen.problem.choices.settings.push_back(setting);
+    if (setting.first != "motion" && setting.first != "velocity_carry_over")
+      chosen.warnings.push_back(
+          {"setting_without_effect", loaded.problem.covers->place,
+           fmt::format("setting {}: load steps that are solved at once do not know it", setting.first)});
+  }
   return run_covers(
-      loaded, {std::filesystem::path(options.files.front()).stem().string(), record.profile, options.folder,
+      chosen, {std::filesystem::path(options.files.front()).stem().string(), record.profile, options.folder,
                options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
 }
 
@@ -198,7 +207,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   const std::vector<Override> overrides = left_for_settings(loaded.problem, options);
   record.inputs = input_records(loaded.files);
   record.timings.read = watch.lap();
-  if (is_solved_at_once(loaded.problem, options, overrides)) return run_on_covers(loaded, options, record);
+  if (is_solved_at_once(loaded.problem, options, overrides)) return run_on_covers(loaded, options, record, overrides);
   const Prepared prepared = prepare_as_asked(loaded.problem, options, overrides);
   record.timings.prepare = watch.lap();
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);

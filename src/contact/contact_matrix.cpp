@@ -22,16 +22,6 @@ double product(const ContactRow& a, const ContactRow& b) {
   return sum;
 }
 
-Eigen::VectorXd diagonal_with(const CoverCoupling& covers, const ContactRows& rows, const Flexibility& flexibility) {
-  Eigen::VectorXd diagonal(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto n = static_cast<Eigen::Index>(i);
-    diagonal[n] = product(through(rows[i], flexibility.blocks), rows[i]);
-    if (!covers.is_none()) diagonal[n] += covers.entry(n, n);
-  }
-  return diagonal;
-}
-
 }  // namespace
 
 CoverCoupling::CoverCoupling(const ContactRows& rows, const Flexibility& flexibility) {
@@ -72,11 +62,20 @@ double CoverCoupling::rate(Eigen::Index i, const Eigen::VectorXd& forces) const 
   return sum;
 }
 
+Eigen::VectorXd CoverCoupling::times(const Eigen::VectorXd& forces) const {
+  Eigen::VectorXd own(matrix_.rows());
+  for (std::size_t j = 0; j < rows_.size(); ++j) own[static_cast<Eigen::Index>(j)] = forces[rows_[j]];
+  const Eigen::VectorXd answer = matrix_ * own;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(forces.size());
+  for (std::size_t j = 0; j < rows_.size(); ++j) all[rows_[j]] = answer[static_cast<Eigen::Index>(j)];
+  return all;
+}
+
 ContactMatrix::ContactMatrix(ContactRows rows, Flexibility flexibility)
     : rows_(std::move(rows)),
       flexibility_(std::move(flexibility)),
       covers_(rows_, flexibility_),
-      diagonal_(diagonal_with(covers_, rows_, flexibility_)),
+      diagonal_(diagonal_of(rows_, flexibility_, covers_)),
       added_(Eigen::VectorXd::Zero(diagonal_.size())) {}
 
 void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
@@ -85,11 +84,22 @@ void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
 }
 
 Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {
-  return rates(rows_, answer(rows_, flexibility_, forces)) + added_.cwiseProduct(forces);
+  const UnknownsTable of_blocks = answer(rows_, {flexibility_.blocks}, forces);
+  Eigen::VectorXd all = added_.cwiseProduct(forces);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    all[static_cast<Eigen::Index>(i)] += rows_[i].of_vertex.dot(of_blocks[rows_[i].vertex_element].transpose()) +
+                                         rows_[i].of_edge.dot(of_blocks[rows_[i].edge_element].transpose());
+  return covers_.is_none() ? all : Eigen::VectorXd(all + covers_.times(forces));
 }
 
-Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility) {
-  return diagonal_with(CoverCoupling(rows, flexibility), rows, flexibility);
+Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const CoverCoupling& covers) {
+  Eigen::VectorXd diagonal(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(i);
+    diagonal[n] = product(through(rows[i], flexibility.blocks), rows[i]);
+    if (!covers.is_none()) diagonal[n] += covers.entry(n, n);
+  }
+  return diagonal;
 }
 
 RowThrough::RowThrough(const ContactMatrix& w, Eigen::Index i)

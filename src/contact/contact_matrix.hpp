@@ -18,6 +18,8 @@ class CoverCoupling {
   double entry(Eigen::Index i, Eigen::Index j) const;
   /// Row i times forces.
   double rate(Eigen::Index i, const Eigen::VectorXd& forces) const;
+  /// All rows times forces.
+  Eigen::VectorXd times(const Eigen::VectorXd& forces) const;
 
  private:
   std::vector<Eigen::Index> places_;  ///< of each row in the matrix; −1 where covers have no part in it
@@ -52,8 +54,8 @@ class ContactMatrix {
   Eigen::VectorXd added_;
 };
 
-/// The diagonal of G B Gᵀ alone.
-Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility);
+/// The diagonal of G B Gᵀ alone, with what covers couple made already.
+Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const CoverCoupling& covers);
 
 /// A row of G times B, for entries of W where a few are wanted: entry (i, j) is row i times row j, without what was added.
 class RowThrough {

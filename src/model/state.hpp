@@ -19,6 +19,7 @@ struct ElementState {
   Unknowns last_step;  ///< the last accepted increment of the unknowns
   Stress stress;
   double rotation = 0;  ///< sum of the step rotations, rad
+  Velocity carried{};   ///< of the centroid, where the element has no unknowns of its own
 };
 
 /// A cover that elements share: its unknowns are the displacement of its node.

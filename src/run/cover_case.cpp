@@ -42,9 +42,9 @@ void require_statics(const Problem& problem, const std::string& profile) {
     }
   }
   if (settings.standard.motion != MotionRule::equilibrium)
-    throw InputError(place, fmt::format("expected statics for bodies on covers (velocity_carry_over 0), found {}: the "
-                                        "motion of bodies on covers is not run",
-                                        problem.analysis->velocity_carry_over));
+    throw InputError(problem.covers->excavations.empty() ? place : problem.covers->excavations.front().place,
+                     fmt::format("expected statics where regions are dug out (velocity_carry_over 0), found {}",
+                                 problem.analysis->velocity_carry_over));
 }
 
 Warnings without_effect(const Problem& problem, bool touches) {
@@ -63,7 +63,7 @@ Warnings without_effect(const Problem& problem, bool touches) {
   if (touches)
     warnings.push_back(
         {"contact_without_effect", place,
-         "bodies and the two sides of a joint do not feel each other: statics on covers knows no contact"});
+         "bodies and the two sides of a joint do not feel each other: contact is ignored, or regions are dug out"});
   return warnings;
 }
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/cover_model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "cut/cut_cover.hpp"
 #include "cut/fit_mesh.hpp"
@@ -26,7 +29,21 @@ Model with_continuum(Model model, Continuum continuum) {
   return model;
 }
 
+std::string point_of(int block) {
+  return fmt::format("a point of block {}", block + 1);
+}
+
+// A chain away from all bodies on covers would hold or load nothing.
+void require_boundary(const Manifold& manifold, const BoundaryPart& part, const Place& place) {
+  if (!sides_along(manifold, part).empty()) return;
+  throw InputError(place, fmt::format("expected a chain on the boundary of bodies on covers, found none of it there: "
+                                      "({:.9g}, {:.9g}), …",
+                                      part.front().x, part.front().y));
+}
+
 Continuum planned(Manifold manifold, const Problem& problem, const Settings& settings) {
+  for (const TractionPlan& part : problem.covers->tractions) require_boundary(manifold, part.along, part.place);
+  for (const DisplacementPlan& part : problem.covers->displacements) require_boundary(manifold, part.along, part.place);
   Continuum continuum =
       continuum_of(std::move(manifold), problem.analysis->block_materials, settings, problem.covers->functions);
   put_loads(continuum, *problem.covers);
@@ -92,8 +109,10 @@ class Mixed {
     const auto blocks = static_cast<int>(parts_.rest.blocks.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Whereabouts& where = at(points[i].block);
-      const int element =
-          where.block >= 0 ? where.block : blocks + element_at(parts_.manifold, where.body, points[i].position);
+      const int element = where.block >= 0
+                              ? where.block
+                              : blocks + element_holding(parts_.manifold, where.body, points[i].position,
+                                                         point_of(points[i].block).c_str(), points[i].place);
       result.push_back({points[i].position, {element}, i < curves.size() ? curves[i] : TimeCurve{}});
     }
     return result;
@@ -110,12 +129,23 @@ class Mixed {
 CoverModel all_on_covers(const Problem& problem, const Settings& settings) {
   const PlannedBodies bodies(problem);
   const Manifold manifold = bodies.at(0);
+  for (const std::vector<BlockPoint>* points :
+       {&bodies.blocks().fixed_points, &bodies.blocks().loading_points, &bodies.blocks().measured_points})
+    for (const BlockPoint& point : *points)
+      element_holding(manifold, point.block, point.position, point_of(point.block).c_str(), point.place);
   Model model = model_from_manifold(manifold, points_in_elements(manifold, bodies.blocks()), *problem.analysis);
-  return {with_continuum(std::move(model), planned(manifold, problem, settings)), bodies.warnings()};
+  Warnings warnings = bodies.warnings();
+  if (!bodies.blocks().bolts.empty())
+    warnings.push_back({"bolts_without_effect", problem.covers->place, "bolts hold blocks, not bodies on covers"});
+  return {with_continuum(std::move(model), planned(manifold, problem, settings)), std::move(warnings)};
 }
 
 CoverModel of_cover_file(const Cover& cover, const Analysis& analysis, const Settings& settings) {
   const Manifold manifold = manifold_of(cover);
+  for (std::size_t c = 0; c < manifold.covers.size(); ++c)
+    if (manifold.covers[c].elements.size == 0)
+      throw InputError(cover.place,
+                       fmt::format("expected an element on every physical cover, found none on {}", c + 1));
   return {with_continuum(model_from_manifold(manifold, points_of(cover), analysis),
                          continuum_of(manifold, analysis.block_materials, settings, settings.standard.cover_functions)),
           {}};
@@ -126,8 +156,12 @@ CoverModel of_cover_file(const Cover& cover, const Analysis& analysis, const Set
 CoverModel cover_model(const Problem& problem, const Settings& settings) {
   if (const auto* cover = std::get_if<Cover>(&problem.geometry))
     return of_cover_file(*cover, *problem.analysis, settings);
-  if (!problem.covers->mesh.materials.empty()) return Mixed(problem, settings).result();
-  return all_on_covers(problem, settings);
+  CoverModel made =
+      problem.covers->mesh.materials.empty() ? all_on_covers(problem, settings) : Mixed(problem, settings).result();
+  if (problem.covers->contact == CoverContact::ignored)
+    made.warnings.push_back({"contact_felt", problem.covers->place,
+                             "contact is ignored by statics that is solved at once only; these steps know it"});
+  return made;
 }
 
 }  // namespace keyblock

@@ -64,7 +64,8 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
     return;
   }
   throw std::invalid_argument(fmt::format(
-      "there is no setting \"{}\" of bodies on covers, only functions, mesh.side, mesh.half_rows, mesh.angle", name));
+      "there is no setting \"{}\" of bodies on covers, only functions, contact, mesh.side, mesh.half_rows, mesh.angle",
+      name));
 }
 
 std::vector<std::pair<std::string, std::string>> set_plan(

@@ -23,6 +23,7 @@
 #include "run/settings_table.hpp"
 #include "step/enforcement.hpp"
 #include "step/standard_scene.hpp"
+#include "system/sparse_factor.hpp"
 
 namespace keyblock {
 namespace {
@@ -139,7 +140,16 @@ struct Plan {
 // The model with the bases of `standard`, and the plan with the enforcement that was decided on. Throws InputError for a
 // scene that these dynamics cannot run.
 Plan standard_plan(Model model, const Settings& settings, const Place& place) {
-  const StandardScene scene = standard_scene(with_bases(std::move(model), settings.standard.basis), settings);
+  model = with_bases(std::move(model), settings.standard.basis);
+  const StandardScene scene = [&] {
+    try {
+      return standard_scene(model, settings);
+    } catch (const NotPositiveDefinite&) {
+      throw InputError(place,
+                       "expected covers that all carry mass, found some cut so thin that their mass is lost in "
+                       "round-off: another mesh, or --absorb, avoids them");
+    }
+  }();
   const std::string why = unsupported(scene);
   if (!why.empty()) throw InputError(place, why);
   const bool is_automatic = settings.standard.enforcement.common == Enforcement::automatic;

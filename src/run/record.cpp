@@ -49,19 +49,21 @@ Frame frame_of(const Model& model, const State& state, const State& start, const
     const Unknowns rates = end_velocity(now, state, settings, element.material);
     const Eigen::Vector2d velocity = element.basis->constant * rates;  // of the centroid; zero for a fixed basis
     const int spin = element.basis->rotation_unknown;
+    const Velocity& carried = now.carried;  // zero for elements with unknowns
     const Point moved = now.centroid - start.elements[e].centroid;
     const Moments& first = start.elements[e].moments;
     const double density = model.material_of(element).density;
-    frame.elements.push_back({loops_of(element, state),
-                              element.material,
-                              now.centroid,
-                              moved,
-                              now.rotation,
-                              {velocity.x(), velocity.y(), spin < 0 ? 0 : rates[spin]},
-                              now.stress,
-                              now.moments.area,
-                              density * first.area,
-                              density * (first.xx + first.yy)});
+    frame.elements.push_back(
+        {loops_of(element, state),
+         element.material,
+         now.centroid,
+         moved,
+         now.rotation,
+         {velocity.x() + carried.x, velocity.y() + carried.y, carried.rotation + (spin < 0 ? 0 : rates[spin])},
+         now.stress,
+         now.moments.area,
+         density * first.area,
+         density * (first.xx + first.yy)});
   }
   frame.fixed_points = points_of(model.fixed_points, state.fixed_points, state);
   frame.loading_points = points_of(model.loading_points, state.loading_points, state);

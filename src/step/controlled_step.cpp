@@ -54,7 +54,8 @@ double relative_error(const StandardScene& scene, const Motion& before, const Mo
 bool all_finite(const Motion& motion) {
   const auto is_finite = [](const Unknowns& u) { return u.allFinite(); };
   return std::ranges::all_of(motion.q, is_finite) && std::ranges::all_of(motion.v, is_finite) &&
-         std::ranges::all_of(motion.a, is_finite) && motion.q.covers.allFinite() && motion.v.covers.allFinite();
+         std::ranges::all_of(motion.a, is_finite) && motion.q.covers.allFinite() && motion.v.covers.allFinite() &&
+         motion.a.covers.allFinite();
 }
 
 Verdict by_error(const StandardScene& scene, const Motion& before, const Motion& after, double dt) {

@@ -23,7 +23,8 @@ CoverEquations::CoverEquations(const ElasticBodies& bodies)
 void CoverEquations::begin(const CoverMotion& start, const Eigen::VectorXd& load, const StepRule& rule, double dt) {
   const CoverDamping& damping = bodies_.damping;
   rule_ = rule;
-  weights_ = {rule.stiffness + damping.stiffness / dt, rule.stiffness,
+  const bool is_damped = rule.damping.increment != 0 || rule.damping.velocity != 0 || rule.damping.acceleration != 0;
+  weights_ = {rule.stiffness + (is_damped ? damping.stiffness / dt : 0), rule.stiffness,
               rule.inertia.increment + damping.mass * rule.damping.increment};
   start_ = start.q;
   known_inertia_ = known(rule.inertia, start) + damping.mass * known(rule.damping, start);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/cover_scene.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -83,22 +85,43 @@ class RigidAnswer : public CoverFlexibility {
     const std::vector<RigidMotion> motions = bodies.rigid.motions(d, Eigen::VectorXd::Zero(size_));
     for (std::size_t b = 0; b < motions.size(); ++b) {
       modes_.push_back(bodies.rigid.modes(static_cast<int>(b), d, motions[b].centre));
-      inverse_.emplace_back(1 / motions[b].mass, 1 / motions[b].mass, 1 / motions[b].rotary_inertia);
+      const Eigen::Vector3d root(1 / std::sqrt(motions[b].mass), 1 / std::sqrt(motions[b].mass),
+                                 1 / std::sqrt(motions[b].rotary_inertia));
+      inverse_.push_back(root.asDiagonal() * free_directions(bodies, b, root) * root.asDiagonal());
     }
   }
   Eigen::Index size() const override { return size_; }
   Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
     return by_body(functions_, forces, [&](int body, const Eigen::MatrixXd& part) {
       const auto b = static_cast<std::size_t>(body);
-      return Eigen::MatrixXd(modes_[b] * (inverse_[b].asDiagonal() * (modes_[b].transpose() * part)));
+      return Eigen::MatrixXd(modes_[b] * (inverse_[b] * (modes_[b].transpose() * part)));
     });
   }
 
  private:
+  // A support that resists a rigid motion by more than this share of the stiffest holds it.
+  static constexpr double kHolds = 1e-9;
+
+  // Of motions scaled by the roots of the masses: the projection on those that no support of the problem resists.
+  Eigen::Matrix3d free_directions(const ElasticBodies& bodies, std::size_t b, const Eigen::Vector3d& root) const {
+    Eigen::MatrixX3d all = Eigen::MatrixX3d::Zero(size_, 3);
+    for (std::size_t i = 0; i < functions_[b].size(); ++i)
+      all.middleRows<2>(2 * functions_[b][i]) =
+          modes_[b].middleRows<2>(static_cast<Eigen::Index>(2 * i)) * root.asDiagonal();
+    Eigen::Matrix3d held;
+    for (Eigen::Index c = 0; c < 3; ++c) held.col(c) = all.transpose() * bodies.supports.times(all.col(c));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions((held + held.transpose()) / 2);
+    Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
+    for (Eigen::Index k = 0; k < 3; ++k)
+      if (directions.eigenvalues()[k] > kHolds * directions.eigenvalues().cwiseAbs().maxCoeff())
+        free -= directions.eigenvectors().col(k) * directions.eigenvectors().col(k).transpose();
+    return free;
+  }
+
   const Functions& functions_;
   Eigen::Index size_;
   std::vector<Eigen::MatrixX3d> modes_;
-  std::vector<Eigen::Vector3d> inverse_;
+  std::vector<Eigen::Matrix3d> inverse_;  ///< of mass, mass, inertia, in the directions that are free
 };
 
 CoverDamping damping_of(const Settings& settings) {
@@ -124,6 +147,8 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
       equations_(std::make_unique<CoverEquations>(bodies_)),
       mass_inverse_(std::make_shared<MassAnswer>(bodies_)) {
   weight_ = bodies_.supports.load();
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(bodies_.unknown_count());
+  initial_force_ = -bodies_.elasticity.force(still, still, 1);
   for (const int material : bodies_.continuum.manifold.body_materials)
     carry_.push_back(settings.velocity_carry_over.of(material));
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(bodies_.unknown_count());
@@ -249,6 +274,23 @@ Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d) const {
 
 Stress CoverScene::stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const {
   return bodies_.elasticity.stress(d, e.value - first_.value, start);
+}
+
+bool CoverScene::has_supports() const {
+  return !bodies_.continuum.prescribed.empty() || !bodies_.continuum.point_springs.empty();
+}
+
+bool CoverScene::are_one_body(ElementIndex a, ElementIndex b) const {
+  return kinematics_->carries(a) && kinematics_->carries(b) && body_of(a) == body_of(b);
+}
+
+// Velocity gradient Ḟ F⁻¹; its skew part turns.
+Velocity CoverScene::velocity(ElementIndex e, const Eigen::VectorXd& d, const Eigen::VectorXd& v, Point start) const {
+  const Point moved_by = moved({}, kinematics_->shares(e, start), v);
+  const Eigen::Matrix2d rate =
+      bodies_.elasticity.deformation(v, e.value - first_.value, start) - Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d gradient = rate * bodies_.elasticity.deformation(d, e.value - first_.value, start).inverse();
+  return {moved_by.x, moved_by.y, (gradient(1, 0) - gradient(0, 1)) / 2};
 }
 
 double CoverScene::rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const {

@@ -29,6 +29,7 @@ class CoverScene {
  public:
   /// The model has a continuum, whose elements are its last.
   CoverScene(const Model& model, const Settings& settings);
+  CoverScene(const CoverScene&) = delete;  // its parts refer to each other
 
   std::shared_ptr<const CoverKinematics> kinematics() const { return kinematics_; }
   const WholeBody& body_at_start(ElementIndex e) const;
@@ -44,6 +45,10 @@ class CoverScene {
   Eigen::VectorXd carried_over(Eigen::VectorXd v) const;
   /// Weight of the materials, and what tractions and supports of the problem exert.
   const Eigen::VectorXd& weight() const { return weight_; }
+  /// What the initial stress exerts on the unknowns.
+  const Eigen::VectorXd& initial_force() const { return initial_force_; }
+  /// Whether supports of the problem itself, not fixed points, hold a body.
+  bool has_supports() const;
   /// M times a uniform field.
   Eigen::VectorXd inertia_of(Point acceleration) const;
 
@@ -71,12 +76,16 @@ class CoverScene {
 
   Stress stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const;
   double rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const;  ///< of the polar decomposition, rad
+  /// Of the point that lay at `start`, and the turning there, half the curl: length and rad, per time.
+  Velocity velocity(ElementIndex e, const Eigen::VectorXd& d, const Eigen::VectorXd& v, Point start) const;
+  /// Whether both elements are of one body on covers.
+  bool are_one_body(ElementIndex a, ElementIndex b) const;
 
   /// Of the step at hand: one step at a time is made of a scene.
   CoverEquations& equations() const { return *equations_; }
   std::shared_ptr<const CoverFlexibility> flexibility_of_step() const;
   std::shared_ptr<const CoverFlexibility> mass_inverse() const { return mass_inverse_; }
-  /// Of the bodies as rigid ones at d.
+  /// Of the bodies as rigid ones at d; supports of the problem take what they hold out of it.
   std::shared_ptr<const CoverFlexibility> rigid_mass_inverse(const Eigen::VectorXd& d) const;
 
  private:
@@ -90,6 +99,7 @@ class CoverScene {
   double size_ = 0;
   double slow_frequency_ = 0;
   Eigen::VectorXd weight_;
+  Eigen::VectorXd initial_force_;
   std::unique_ptr<CoverEquations> equations_;
   std::shared_ptr<const CoverFlexibility> mass_inverse_;
 };

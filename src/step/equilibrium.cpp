@@ -40,7 +40,9 @@ double largest_load(const StandardScene& scene, const UnknownsTable& loads) {
     const Body& body = scene.bodies[e];
     largest = std::max({largest, size_of_force(loads[e], body.size), size_of_force(body.initial_stress, body.size)});
   }
-  return scene.covers ? std::max(largest, scene.covers->largest_load(loads.covers)) : largest;
+  return scene.covers ? std::max({largest, scene.covers->largest_load(loads.covers),
+                                  scene.covers->largest_load(scene.covers->initial_force())})
+                      : largest;
 }
 
 double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt) {

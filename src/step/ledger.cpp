@@ -80,7 +80,8 @@ void add_covers(const CoverScene& covers, const StepTrail& trail, EnergyFlow& fl
   const Eigen::VectorXd lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
   const Eigen::VectorXd way = trail.dt / 2 * (trail.start.v.covers + trail.smooth.v.covers) + lead;
   flow.external += (trail.loads.covers - covers.weight()).dot(dq);
-  flow.projection -= covers.weight().dot(trail.end.q.covers - trail.smooth.q.covers);
+  flow.projection += covers.strain_energy(trail.end.q.covers) - covers.strain_energy(trail.smooth.q.covers) -
+                     covers.weight().dot(trail.end.q.covers - trail.smooth.q.covers);
   flow.damping += covers.damping_work(trail.start.q.covers, trail.smooth.q.covers,
                                       rule.damping.increment * dq + rule.damping.velocity * trail.start.v.covers +
                                           rule.damping.acceleration * trail.start.a.covers,
@@ -292,8 +293,9 @@ LedgerRow ledger_row(const StandardScene& scene, const Motion& motion) {
 LedgerScope ledger_scope(const StandardScene& scene) {
   const bool has_supports =
       std::ranges::any_of(scene.model.elements, [](const Element& element) { return !element.can_move(); });
+  const bool holds_covers = scene.covers && scene.covers->has_supports();
   const bool is_dynamic = scene.settings.standard.motion == MotionRule::dynamic;
-  return {is_dynamic, has_supports || !scene.held.empty(), scene.mass_centre};
+  return {is_dynamic, has_supports || holds_covers || !scene.held.empty(), scene.mass_centre};
 }
 
 }  // namespace keyblock

@@ -88,6 +88,7 @@ class Relaxation {
     const UnknownsTable loads = loads_at(scene_, from, time_);
     double work = 0;
     for (ElementIndex e : indices(loads)) work += loads[e].dot(result_.motion.q[e] - from[e]);
+    if (scene_.covers) work += loads.covers.dot(result_.motion.q.covers - from.covers);
     work_ += std::abs(work);
   }
 

@@ -104,8 +104,9 @@ class SmoothSolve {
       change = greatest_change(increments_, next);
       increments_ = std::move(next);
     }
-    result_.converged =
-        result_.converged && (change <= kTolerable || (std::isfinite(change) && unsolved <= problem_.acceptable));
+    // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
+    const bool forces_suffice = !covers_ && std::isfinite(change) && unsolved <= problem_.acceptable;
+    result_.converged = result_.converged && (change <= kTolerable || forces_suffice);
   }
 
   void prepare(ElementIndex e, const Unknowns& load) {
@@ -159,7 +160,7 @@ class SmoothSolve {
     problem_.w = ContactMatrix(rows_, inverse_);
     const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
     problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * size_;
-    if (!judging_.blocks.empty()) problem_.scale = diagonal_of(rows_, judging_);
+    if (!judging_.blocks.empty()) problem_.scale = diagonal_of(rows_, judging_, problem_.w.covers());
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
     for (std::size_t i = 0; i < touches_.size(); ++i) {

@@ -76,7 +76,10 @@ StandardScene standard_scene(Model model, Settings settings) {
 std::string unsupported(const StandardScene& scene) {
   for (ElementIndex e : indices(scene.pieces)) {
     const Element& element = scene.model.elements[e];
-    if (scene.pieces[e].empty() && (!element.is_on_covers() || element.loop_sizes.size() > 1))
+    if (element.is_on_covers() && element.loop_sizes.size() > 1)
+      return fmt::format("expected elements without holes, found one in element {}: a finer mesh has none",
+                         e.value + 1);
+    if (scene.pieces[e].empty() && !element.is_on_covers())
       return fmt::format("expected blocks without holes, found block {} with one: it needs profile legacy",
                          e.value + 1);
     if (std::ranges::any_of(scene.pieces[e], [](const ConvexPiece& piece) { return piece.corners.size() < 3; }))
@@ -154,6 +157,7 @@ Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const U
   if (!scene.covers) return scales;
   for (const WholeBody& body : scene.covers->whole(q.covers, loads.covers))
     add(body.mass, body.size, body.resultant.head<2>().norm() + std::abs(body.resultant[2]) / body.size, 0);
+  scales.force = std::max(scales.force, scene.covers->largest_load(scene.covers->initial_force()));
   for (const WholeBody& body : scene.covers->whole(q.covers, scene.covers->momentum(v.covers)))
     scales.momentum =
         std::max(scales.momentum, body.resultant.head<2>().norm() + std::abs(body.resultant[2]) / body.size);

@@ -42,6 +42,12 @@ constexpr double kFollowed = 2;
 // rate that grows from rest has half.
 constexpr double kTurnedOver = 0.4;
 
+// A body does not jump apart from itself: rigid motions leave such a touch as it is.
+bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
+  return scene.covers && scene.covers->are_one_body(scene.model.vertices[touch.vertex].element,
+                                                    scene.model.vertices[touch.start].element);
+}
+
 struct Split {
   Touches smooth;
   Touches impacts;
@@ -55,7 +61,7 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
   Split parts;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const double speed = speeds[static_cast<Eigen::Index>(2 * i)];
-    if (springs_stop || speed >= -slow || start.closed.of(touches[i])) {
+    if (springs_stop || speed >= -slow || start.closed.of(touches[i]) || is_within_one_body(scene, touches[i])) {
       parts.smooth.push_back(touches[i]);
     } else {
       parts.impacts.push_back(touches[i]);
@@ -154,9 +160,11 @@ class Attempt {
                                  std::max(0.0, -gap)));
     }
     if (meetings.empty()) return;
-    Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, meetings, closed);
+    Touches others = closed;
+    std::erase_if(others, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
+    Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, meetings, others);
     step_.motion.v = std::move(jump.v);
-    step_.motion.q = without_overlap(scene_, std::move(jump.q), parts_.impacts, closed);
+    step_.motion.q = without_overlap(scene_, std::move(jump.q), parts_.impacts, others);
   }
 
   // The trapezoidal rule turns the rate of a strain over in each step that is too long to follow it, and the contacts of a block

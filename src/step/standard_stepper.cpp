@@ -111,7 +111,8 @@ ElementState element_state(const StandardScene& scene, const Motion& motion, con
             motion.v[e],
             motion.v[e],
             scene.covers->stress(e, motion.q.covers, at_start),
-            scene.covers->rotation(e, motion.q.covers, at_start)};
+            scene.covers->rotation(e, motion.q.covers, at_start),
+            scene.covers->velocity(e, motion.q.covers, motion.v.covers, at_start)};
   }
   const Basis& basis = *scene.model.elements[e].basis;
   const Unknowns& q = motion.q[e];

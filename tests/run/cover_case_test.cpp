@@ -179,10 +179,8 @@ TEST(CoverCase, what_cannot_be_is_named) {
   problem.covers->place = {"f", 2, 3};
   problem.analysis->place = {"f", 9, 1};
   problem.analysis->velocity_carry_over = 1;
-  EXPECT_EQ(
-      fault_of(problem),
-      "f:9:1: error: expected statics for bodies on covers (velocity_carry_over 0), found 1: the motion of bodies on "
-      "covers is not run");
+  EXPECT_EQ(fault_of(problem),
+            "f:9:1: error: expected statics where regions are dug out (velocity_carry_over 0), found 1");
   problem.analysis->velocity_carry_over = 0;
   problem.covers->tractions = {{{{5, 5}, {6, 5}}, {}, {}, {}, {"f", 4, 7}}};
   EXPECT_EQ(fault_of(problem),
