@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "report/colours.hpp"
+#include "report/page.hpp"
 #include "report/scene.hpp"
 #include "report/svg.hpp"
 #include "report/ticks.hpp"
@@ -17,10 +18,6 @@
 namespace keyblock::report {
 namespace {
 
-constexpr double kPageWidth = 900;
-constexpr double kMargin = 30;
-constexpr double kTitleHeight = 44;
-constexpr double kRoom = kPageWidth - 2 * kMargin;
 constexpr double kGap = 18;
 constexpr double kCaption = 24;
 constexpr double kBarWidth = 92;       // colour bar with its numbers

@@ -7,15 +7,12 @@
 #include <algorithm>
 
 #include "report/colours.hpp"
+#include "report/page.hpp"
 #include "report/scene.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr double kPageWidth = 900;
-constexpr double kMargin = 30;
-constexpr double kTitleHeight = 44;
-constexpr double kRoom = kPageWidth - 2 * kMargin;
 constexpr double kScaleBarHeight = 26;
 constexpr std::string_view kStartColour = "#b03060";
 constexpr std::string_view kInnerColour = "#888888";

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cut/cut_blocks.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
 #include "problem/problem.hpp"
 
 namespace keyblock {
+
+/// The blocks of a drawing, cut, or those that are given.
+CutResult blocks_of(const Problem& problem, NodeMerging merging);
 
 struct CoverModel {
   Model model;

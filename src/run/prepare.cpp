@@ -28,11 +28,6 @@
 namespace keyblock {
 namespace {
 
-CutResult blocks_of(const Problem& problem, NodeMerging merging) {
-  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return cut_blocks(*drawing, merging);
-  return {std::get<Blocks>(problem.geometry), {}, {}, {}};
-}
-
 // Unit weights are written by hand from a density and a rounded gravity: within a thousandth they are the same.
 constexpr double kSameWeight = 1e-3;
 

@@ -134,10 +134,6 @@ ElementIndex first_on_covers(const Model& model) {
   return model.elements.end_index();
 }
 
-Eigen::VectorXd part_of(const std::vector<int>& functions, const Eigen::VectorXd& all) {
-  return unknowns_of(functions, all);
-}
-
 }  // namespace
 
 CoverScene::CoverScene(const Model& model, const Settings& settings)
@@ -213,7 +209,7 @@ std::vector<WholeBody> CoverScene::whole(const Eigen::VectorXd& d, const Eigen::
   const std::vector<RigidMotion> motions = bodies_.rigid.motions(d, Eigen::VectorXd::Zero(d.size()));
   std::vector<WholeBody> all;
   for (std::size_t b = 0; b < functions.size(); ++b) {
-    const Eigen::VectorXd own = part_of(functions[b], forces);
+    const Eigen::VectorXd own = unknowns_of(functions[b], forces);
     WholeBody body{motions[b].mass, motions[b].rotary_inertia, at_start_[b].size, motions[b].centre};
     body.resultant = bodies_.rigid.modes(static_cast<int>(b), d, body.centre).transpose() * own;
     for (Eigen::Index i = 0; i < own.size(); i += 2) body.gross += own.segment<2>(i).norm();
