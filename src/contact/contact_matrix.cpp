@@ -84,7 +84,7 @@ void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
 }
 
 Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {
-  const UnknownsTable of_blocks = answer(rows_, {flexibility_.blocks}, forces);
+  const UnknownsTable of_blocks = answer_of_blocks(rows_, flexibility_.blocks, forces);
   Eigen::VectorXd all = added_.cwiseProduct(forces);
   for (std::size_t i = 0; i < rows_.size(); ++i)
     all[static_cast<Eigen::Index>(i)] += rows_[i].of_vertex.dot(of_blocks[rows_[i].vertex_element].transpose()) +

@@ -25,8 +25,8 @@ void ContactRow::add_covers(double force, Eigen::VectorXd& sum) const {
     sum.segment<2>(2 * entry.function) += force * Eigen::Vector2d(entry.x, entry.y);
 }
 
-UnknownsTable answer(const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& forces) {
-  const Table<ElementIndex, UnknownBlock>& blocks = flexibility.blocks;
+UnknownsTable answer_of_blocks(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks,
+                               const Eigen::VectorXd& forces) {
   UnknownsTable sum;
   for (ElementIndex e : indices(blocks)) sum.push_back(Unknowns::Zero(blocks[e].rows()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -35,6 +35,11 @@ UnknownsTable answer(const ContactRows& rows, const Flexibility& flexibility, co
     sum[rows[i].edge_element] += f * rows[i].of_edge.transpose();
   }
   for (ElementIndex e : indices(blocks)) sum[e] = blocks[e] * sum[e];
+  return sum;
+}
+
+UnknownsTable answer(const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& forces) {
+  UnknownsTable sum = answer_of_blocks(rows, flexibility.blocks, forces);
   if (!flexibility.covers) return sum;
   sum.covers = Eigen::VectorXd::Zero(flexibility.covers->size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].add_covers(forces[static_cast<Eigen::Index>(i)], sum.covers);

@@ -52,6 +52,10 @@ struct Flexibility {
   std::shared_ptr<const CoverFlexibility> covers{};
 };
 
+/// B Gᵀ f of the blocks alone; nothing is said of covers.
+UnknownsTable answer_of_blocks(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks,
+                               const Eigen::VectorXd& forces);
+
 /// B Gᵀ f.
 UnknownsTable answer(const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& forces);
 

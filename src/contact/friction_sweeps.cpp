@@ -16,7 +16,7 @@ class Sweep {
   Sweep(const FrictionalProblem& problem, Eigen::VectorXd forces) : p_(problem), forces_(std::move(forces)) {
     ContactRows rows;
     for (Eigen::Index i = 0; i < forces_.size(); ++i) rows.push_back(p_.w.row(i));
-    answer_ = answer(rows, {p_.w.flexibility().blocks}, forces_);
+    answer_ = answer_of_blocks(rows, p_.w.flexibility().blocks, forces_);
   }
 
   const Eigen::VectorXd& forces() const { return forces_; }
