@@ -10,8 +10,8 @@
 namespace keyblock {
 namespace {
 
-// A residual above this asks for one step of refinement: a backward-stable factorisation stays well below it.
-constexpr double kRefineAbove = 1e-12;
+// A residual above this asks for one step of refinement: all but exact ones do. Impacts multiply what is left by ten each.
+constexpr double kRefineAbove = 1e-16;
 // Residual of iterations: contacts are judged by forces to some 1e-6.
 constexpr double kIterated = 1e-11;
 // Measured on walls of bricks: gradients win below the first ratio, and the factor below the number of blocks.
