@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
-#include <utility>
+#include <numeric>
 
 #include "contact/line.hpp"
 
@@ -30,23 +29,41 @@ struct Slot {
   bool is_second;
 };
 
-using TripleKey = std::tuple<VertexIndex, VertexIndex, VertexIndex>;
-TripleKey key(const Triple& t) {
-  return {t.vertex, t.start, t.end};
-}
-
-// In the order of their triples; those of one triple in that of the contacts.
-using Slots = std::vector<std::pair<TripleKey, Slot>>;
-
-Slots slots_of(const Contacts& contacts) {
-  Slots slots;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    slots.push_back({key(contacts[i].first), {i, false}});
-    if (contacts[i].has_second()) slots.push_back({key(contacts[i].second), {i, true}});
+// Where triples stand, by their vertices; those of one vertex in the order of the contacts.
+class Slots {
+ public:
+  Slots(const Contacts& contacts, std::size_t vertex_count) : begins_(vertex_count + 1, 0) {
+    const auto each = [&](const auto& work) {
+      for (std::size_t i = 0; i < contacts.size(); ++i) {
+        work(contacts[i].first, Slot{i, false});
+        if (contacts[i].has_second()) work(contacts[i].second, Slot{i, true});
+      }
+    };
+    each([&](const Triple& triple, Slot) { ++begins_[at(triple) + 1]; });
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    named_.resize(begins_.back());
+    std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
+    each([&](const Triple& triple, Slot slot) { named_[next[at(triple)]++] = {triple, slot}; });
   }
-  std::ranges::stable_sort(slots, {}, &Slots::value_type::first);
-  return slots;
-}
+
+  template <class Work>
+  void for_each(const Triple& triple, const Work& work) const {
+    for (std::size_t k = begins_[at(triple)]; k < begins_[at(triple) + 1]; ++k) {
+      const Triple& other = named_[k].triple;
+      if (other.start == triple.start && other.end == triple.end) work(named_[k].slot);
+    }
+  }
+
+ private:
+  struct Named {
+    Triple triple;
+    Slot slot;
+  };
+  static std::size_t at(const Triple& triple) { return static_cast<std::size_t>(triple.vertex.value); }
+
+  std::vector<std::size_t> begins_;
+  std::vector<Named> named_;
+};
 
 // The state an old contact hands on through one of its triples: 0 (open) where that triple was not the active
 // one.
@@ -136,14 +153,12 @@ void set_ratios_and_lengths(Contacts& contacts, const std::vector<Memory>& memor
 Contacts carry(Contacts contacts, const Contacts& previous, const State& state, const ContactRules& rules,
                const BerkeleyQuirks& quirks) {
   std::vector<Memory> memories(contacts.size());
-  const Slots slots = slots_of(contacts);
+  const Slots slots(contacts, state.vertices.size());
   for (const Contact& old : previous) {
     if (old.is_open()) continue;
-    for (const auto& [triple, slot] : std::ranges::equal_range(slots, key(old.first), {}, &Slots::value_type::first))
-      hand_on(old, slot, false, contacts, memories);
-    if (!old.has_second()) continue;
-    for (const auto& [triple, slot] : std::ranges::equal_range(slots, key(old.second), {}, &Slots::value_type::first))
-      hand_on(old, slot, true, contacts, memories);
+    slots.for_each(old.first, [&](const Slot& slot) { hand_on(old, slot, false, contacts, memories); });
+    if (old.has_second())
+      slots.for_each(old.second, [&](const Slot& slot) { hand_on(old, slot, true, contacts, memories); });
   }
   for (std::size_t i = 0; i < contacts.size(); ++i) settle_state(contacts[i], memories[i]);
   set_ratios_and_lengths(contacts, memories, state, rules, quirks);

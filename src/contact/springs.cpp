@@ -58,12 +58,46 @@ Spring shear_spring(const Line& l, const Ends& ends, double ratio) {
           ends.t2.transpose() * vector(g2) + ends.t3.transpose() * vector(g3), dot(from_p0, along) / size};
 }
 
-void add_spring(const Spring& spring, double stiffness, const Ends& ends, System& system) {
-  system.matrix.add(ends.i, ends.i, stiffness * (spring.on_i * spring.on_i.transpose()));
-  system.matrix.add(ends.j, ends.j, stiffness * (spring.on_j * spring.on_j.transpose()));
-  system.matrix.add(ends.i, ends.j, stiffness * (spring.on_i * spring.on_j.transpose()));
-  system.load_of(ends.i) -= stiffness * spring.stretch * spring.on_i;
-  system.load_of(ends.j) -= stiffness * spring.stretch * spring.on_j;
+// Of both springs of a contact: a column each.
+struct SpringPair {
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostUnknowns, 2>;
+  Columns on_i;
+  Columns on_j;
+  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();
+  Eigen::Vector2d stretch = Eigen::Vector2d::Zero();
+
+  explicit SpringPair(const Ends& ends)
+      : on_i(Columns::Zero(ends.t1.cols(), 2)), on_j(Columns::Zero(ends.t2.cols(), 2)) {}
+  void set(Eigen::Index column, const Spring& spring, double p) {
+    on_i.col(column) = spring.on_i;
+    on_j.col(column) = spring.on_j;
+    stiffness[column] = p;
+    stretch[column] = spring.stretch;
+  }
+};
+
+// sum += a bᵀ. Blocks of six are what nearly all are.
+void add_product(const SpringPair::Columns& a, const SpringPair::Columns& b, BlockMatrix::Block& sum) {
+  if (a.rows() == kMostUnknowns && b.rows() == kMostUnknowns) {
+    using Six = Eigen::Matrix<double, kMostUnknowns, 2>;
+    Eigen::Map<Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>>(sum.data()).noalias() +=
+        Eigen::Map<const Six>(a.data()) * Eigen::Map<const Six>(b.data()).transpose();
+  } else {
+    sum.noalias() += a * b.transpose();
+  }
+}
+
+void add_springs(const SpringPair& springs, const Ends& ends, System& system) {
+  const SpringPair::Columns scaled_i = springs.on_i * springs.stiffness.asDiagonal();
+  const SpringPair::Columns scaled_j = springs.on_j * springs.stiffness.asDiagonal();
+  add_product(scaled_i, springs.on_i, system.matrix.block(ends.i, ends.i));
+  add_product(scaled_j, springs.on_j, system.matrix.block(ends.j, ends.j));
+  if (ends.i < ends.j)
+    add_product(scaled_i, springs.on_j, system.matrix.block(ends.i, ends.j));
+  else
+    add_product(scaled_j, springs.on_i, system.matrix.block(ends.j, ends.i));
+  system.load_of(ends.i) -= scaled_i * springs.stretch;
+  system.load_of(ends.j) -= scaled_j * springs.stretch;
 }
 
 double friction_force(const Contact& contact, const JointMaterial& joint) {
@@ -80,9 +114,11 @@ void add_springs(const Contacts& contacts, const Model& model, const State& stat
     if (contact.is_open()) continue;
     const Line line = line_of(state, contact.active());
     const Ends ends = ends_of(contact.active(), line, model, state);
-    add_spring(normal_spring(line, ends), penalty, ends, system);
+    SpringPair springs(ends);
+    springs.set(0, normal_spring(line, ends), penalty);
     if (contact.state == ContactState::locked)
-      add_spring(shear_spring(line, ends, contact.ratio), penalty / rules.shear_ratio, ends, system);
+      springs.set(1, shear_spring(line, ends, contact.ratio), penalty / rules.shear_ratio);
+    add_springs(springs, ends, system);
   }
 }
 

@@ -66,9 +66,26 @@ double step_size(const Scene& scene, const Stepping& stepping) {
   return first_step_size(scene.model, stepping.state, scene.settings, speed);
 }
 
-// Covers, and pairs of covers with an element, a contact (open ones included) or a bolt: what the matrix of a step may hold.
-int matrix_blocks(const Model& model, const Contacts& contacts) {
-  std::vector<std::pair<int, int>> pairs;
+// Elements with a contact, open ones included, or a bolt between them.
+BlockMatrix::Pairs coupled_elements(const Model& model, const Contacts& contacts) {
+  BlockMatrix::Pairs pairs;
+  const auto couple = [&](ElementIndex a, ElementIndex b) {
+    if (a != b) pairs.push_back(std::minmax(a.value, b.value));
+  };
+  for (const Contact& contact : contacts)
+    couple(model.vertices[contact.first.vertex].element, model.vertices[contact.first.start].element);
+  for (const Bolt& bolt : model.bolts) couple(bolt.first.element, bolt.second.element);
+  std::ranges::sort(pairs);
+  const auto repeated = std::ranges::unique(pairs);
+  pairs.erase(repeated.begin(), repeated.end());
+  return pairs;
+}
+
+// Covers, and pairs of covers that share an element or couple through two: what the matrix of a step may hold.
+int matrix_blocks(const Model& model, const BlockMatrix::Pairs& coupled) {
+  const auto elements = static_cast<int>(model.elements.size());
+  if (model.nodes.empty()) return elements + static_cast<int>(coupled.size());
+  BlockMatrix::Pairs pairs;
   const auto couple = [&](ElementIndex first, ElementIndex second) {
     for (const int a : model.elements[first].covers)
       for (const int b : model.elements[second].covers)
@@ -82,9 +99,7 @@ int matrix_blocks(const Model& model, const Contacts& contacts) {
     else
       ++covers;
   }
-  for (const Contact& contact : contacts)
-    couple(model.vertices[contact.first.vertex].element, model.vertices[contact.first.start].element);
-  for (const Bolt& bolt : model.bolts) couple(bolt.first.element, bolt.second.element);
+  for (const auto& [a, b] : coupled) couple(ElementIndex{a}, ElementIndex{b});
   std::ranges::sort(pairs);
   const auto repeated = std::ranges::unique(pairs);
   return static_cast<int>(covers + pairs.size() - repeated.size());
@@ -121,7 +136,8 @@ class Attempts {
   OpenCloseOutcome attempt() {
     if (start_.step > 0 && settings_.quirks.velocity_from_coming_step)
       start_ = with_velocity_of_last_step(scene_.model, std::move(start_), settings_, dt_);
-    const System system = assemble(scene_.terms, {scene_.model, start_, settings_, dt_});
+    coupled_ = coupled_elements(scene_.model, contacts_);
+    const System system = assemble(scene_.terms, {scene_.model, start_, settings_, dt_}, coupled_);
     const Attempt kind = !stepping_.has_solved ? Attempt::first_of_run
                          : report_.redos == 0  ? Attempt::first_of_step
                                                : Attempt::redone;
@@ -165,7 +181,7 @@ class Attempts {
     report_.contacts = static_cast<int>(stepping_.contacts.size());
     report_.closed =
         static_cast<int>(std::ranges::count_if(stepping_.contacts, [](const Contact& c) { return !c.is_open(); }));
-    report_.matrix_blocks = matrix_blocks(scene_.model, stepping_.contacts);
+    report_.matrix_blocks = matrix_blocks(scene_.model, coupled_);
     report_.penalty = used_penalty_;
     report_.displacement_ratio = ratio_;
     report_.greatest_penetration = misfit(stepping_.contacts).penetration;
@@ -198,6 +214,7 @@ class Attempts {
   Stepping& stepping_;
   State start_;
   Contacts contacts_;
+  BlockMatrix::Pairs coupled_;
   double dt_;
   double penalty_;
   double used_penalty_ = 0;

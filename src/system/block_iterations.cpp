@@ -5,7 +5,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace keyblock {
@@ -39,6 +42,11 @@ struct Rows {
   std::vector<SquareOf<N>> blocks;
 
   int count() const { return static_cast<int>(begin.size()) - 1; }
+  void reserve(std::size_t row_count, std::size_t entry_count) {
+    begin.reserve(row_count + 1);
+    columns.reserve(entry_count);
+    blocks.reserve(entry_count);
+  }
   void end_row() { begin.push_back(static_cast<int>(columns.size())); }
   void add(int column, const SquareOf<N>& block) {
     columns.push_back(column);
@@ -54,6 +62,8 @@ class IncompleteFactor {
   // Nothing where a pivot is not positive.
   static std::optional<IncompleteFactor> of(const Rows<N>& a, double shift) {
     IncompleteFactor factor;
+    factor.lower_.reserve(at(a.count()), (a.columns.size() - at(a.count())) / 2);
+    factor.inverse_pivots_.reserve(at(a.count()));
     std::vector<int> places(at(a.count()), -1);  // of the columns of the row at hand in `raw`
     std::vector<Square> raw;                     // L_ij D_j of that row
     for (int i = 0; i < a.count(); ++i) {
@@ -114,23 +124,26 @@ class KernelOf : public BlockIterations::Kernel {
 
   explicit KernelOf(const BlockMatrix& matrix) {
     const int count = matrix.block_count();
-    std::vector<std::vector<std::pair<int, const BlockMatrix::Block*>>> below(at(count));
+    // Blocks left of the diagonal, row by row: those of earlier rows that reach there, which come in ascending order.
+    std::vector<int> left(at(count) + 1, 0);
+    for (int i = 0; i < count; ++i)
+      for (const auto& entry : matrix.row(i))
+        if (entry.column != i) ++left[at(entry.column) + 1];
+    std::partial_sum(left.begin(), left.end(), left.begin());
+    std::vector<std::pair<int, const BlockMatrix::Block*>> below(at(left.back()));
+    std::vector<int> next(left.begin(), left.end() - 1);
+    rows_.reserve(at(count), at(2 * matrix.entry_count() - count));
     for (int i = 0; i < count; ++i) {
       sizes_.push_back(matrix.size(i));
       first_rows_.push_back(matrix.first_row(i));
-      for (const auto& [column, block] : below[at(i)]) {
-        Square padded = Square::Zero();
-        padded.topLeftCorner(block->cols(), block->rows()) = block->transpose();
-        rows_.add(column, padded);
-      }
+      for (int k = left[at(i)]; k < left[at(i) + 1]; ++k)
+        rows_.add(below[at(k)].first, padded(below[at(k)].second->transpose()));
       for (const auto& [column, block] : matrix.row(i)) {
-        Square padded = Square::Zero();
-        padded.topLeftCorner(block.rows(), block.cols()) = block;
+        rows_.add(column, padded(block));
         if (column == i)
-          padded.diagonal().tail(N - block.rows()).setOnes();
+          rows_.blocks.back().diagonal().tail(N - block.rows()).setOnes();
         else
-          below[at(column)].emplace_back(i, &block);
-        rows_.add(column, padded);
+          below[at(next[at(column)]++)] = {i, &block};
       }
       rows_.end_row();
     }
@@ -144,8 +157,8 @@ class KernelOf : public BlockIterations::Kernel {
     for (double shift = kFirstShift; !factor && shift <= kLastShift; shift *= 2)
       factor = IncompleteFactor<N>::of(rows_, shift);
     if (!factor) return result;
-    Eigen::VectorXd x = padded(start);
-    Eigen::VectorXd r = padded(b);
+    Eigen::VectorXd x = with_padding(start);
+    Eigen::VectorXd r = with_padding(b);
     const double goal = limits.residual * r.norm();
     Eigen::VectorXd q(x.size());
     multiply(x, q);
@@ -177,8 +190,8 @@ class KernelOf : public BlockIterations::Kernel {
     IterationResult result{start, 0, false};
     std::vector<Square> inverse;
     for (int i = 0; i < rows_.count(); ++i) inverse.push_back(rows_.blocks[at(diagonal(i))].inverse());
-    Eigen::VectorXd x = padded(start);
-    const Eigen::VectorXd right = padded(b);
+    Eigen::VectorXd x = with_padding(start);
+    const Eigen::VectorXd right = with_padding(b);
     const double goal = limits.residual * right.norm();
     Eigen::VectorXd product(x.size());
     const auto residual = [&] {
@@ -199,6 +212,14 @@ class KernelOf : public BlockIterations::Kernel {
   }
 
  private:
+  template <class Block>
+  static Square padded(const Block& block) {
+    if (block.rows() == N && block.cols() == N) return block;
+    Square all = Square::Zero();
+    all.topLeftCorner(block.rows(), block.cols()) = block;
+    return all;
+  }
+
   int diagonal(int i) const {
     const auto begin = rows_.columns.begin();
     return static_cast<int>(std::lower_bound(begin + rows_.begin[at(i)], begin + rows_.begin[at(i) + 1], i) - begin);
@@ -214,7 +235,7 @@ class KernelOf : public BlockIterations::Kernel {
     }
   }
 
-  Eigen::VectorXd padded(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd with_padding(const Eigen::VectorXd& x) const {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(N * rows_.count());
     for (int i = 0; i < rows_.count(); ++i)
       all.segment(N * i, sizes_[at(i)]) = x.segment(first_rows_[at(i)], sizes_[at(i)]);

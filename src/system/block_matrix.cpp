@@ -1,4 +1,4 @@
-// Storage of the block matrix: each row keeps its blocks sorted by column.
+// Storage of the block matrix: row after row, each with its blocks sorted by column.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_matrix.hpp"
 
@@ -8,16 +8,29 @@
 
 namespace keyblock {
 
-BlockMatrix::BlockMatrix(std::vector<int> sizes) : sizes_(std::move(sizes)), first_rows_(sizes_.size() + 1, 0) {
+BlockMatrix::BlockMatrix(std::vector<int> sizes, const Pairs& coupled)
+    : sizes_(std::move(sizes)), first_rows_(sizes_.size() + 1, 0) {
   std::partial_sum(sizes_.begin(), sizes_.end(), first_rows_.begin() + 1);
-  rows_.resize(sizes_.size());
-  for (int i = 0; i < block_count(); ++i) block(i, i);
+  entries_.reserve(sizes_.size() + coupled.size());
+  auto next = coupled.begin();
+  for (int i = 0; i < block_count(); ++i) {
+    begins_.push_back(entries_.size());
+    entries_.push_back({i, Block::Zero(size(i), size(i))});
+    for (; next != coupled.end() && next->first == i; ++next)
+      entries_.push_back({next->second, Block::Zero(size(i), size(next->second))});
+  }
+  begins_.push_back(entries_.size());
 }
 
 BlockMatrix::Block& BlockMatrix::block(int i, int j) {
-  std::vector<Entry>& row = rows_[static_cast<std::size_t>(i)];
-  auto entry = std::ranges::lower_bound(row, j, {}, &Entry::column);
-  if (entry == row.end() || entry->column != j) entry = row.insert(entry, {j, Block::Zero(size(i), size(j))});
+  const auto row = static_cast<std::size_t>(i);
+  const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(begins_[row + 1]);
+  auto entry = std::lower_bound(entries_.begin() + static_cast<std::ptrdiff_t>(begins_[row]), end, j,
+                                [](const Entry& e, int column) { return e.column < column; });
+  if (entry == end || entry->column != j) {
+    entry = entries_.insert(entry, {j, Block::Zero(size(i), size(j))});
+    for (std::size_t after = row + 1; after < begins_.size(); ++after) ++begins_[after];
+  }
   return entry->block;
 }
 
@@ -39,6 +52,7 @@ Eigen::VectorXd BlockMatrix::operator*(const Eigen::VectorXd& x) const {
   return y;
 }
 
-System::System(std::vector<int> sizes) : matrix(std::move(sizes)), load(Eigen::VectorXd::Zero(matrix.row_count())) {}
+System::System(std::vector<int> sizes, const BlockMatrix::Pairs& coupled)
+    : matrix(std::move(sizes), coupled), load(Eigen::VectorXd::Zero(matrix.row_count())) {}
 
 }  // namespace keyblock

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace keyblock {
@@ -10,19 +12,25 @@ namespace keyblock {
 /// The most rows a block may have; raise it when a richer basis comes in.
 inline constexpr int kMostBlockRows = 6;
 
-/// Symmetric; only blocks (i, j) with i ≤ j are stored. Block i has `size(i)` rows.
+/// Symmetric; only blocks (i, j) with i ≤ j are stored, all of them one after another. Block i has `size(i)` rows.
 class BlockMatrix {
  public:
   using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostBlockRows, kMostBlockRows>;
+  /// Different blocks, i < j, ascending, each once.
+  using Pairs = std::vector<std::pair<int, int>>;
   struct Entry {
     int column;
     Block block;
   };
 
-  explicit BlockMatrix(std::vector<int> sizes);
+  /// Room for `coupled` is made at once and stays, zero or not; others can be added, at the price of moving what is stored.
+  explicit BlockMatrix(std::vector<int> sizes, const Pairs& coupled = {});
 
   /// Adds `block` (size(i) × size(j)) at (i, j), and with it its transpose at (j, i).
   void add(int i, int j, const Block& block);
+
+  /// The stored block (i, j), i ≤ j; zero if it is new.
+  Block& block(int i, int j);
 
   int block_count() const { return static_cast<int>(sizes_.size()); }
   int size(int i) const { return sizes_[static_cast<std::size_t>(i)]; }
@@ -30,17 +38,20 @@ class BlockMatrix {
   int first_row(int i) const { return first_rows_[static_cast<std::size_t>(i)]; }
   int row_count() const { return first_rows_.back(); }
   /// The diagonal block, then those to its right, columns ascending.
-  const std::vector<Entry>& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+  std::span<const Entry> row(int i) const {
+    return {entries_.data() + begins_[static_cast<std::size_t>(i)],
+            entries_.data() + begins_[static_cast<std::size_t>(i) + 1]};
+  }
+  int entry_count() const { return static_cast<int>(entries_.size()); }
 
   /// y = A x.
   Eigen::VectorXd operator*(const Eigen::VectorXd& x) const;
 
  private:
-  Block& block(int i, int j);
-
   std::vector<int> sizes_;
   std::vector<int> first_rows_;
-  std::vector<std::vector<Entry>> rows_;
+  std::vector<std::size_t> begins_;
+  std::vector<Entry> entries_;
 };
 
 /// A x = b of one solve.
@@ -48,7 +59,7 @@ struct System {
   BlockMatrix matrix;
   Eigen::VectorXd load;
 
-  explicit System(std::vector<int> sizes);
+  explicit System(std::vector<int> sizes, const BlockMatrix::Pairs& coupled = {});
   /// The rows of block i in `load`.
   auto load_of(int i) { return load.segment(matrix.first_row(i), matrix.size(i)); }
 };

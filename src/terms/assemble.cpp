@@ -40,10 +40,10 @@ std::vector<Term> terms_for(const Requirements& requirements) {
   return terms;
 }
 
-System assemble(const std::vector<Term>& terms, const StepContext& context) {
+System assemble(const std::vector<Term>& terms, const StepContext& context, const BlockMatrix::Pairs& coupled) {
   std::vector<int> sizes;
   for (const Element& element : context.model.elements) sizes.push_back(element.basis->unknown_count());
-  System system(std::move(sizes));
+  System system(std::move(sizes), coupled);
   for (Term term : terms) term(context, system);
   return system;
 }

@@ -12,7 +12,7 @@ namespace keyblock {
 /// The terms to call for these requirements; contact is not among them, it changes within a step.
 std::vector<Term> terms_for(const Requirements& requirements);
 
-/// Everything of one step except contact.
-System assemble(const std::vector<Term>& terms, const StepContext& context);
+/// Everything of one step except contact; with room for what couples `coupled` elements.
+System assemble(const std::vector<Term>& terms, const StepContext& context, const BlockMatrix::Pairs& coupled = {});
 
 }  // namespace keyblock

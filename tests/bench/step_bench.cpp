@@ -90,9 +90,15 @@ Json parts_of_legacy(const Scene& scene, const Stepping& at) {
   Contacts contacts = at.contacts;
   parts["search"] = best([&] { detect(scene.model, state, scene.settings, scene.rules); });
   parts["carry"] = best([&] { carry(contacts, contacts, state, scene.rules, scene.settings.quirks); });
-  System system = assemble(scene.terms, {scene.model, state, scene.settings, dt});
+  BlockMatrix::Pairs coupled;
+  for (const Contact& contact : contacts)
+    coupled.push_back(std::minmax(scene.model.vertices[contact.first.vertex].element.value,
+                                  scene.model.vertices[contact.first.start].element.value));
+  std::ranges::sort(coupled);
+  coupled.erase(std::unique(coupled.begin(), coupled.end()), coupled.end());
+  System system({});
   parts["assembly"] = best([&] {
-    system = assemble(scene.terms, {scene.model, state, scene.settings, dt});
+    system = assemble(scene.terms, {scene.model, state, scene.settings, dt}, coupled);
     add_springs(contacts, scene.model, state, scene.rules, at.penalty, system);
   });
   Solver iterating;
