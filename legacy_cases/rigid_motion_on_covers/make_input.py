@@ -13,7 +13,7 @@ from cover_files import case_text, rectangle, write_case  # noqa: E402
 CENTRE = (0.12, 0.06)
 CORNERS = rectangle(0, 0, 0.24, 0.12)
 DT = 0.1
-SHIFT = (0.01, -0.02)  # of a step
+SHIFT = (0.001, -0.002)  # of a step
 # The trapezoidal rule turns a rigid body by 2 atan(w dt/2) a step.
 SPIN = 2 * math.tan(math.radians(0.5))
 
