@@ -22,14 +22,20 @@ def arc(radius, start, end, chords=64):
     return points
 
 
-def case_text(corners, covers, young, poisson, measured, plane_strain=False):
-    """One body of one weightless material, one load step."""
+def case_text(corners, covers, young, poisson, measured, plane_strain=False, density=1, steps=(1, 1), settings=None, velocity=None):
+    """One body of one weightless material, one load step; or `steps` (count, size) in time where `settings` are those of the run.
+    `velocity`: that of the start, of the centroid, and the rate of rotation."""
     blocks = {'blocks': [{'outer': [[x, y, 1] for x, y in corners]}],
               'measured_points': [[x, y, 1] for x, y in measured]}
-    analysis = {'step_count': 1, 'time_step': 1, 'allowed_displacement_ratio': 0.1, 'plane_strain': plane_strain,
-                'block_materials': [{'density': 1, 'unit_weight': 0, 'youngs_modulus': young, 'poissons_ratio': poisson}],
+    analysis = {'step_count': steps[0], 'time_step': steps[1], 'allowed_displacement_ratio': 0.1 if velocity is None else 1, 'plane_strain': plane_strain,
+                'block_materials': [{'density': density, 'unit_weight': 0, 'youngs_modulus': young, 'poissons_ratio': poisson}],
                 'joint_materials': [{}]}
+    if velocity:
+        analysis['block_materials'][0]['initial_velocity'] = list(velocity)
     parts = [('keyblock', 1), ('blocks', blocks), ('covers', covers), ('analysis', analysis)]
+    if settings is not None:
+        analysis['velocity_carry_over'] = 1
+        parts.append(('run', {'set': settings}))
     return '{\n' + ',\n'.join(' "%s": %s' % (key, laid_out(value, 1)) for key, value in parts) + '\n}\n'
 
 
@@ -57,7 +63,8 @@ def laid_out(value, depth):
 
 
 def write_case(folder, text, values, about, variants=(), slow=False):
-    """`values`: quantity, point, value, tolerance, reason of it, source. `variants`: name, settings, tolerance, reason."""
+    """`values`: quantity, point, value, tolerance, reason of it, source, and the time where it is not 1. `variants`: name, settings,
+    tolerance, reason."""
     os.makedirs(folder, exist_ok=True)
     name = os.path.basename(folder)
     with open(os.path.join(folder, name + '.json'), 'w') as file:
@@ -65,8 +72,8 @@ def write_case(folder, text, values, about, variants=(), slow=False):
     with open(os.path.join(folder, 'expected.csv'), 'w', newline='') as file:
         rows = csv.writer(file, lineterminator='\n')
         rows.writerow(['quantity', 'block', 'time', 'value', 'tolerance', 'tolerance_reason', 'source', 'judged'])
-        for quantity, point, value, tolerance, reason, source in values:
-            rows.writerow([quantity, point, 1, repr(float(value)), '%.6g' % tolerance, reason, source, 'standard'])
+        for quantity, point, value, tolerance, reason, source, *time in values:
+            rows.writerow([quantity, point, *(time or [1]), repr(float(value)), '%.6g' % tolerance, reason, source, 'standard'])
     case = {'about': about, 'legacy': 'not run: bodies on covers are run by profile standard'}
     if slow:
         case['slow'] = True

@@ -360,6 +360,26 @@ TEST(Commands, bodies_on_covers_are_checked_solved_and_drawn) {
       0);
 }
 
+// The free end of a beam carries no normal stress, and the load 1 as shear: 1.5 in the middle of its height.
+TEST(Commands, steps_of_bodies_on_covers_leave_stress_at_points_and_its_picture) {
+  const std::string file = kCases + "sudden_load_on_covers/damped/damped.json";
+  const std::string out = fresh_folder("cover_steps") + "/out";
+  const ProgramRun run = run_keyblock({"run", file, "-o", out});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  const std::string field = read_text(out + "/field.svg");
+  EXPECT_TRUE(contains(field, "displacement × "));
+  EXPECT_TRUE(contains(field, "tension positive"));
+  const std::string points = read_text(out + "/points.csv");
+  const std::size_t last = points.rfind('\n', points.size() - 2);
+  const std::string row = points.substr(last + 1);
+  std::vector<double> values;
+  for (std::size_t at = 0; at < row.size(); at = row.find_first_of(",\n", at) + 1)
+    values.push_back(std::stod(row.substr(at)));
+  ASSERT_EQ(values.size(), 10U);
+  EXPECT_NEAR(values[7], 0, 0.6) << "1 % of the greatest, at the root";
+  EXPECT_NEAR(values[9], 1.5, 0.3);
+}
+
 TEST(Commands, a_body_on_covers_that_can_move_is_exit_4) {
   std::string text = read_text(kCases + "cook_membrane/coarse/coarse.json");
   const std::string held = "{\"along\": [[0, 44], [0, 0]]}";

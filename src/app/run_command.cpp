@@ -273,7 +273,8 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
 
   const std::string title =
       fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);
-  folder.finish(title, history, record.traced, {record.outcome.ledger_scope, record.ledger.rows()});
+  folder.finish(title, history, record.traced, {record.outcome.ledger_scope, record.ledger.rows()},
+                record.outcome.field);
   record.outputs = folder.outputs();
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

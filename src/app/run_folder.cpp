@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -11,6 +12,7 @@
 #include "formats/csv.hpp"
 #include "formats/vtk.hpp"
 #include "report/energy_picture.hpp"
+#include "report/field_picture.hpp"
 #include "report/run_picture.hpp"
 #include "result/describe.hpp"
 
@@ -25,25 +27,56 @@ constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
 
 // What a run writes at its end, and everything it may leave in its folder.
-constexpr std::array kResults{kRecord,      "history.csv", "fields.pvd", "picture.svg",
-                              "energy.svg", "steps.csv",   "blocks.csv", "points.csv"};
-constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
+constexpr std::array kResults{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
+                              "field.svg", "steps.csv",   "blocks.csv", "points.csv"};
+constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg", "field.svg",
                             "steps.csv", "blocks.csv",  "points.csv", kFrameFolder,  kCheckpoint};
 
-// How far each followed point has come, over time.
-std::vector<report::Curve> displacement_curves(const History& history) {
-  constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
+constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
+
+// What the rows of a history hold: measured points, blocks, or the elements of bodies, whose displacements are weighed to the bodies'.
+struct Followed {
+  const char* word;
+  std::vector<std::vector<std::pair<std::size_t, double>>> parts;  ///< of each: points of a row with their shares
+};
+
+Followed followed_by(const History& history, const Frame& start, const FieldFrame& field) {
+  Followed followed{history.of_measured_points ? "measured point" : "block", {}};
+  const std::size_t count = history.rows.front().points.size();
+  if (history.of_measured_points || field.elements.size() != count) {
+    for (std::size_t i = 0; i < count; ++i) followed.parts.push_back({{i, 1.0}});
+    return followed;
+  }
+  followed.word = "body";
+  std::vector<double> masses;
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto body = static_cast<std::size_t>(field.elements[e].body);
+    followed.parts.resize(std::max(followed.parts.size(), body + 1));
+    masses.resize(followed.parts.size());
+    followed.parts[body].emplace_back(e, start.elements[e].mass);
+    masses[body] += start.elements[e].mass;
+  }
+  for (std::size_t body = 0; body < masses.size(); ++body)
+    for (auto& [element, share] : followed.parts[body]) share /= masses[body];
+  return followed;
+}
+
+// How far each of them has come, over time.
+std::vector<report::Curve> displacement_curves(const History& history, const Frame& start, const FieldFrame& field) {
   std::vector<report::Curve> curves;
   if (history.rows.empty()) return curves;
-  const std::size_t count = std::min(history.rows.front().points.size(), kMostCurves);
+  const Followed followed = followed_by(history, start, field);
+  const std::size_t count = std::min(followed.parts.size(), kMostCurves);
   for (std::size_t i = 0; i < count; ++i) {
     report::Curve curve;
-    const bool is_last_of_more = i + 1 == count && history.rows.front().points.size() > count;
-    curve.label = fmt::format("{} {}{}", history.of_measured_points ? "measured point" : "block", i + 1,
-                              is_last_of_more ? fmt::format(" (of {})", history.rows.front().points.size()) : "");
+    const bool is_last_of_more = i + 1 == count && followed.parts.size() > count;
+    curve.label = fmt::format("{} {}{}", followed.word, i + 1,
+                              is_last_of_more ? fmt::format(" (of {})", followed.parts.size()) : "");
     for (const HistoryRow& row : history.rows) {
+      Point mean;
+      for (const auto& [point, share] : followed.parts[i]) mean = mean + share * row.points[point].displacement;
       curve.x.push_back(row.time);
-      curve.y.push_back(length(row.points[i].displacement));
+      curve.y.push_back(length(mean));
     }
     curves.push_back(std::move(curve));
   }
@@ -126,16 +159,21 @@ void RunFolder::add(const Frame& frame) {
 }
 
 void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
-                       const Ledger& ledger) {
+                       const Ledger& ledger, const FieldFrame& field) {
   write("fields.pvd", formats::pvd(frame_files_));
   write("history.csv", formats::history_csv(history));
   write("picture.svg", report::run_picture({title,
                                             frames_.front(),
                                             frames_.back(),
-                                            displacement_curves(history),
+                                            displacement_curves(history, frames_.front(), field),
                                             {"time [T]", "displacement [L]"},
                                             ""}));
   if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger));
+  if (!field.elements.empty()) {
+    if (history.of_measured_points) write("points.csv", formats::points_csv(history));
+    write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,
+                                              frames_.back().measured_points, report::most_varied(field), true}));
+  }
   if (trace_ == Trace::no) return;
   write("steps.csv", formats::steps_csv(steps));
   write("blocks.csv", formats::blocks_csv(frames_));

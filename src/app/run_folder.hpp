@@ -42,9 +42,10 @@ class RunFolder {
   /// Writes the frame's .vtu at once.
   void add(const Frame& frame);
 
-  /// history.csv, fields.pvd, picture.svg, energy.svg if there is a ledger and, for a trace, steps.csv and blocks.csv.
+  /// history.csv, fields.pvd, picture.svg, energy.svg if there is a ledger and, for a trace, steps.csv and blocks.csv. Where `field`
+  /// has elements on covers also field.svg, and points.csv where points are measured.
   void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
-              const Ledger& ledger);
+              const Ledger& ledger, const FieldFrame& field);
 
   /// The same for bodies on covers: a frame's .vtu as `vtu` has it; history.csv, points.csv, fields.pvd and picture.svg.
   void add(const FieldFrame& frame);

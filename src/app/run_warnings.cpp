@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -41,7 +42,9 @@ std::vector<std::string> start_complaints(const StartReport& start) {
 StepWatch::StepWatch(const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
   const Model& model = prepared.scene.model;
-  creeps_ = settings.dynamics == Dynamics::shi && is_static(settings, model) && !model.nodes.empty();
+  const auto is_still = [](const CarriedPoint& point) { return point.curve.times.size() < 2; };
+  creeps_ = std::ranges::all_of(model.fixed_points, is_still) && is_static(settings, model) && !model.nodes.empty() &&
+            (settings.dynamics == Dynamics::shi || settings.standard.motion == MotionRule::dynamic);
   const double time_step = settings.time_step;
   const bool constant = settings.step_control == StepControl::constant;
   const bool cut_stays = settings.quirks.cut_step_stays;

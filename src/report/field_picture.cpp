@@ -77,12 +77,12 @@ struct Patch {
   double value = 0;
 };
 
-std::vector<Patch> patches_of(const FieldFrame& field, StressShown shown) {
+std::vector<Patch> patches_of(const FieldFrame& field, StressShown shown, const Place& place = as_drawn) {
   std::vector<Patch> patches;
   for (const FieldElement& element : field.elements) {
     const double middle = component(element.middle.stress, shown);
     if (element.loops.size() > 1) {
-      patches.push_back({loops_of(element, as_drawn), middle});
+      patches.push_back({loops_of(element, place), middle});
       continue;
     }
     const auto& loop = element.loops.front();
@@ -90,7 +90,7 @@ std::vector<Patch> patches_of(const FieldFrame& field, StressShown shown) {
       const FieldCorner& a = loop[i];
       const FieldCorner& b = loop[(i + 1) % loop.size()];
       const double mean = (middle + component(a.stress, shown) + component(b.stress, shown)) / 3;
-      patches.push_back({{{element.middle.position, a.position, b.position}}, mean});
+      patches.push_back({{{place(element.middle), place(a), place(b)}}, mean});
     }
   }
   return patches;
@@ -203,8 +203,10 @@ StressShown most_varied(const FieldFrame& field) {
 }
 
 std::string field_picture(const FieldPicture& picture) {
-  const double factor = shown_factor(picture.end, bounds(picture.end, as_drawn));
+  const double wanted = shown_factor(picture.end, bounds(picture.end, as_drawn));
+  const double factor = picture.is_of_motion ? std::max(1.0, wanted) : wanted;
   const Place deformed = [factor](const FieldCorner& corner) { return corner.position + factor * corner.displacement; };
+  const bool is_true = picture.is_of_motion && factor == 1;
   Box box = bounds(picture.start, as_drawn);
   visit_corners(picture.end, [&](const FieldCorner& corner) { box.include(deformed(corner)); });
   const Panels panels = place_panels(box);
@@ -219,12 +221,12 @@ std::string field_picture(const FieldPicture& picture) {
   draw_mesh(page, map(0), picture.start, as_drawn, true);
   caption(1, fmt::format("displacement × {:g}", factor));
   draw_mesh(page, map(1), picture.end, deformed, true);
-  const std::vector<Patch> patches = patches_of(picture.end, picture.stress);
+  const std::vector<Patch> patches = patches_of(picture.end, picture.stress, is_true ? deformed : as_drawn);
   const ColourScale scale = scale_of(patches);
   caption(2, fmt::format("{}, tension positive", name_of(picture.stress)));
   draw_stress(page, map(2), patches, scale);
   for (const PointFrame& point : picture.measured)
-    draw_mark(page, map(2)(point.position - point.displacement), Mark::measured_point);
+    draw_mark(page, map(2)(is_true ? point.position : point.position - point.displacement), Mark::measured_point);
   const Point size = map(2).size();
   draw_colour_bar(page, {panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y},
                   std::min(size.y, 240.0), scale, name_of(picture.stress));

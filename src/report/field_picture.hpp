@@ -18,6 +18,7 @@ struct FieldPicture {
   FieldFrame end;
   std::vector<PointFrame> measured;  ///< at the end
   StressShown stress = StressShown::xx;
+  bool is_of_motion = false;  ///< displacements may be large: never drawn smaller, and true ones carry the stress
 };
 
 /// The component that varies most.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/record.hpp"
 
+#include <algorithm>
+
 namespace keyblock {
 namespace {
 
@@ -37,6 +39,35 @@ std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const
     frames.push_back({states[i].position, states[i].displacement, points[i].element.value,
                       state.elements[points[i].element].stress});
   return frames;
+}
+
+// Elements that hang together, of each element the number of its body, counted from 0 in their order.
+std::vector<int> bodies_of(const Model& model) {
+  std::vector<int> first_of_cover;  // the body of the first element on it, or -1
+  std::vector<int> parent;
+  const auto root = [&](int body) {
+    while (parent[static_cast<std::size_t>(body)] != body) body = parent[static_cast<std::size_t>(body)];
+    return body;
+  };
+  for (const Element& element : model.elements) {
+    const auto own = static_cast<int>(parent.size());
+    parent.push_back(own);
+    for (const int cover : element.covers) {
+      const auto c = static_cast<std::size_t>(cover);
+      if (c >= first_of_cover.size()) first_of_cover.resize(c + 1, -1);
+      if (first_of_cover[c] < 0) first_of_cover[c] = own;
+      const int one = root(first_of_cover[c]);
+      const int other = root(own);
+      parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+    }
+  }
+  std::vector<int> bodies(parent.size());
+  int count = 0;
+  for (std::size_t e = 0; e < parent.size(); ++e) {
+    const int lowest = root(static_cast<int>(e));
+    bodies[e] = lowest == static_cast<int>(e) ? count++ : bodies[static_cast<std::size_t>(lowest)];
+  }
+  return bodies;
 }
 
 }  // namespace
@@ -82,6 +113,35 @@ HistoryRow history_row(const Model& model, const State& state, const State& star
     row.points.push_back({centroid, centroid - start.elements[e].centroid, e.value, state.elements[e].stress});
   }
   return row;
+}
+
+void put_point_stress(std::vector<PointFrame>& measured, const Model& model, const Stepper& stepper) {
+  for (std::size_t i = 0; i < model.measured_points.size(); ++i)
+    measured[i].stress = stepper.stress_at(model.measured_points[i].element, model.measured_points[i].start);
+}
+
+FieldFrame field_of(const Model& model, const Stepper& stepper) {
+  const State& state = stepper.state();
+  const State& start = stepper.unloaded();
+  FieldFrame field{state.step, state.time, {}};
+  if (model.nodes.empty()) return field;
+  const std::vector<int> bodies = bodies_of(model);
+  for (ElementIndex e : indices(model.elements)) {
+    const Element& element = model.elements[e];
+    const Point centroid = start.elements[e].centroid;
+    FieldElement& out = field.elements.emplace_back();
+    out.body = bodies[static_cast<std::size_t>(e.value)];
+    out.material = element.material;
+    out.middle = {centroid, state.elements[e].centroid - centroid, stepper.stress_at(e, centroid)};
+    VertexIndex v = element.first_vertex;
+    for (const int size : element.loop_sizes) {
+      auto& loop = out.loops.emplace_back();
+      for (int i = 0; i < size; ++i, ++v.value)
+        loop.push_back(
+            {start.vertices[v], state.vertices[v] - start.vertices[v], stepper.stress_at(e, start.vertices[v])});
+    }
+  }
+  return field;
 }
 
 }  // namespace keyblock

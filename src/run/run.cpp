@@ -44,6 +44,7 @@ class Loop {
     if (!is_framed()) show();
     outcome.steps = state().step;
     outcome.time = state().time;
+    outcome.field = field_of(scene_.model, stepper_);
     return outcome;
   }
 
@@ -52,13 +53,19 @@ class Loop {
   bool is_framed() const { return state().step % record_every_ == 0; }
 
   void show() {
-    if (observer_.on_frame) observer_.on_frame(frame_of(scene_.model, state(), stepper_.unloaded(), scene_.settings));
+    if (!observer_.on_frame) return;
+    Frame frame = frame_of(scene_.model, state(), stepper_.unloaded(), scene_.settings);
+    put_point_stress(frame.measured_points, scene_.model, stepper_);
+    observer_.on_frame(frame);
   }
 
   void keep_row() {
     const bool measures = !scene_.model.measured_points.empty();
     const bool is_due = measures || is_framed() || state().step == scene_.settings.step_count;
-    if (observer_.on_row && is_due) observer_.on_row(history_row(scene_.model, state(), stepper_.unloaded()));
+    if (!observer_.on_row || !is_due) return;
+    HistoryRow row = history_row(scene_.model, state(), stepper_.unloaded());
+    if (measures) put_point_stress(row.points, scene_.model, stepper_);
+    observer_.on_row(row);
   }
 
   void keep_books() {

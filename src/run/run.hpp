@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "problem/blocks.hpp"
+#include "result/field_frame.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
 #include "result/ledger.hpp"
@@ -38,6 +39,7 @@ struct RunOutcome {
   double time = 0;                    ///< reached
   LedgerScope ledger_scope;
   StartReport start;
+  FieldFrame field;  ///< the end of elements on covers that they share; else no elements
 };
 
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever

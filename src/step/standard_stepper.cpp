@@ -183,6 +183,11 @@ void StandardStepper::describe(Archive& archive) {
   archive.group("ledger", [&] { keyblock::describe(archive, ledger_); });
 }
 
+Stress StandardStepper::stress_at(ElementIndex e, Point start) const {
+  return scene_.reference.is_on_covers(e) ? scene_.covers->stress(e, motion_.q.covers, start)
+                                          : state_.elements[e].stress;
+}
+
 std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   ControlledStep made = make_step();

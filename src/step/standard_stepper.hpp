@@ -16,6 +16,7 @@ class StandardStepper : public Stepper {
 
   const State& state() const override { return state_; }
   const State& unloaded() const override { return unloaded_; }
+  Stress stress_at(ElementIndex e, Point start) const override;
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return ledger_; }
   StartReport start_report() const override { return start_report_; }

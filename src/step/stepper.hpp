@@ -20,6 +20,8 @@ class Stepper {
   virtual const State& state() const = 0;
   /// Before any load: displacements are counted from here.
   virtual const State& unloaded() const = 0;
+  /// At the point of an element that lay at `start` before any load: on covers there, else that of the element.
+  virtual Stress stress_at(ElementIndex e, Point) const { return state().elements[e].stress; }
   virtual StartReport start_report() const { return {}; }
   /// On failure the state is unchanged.
   virtual std::variant<StepReport, StepFailure> advance() = 0;

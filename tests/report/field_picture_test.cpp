@@ -40,4 +40,14 @@ TEST(FieldPicture, a_field_at_rest_is_drawn_as_it_is) {
   EXPECT_TRUE(contains(mesh_picture("3 elements", field), "3 elements"));
 }
 
+TEST(FieldPicture, a_motion_is_never_drawn_smaller_than_it_is) {
+  FieldFrame field = sheared();
+  for (auto& corner : field.elements[0].loops[0]) corner.displacement = {3, 0};
+  field.elements[0].middle.displacement = {3, 0};
+  FieldPicture picture{"t", field, field, {}, StressShown::yy};
+  EXPECT_TRUE(contains(field_picture(picture), "displacement × 0.02<"));
+  picture.is_of_motion = true;
+  EXPECT_TRUE(contains(field_picture(picture), "displacement × 1<"));
+}
+
 }  // namespace keyblock::report

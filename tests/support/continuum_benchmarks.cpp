@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/continuum_benchmarks.hpp"
 
-#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "cut/to_cover.hpp"
 
@@ -223,15 +224,59 @@ Continuum swept_plate(CoverFunctions functions, double share) {
   return continuum;
 }
 
-int gradient_iterations(const Continuum& continuum) {
+GradientRun conjugate_gradients(const Continuum& continuum, GradientScaling scaling) {
+  constexpr double kNull = 1e-12;  // of the largest eigenvalue of a block: below it round-off
+  constexpr int kMost = 100000;
   const CoverBasis basis(continuum.manifold, continuum.functions);
   const SparseSystem system = assemble_static(continuum, basis);
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> gradients;  // its default: the diagonal
-  gradients.setTolerance(1e-8);
-  gradients.setMaxIterations(100000);
-  gradients.compute(system.lower());
-  const Eigen::VectorXd x = gradients.solve(system.load());
-  return x.allFinite() ? static_cast<int>(gradients.iterations()) : gradients.maxIterations();
+  const Eigen::SparseMatrix<double>& lower = system.lower();
+  const auto covers = static_cast<Eigen::Index>(continuum.manifold.covers.size());
+  const Eigen::Index size = scaling == GradientScaling::diagonal ? 1 : lower.rows() / covers;
+  std::vector<Eigen::MatrixXd> inverses;
+  for (Eigen::Index first = 0; first < lower.rows(); first += size) {
+    const Eigen::MatrixXd block =
+        Eigen::MatrixXd(lower.block(first, first, size, size)).selfadjointView<Eigen::Lower>();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(block);
+    const double least = kNull * parts.eigenvalues().maxCoeff();
+    const Eigen::VectorXd inverse =
+        parts.eigenvalues().unaryExpr([&](double value) { return value > least ? 1 / value : 0; });
+    inverses.push_back(parts.eigenvectors() * inverse.asDiagonal() * parts.eigenvectors().transpose());
+  }
+  const auto scaled = [&](const Eigen::VectorXd& r) {
+    Eigen::VectorXd z(r.size());
+    for (std::size_t b = 0; b < inverses.size(); ++b) {
+      const Eigen::Index first = static_cast<Eigen::Index>(b) * size;
+      z.segment(first, size) = inverses[b] * r.segment(first, size);
+    }
+    return z;
+  };
+  Eigen::VectorXd r = system.load();
+  Eigen::VectorXd z = scaled(r);
+  Eigen::VectorXd p = z;
+  double rho = r.dot(z);
+  const double wanted = 1e-8 * r.norm();
+  std::vector<double> diagonal;  // of Lanczos' tridiagonal matrix
+  std::vector<double> beside;
+  double last_alpha = 1;
+  double beta = 0;
+  while (r.norm() > wanted && static_cast<int>(diagonal.size()) < kMost) {
+    const Eigen::VectorXd kp = lower.selfadjointView<Eigen::Lower>() * p;
+    const double alpha = rho / p.dot(kp);
+    diagonal.push_back(1 / alpha + (diagonal.empty() ? 0 : beta / last_alpha));
+    r -= alpha * kp;
+    z = scaled(r);
+    const double next = r.dot(z);
+    beta = next / rho;
+    rho = next;
+    beside.push_back(std::sqrt(beta) / alpha);
+    last_alpha = alpha;
+    p = z + beta * p;
+  }
+  const auto n = static_cast<Eigen::Index>(diagonal.size());
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> values;
+  values.computeFromTridiagonal(Eigen::Map<Eigen::VectorXd>(diagonal.data(), n),
+                                Eigen::Map<Eigen::VectorXd>(beside.data(), n - 1), Eigen::EigenvaluesOnly);
+  return {static_cast<int>(n), values.eigenvalues().maxCoeff() / values.eigenvalues().minCoeff()};
 }
 
 }  // namespace keyblock

@@ -45,7 +45,14 @@ ContinuumBenchmark cook_membrane(CoverFunctions functions, double h);
 /// columns `share` of their width, off its upper right corner.
 Continuum swept_plate(CoverFunctions functions, double share);
 
-/// Iterations of conjugate gradients, scaled by the diagonal, to a residual of 1e-8.
-int gradient_iterations(const Continuum& continuum);
+/// What conjugate gradients are scaled by: the diagonal, or the inverse of what couples the unknowns of each cover, up to twelve.
+enum class GradientScaling { diagonal, covers };
+
+/// To a residual of 1e-8; the condition of the scaled matrix without its null space, from the coefficients of the iteration (Lanczos).
+struct GradientRun {
+  int iterations = 0;
+  double condition = 0;
+};
+GradientRun conjugate_gradients(const Continuum& continuum, GradientScaling scaling);
 
 }  // namespace keyblock
