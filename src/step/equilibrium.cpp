@@ -102,12 +102,13 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
   return travel;
 }
 
-std::string no_equilibrium(const std::vector<ElementIndex>& blocks) {
+std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
   std::vector<int> numbers;
   for (ElementIndex e : blocks) numbers.push_back(e.value + 1);
   const bool several = numbers.size() > 1;
-  return fmt::format("no equilibrium: block{} {} accelerate{}", several ? "s" : "", fmt::join(numbers, ", "),
-                     several ? "" : "s");
+  const bool is_of_body = std::ranges::any_of(blocks, [&](ElementIndex e) { return scene.reference.is_on_covers(e); });
+  return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", fmt::join(numbers, ", "),
+                     several ? "" : "s", is_of_body ? "; neither contact nor two fixed points hold its body" : "");
 }
 
 }  // namespace keyblock
