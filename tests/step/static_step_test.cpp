@@ -262,19 +262,22 @@ TEST(StaticStep, a_held_strip_on_covers_bends_further_than_its_size) {
     settings.standard.motion = rule;
     Blocks blocks;
     blocks.blocks = {rectangle({0, 0}, {1, height})};
-    Scene scene = testing::mixed_scene_of(blocks, {0}, analysis, settings, 20, CoverFunctions::derived);
+    Scene scene = testing::mixed_scene_of(blocks, {0}, analysis, settings, 24, CoverFunctions::derived);
     const double force = -5 * analysis.block_materials[0].youngs_modulus * height * height * height / 12;
     for (VertexIndex v : indices(scene.model.vertices)) {
       const Point p = scene.model.start_vertices[static_cast<std::size_t>(v.value)];
       const ElementIndex e = scene.model.vertices[v].element;
       if (p == Point{0, 0} || p == Point{0, height}) scene.model.fixed_points.push_back({p, e, {}});
-      if (p == Point{1, 0}) scene.model.loading_points = {{p, e, {{0}, {{0, force}}, {}}}};
+      if (p == Point{1, 0} || p == Point{1, height})
+        scene.model.loading_points.push_back({p, e, {{0}, {{0, force / 2}}, {}}});
     }
+    ASSERT_EQ(scene.model.loading_points.size(), 2U);
     StandardStepper stepper(scene);
     EXPECT_EQ(step(stepper), "");
-    const Point tip = stepper.state().loading_points.at(0).displacement;
-    EXPECT_NEAR(tip.y, -0.71379, 0.007) << name_of(rule);
-    EXPECT_NEAR(tip.x, -0.38763, 0.02) << name_of(rule);
+    const auto& ends = stepper.state().loading_points;
+    const Point tip = 0.5 * (ends[0].displacement + ends[1].displacement);
+    EXPECT_NEAR(tip.y, -0.71379, 0.015) << name_of(rule);
+    EXPECT_NEAR(tip.x, -0.38763, 0.015) << name_of(rule);
   }
 }
 
