@@ -386,7 +386,7 @@ TEST(Batch, manifold_pairs_are_catalogued_with_their_scene_and_what_both_profile
                        "static: 100 % of the way to equilibrium"));
 }
 
-// 01 pushes a wedge along a joint without friction, 07 unwinds a clock spring, whose end hangs some 19 of its 9 wide.
+// 01 pushes a wedge along a joint without friction; 07 unwinds a clock spring, whose end moves by twice the width of the scene.
 TEST(Batch, old_manifold_pairs_come_to_a_row_each_in_both_profiles) {
   if (!has_sample_covers()) GTEST_SKIP() << "no samples; name their folder in KEYBLOCK_SHARED";
   const fs::path root = fresh_folder("batch_samples");
