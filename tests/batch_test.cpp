@@ -345,8 +345,8 @@ TEST(Batch, every_case_is_converted_and_comes_back_as_the_same_scene) {
   EXPECT_EQ(run_keyblock({"batch", root / "in", "--convert", "paper", "-o", root / "none"}).exit_code, 2);
 }
 
-// A bar held at two points under a load, by the old static steps: few of them reach a share of the way, which the far longer steps of the
-// second file, and equilibria, tell. 5 % is what other modes than the slowest leave of that estimate here.
+// A bar held at two points under a load, by the old static steps: few of them reach a share of the way, which the far
+// longer steps of the second file, and equilibria, tell. 5 % is left for the modes beside the slowest.
 TEST(Batch, manifold_pairs_are_catalogued_with_their_scene_and_what_both_profiles_come_to) {
   const fs::path root = fresh_folder("batch_pairs_on_covers");
   write_text(root / "bar.geo",
@@ -386,7 +386,8 @@ TEST(Batch, manifold_pairs_are_catalogued_with_their_scene_and_what_both_profile
                        "static: 100 % of the way to equilibrium"));
 }
 
-// 01 pushes a wedge along a joint without friction; 07 unwinds a clock spring, whose end moves by twice the width of the scene.
+// 01 pushes a wedge along a joint without friction; 07 unwinds a clock spring, whose end moves by twice the width of
+// the scene.
 TEST(Batch, old_manifold_pairs_come_to_a_row_each_in_both_profiles) {
   if (!has_sample_covers()) GTEST_SKIP() << "no samples; name their folder in KEYBLOCK_SHARED";
   const fs::path root = fresh_folder("batch_samples");
@@ -399,7 +400,9 @@ TEST(Batch, old_manifold_pairs_come_to_a_row_each_in_both_profiles) {
   const auto jobs = jobs_in(root / "out");
   ASSERT_EQ(jobs.size(), 3U);
   EXPECT_TRUE(contains(jobs[0]["scene"], "2 pieces, 1 of them held, of 43 elements on 37 covers; no point load"));
-  EXPECT_TRUE(contains(jobs[0]["answers"][1]["end"], "no equilibrium: block 22 accelerates; neither contact nor two fixed points hold")) << jobs[0];
+  EXPECT_TRUE(contains(jobs[0]["answers"][1]["end"],
+                       "no equilibrium: block 22 accelerates; neither contact nor two fixed points hold"))
+      << jobs[0];
   for (const int job : {0, 1, 2}) {
     const auto& legacy = jobs[job]["answers"][0];
     EXPECT_EQ(legacy["end"], "finished");

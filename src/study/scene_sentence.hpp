@@ -10,8 +10,9 @@
 
 namespace keyblock::study {
 
-/// "static, 5 steps of 0.2; 2 bodies, 1 of them held, of 43 elements on 37 covers; 1 point load of up to 2; E 10, Poisson's ratio 0.25; weight 0.2;
-/// friction 30 degrees". Elements that share a cover are of one body; a body is held where a point of it is fixed.
+/// "static, 5 steps of 0.2; 2 pieces, 1 of them held, of 43 elements on 37 covers; 1 point load of up to 2; E 10,
+/// Poisson's ratio 0.25; weight 0.2; friction 30 degrees". Elements that share a cover are of one piece; it is held
+/// where a point of it is fixed.
 std::string scene_sentence(const Cover& cover, const Analysis& analysis);
 
 /// The same of blocks, each of which is a body.

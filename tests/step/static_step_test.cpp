@@ -248,9 +248,9 @@ TEST(StaticStep, a_driven_point_is_followed_step_after_step) {
   }
 }
 
-// Elastica of Bisshopp & Drucker 1945 at P L² / EI = 5, digits of Mattiasson 1981: the tip comes further than half the strip, its own size, and is
-// still an equilibrium, because the body is held. By statics and by relaxation. Two rows of elements, and a
-// clamp of two points, are worth 1.5 %.
+// Elastica of Bisshopp & Drucker 1945 at P L² / EI = 5, digits of Mattiasson 1981: the tip comes further than half the
+// strip, its own size, and is still an equilibrium, because the body is held. By statics and by relaxation. Three rows
+// of elements, and a clamp of two points, are worth 1.5 %.
 TEST(StaticStep, a_held_strip_on_covers_bends_further_than_its_size) {
   const double height = 0.05;
   for (MotionRule rule : kRules) {
