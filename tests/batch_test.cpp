@@ -10,6 +10,7 @@
 
 #include "tests/support/mixed_archive.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/sample_covers.hpp"
 #include "tests/support/text_files.hpp"
 
 namespace keyblock {
@@ -342,6 +343,79 @@ TEST(Batch, every_case_is_converted_and_comes_back_as_the_same_scene) {
     EXPECT_EQ((*found)["blocks"], jobs[i]["blocks"]);
   }
   EXPECT_EQ(run_keyblock({"batch", root / "in", "--convert", "paper", "-o", root / "none"}).exit_code, 2);
+}
+
+// A bar held at two points under a load, by the old static steps: few of them reach a share of the way, which the far
+// longer steps of the second file, and equilibria, tell. 5 % is left for the modes beside the slowest.
+TEST(Batch, manifold_pairs_are_catalogued_with_their_scene_and_what_both_profiles_come_to) {
+  const fs::path root = fresh_folder("batch_pairs_on_covers");
+  write_text(root / "bar.geo",
+             "0.001\n4 0\n0\n0\n2\n1\n0\n0\n0 0 2 0 1\n2 0 2 1 1\n2 1 0 1 1\n0 1 0 0 1\n0.1 0.05 0.1 0.05\n"
+             "1.9 0.05 1.9 0.05\n1 0.95\n");
+  fs::create_directories(root / "in");
+  ASSERT_EQ(run_keyblock({"cut", root / "bar.geo", "--mesh", "2", "-o", root / "in/cv01"}).exit_code, 0);
+  fs::copy_file(root / "in/cv01", root / "in/cv02");
+  const auto controls = [](const std::string& time_step) {
+    return "0\n20\n1\n1\n0.1\n" + time_step +
+           "\n1000\n0 -1\n1\n0 0\n100 0.25\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n1.6\n0 0 0\n";
+  };
+  write_text(root / "in/mf01", controls("0.03"));
+  write_text(root / "in/mf02", controls("10"));
+  const ProgramRun run = run_keyblock({"batch", root / "in", "--run", "-o", root / "out"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  const auto jobs = jobs_in(root / "out");
+  ASSERT_EQ(jobs.size(), 2U);
+  EXPECT_EQ(jobs[0]["scene"],
+            "static, 20 steps of 0.03; 1 piece, held, of 40 elements on 29 covers; 1 point load of up to 1; E 100, "
+            "Poisson's ratio 0.25; no weight; friction 0 degrees");
+  const auto measures = [&](int job, int profile) { return jobs[job]["answers"].at(profile)["measures"]; };
+  const double creeping = measures(0, 0)["displacement"];
+  const double settled = measures(1, 0)["displacement"];
+  EXPECT_NEAR(measures(0, 0)["equilibrium_share"].get<double>(), creeping / settled, 0.05);
+  EXPECT_LT(creeping / settled, 0.7);
+  EXPECT_NEAR(measures(1, 0)["equilibrium_share"].get<double>(), 1, 1e-3);
+  for (const int job : {0, 1}) {
+    EXPECT_EQ(measures(job, 1)["equilibrium_share"], 1);
+    EXPECT_LT(measures(job, 1)["least_stress"], -1) << "the load presses";
+    EXPECT_GT(measures(job, 1)["greatest_stress"], 0.5) << "the bar bends";
+    EXPECT_EQ(measures(job, 1)["contacts"], 0);
+  }
+  EXPECT_EQ(measures(0, 1)["displacement"], measures(1, 1)["displacement"]);
+  EXPECT_GT(measures(0, 1)["displacement"], settled) << "more is free to bend than in first order";
+  EXPECT_TRUE(contains(run_keyblock({"run", root / "in/cv02", root / "in/mf02", "-o", root / "run"}).messages,
+                       "static: 100 % of the way to equilibrium"));
+}
+
+// 01 pushes a wedge along a joint without friction; 07 unwinds a clock spring, whose end moves by twice the width of
+// the scene.
+TEST(Batch, old_manifold_pairs_come_to_a_row_each_in_both_profiles) {
+  if (!has_sample_covers()) GTEST_SKIP() << "no samples; name their folder in KEYBLOCK_SHARED";
+  const fs::path root = fresh_folder("batch_samples");
+  fs::create_directories(root / "in");
+  for (const char* number : {"01", "02", "07"})
+    for (const char* part : {"cv", "mf"})
+      fs::copy_file(sample_covers() / (std::string(part) + number), root / "in" / (std::string(part) + number));
+  const ProgramRun run = run_keyblock({"batch", root / "in", "--run", "-o", root / "out"});
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  const auto jobs = jobs_in(root / "out");
+  ASSERT_EQ(jobs.size(), 3U);
+  EXPECT_TRUE(contains(jobs[0]["scene"], "2 pieces, 1 of them held, of 43 elements on 37 covers; no point load"));
+  EXPECT_TRUE(contains(jobs[0]["answers"][1]["end"],
+                       "no equilibrium: block 22 accelerates; neither contact nor two fixed points hold"))
+      << jobs[0];
+  for (const int job : {0, 1, 2}) {
+    const auto& legacy = jobs[job]["answers"][0];
+    EXPECT_EQ(legacy["end"], "finished");
+    EXPECT_TRUE(legacy["measures"]["is_static"]);
+    const auto& share = legacy["measures"]["equilibrium_share"];
+    EXPECT_TRUE(share.is_null() || share < 0.2) << "the old static steps creep";
+  }
+  for (const int job : {1, 2}) {
+    EXPECT_EQ(jobs[job]["answers"][1]["end"], "finished") << jobs[job];
+    EXPECT_EQ(jobs[job]["answers"][1]["measures"]["equilibrium_share"], 1);
+  }
+  EXPECT_NEAR(jobs[2]["answers"][1]["measures"]["displacement"].get<double>(), 18.83, 0.02)
+      << "relaxation comes to it too";
 }
 
 }  // namespace keyblock

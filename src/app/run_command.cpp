@@ -139,6 +139,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, const std:
   if (record.outcome.end == RunEnd::stopped)
     spdlog::warn("stopped {}; keyblock run --resume {} goes on",
                  is_at_time_limit() ? "at the limit of processor time" : "by request", folder);
+  if (record.equilibrium_way && record.equilibrium_way->share)
+    spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
 }
 
@@ -269,13 +271,16 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   progress.finish();
   record.timings.run = watch.lap();
   record.warnings = joined(record.warnings, watch_steps.warnings(loaded.problem.analysis->place));
-  record.warnings = joined(record.warnings, outcome_warnings(prepared, record.outcome, loaded.problem.analysis->place));
+  record.extremes = folder.extremes();
+  record.warnings = joined(record.warnings,
+                           outcome_warnings(prepared, record.outcome, record.extremes, loaded.problem.analysis->place));
 
   const std::string title =
       fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);
   folder.finish(title, history, record.traced, {record.outcome.ledger_scope, record.ledger.rows()},
                 record.outcome.field);
   record.outputs = folder.outputs();
+  record.equilibrium_way = watch_steps.equilibrium_way();
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   folder.write_record(json + "\n");

@@ -9,6 +9,7 @@
 
 #include "app/files.hpp"
 #include "base/archive.hpp"
+#include "result/extremes.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
@@ -53,6 +54,9 @@ class RunFolder {
 
   /// run.json, last: where it stands, everything else does.
   void write_record(const std::string& json);
+
+  /// Of the last frame against the first.
+  Extremes extremes() const { return extremes_of(frames_.front(), frames_.back()); }
 
   /// Names of what was written, in order.
   const std::vector<std::string>& outputs() const { return outputs_; }

@@ -90,6 +90,17 @@ Json outcome_json(const RunOutcome& outcome) {
   return json;
 }
 
+Json json_of(const Extremes& found) {
+  return {{"greatest_displacement", {{"value", found.displacement}, {"element", found.displaced_element + 1}}},
+          {"least_principal_stress", {{"value", found.least_stress}, {"element", found.compressed_element + 1}}},
+          {"greatest_principal_stress", {{"value", found.greatest_stress}, {"element", found.stretched_element + 1}}},
+          {"least_area_share", {{"value", found.area_share}, {"element", found.crushed_element + 1}}}};
+}
+
+Json json_of(const EquilibriumWay& way) {
+  return {{"share", way.share ? Json(*way.share) : Json()}, {"last_step_ratio", way.last_step_ratio}};
+}
+
 // Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a name.
 std::string kind_of(const Warning& warning) {
   constexpr std::string_view kDigits = "0123456789";
@@ -168,6 +179,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"version", KEYBLOCK_VERSION},
       {"profile", record.profile},
       {"outcome", outcome_json(record.outcome)},
+      {"extremes", json_of(record.extremes)},
       {"start", start_json(record.outcome.start)},
       {"inputs", inputs_json(record.inputs)},
       {"settings", settings_json(prepared.scene.settings)},
@@ -178,6 +190,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps)}};
+  if (record.equilibrium_way) json["equilibrium"] = json_of(*record.equilibrium_way);
   const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};
   if (!ledger.rows.empty()) json["ledger"] = ledger_json(ledger, record.ledger_sums, record.ledger.stride());
   return json;

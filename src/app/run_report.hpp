@@ -3,11 +3,13 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/counted.hpp"
 #include "formats/case.hpp"
+#include "result/extremes.hpp"
 #include "result/step_record.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
@@ -29,6 +31,12 @@ struct Timings {
   double run = 0;      ///< steps, and the frames written on the way
 };
 
+/// How far a static run came: `share` of the way to equilibrium, none where its steps show no sign of one.
+struct EquilibriumWay {
+  std::optional<double> share;
+  double last_step_ratio = 0;  ///< the last step over the one before; 0 where each step is an equilibrium
+};
+
 struct RunRecord {
   std::string profile;
   std::vector<InputRecord> inputs;
@@ -38,6 +46,8 @@ struct RunRecord {
   LedgerSums ledger_sums;
   LedgerRows ledger;
   RunOutcome outcome;
+  Extremes extremes;                              ///< of the last frame
+  std::optional<EquilibriumWay> equilibrium_way;  ///< of static runs
   Timings timings;
   Warnings warnings;
   int record_every = 1;

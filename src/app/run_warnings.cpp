@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
-#include "app/run_report.hpp"
+#include "material/elastic.hpp"
 #include "model/material_choices.hpp"
 #include "result/describe.hpp"
 
@@ -42,9 +41,12 @@ std::vector<std::string> start_complaints(const StartReport& start) {
 StepWatch::StepWatch(const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
   const Model& model = prepared.scene.model;
-  const auto is_still = [](const CarriedPoint& point) { return point.curve.times.size() < 2; };
-  creeps_ = std::ranges::all_of(model.fixed_points, is_still) && is_static(settings, model) && !model.nodes.empty() &&
-            (settings.dynamics == Dynamics::shi || settings.standard.motion == MotionRule::dynamic);
+  const bool is_old = settings.dynamics == Dynamics::shi;
+  const bool stands_still =
+      std::ranges::all_of(model.fixed_points, [](const CarriedPoint& point) { return point.curve.times.size() < 2; });
+  creeps_ = is_static(settings, model) && !model.nodes.empty() &&
+            (is_old || (settings.standard.motion == MotionRule::dynamic && stands_still));
+  balances_ = !is_old && settings.standard.motion == MotionRule::equilibrium;
   const double time_step = settings.time_step;
   const bool constant = settings.step_control == StepControl::constant;
   const bool cut_stays = settings.quirks.cut_step_stays;
@@ -131,20 +133,26 @@ Warnings StepWatch::warnings(const Place& place) const {
 
 // Of a mode of frequency ω each step leaves the share p = 1 / (1 + (ω dt)²/2): steps shrink by p, and the sum of those to come is
 // the last times p / (1 - p).
-Warnings StepWatch::far_from_equilibrium(const Place& place) const {
-  if (!creeps_ || steps_ < 2 || way_ == 0) return {};
+std::optional<EquilibriumWay> StepWatch::equilibrium_way() const {
+  if (balances_ && steps_ > 0) return EquilibriumWay{1, 0};
+  if (!creeps_ || steps_ < 2 || way_ == 0) return std::nullopt;
   const double shrinking = before_ > 0 ? last_ / before_ : 1;
-  const double to_come = shrinking < 1 ? last_ * shrinking / (1 - shrinking) : std::numeric_limits<double>::infinity();
-  const double reached = way_ / (way_ + to_come);
-  if (reached > kNearEquilibrium) return {};
-  const std::string how_far = shrinking < 1 ? fmt::format("about {:.2g} % of the way to equilibrium", 100 * reached)
-                                            : "no sign of an equilibrium";
-  return {{"far_from_equilibrium", place,
-           fmt::format("static, each step from rest: after {} steps the last, {:.3g} of the one before, shows {}",
-                       steps_, shrinking, how_far)}};
+  if (shrinking >= 1) return EquilibriumWay{std::nullopt, shrinking};
+  return EquilibriumWay{way_ / (way_ + last_ * shrinking / (1 - shrinking)), shrinking};
 }
 
-Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place) {
+Warnings StepWatch::far_from_equilibrium(const Place& place) const {
+  const std::optional<EquilibriumWay> way = equilibrium_way();
+  if (!way || way->share.value_or(0) > kNearEquilibrium) return {};
+  const std::string how_far = way->share ? fmt::format("about {:.2g} % of the way to equilibrium", 100 * *way->share)
+                                         : "no sign of an equilibrium";
+  return {{"far_from_equilibrium", place,
+           fmt::format("static, each step from rest: after {} steps the last, {:.3g} of the one before, shows {}",
+                       steps_, way->last_step_ratio, how_far)}};
+}
+
+Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Extremes& extremes,
+                          const Place& place) {
   Warnings warnings;
   for (const std::string& sentence : start_complaints(outcome.start))
     warnings.push_back({"start_not_as_asked", place, sentence});
@@ -156,6 +164,13 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
   };
   for (const CarriedPoint& point : prepared.scene.model.loading_points)
     warn_held("load_held_after_table", "load", point.curve);
+  const bool is_on_covers = prepared.scene.settings.dynamics == Dynamics::standard &&
+                            prepared.scene.model.elements[ElementIndex{extremes.crushed_element}].is_on_covers();
+  if (is_on_covers && extremes.area_share < kSofteningStretch)
+    warnings.push_back({"crushed_beyond_law", place,
+                        fmt::format("element {} is pressed to {:.2g} of its area; the elastic law gives way below a "
+                                    "stretch of {:.2g}: do not trust what is near it",
+                                    extremes.crushed_element + 1, extremes.area_share, kSofteningStretch)});
   warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
   return warnings;
 }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/run_report.hpp"
 #include "base/archive.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
@@ -23,6 +25,9 @@ class StepWatch {
   /// At the place of the analysis.
   Warnings warnings(const Place& place) const;
 
+  /// None for dynamics, for blocks under the old rules, and before two steps of the old kind.
+  std::optional<EquilibriumWay> equilibrium_way() const;
+
  private:
   struct Kind {
     const char* name;
@@ -34,19 +39,20 @@ class StepWatch {
     int count = 0;  ///< steps concerned
   };
 
-  std::vector<Kind> kinds_;
-  /// Static steps of the old kind each start from rest, and creep: their last frame need not be equilibrium.
   Warnings far_from_equilibrium(const Place& place) const;
 
+  std::vector<Kind> kinds_;
   std::vector<Seen> seen_;  ///< one a kind
   int steps_ = 0;
-  bool creeps_ = false;
-  double way_ = 0;     ///< sum of the greatest displacements of the steps, over the allowed one
-  double before_ = 0;  ///< that of the last step but one
+  bool creeps_ = false;    ///< static steps of the old kind, each from rest: their last frame need not be equilibrium
+  bool balances_ = false;  ///< each step is an equilibrium
+  double way_ = 0;         ///< sum of the greatest displacements of the steps, over the allowed one
+  double before_ = 0;      ///< that of the last step but one
   double last_ = 0;
 };
 
-/// Of a start not as asked, and of tables that end before the run does.
-Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place);
+/// Of a start not as asked, of tables that end before the run does, and of elements crushed beyond their law.
+Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Extremes& extremes,
+                          const Place& place);
 
 }  // namespace keyblock

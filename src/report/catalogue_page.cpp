@@ -65,11 +65,13 @@ std::string answers_cell(const CatalogueRow& row) {
 
 std::string row_of(const CatalogueRow& row) {
   return fmt::format(
-      "<tr class=\"{0}\"><td>{1}</td><td>{2}</td>{3}<td>{4}</td><td>{5}</td>{6}{7}{8}<td class=\"outcome\">{0}</td>"
-      "<td>{9}</td>{10}<td class=\"number\">{11}</td></tr>\n",
+      "<tr class=\"{0}\"><td>{1}</td><td>{2}</td>{3}<td>{4}</td><td>{5}</td><td>{6}</td>{7}{8}{9}<td "
+      "class=\"outcome\">{0}</td>"
+      "<td>{10}</td>{11}<td class=\"number\">{12}</td></tr>\n",
       row.outcome, row.thumbnail, escape_xml(row.name), files_cell(row), escape_xml(row.formats()),
-      escape_xml(row.paired_by), number_cell(row.blocks), number_cell(row.elements), number_cell(row.steps),
-      escape_xml(row.message), answers_cell(row), row.difference ? fmt::format("{:.6g}", *row.difference) : "");
+      escape_xml(row.paired_by), escape_xml(row.scene), number_cell(row.blocks), number_cell(row.elements),
+      number_cell(row.steps), escape_xml(row.message), answers_cell(row),
+      row.difference ? fmt::format("{:.6g}", *row.difference) : "");
 }
 
 std::string summary_of(const std::vector<CatalogueRow>& rows) {
@@ -89,8 +91,20 @@ std::string CatalogueRow::formats() const {
   return text;
 }
 
+std::string text_of(const CatalogueMeasures& measures) {
+  std::string text =
+      fmt::format("at most {:.4g} anywhere, principal stress {:.4g} to {:.4g}, {}", measures.displacement,
+                  measures.least_stress, measures.greatest_stress,
+                  measures.contacts > 0 ? fmt::format("{} contacts or fewer", measures.contacts) : "no contact");
+  if (!measures.is_static) return text;
+  return text + (measures.equilibrium_share
+                     ? fmt::format(", about {:.3g} % of the way to equilibrium", 100 * *measures.equilibrium_share)
+                     : ", no sign of an equilibrium");
+}
+
 std::string text_of(const CatalogueAnswer& answer) {
-  const std::string end = fmt::format("{}, {} steps", answer.end, answer.steps);
+  const std::string measures = answer.measures ? text_of(*answer.measures) + "; " : "";
+  const std::string end = fmt::format("{}{}, {} steps", measures, answer.end, answer.steps);
   if (answer.of_what.empty()) return end;
   return fmt::format("{} moved by ({:.6g}, {:.6g}), {:.6g}, at time {:.6g}; {}", answer.of_what, answer.dx, answer.dy,
                      std::hypot(answer.dx, answer.dy), answer.time, end);
@@ -103,7 +117,8 @@ std::string catalogue_page(const std::string& title, const std::vector<Catalogue
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>\n"
       "<body><h1>{0}</h1><p>{2}. A click on a heading sorts; rows with "
       "<input id=\"sift\" placeholder=\"any text\"> only.</p>\n"
-      "<table><thead><tr><th></th><th>job</th><th>files, SHA-256</th><th>dialect</th><th>paired by</th><th>blocks</th>"
+      "<table><thead><tr><th></th><th>job</th><th>files, SHA-256</th><th>dialect</th><th>paired "
+      "by</th><th>scene</th><th>blocks</th>"
       "<th>elements</th><th>steps</th><th>outcome</th><th>message</th><th>answers</th><th>difference</th></tr></"
       "thead>\n"
       "<tbody>\n{3}</tbody></table>\n<script>{4}</script></body></html>\n",

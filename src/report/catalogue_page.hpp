@@ -14,6 +14,16 @@ struct CatalogueFile {
   std::string sha256;  ///< empty where the file was too large to be read
 };
 
+/// What a run says of all its elements, at its end.
+struct CatalogueMeasures {
+  double displacement = 0;     ///< greatest of a vertex since the start
+  double least_stress = 0;     ///< principal, tension positive
+  double greatest_stress = 0;  ///< the same
+  int contacts = 0;            ///< most in a step
+  bool is_static = false;      ///< with a share of the way to equilibrium, or without any sign of one
+  std::optional<double> equilibrium_share;
+};
+
 /// What a run came to.
 struct CatalogueAnswer {
   std::string profile;
@@ -23,6 +33,7 @@ struct CatalogueAnswer {
   std::string of_what;  ///< "measured point 2", "centroid of block 3"; empty where nothing was reached
   double dx = 0;        ///< its displacement since the start, in the file's unit
   double dy = 0;
+  std::optional<CatalogueMeasures> measures;
 };
 
 struct CatalogueRow {
@@ -32,6 +43,7 @@ struct CatalogueRow {
   std::optional<int> blocks;    ///< as given or as cut
   std::optional<int> elements;  ///< of a cover
   std::optional<int> steps;     ///< as the analysis asks for
+  std::string scene;            ///< what it is, in words; empty where geometry or analysis is missing
   std::string outcome;          ///< "ok", "warnings", "failed" or "listed"
   int warnings = 0;
   std::string message;  ///< the first error, else the first warning

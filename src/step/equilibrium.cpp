@@ -19,6 +19,18 @@ constexpr double kBalanced = 1e-8;
 // Way of a held point from where it is wanted, over the size of its block: above what steps settle increments to.
 constexpr double kInPlace = 1e-9;
 
+// A body with two held points cannot leave: where it is soft it may hang further from its place than its own size.
+bool is_held(const StandardScene& scene, ElementIndex e) {
+  const CarriedPoint* first = nullptr;
+  for (const CarriedPoint& point : scene.held) {
+    const bool are_on_covers = scene.reference.is_on_covers(point.element) && scene.reference.is_on_covers(e);
+    if (point.element != e && !(are_on_covers && scene.covers->are_one_body(point.element, e))) continue;
+    if (first && !(first->start == point.start)) return true;
+    first = &point;
+  }
+  return false;
+}
+
 double size_of_force(const Unknowns& force, double size) {
   if (force.size() == 0) return 0;
   return worse(force.head<2>().norm(), force.tail(force.size() - 2).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / size);
@@ -85,17 +97,18 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
     double way = 0;
     for (VertexIndex v : scene.model.elements[e].vertices()) way = worse(way, distance(before[v], after[v]));
     travel.share = worse(travel.share, way / scene.bodies[e].size);
-    if (!(way <= scene.bodies[e].size)) travel.far.push_back(e);
+    if (!(way <= scene.bodies[e].size) && !is_held(scene, e)) travel.far.push_back(e);
   }
   return travel;
 }
 
-std::string no_equilibrium(const std::vector<ElementIndex>& blocks) {
+std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
   std::vector<int> numbers;
   for (ElementIndex e : blocks) numbers.push_back(e.value + 1);
   const bool several = numbers.size() > 1;
-  return fmt::format("no equilibrium: block{} {} accelerate{}", several ? "s" : "", fmt::join(numbers, ", "),
-                     several ? "" : "s");
+  const bool is_of_body = std::ranges::any_of(blocks, [&](ElementIndex e) { return scene.reference.is_on_covers(e); });
+  return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", fmt::join(numbers, ", "),
+                     several ? "" : "s", is_of_body ? "; neither contact nor two fixed points hold its body" : "");
 }
 
 }  // namespace keyblock

@@ -28,14 +28,14 @@ double driving_force(const StandardScene& scene, const Motion& motion, double ti
 double largest_load(const StandardScene& scene, const UnknownsTable& loads);
 
 /// Greatest way of a vertex between two motions over the size of its block, and the blocks that came further than their own
-/// size: an equilibrium so far away is another one.
+/// size, unless two points hold them: an equilibrium so far away is another one.
 struct Travel {
   double share = 0;
   std::vector<ElementIndex> far;
 };
 Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to);
 
-/// "no equilibrium: block 3 accelerates".
-std::string no_equilibrium(const std::vector<ElementIndex>& blocks);
+/// "no equilibrium: block 3 accelerates"; of an element on covers also that nothing holds its body.
+std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks);
 
 }  // namespace keyblock

@@ -74,7 +74,7 @@ class Relaxation {
     kinetic_ = kinetic_energy(scene_, result_.motion.v);
     greatest_kinetic_ = std::max(greatest_kinetic_, kinetic_);
     const Travel travel = travel_of(scene_, start_.q, result_.motion.q);
-    if (!travel.far.empty()) result_.failure = no_equilibrium(travel.far);
+    if (!travel.far.empty()) result_.failure = no_equilibrium(scene_, travel.far);
     if (kinetic_ < last) stop();
   }
 

@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 
 #include "contact/gap.hpp"
+#include "material/elastic.hpp"
 #include "result/describe.hpp"
 #include "step/acceleration.hpp"
 #include "step/compatible_start.hpp"
@@ -36,6 +38,21 @@ bool has_initial_stress(const StandardScene& scene) {
 constexpr double kMisfit = 1e-6;
 // Jointed masses of more touching pairs than this are settled at once: multipliers between rigid blocks seldom settle there.
 constexpr std::size_t kMostExact = 40;
+
+/// What led to it, where an element on covers is crushed to nothing; empty otherwise.
+std::string crushed_before(const StandardScene& scene, const State& before, const State& end) {
+  for (ElementIndex e : indices(end.elements)) {
+    const double area = end.elements[e].moments.area;
+    if (!std::isfinite(area) || area > 0 || !scene.model.elements[e].is_on_covers()) continue;
+    const double first = state_of(scene, start_motion(scene)).elements[e].moments.area;
+    return fmt::format(
+        "; a step before it was pressed to {:.2g} of its area, and the elastic law (St. Venant-Kirchhoff) bears less "
+        "and "
+        "less below a stretch of {:.2g}",
+        before.elements[e].moments.area / first, kSofteningStretch);
+  }
+  return {};
+}
 
 struct First {
   Motion motion;
@@ -194,6 +211,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!made.step.converged || !made.step.failure.empty()) return failure_of(made.step);
   State end = state_of(scene_, made.step.motion);
   made.step.failure = impossible(end);
+  if (!made.step.failure.empty()) made.step.failure += crushed_before(scene_, state_, end);
   if (!made.step.failure.empty()) return failure_of(made.step);
   end.step = state_.step + 1;
   end.time = state_.time + scene_.settings.time_step;

@@ -230,7 +230,7 @@ class StaticSolve {
   std::string why_far(const Balance& balance) const {
     std::vector<ElementIndex> blocks;
     std::ranges::set_intersection(travel_of(scene_, start_.q, now_.q).far, balance.blocks, std::back_inserter(blocks));
-    return blocks.empty() ? std::string() : no_equilibrium(blocks);
+    return blocks.empty() ? std::string() : no_equilibrium(scene_, blocks);
   }
 
   const StandardScene& scene_;

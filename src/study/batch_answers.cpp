@@ -44,10 +44,24 @@ void add_displacement(CatalogueAnswer& answer, const std::filesystem::path& file
   answer.of_what = fmt::format("{} {}", has_measured_points ? "measured point" : "centroid of block", points);
 }
 
+void add_measures(CatalogueAnswer& answer, const Json& record) {
+  if (!record.contains("extremes") || answer.steps == 0) return;
+  const Json& extremes = record.at("extremes");
+  report::CatalogueMeasures measures{extremes.at("greatest_displacement").at("value"),
+                                     extremes.at("least_principal_stress").at("value"),
+                                     extremes.at("greatest_principal_stress").at("value"),
+                                     record.at("counts").at("most_contacts"),
+                                     record.contains("equilibrium"),
+                                     std::nullopt};
+  if (measures.is_static && !record.at("equilibrium").at("share").is_null())
+    measures.equilibrium_share = record.at("equilibrium").at("share").get<double>();
+  answer.measures = measures;
+}
+
 }  // namespace
 
 CatalogueAnswer answer_in(const std::filesystem::path& folder, const std::string& profile) {
-  CatalogueAnswer answer{profile, "no result", 0, 0, {}, 0, 0};
+  CatalogueAnswer answer{profile, "no result", 0, 0, {}, 0, 0, std::nullopt};
   try {
     const Json record = read_json(folder / "run.json");
     const Json& outcome = record.at("outcome");
@@ -55,6 +69,7 @@ CatalogueAnswer answer_in(const std::filesystem::path& folder, const std::string
     if (outcome.contains("reason")) answer.end += ": " + outcome.at("reason").get<std::string>();
     answer.steps = outcome.at("steps");
     answer.time = outcome.at("time");
+    add_measures(answer, record);
     add_displacement(answer, folder / "history.csv", record.at("counts").at("measured_points") > 0);
   } catch (const Json::exception& error) {
     answer.end = fmt::format("run.json cannot be read: {}", error.what());

@@ -4,12 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace keyblock::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using report::CatalogueAnswer;
 using report::CatalogueFile;
+using report::CatalogueMeasures;
 using report::CatalogueRow;
 
 template <class Number>
@@ -22,14 +25,32 @@ std::optional<Number> or_nothing(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<Number>());
 }
 
+Json json_of(const CatalogueMeasures& m) {
+  return {{"displacement", m.displacement},
+          {"least_stress", m.least_stress},
+          {"greatest_stress", m.greatest_stress},
+          {"contacts", m.contacts},
+          {"is_static", m.is_static},
+          {"equilibrium_share", or_null(m.equilibrium_share)}};
+}
+
+std::optional<CatalogueMeasures> measures_of(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return CatalogueMeasures{json.at("displacement"),    json.at("least_stress"),
+                           json.at("greatest_stress"), json.at("contacts"),
+                           json.at("is_static"),       or_nothing<double>(json.at("equilibrium_share"))};
+}
+
 Json json_of(const CatalogueAnswer& a) {
-  return {{"profile", a.profile}, {"end", a.end}, {"steps", a.steps}, {"time", a.time},
-          {"of_what", a.of_what}, {"dx", a.dx},   {"dy", a.dy}};
+  return {{"profile", a.profile}, {"end", a.end},
+          {"steps", a.steps},     {"time", a.time},
+          {"of_what", a.of_what}, {"dx", a.dx},
+          {"dy", a.dy},           {"measures", a.measures ? json_of(*a.measures) : Json()}};
 }
 
 CatalogueAnswer answer_of(const Json& json) {
   return {json.at("profile"), json.at("end"), json.at("steps"), json.at("time"),
-          json.at("of_what"), json.at("dx"),  json.at("dy")};
+          json.at("of_what"), json.at("dx"),  json.at("dy"),    measures_of(json.at("measures"))};
 }
 
 std::string cell(const std::string& text) {
@@ -51,6 +72,22 @@ std::string joined_cell(const List& list, Text text) {
   return cell(all);
 }
 
+/// What each answer says by `text` of its measures, "none" where it has none; empty where no answer has any.
+template <class Text>
+std::string measure_cell(const CatalogueRow& row, Text text) {
+  if (std::ranges::none_of(row.answers, [](const CatalogueAnswer& a) { return a.measures.has_value(); })) return {};
+  return joined_cell(row.answers, [&](const CatalogueAnswer& a) { return a.measures ? text(*a.measures) : "none"; });
+}
+
+std::string share_of(const CatalogueMeasures& measures) {
+  if (!measures.is_static) return "dynamic";
+  return measures.equilibrium_share ? fmt::format("{:.4g}", *measures.equilibrium_share) : "no sign";
+}
+
+std::string text_of_number(double number) {
+  return fmt::format("{:.6g}", number);
+}
+
 }  // namespace
 
 Json json_of(const CatalogueRow& row) {
@@ -65,6 +102,7 @@ Json json_of(const CatalogueRow& row) {
           {"blocks", or_null(row.blocks)},
           {"elements", or_null(row.elements)},
           {"steps", or_null(row.steps)},
+          {"scene", row.scene},
           {"outcome", row.outcome},
           {"warnings", row.warnings},
           {"message", row.message},
@@ -83,6 +121,7 @@ CatalogueRow row_of(const Json& json) {
   row.blocks = or_nothing<int>(json.at("blocks"));
   row.elements = or_nothing<int>(json.at("elements"));
   row.steps = or_nothing<int>(json.at("steps"));
+  row.scene = json.at("scene");
   row.outcome = json.at("outcome");
   row.warnings = json.at("warnings");
   row.message = json.at("message");
@@ -106,14 +145,20 @@ std::string catalogue_json(const std::vector<CatalogueRow>& rows) {
 
 std::string catalogue_csv(const std::vector<CatalogueRow>& rows) {
   std::string text =
-      "job,files,dialect,sha256,paired_by,blocks,elements,steps,outcome,warnings,message,answers,difference,expected,"
-      "outputs\n";
+      "job,files,dialect,sha256,paired_by,blocks,elements,steps,scene,outcome,warnings,message,profiles,ends,"
+      "greatest_displacement,least_stress,greatest_stress,equilibrium_share,answers,difference,expected,outputs\n";
   for (const CatalogueRow& row : rows)
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(row.name),
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(row.name),
         joined_cell(row.files, [](const CatalogueFile& f) { return f.path; }), cell(row.formats()),
         joined_cell(row.files, [](const CatalogueFile& f) { return f.sha256; }), cell(row.paired_by), cell(row.blocks),
-        cell(row.elements), cell(row.steps), cell(row.outcome), row.warnings, cell(row.message),
+        cell(row.elements), cell(row.steps), cell(row.scene), cell(row.outcome), row.warnings, cell(row.message),
+        joined_cell(row.answers, [](const CatalogueAnswer& a) { return a.profile; }),
+        joined_cell(row.answers, [](const CatalogueAnswer& a) { return a.end; }),
+        measure_cell(row, [](const CatalogueMeasures& m) { return text_of_number(m.displacement); }),
+        measure_cell(row, [](const CatalogueMeasures& m) { return text_of_number(m.least_stress); }),
+        measure_cell(row, [](const CatalogueMeasures& m) { return text_of_number(m.greatest_stress); }),
+        measure_cell(row, share_of),
         joined_cell(row.answers, [](const CatalogueAnswer& a) { return a.profile + ": " + report::text_of(a); }),
         row.difference ? fmt::format("{}", *row.difference) : "", cell(row.expected),
         joined_cell(row.outputs, [](const std::string& output) { return output; }));

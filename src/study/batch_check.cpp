@@ -10,6 +10,7 @@
 #include "run/prepare.hpp"
 #include "study/batch_files.hpp"
 #include "study/named_files.hpp"
+#include "study/scene_sentence.hpp"
 
 namespace keyblock::study {
 
@@ -45,7 +46,8 @@ std::string below(const fs::path& root, const BatchJob& job, std::string text) {
   return text;
 }
 
-void draw(CatalogueRow& row, const Blocks& blocks) {
+void draw(CatalogueRow& row, const Problem& problem, const Blocks& blocks) {
+  if (problem.analysis) row.scene = scene_sentence(blocks, *problem.analysis);
   row.blocks = static_cast<int>(blocks.blocks.size());
   row.thumbnail = report::thumbnail(blocks);
 }
@@ -53,15 +55,16 @@ void draw(CatalogueRow& row, const Blocks& blocks) {
 // A drawing that closes no block is shown by its lines; the error says the rest.
 Warnings look_at_scene(CatalogueRow& row, const Problem& problem) {
   if (problem.analysis) row.steps = problem.analysis->step_count;
-  if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) draw(row, *blocks);
+  if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) draw(row, problem, *blocks);
   if (const auto* cover = std::get_if<Cover>(&problem.geometry)) {
     row.elements = static_cast<int>(cover->elements.size());
     row.thumbnail = report::thumbnail(*cover);
+    if (problem.analysis) row.scene = scene_sentence(*cover, *problem.analysis);
   }
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) {
     row.thumbnail = report::thumbnail(*drawing);
     const CutResult cut = cut_blocks(*drawing);
-    draw(row, cut.blocks);
+    draw(row, problem, cut.blocks);
     return cut.warnings;
   }
   return {};

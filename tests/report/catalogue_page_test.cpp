@@ -44,9 +44,15 @@ TEST(CataloguePage, has_as_many_cells_in_each_row_as_headings) {
 }
 
 TEST(CataloguePage, an_answer_is_told_with_its_length) {
-  EXPECT_EQ(text_of({"legacy", "finished", 10, 0.5, "measured point 1", 3, -4}),
-            "measured point 1 moved by (3, -4), 5, at time 0.5; finished, 10 steps");
-  EXPECT_EQ(text_of({"legacy", "no result", 0, 0, "", 0, 0}), "no result, 0 steps");
+  CatalogueAnswer answer{"legacy", "finished", 10, 0.5, "measured point 1", 3, -4, std::nullopt};
+  EXPECT_EQ(text_of(answer), "measured point 1 moved by (3, -4), 5, at time 0.5; finished, 10 steps");
+  answer.measures = CatalogueMeasures{7, -2, 0.5, 12, true, 0.125};
+  EXPECT_EQ(text_of(answer),
+            "measured point 1 moved by (3, -4), 5, at time 0.5; at most 7 anywhere, principal stress -2 to 0.5, 12 "
+            "contacts or fewer, about 12.5 % of the way to equilibrium; finished, 10 steps");
+  answer.measures = CatalogueMeasures{7, -2, 0.5, 0, true, std::nullopt};
+  EXPECT_NE(text_of(answer).find("no contact, no sign of an equilibrium;"), std::string::npos);
+  EXPECT_EQ(text_of({"legacy", "no result", 0, 0, "", 0, 0, std::nullopt}), "no result, 0 steps");
 }
 
 TEST(Thumbnail, draws_blocks_loops_and_lines_up_to_a_bound) {

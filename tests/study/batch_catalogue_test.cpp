@@ -19,7 +19,12 @@ report::CatalogueRow full_row() {
   row.outcome = "warnings";
   row.warnings = 2;
   row.message = "two\nlines";
-  row.answers = {{"legacy", "finished", 10, 0.5, "measured point 1", 3, 4}};
+  row.answers = {
+      {"legacy", "finished", 10, 0.5, "measured point 1", 3, 4, report::CatalogueMeasures{7, -2, 0.5, 12, true, 0.125}},
+      {"standard", "finished", 10, 0.5, "measured point 1", 3, 4,
+       report::CatalogueMeasures{8, -3, 0.25, 0, true, std::nullopt}},
+      {"draft", "no result", 0, 0, "", 0, 0, std::nullopt}};
+  row.scene = "static, 10 steps of 0.05";
   row.difference = 0.25;
   row.expected = "legacy: hold";
   row.outputs = {"jobs/a/legacy", "jobs/a/standard"};
@@ -48,6 +53,13 @@ TEST(BatchCatalogue, the_table_keeps_commas_quotes_and_line_ends) {
   EXPECT_EQ(cell("elements"), "");
   EXPECT_EQ(cell("message"), "two\nlines");
   EXPECT_EQ(cell("difference"), "0.25");
+  EXPECT_EQ(cell("scene"), "static, 10 steps of 0.05");
+  EXPECT_EQ(cell("profiles"), "legacy | standard | draft");
+  EXPECT_EQ(cell("ends"), "finished | finished | no result");
+  EXPECT_EQ(cell("greatest_displacement"), "7 | 8 | none");
+  EXPECT_EQ(cell("least_stress"), "-2 | -3 | none");
+  EXPECT_EQ(cell("greatest_stress"), "0.5 | 0.25 | none");
+  EXPECT_EQ(cell("equilibrium_share"), "0.125 | no sign | none");
   EXPECT_EQ(cell("outputs"), "jobs/a/legacy | jobs/a/standard");
 }
 

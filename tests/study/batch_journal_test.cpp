@@ -20,7 +20,7 @@ report::CatalogueRow some_row(const std::string& name) {
   row.outcome = "failed";
   row.warnings = 2;
   row.message = "found \"a, b\"";
-  row.answers = {{"legacy", "finished", 100, 0.5, "measured point 1", 0.1, -0.2}};
+  row.answers = {{"legacy", "finished", 100, 0.5, "measured point 1", 0.1, -0.2, std::nullopt}};
   row.difference = 1e-3;
   row.expected = "legacy: hold";
   row.outputs = {"jobs/a/legacy"};

@@ -1,0 +1,28 @@
+// What a run came to in a few numbers: how far anything moved, and between which stresses everything lies.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "result/frame.hpp"
+
+namespace keyblock {
+
+/// The least and the greatest principal stress, tension positive.
+std::pair<double, double> principal(const Stress& stress);
+
+struct Extremes {
+  double displacement = 0;     ///< greatest of a vertex
+  int displaced_element = 0;   ///< whose vertex that is, index from 0
+  double least_stress = 0;     ///< principal, tension positive, of the mean stresses of elements
+  int compressed_element = 0;  ///< index from 0
+  double greatest_stress = 0;
+  int stretched_element = 0;
+  double area_share = 1;  ///< least area of an element over that at the start
+  int crushed_element = 0;
+};
+
+/// Of the instant `end` of a run that began with `start`: the same elements with as many vertices. All zero without any.
+Extremes extremes_of(const Frame& start, const Frame& end);
+
+}  // namespace keyblock
