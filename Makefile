@@ -7,7 +7,7 @@ SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
            libhdf5-dev libmuparser-dev libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev
 
-.PHONY: help build debug run test cases validate sanitize fuzz format tidy clean packages
+.PHONY: help build debug run test cases validate bench sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -33,6 +33,11 @@ validate: build ## longer checks: every case and trace, slow ones too, cutting a
 	build/keyblock compare --all legacy_cases
 	cmake -S . -B build -G Ninja
 	cmake --build build --target keyblock_validate -- -k 0
+
+bench: packages ## what steps cost as scenes grow, beside the old program's figures and Box2D; numbers in build/bench.json
+	@$(call install_missing,libbox2d-dev)
+	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+	cmake --build build --target keyblock_bench
 
 build: packages ## the program build/keyblock and its tests
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release

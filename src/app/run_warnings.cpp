@@ -24,6 +24,8 @@ constexpr double kLargeImbalance = 1e-6;
 constexpr double kLargeMisfit = 1e-6;
 // A static run that has come this far is said to be in equilibrium.
 constexpr double kNearEquilibrium = 0.99;
+// A step that is this share of the way before it is round-off: it need not shrink any more.
+constexpr double kNoStep = 1e-9;
 
 std::vector<std::string> start_complaints(const StartReport& start) {
   std::vector<std::string> sentences;
@@ -137,6 +139,7 @@ std::optional<EquilibriumWay> StepWatch::equilibrium_way() const {
   if (balances_ && steps_ > 0) return EquilibriumWay{1, 0};
   if (!creeps_ || steps_ < 2 || way_ == 0) return std::nullopt;
   const double shrinking = before_ > 0 ? last_ / before_ : 1;
+  if (last_ < kNoStep * way_) return EquilibriumWay{1, shrinking};
   if (shrinking >= 1) return EquilibriumWay{std::nullopt, shrinking};
   return EquilibriumWay{way_ / (way_ + last_ * shrinking / (1 - shrinking)), shrinking};
 }

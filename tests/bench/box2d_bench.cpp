@@ -1,0 +1,140 @@
+// The same brick wall and pyramid of rigid blocks by Box2D and by us: steps per second, greatest penetration, energy made or lost.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <box2d/box2d.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "step/stepper.hpp"
+#include "tests/bench/bench_scenes.hpp"
+
+namespace keyblock::bench {
+namespace {
+
+constexpr double kStep = 1.0 / 60;
+constexpr int kSteps = 30;
+constexpr double kGravity = 9.81;
+constexpr double kDensity = 2500;
+
+double now() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+struct Outcome {
+  double steps_per_second = 0;
+  double penetration = 0;  ///< greatest way of a block down: at rest there is none but into what carries it
+  double energy = 0;       ///< |kinetic + gravity − at the start| over m g h of all blocks
+};
+
+struct Box {
+  Point low;
+  Point high;
+  double mass() const { return kDensity * (high.x - low.x) * (high.y - low.y); }
+  Point centre() const { return 0.5 * (low + high); }
+};
+
+std::vector<Box> boxes_of(const Blocks& blocks) {
+  std::vector<Box> boxes;
+  for (const BlockPolygon& block : blocks.blocks) boxes.push_back({block.outer[0].position, block.outer[2].position});
+  return boxes;
+}
+
+double weight_times_height(const std::vector<Box>& boxes) {
+  double sum = 0;
+  for (std::size_t i = 1; i < boxes.size(); ++i) sum += boxes[i].mass() * kGravity * boxes[i].centre().y;
+  return sum;
+}
+
+// Corners of a block against those of all others would do no better for walls at rest: every block lies on others.
+Outcome by_box2d(const std::vector<Box>& boxes) {
+  b2World world(b2Vec2(0, -static_cast<float>(kGravity)));
+  world.SetAllowSleeping(false);
+  std::vector<b2Body*> bodies;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    b2BodyDef definition;
+    definition.type = i == 0 ? b2_staticBody : b2_dynamicBody;
+    definition.position.Set(static_cast<float>(boxes[i].centre().x), static_cast<float>(boxes[i].centre().y));
+    b2PolygonShape shape;
+    shape.SetAsBox(static_cast<float>((boxes[i].high.x - boxes[i].low.x) / 2),
+                   static_cast<float>((boxes[i].high.y - boxes[i].low.y) / 2));
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.density = static_cast<float>(kDensity);
+    fixture.friction = 0.7F;  // tan 35°
+    bodies.push_back(world.CreateBody(&definition));
+    bodies.back()->CreateFixture(&fixture);
+  }
+  const double begin = now();
+  for (int i = 0; i < kSteps; ++i) world.Step(static_cast<float>(kStep), 8, 3);
+  Outcome outcome;
+  outcome.steps_per_second = kSteps / (now() - begin);
+  double change = 0;
+  for (std::size_t i = 1; i < boxes.size(); ++i) {
+    const double fall = boxes[i].centre().y - static_cast<double>(bodies[i]->GetPosition().y);
+    outcome.penetration = std::max(outcome.penetration, fall);
+    const double speed = static_cast<double>(bodies[i]->GetLinearVelocity().Length());
+    const double spin = static_cast<double>(bodies[i]->GetAngularVelocity());
+    const double inertia = static_cast<double>(bodies[i]->GetInertia());
+    change += boxes[i].mass() * (speed * speed / 2 - kGravity * fall) + inertia * spin * spin / 2;
+  }
+  outcome.energy = std::abs(change) / weight_times_height(boxes);
+  return outcome;
+}
+
+Outcome by_us(const Blocks& blocks, const std::vector<Box>& boxes) {
+  Analysis analysis = scaling_analysis(blocks);
+  analysis.time_step = kStep;
+  Settings settings = profile_settings("standard", analysis);
+  settings.standard.basis = BlockBasis::rigid;
+  settings.standard.start = StartRule::sudden;
+  settings.ledger = Bookkeeping::off;
+  const Scene scene = testing::standard_scene_of(blocks, analysis, settings);
+  const std::unique_ptr<Stepper> stepper = stepper_for(scene);
+  const double begin = now();
+  for (int i = 0; i < kSteps; ++i) {
+    const auto made = stepper->advance();
+    if (const auto* failure = std::get_if<StepFailure>(&made)) throw std::runtime_error(failure->reason);
+  }
+  Outcome outcome;
+  outcome.steps_per_second = kSteps / (now() - begin);
+  double change = 0;
+  for (std::size_t i = 1; i < boxes.size(); ++i) {
+    const ElementState& block = stepper->state().elements[ElementIndex{static_cast<int>(i)}];
+    const double fall = boxes[i].centre().y - block.centroid.y;
+    outcome.penetration = std::max(outcome.penetration, fall);
+    const Unknowns& v = block.velocity;
+    const double width = boxes[i].high.x - boxes[i].low.x;
+    const double height = boxes[i].high.y - boxes[i].low.y;
+    change += boxes[i].mass() *
+              (v.head<2>().squaredNorm() / 2 - kGravity * fall + v[2] * v[2] * (width * width + height * height) / 24);
+  }
+  outcome.energy = std::abs(change) / weight_times_height(boxes);
+  return outcome;
+}
+
+void compare(const std::string& name, const Blocks& blocks) {
+  const std::vector<Box> boxes = boxes_of(blocks);
+  const Outcome theirs = by_box2d(boxes);
+  const Outcome ours = by_us(blocks, boxes);
+  fmt::print("{:>8} {:>7} {:>10.1f} {:>10.1f} {:>7.3f} {:>12.1e} {:>12.1e} {:>12.1e} {:>12.1e}\n", name, boxes.size(),
+             theirs.steps_per_second, ours.steps_per_second, ours.steps_per_second / theirs.steps_per_second,
+             theirs.penetration, ours.penetration, theirs.energy, ours.energy);
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace keyblock::bench
+
+int main() {
+  using namespace keyblock::bench;
+  fmt::print(
+      "30 steps of 1/60 s at rest, rigid blocks, friction of 35 degrees; Box2D {}.{}.{} with 8 + 3 iterations, awake\n"
+      "{:>8} {:>7} {:>10} {:>10} {:>7} {:>12} {:>12} {:>12} {:>12}\n",
+      b2_version.major, b2_version.minor, b2_version.revision, "scene", "blocks", "Box2D /s", "ours /s", "ratio",
+      "Box2D sinks", "ours sinks", "Box2D energy", "ours energy");
+  for (const int side : {10, 30, 50}) compare("brick", brick_wall(side));
+  for (const int rows : {14, 45}) compare("pyramid", pyramid(rows));
+}
