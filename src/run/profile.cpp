@@ -74,12 +74,35 @@ Settings standard(const Analysis& analysis) {
   return settings;
 }
 
+// The cheap end of what the fronts in the README show.
+Settings draft(const Analysis& analysis) {
+  Settings settings = standard(analysis);
+  settings.standard.basis = BlockBasis::rigid;
+  return settings;
+}
+
+// The accurate end.
+Settings reference(const Analysis& analysis) {
+  Settings settings = standard(analysis);
+  return settings;
+}
+
 struct Profile {
   const char* name;
   Settings (*settings)(const Analysis&);
+  const char* rules;  ///< the profile that cases know it as
 };
 
-constexpr std::array<Profile, 2> kProfiles{{{"legacy", legacy}, {"standard", standard}}};
+constexpr std::array<Profile, 4> kProfiles{{{"legacy", legacy, "legacy"},
+                                            {"draft", draft, "standard"},
+                                            {"standard", standard, "standard"},
+                                            {"reference", reference, "standard"}}};
+
+const Profile& named(const std::string& name) {
+  const auto profile = std::ranges::find(kProfiles, name, [](const Profile& p) { return std::string(p.name); });
+  if (profile == kProfiles.end()) throw std::invalid_argument(fmt::format("there is no profile \"{}\"", name));
+  return *profile;
+}
 
 }  // namespace
 
@@ -89,10 +112,16 @@ std::vector<std::string> profile_names() {
   return names;
 }
 
+std::vector<std::string> rule_names() {
+  return {"legacy", "standard"};
+}
+
+std::string rules_of(const std::string& name) {
+  return named(name).rules;
+}
+
 Settings profile_settings(const std::string& name, const Analysis& analysis) {
-  const auto profile = std::ranges::find(kProfiles, name, [](const Profile& p) { return std::string(p.name); });
-  if (profile == kProfiles.end()) throw std::invalid_argument(fmt::format("there is no profile \"{}\"", name));
-  return profile->settings(analysis);
+  return named(name).settings(analysis);
 }
 
 }  // namespace keyblock
