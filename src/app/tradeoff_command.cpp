@@ -29,6 +29,7 @@ using study::Tradeoff;
 
 struct TradeoffOptions : StudyOptions {
   bool is_full = false;
+  std::vector<std::string> vary;
   std::size_t most = 200;
   std::string budget;
   double error = 0;  ///< 0: none asked
@@ -201,8 +202,8 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   require_writable(options.picture, options.force);
   const auto designed = [&] {
     try {
-      return std::pair(options.is_full ? study::full_design(chosen, options.profile, options.most)
-                                       : study::usual_design(chosen, options.profile),
+      return std::pair(options.is_full ? study::full_design(chosen, options.profile, options.most, options.vary)
+                                       : study::usual_design(chosen, options.profile, options.vary),
                        study::refinements(chosen, options.profile, options.finest));
     } catch (const std::invalid_argument& error) {
       throw UsageError(error.what());
@@ -237,6 +238,10 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
 Action configure_tradeoff(CLI::App& options) {
   const auto chosen = std::make_shared<TradeoffOptions>();
   add_study_options(options, *chosen);
+  options
+      .add_option("--vary", chosen->vary,
+                  "only these choices: basis, step, enforcement, penalty, tolerance, integrator, functions, mesh")
+      ->delimiter(',');
   options.add_flag("--full", chosen->is_full, "all combinations, not only single choices and the usual pairs");
   options.add_option("--most", chosen->most, "runs of --full at most (default: 200)")->check(CLI::PositiveNumber);
   options.add_option("--budget", chosen->budget, "pick the most accurate run within this time: 10s, 500ms, 2min");

@@ -74,7 +74,7 @@ void draw_name(SvgPage& page, Taken& taken, Point at, const PricedRun& run) {
 }
 
 // Whoever pays more than one run of the front and less than the next gets that run's error.
-void draw_front(SvgPage& page, const Plot& plot, std::vector<PricedRun> front) {
+void draw_front(SvgPage& page, const Plot& plot, std::vector<PricedRun> front, Taken& taken) {
   if (front.empty()) return;
   std::ranges::sort(front, {}, &PricedRun::seconds);
   std::vector<Point> stairs{plot({logarithms(front.front()).x, plot.y.high()})};
@@ -85,6 +85,12 @@ void draw_front(SvgPage& page, const Plot& plot, std::vector<PricedRun> front) {
   }
   stairs.push_back({plot.corner.x + plot.size.x, stairs.back().y});
   page.polyline(stairs, {.stroke = kFrontColour, .stroke_width = 1.5});
+  for (std::size_t i = 0; i + 1 < stairs.size(); ++i) {
+    Box step;
+    step.include(stairs[i]);
+    step.include(stairs[i + 1]);
+    taken.add(step);
+  }
 }
 
 void draw_mark(SvgPage& page, Point at, const PricedRun& run) {
@@ -129,14 +135,14 @@ std::string tradeoff_picture(const TradeoffPicture& picture) {
   const Plot plot{.corner = {kMargin + kPlotLeft, top},
                   .size = {width, kHeight - top - kPlotBottom - 10},
                   .x = make_log_axis(quickest.seconds, slowest.seconds),
-                  .y = make_log_axis(best.error, worst.error)};
+                  .y = make_log_axis(best.error / 2, worst.error)};
   draw_legend(page, {kMargin + kPlotLeft, kTop}, width, legend);
   draw_axes(page, plot, "processor time of the steps [s]", "relative error");
   draw_least_error(page, plot, picture.least_error);
   std::vector<PricedRun> front;
   std::ranges::copy_if(picture.runs, std::back_inserter(front), &PricedRun::is_on_front);
-  draw_front(page, plot, front);
   Taken taken({plot.corner, plot.corner + plot.size});
+  draw_front(page, plot, front, taken);
   for (const bool is_profile : {false, true})
     for (const PricedRun& run : picture.runs) {
       if (run.is_profile != is_profile) continue;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/extrapolation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -42,7 +43,10 @@ Limit limit_of(const std::array<std::vector<double>, 3>& values) {
     sum_second += second_step[i] * second_step[i];
   }
   limit.order = std::log2(sum_first / sum_second) / 2;
-  if (!(*limit.order >= kLeastOrder && *limit.order <= kGreatestOrder)) return limit;
+  if (!(*limit.order >= kLeastOrder && *limit.order <= kGreatestOrder)) {
+    limit.uncertainty = std::max(first, second);
+    return limit;
+  }
   const double share = 1 / (std::exp2(*limit.order) - 1);
   for (std::size_t i = 0; i < fine.size(); ++i) limit.values[i] += share * second_step[i];
   limit.is_extrapolated = true;

@@ -12,7 +12,7 @@ struct Limit {
   std::vector<double> values;
   std::optional<double> order;  ///< observed, of h; nothing where the three are the same
   bool is_extrapolated = false;
-  /// Of `values`, relative: what extrapolation added to the finest run or, without it, how far the two finest are apart.
+  /// Of `values`, relative: what extrapolation added to the finest run or, without it, how far the others are from that at most.
   double uncertainty = 0;
 };
 

@@ -3,6 +3,7 @@
 #include "study/run_design.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -205,6 +206,18 @@ const Axis* named(const std::vector<Axis>& axes, const char* name) {
   return found == axes.end() ? nullptr : &*found;
 }
 
+std::vector<Axis> only(std::vector<Axis> axes, const std::vector<std::string>& vary) {
+  std::vector<std::string> names;
+  for (const Axis& axis : axes) names.push_back(axis.name);
+  for (const std::string& name : vary)
+    if (std::ranges::find(names, name) == names.end())
+      throw std::invalid_argument(
+          fmt::format("--vary: expected some of {}, found \"{}\"", fmt::join(names, ", "), name));
+  if (!vary.empty())
+    std::erase_if(axes, [&](const Axis& axis) { return std::ranges::find(vary, axis.name) == vary.end(); });
+  return axes;
+}
+
 // Pairs worth their time; the second one varies fastest.
 constexpr std::array<std::pair<const char*, const char*>, 6> kPairs{{{"functions", "mesh"},
                                                                      {"functions", "step"},
@@ -219,9 +232,10 @@ std::vector<Axis> axes_of(const StudyCase& chosen, const std::string& profile) {
   return axes_of(base_of(chosen, profile), kFinest);
 }
 
-std::vector<RunPlan> usual_design(const StudyCase& chosen, const std::string& profile) {
+std::vector<RunPlan> usual_design(const StudyCase& chosen, const std::string& profile,
+                                  const std::vector<std::string>& vary) {
   const Base base = base_of(chosen, profile);
-  const std::vector<Axis> axes = axes_of(base, kFinest);
+  const std::vector<Axis> axes = only(axes_of(base, kFinest), vary);
   std::vector<RunPlan> plans = with_profiles(base, profile);
   for (const Axis& axis : axes)
     for (const Level& level : axis.levels) plans.push_back(plan_of(profile, {{&axis, &level}}));
@@ -235,9 +249,10 @@ std::vector<RunPlan> usual_design(const StudyCase& chosen, const std::string& pr
   return plans;
 }
 
-std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& profile, std::size_t most) {
+std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& profile, std::size_t most,
+                                 const std::vector<std::string>& vary) {
   const Base base = base_of(chosen, profile);
-  const std::vector<Axis> axes = axes_of(base, kFinest);
+  const std::vector<Axis> axes = only(axes_of(base, kFinest), vary);
   std::vector<RunPlan> plans = with_profiles(base, profile);
   std::vector<std::vector<std::pair<const Axis*, const Level*>>> made{{}};
   for (const Axis& axis : axes) {

@@ -30,10 +30,13 @@ struct Axis {
 std::vector<Axis> axes_of(const StudyCase& chosen, const std::string& profile);
 
 /// The case in the profile itself, in all other profiles, with every level of every axis alone, and with pairs of levels.
-std::vector<RunPlan> usual_design(const StudyCase& chosen, const std::string& profile);
+/// `vary`: the names of the axes; all where it is empty. Throws std::invalid_argument for a name that is none here.
+std::vector<RunPlan> usual_design(const StudyCase& chosen, const std::string& profile,
+                                  const std::vector<std::string>& vary = {});
 
 /// The profiles, and all combinations of levels, at most `most` runs.
-std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& profile, std::size_t most);
+std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& profile, std::size_t most,
+                                 const std::vector<std::string>& vary = {});
 
 /// The case in the profile as it is, with half and with a quarter of the step, or of the side of the mesh where the case is
 /// solved at once; coarsest first, with the names that the designs have for them. `finest`: a power of two, 4 or more; then the
