@@ -59,7 +59,7 @@ TEST(TradeoffCommand, picks_settings_that_run_takes) {
 
 TEST(TradeoffCommand, a_wish_that_no_run_meets_is_exit_1_and_writes_nothing) {
   const std::string file = fresh_folder("unmet") + "/wish.settings";
-  const ProgramRun made = run_keyblock({"tradeoff", kFall, "--error", "1e-30", "-o", file});
+  const ProgramRun made = run_keyblock({"tradeoff", kFall, "--vary", "step", "--error", "1e-30", "-o", file});
   EXPECT_EQ(made.exit_code, 1);
   EXPECT_TRUE(contains(made.messages, "no run meets an error of at most 1e-30; the most accurate is")) << made.messages;
   EXPECT_FALSE(std::filesystem::exists(file));
@@ -73,6 +73,7 @@ TEST(TradeoffCommand, wrong_usage_is_exit_2_before_any_run) {
                                                {"--set", "basis"},
                                                {"--set", "basis=soft"},
                                                {"--finest", "12"},
+                                               {"--vary", "colour"},
                                                {"-o", folder + "/a.settings"},
                                                {"--error", "0"},
                                                {"--picture", folder + "/none/a.svg"}}) {
@@ -90,10 +91,10 @@ TEST(TradeoffCommand, input_that_cannot_be_used_is_exit_3) {
   EXPECT_EQ(run_keyblock({"tradeoff", fresh_folder("no_case")}).exit_code, 3);
 }
 
-// A body in free fall: its steps are exact, so refinement leads nowhere else.
+// A sliding block: its steps are exact, so refinement leads nowhere else.
 TEST(TradeoffCommand, files_without_expected_values_are_held_against_their_own_limit) {
-  const ProgramRun made = run_keyblock(
-      {"tradeoff", kSlide + "/a30_p20.geo", kSlide + "/a30_p20.ana", "--json", "--finest", "8", "--set", "steps=200"});
+  const ProgramRun made = run_keyblock({"tradeoff", kSlide + "/a30_p20.geo", kSlide + "/a30_p20.ana", "--json",
+                                        "--vary", "step", "--finest", "8", "--set", "steps=200"});
   ASSERT_EQ(made.exit_code, 0) << made.messages;
   const Json json = Json::parse(made.output);
   EXPECT_EQ(json["reference"]["kind"], "finest");

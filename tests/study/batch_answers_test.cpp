@@ -21,7 +21,8 @@ std::filesystem::path run_folder(const std::string& name, const std::string& rec
 }
 
 const std::string kHistory =
-    "step,time [T],x1 [L],y1 [L],dx1 [L],dy1 [L],x2 [L],y2 [L],dx2 [L],dy2 [L]\n0,0,1,1,0,0,2,2,0,0\n4,0.5,1,1,7,8,2,2,3,-4\n";
+    "step,time [T],x1 [L],y1 [L],dx1 [L],dy1 [L],x2 [L],y2 [L],dx2 [L],dy2 "
+    "[L]\n0,0,1,1,0,0,2,2,0,0\n4,0.5,1,1,7,8,2,2,3,-4\n";
 
 std::string record(int measured_points) {
   return R"({"outcome": {"end": "finished", "steps": 4, "time": 0.5}, "counts": {"measured_points": )" +
@@ -44,16 +45,18 @@ TEST(BatchAnswers, the_last_point_of_the_last_row_is_the_answer) {
 
 TEST(BatchAnswers, a_missing_or_damaged_record_is_an_end_too) {
   EXPECT_EQ(answer_in("/no/such", "legacy").end, "no result");
-  EXPECT_TRUE(answer_in(run_folder("torn", "{\"outcome\"", kHistory), "legacy").end.starts_with("run.json cannot be read"));
+  EXPECT_TRUE(
+      answer_in(run_folder("torn", "{\"outcome\"", kHistory), "legacy").end.starts_with("run.json cannot be read"));
   const std::string failed =
       R"({"outcome": {"end": "failed", "reason": "too far", "steps": 4, "time": 0.5}, "counts": {"measured_points": 2}})";
   EXPECT_EQ(answer_in(run_folder("failed", failed, kHistory), "legacy").end, "failed: too far");
 }
 
 TEST(BatchAnswers, verdicts_of_a_comparison_are_one_sentence) {
-  EXPECT_EQ(verdict_of(R"({"cases": [{"runs": [{"profile": "legacy", "holds": true}, {"profile": "standard", "holds": false},
+  EXPECT_EQ(
+      verdict_of(R"({"cases": [{"runs": [{"profile": "legacy", "holds": true}, {"profile": "standard", "holds": false},
                            {"profile": "draft", "not_run": "no"}, {"profile": "legacy", "variant": "b", "holds": false}]}]})"),
-            "legacy: hold, standard: missed, draft: not run");
+      "legacy: hold, standard: missed, draft: not run");
   EXPECT_EQ(verdict_of("no json"), "not compared");
 }
 
