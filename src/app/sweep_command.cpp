@@ -41,6 +41,9 @@ struct Map {
     const auto found = std::ranges::find(set, setting, &Override::first);
     return found == set.end() ? "" : found->second;
   }
+  std::string penalty(std::size_t row) const {
+    return fmt::format("{:.3g}", std::stod(value(row, 0, "contact_penalty")));
+  }
   // A run may end and yet not reach what is compared.
   std::string verdict(std::size_t row, std::size_t column) const {
     const MeasuredRun& made = run(row, column);
@@ -63,7 +66,7 @@ std::string table_of(const Map& map) {
   for (const double step : options.steps) table += fmt::format(" {:>12}", factor(step));
   table += "\n";
   for (std::size_t r = 0; r < options.penalties.size(); ++r) {
-    table += fmt::format("  {:>8} {:>15}", factor(options.penalties[r]), map.value(r, 0, "contact_penalty"));
+    table += fmt::format("  {:>8} {:>15}", factor(options.penalties[r]), map.penalty(r));
     for (std::size_t c = 0; c < options.steps.size(); ++c) table += fmt::format(" {:>12}", map.cell(r, c));
     table += "\n";
   }
@@ -113,8 +116,7 @@ std::string picture_of(const Map& map) {
       {}};
   for (const double step : map.options.steps) picture.columns.push_back(factor(step));
   for (std::size_t r = 0; r < map.options.penalties.size(); ++r) {
-    picture.rows.push_back(
-        fmt::format("{}  ({})", map.value(r, 0, "contact_penalty"), factor(map.options.penalties[r])));
+    picture.rows.push_back(fmt::format("{}  ({})", map.penalty(r), factor(map.options.penalties[r])));
     auto& row = picture.cells.emplace_back();
     for (std::size_t c = 0; c < map.options.steps.size(); ++c) {
       const MeasuredRun& run = map.run(r, c);

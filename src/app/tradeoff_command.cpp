@@ -93,10 +93,12 @@ std::string table_of(const Tradeoff& result) {
         fmt::format("  {:{}} {:>8} {:>9} {:>10.3g} {:>9} {:>10}  {}\n", run.plan.name, width, run.steps, run.unknowns,
                     run.seconds, error_text(result, i), std::isfinite(over) ? fmt::format("{:.2f}", over) : "-",
                     is_on_front(result, i)                    ? "*"
+                    : over <= study::kTimingNoise             ? "~"
                     : run.end == study::MeasuredEnd::finished ? ""
                                                               : fmt::format("{}: {}", name_of(run.end), run.reason));
   }
-  return table + fmt::format("  {}; the least of the timings counts\n", machine_words());
+  return table +
+         fmt::format("  {}; the least of the timings counts; * on the front, ~ within a tenth\n", machine_words());
 }
 
 std::string picture_of(const Tradeoff& result) {
@@ -112,6 +114,7 @@ std::string picture_of(const Tradeoff& result) {
     if (!std::isfinite(result.prices[i].error) || run.seconds <= 0) continue;
     picture.runs.push_back(
         {run.plan.name, run.seconds, result.prices[i].error, run.plan.group == "profile", is_on_front(result, i),
+         over_front(result.prices, i) <= study::kTimingNoise,
          fmt::format("{}: {:.3g} s, error {}, {}, {} unknowns", run.plan.name, run.seconds, error_text(result, i),
                      counted(static_cast<std::size_t>(run.steps), "step"), run.unknowns)});
   }

@@ -96,9 +96,10 @@ void draw_front(SvgPage& page, const Plot& plot, std::vector<PricedRun> front, T
 void draw_mark(SvgPage& page, Point at, const PricedRun& run) {
   page.begin_group(run.details);
   if (run.is_profile)
-    page.rectangle(
-        at - Point{kRadius, kRadius}, 2 * kRadius, 2 * kRadius,
-        {.fill = run.is_on_front ? kProfileColour : "#ffffff", .stroke = kProfileColour, .stroke_width = 1.5});
+    page.rectangle(at - Point{kRadius, kRadius}, 2 * kRadius, 2 * kRadius,
+                   {.fill = run.is_on_front || run.is_near_front ? kProfileColour : "#ffffff",
+                    .stroke = kProfileColour,
+                    .stroke_width = 1.5});
   else
     page.circle(at, run.is_on_front ? kRadius : kRadius - 0.8,
                 {.fill = run.is_on_front ? kFrontColour : "#ffffff",
@@ -128,14 +129,15 @@ std::string tradeoff_picture(const TradeoffPicture& picture) {
       {.sign = Sign::line, .colour = kFrontColour, .words = "front: nothing cheaper is as accurate"},
       {.sign = Sign::dots, .colour = kProfileColour, .words = "profile (square)"},
       {.sign = Sign::dots, .colour = kOtherColour, .words = "other run"}};
-  if (picture.least_error > 0)
+  const Axis errors = make_log_axis(best.error / 2, worst.error);
+  if (picture.least_error > 0 && std::log10(picture.least_error) > errors.low())
     legend.push_back({.sign = Sign::dashed_line, .colour = kOtherColour, .words = "below: not told apart"});
   const double width = kWidth - 2 * kMargin - kPlotLeft - kPlotRight;
   const double top = kTop + legend_height(legend, width) + 6;
   const Plot plot{.corner = {kMargin + kPlotLeft, top},
                   .size = {width, kHeight - top - kPlotBottom - 10},
                   .x = make_log_axis(quickest.seconds, slowest.seconds),
-                  .y = make_log_axis(best.error / 2, worst.error)};
+                  .y = errors};
   draw_legend(page, {kMargin + kPlotLeft, kTop}, width, legend);
   draw_axes(page, plot, "processor time of the steps [s]", "relative error");
   draw_least_error(page, plot, picture.least_error);

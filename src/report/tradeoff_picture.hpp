@@ -14,7 +14,8 @@ struct PricedRun {
   double error = 0;    ///< > 0
   bool is_profile = false;
   bool is_on_front = false;
-  std::string details;  ///< shown where the pointer rests on it
+  bool is_near_front = false;  ///< on it but for the noise of timings: drawn filled
+  std::string details;         ///< shown where the pointer rests on it
 };
 
 struct TradeoffPicture {

@@ -84,10 +84,10 @@ Settings with_steps(Settings settings, double factor) {
   return settings;
 }
 
-// Steps of `standard` stay accurate when they are long, while rigid blocks save a third and lose what they are asked for
-// (legacy_cases/fronts). Five, because counts of steps in files are round numbers.
+// Steps of `standard` stay accurate when they are long, while rigid blocks save little and lose what they are asked for. Twice
+// and no more: in dense contact longer steps take many more passes (legacy_cases/fronts).
 Settings draft(const Analysis& analysis) {
-  return with_steps(standard(analysis), 5);
+  return with_steps(standard(analysis), 2);
 }
 
 Settings reference(const Analysis& analysis) {

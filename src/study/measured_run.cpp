@@ -193,7 +193,8 @@ StudyCase study_case(const std::vector<std::string>& paths) {
   if (folders.size() != 1)
     throw InputError({paths.front(), 0, 0}, fmt::format("expected one case, found {} below it", folders.size()));
   const CaseFolder& folder = folders.front();
-  chosen.name = folder.name;
+  const fs::path whole = fs::absolute(folder.folder).lexically_normal();
+  chosen.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names as "coarse"
   chosen.folder = folder.folder;
   chosen.file = read_case_file(folder);
   chosen.input = formats::load_case(folder.inputs());

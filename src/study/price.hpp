@@ -21,6 +21,9 @@ std::vector<std::size_t> pareto_front(const std::vector<Price>& prices);
 /// What a run costs over the cheapest that is as accurate: 1 on the front, infinite without a result.
 double over_front(const std::vector<Price>& prices, std::size_t which);
 
+/// Timings differ by so much from one to the next: who costs up to this factor over the front is near it.
+inline constexpr double kTimingNoise = 1.1;
+
 /// What somebody wants: no more than so much time, no more than so much error. Nothing: does not matter.
 struct Wish {
   std::optional<double> budget;  ///< seconds of processor time

@@ -21,9 +21,9 @@ bool contains(const std::string& text, const std::string& part) {
 TEST(TradeoffPicture, names_profiles_and_the_front_and_tells_all_details) {
   const std::string svg = tradeoff_picture({"an arch",
                                             "against theory",
-                                            {{"standard", 1, 1e-3, true, true, "details of standard"},
-                                             {"rigid", 0.1, 1e-1, false, true, "details of rigid"},
-                                             {"step /4", 4, 1e-2, false, false, "details <of> step"}},
+                                            {{"standard", 1, 1e-3, true, true, true, "details of standard"},
+                                             {"rigid", 0.1, 1e-1, false, true, true, "details of rigid"},
+                                             {"step /4", 4, 1e-2, false, false, false, "details <of> step"}},
                                             1e-9});
   for (const char* part : {"an arch", "against theory", ">standard<", ">rigid<", "<title>details of standard</title>",
                            "<title>details &lt;of&gt; step</title>", "1e-3", "</svg>"})
