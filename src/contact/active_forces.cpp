@@ -58,7 +58,8 @@ ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<G
     : problem_(problem), set_(problem.laws, grips), added_(added) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(set_.rows.size()));
   const Eigen::VectorXd given = set_.forces(none, 1);
-  from_given_ = set_.kept(problem.w * given + added.cwiseProduct(given));
+  from_given_ = none;
+  if ((given.array() != 0).any()) from_given_ = set_.kept(problem.w * given + added.cwiseProduct(given));
   if (set_.rows.size() <= kMostDense || !problem.w.covers().is_none())
     factorise_dense();
   else

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <tuple>
+#include <utility>
 
 #include "contact/line.hpp"
 
@@ -35,12 +35,16 @@ TripleKey key(const Triple& t) {
   return {t.vertex, t.start, t.end};
 }
 
-std::multimap<TripleKey, Slot> slots_of(const Contacts& contacts) {
-  std::multimap<TripleKey, Slot> slots;
+// In the order of their triples; those of one triple in that of the contacts.
+using Slots = std::vector<std::pair<TripleKey, Slot>>;
+
+Slots slots_of(const Contacts& contacts) {
+  Slots slots;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    slots.insert({key(contacts[i].first), {i, false}});
-    if (contacts[i].has_second()) slots.insert({key(contacts[i].second), {i, true}});
+    slots.push_back({key(contacts[i].first), {i, false}});
+    if (contacts[i].has_second()) slots.push_back({key(contacts[i].second), {i, true}});
   }
+  std::ranges::stable_sort(slots, {}, &Slots::value_type::first);
   return slots;
 }
 
@@ -132,14 +136,14 @@ void set_ratios_and_lengths(Contacts& contacts, const std::vector<Memory>& memor
 Contacts carry(Contacts contacts, const Contacts& previous, const State& state, const ContactRules& rules,
                const BerkeleyQuirks& quirks) {
   std::vector<Memory> memories(contacts.size());
-  const auto slots = slots_of(contacts);
+  const Slots slots = slots_of(contacts);
   for (const Contact& old : previous) {
     if (old.is_open()) continue;
-    const auto [first, first_end] = slots.equal_range(key(old.first));
-    for (auto slot = first; slot != first_end; ++slot) hand_on(old, slot->second, false, contacts, memories);
+    for (const auto& [triple, slot] : std::ranges::equal_range(slots, key(old.first), {}, &Slots::value_type::first))
+      hand_on(old, slot, false, contacts, memories);
     if (!old.has_second()) continue;
-    const auto [second, second_end] = slots.equal_range(key(old.second));
-    for (auto slot = second; slot != second_end; ++slot) hand_on(old, slot->second, true, contacts, memories);
+    for (const auto& [triple, slot] : std::ranges::equal_range(slots, key(old.second), {}, &Slots::value_type::first))
+      hand_on(old, slot, true, contacts, memories);
   }
   for (std::size_t i = 0; i < contacts.size(); ++i) settle_state(contacts[i], memories[i]);
   set_ratios_and_lengths(contacts, memories, state, rules, quirks);

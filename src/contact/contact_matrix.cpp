@@ -40,12 +40,18 @@ CoverCoupling::CoverCoupling(const ContactRows& rows, const Flexibility& flexibi
   for (Eigen::Index i = 0; i < count; ++i)
     for (const CoverEntry& entry : row(i).covers)
       forces.col(i).segment<2>(2 * entry.function) += Eigen::Vector2d(entry.x, entry.y);
-  const Eigen::MatrixXd answers = flexibility.covers->times(forces);
-  matrix_.resize(count, count);
-  for (Eigen::Index j = 0; j < count; ++j) {
-    const Eigen::VectorXd answer = answers.col(j);
-    for (Eigen::Index i = j; i < count; ++i) matrix_(i, j) = matrix_(j, i) = row(i).of_covers(answer);
+  // Row by row, what one unknown answers to all forces lies side by side.
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> answers =
+      flexibility.covers->times(forces);
+  matrix_.setZero(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    auto column = matrix_.col(i).head(i + 1);
+    for (const CoverEntry& entry : row(i).covers)
+      column += (entry.x * answers.row(2 * entry.function).head(i + 1) +
+                 entry.y * answers.row(2 * entry.function + 1).head(i + 1))
+                    .transpose();
   }
+  matrix_.triangularView<Eigen::StrictlyLower>() = matrix_.transpose();
 }
 
 double CoverCoupling::entry(Eigen::Index i, Eigen::Index j) const {
@@ -81,6 +87,11 @@ ContactMatrix::ContactMatrix(ContactRows rows, Flexibility flexibility)
 void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
   diagonal_[row] += value;
   added_[row] += value;
+}
+
+const BlockNumbers& ContactMatrix::blocks() const {
+  if (!blocks_) blocks_ = std::make_shared<BlockNumbers>(rows_, flexibility_.blocks);
+  return *blocks_;
 }
 
 Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "contact/block_numbers.hpp"
 #include "contact/contact_row.hpp"
 
 namespace keyblock {
@@ -40,6 +41,8 @@ class ContactMatrix {
   const Flexibility& flexibility() const { return flexibility_; }
   const CoverCoupling& covers() const { return covers_; }
   const Eigen::VectorXd& added() const { return added_; }
+  /// Made when first asked for.
+  const BlockNumbers& blocks() const;
 
   /// The compliance of a spring, 1/p.
   void add_to_diagonal(Eigen::Index row, double value);
@@ -52,6 +55,7 @@ class ContactMatrix {
   CoverCoupling covers_;
   Eigen::VectorXd diagonal_;
   Eigen::VectorXd added_;
+  mutable std::shared_ptr<const BlockNumbers> blocks_;
 };
 
 /// The diagonal of G B Gᵀ alone, with what covers couple made already.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/forces_of_blocks.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cstddef>
 
@@ -16,57 +15,22 @@ constexpr int kMostRefinements = 4;
 
 using Row = ContactRow::Row;
 
-// Leading unknowns that answer at all.
-int answering(const UnknownBlock& flexibility) {
-  int count = 0;
-  while (count < flexibility.rows() && flexibility(count, count) > 0) ++count;
-  return count;
-}
-
-UnknownBlock inverse_of(const UnknownBlock& flexibility, int size) {
-  const UnknownBlock part = flexibility.topLeftCorner(size, size);
-  return part.llt().solve(UnknownBlock::Identity(size, size));
-}
-
 }  // namespace
 
 ForcesOfBlocks::ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added)
-    : w_(w), set_(set), added_(added), compliance_(set.kept(w.added() + added)) {
+    : w_(w), set_(set), added_(added), compliance_(set.kept(w.added() + added)), blocks_(w.blocks()) {
   if (!(compliance_.minCoeff() > 0)) return;
-  number();
+  factor_ = blocks_.take_factor();
   assemble();
   is_regular_ = factor_->factorise(!set.slips);
-}
-
-void ForcesOfBlocks::number() {
-  int row = 0;
-  for (const UnknownBlock& flexibility : w_.flexibility().blocks) {
-    const int size = answering(flexibility);
-    blocks_.push_back(size > 0 ? static_cast<int>(sizes_.size()) : -1);
-    if (size == 0) continue;
-    sizes_.push_back(size);
-    first_rows_.push_back(row);
-    row += size;
-  }
-  first_rows_.push_back(row);
-  BlockPattern::Pairs coupled;
-  for (Eigen::Index i = 0; i < w_.rows(); i += 2) {
-    const int a = blocks_[w_.row(i).vertex_element];
-    const int b = blocks_[w_.row(i).edge_element];
-    if (a >= 0 && b >= 0 && a != b) coupled.emplace_back(std::min(a, b), std::max(a, b));
-  }
-  const auto count = static_cast<int>(sizes_.size());
-  factor_ = std::make_unique<BlockFactor>(std::make_shared<BlockPattern>(count, coupled), sizes_);
-}
-
-int ForcesOfBlocks::size_of(int block) const {
-  return block < 0 ? 0 : sizes_[static_cast<std::size_t>(block)];
+  if (is_regular_ || set.slips) return;
+  factor_->clear();  // round-off took what is positive of a pivot
+  assemble();
+  is_regular_ = factor_->factorise(false);
 }
 
 void ForcesOfBlocks::assemble() {
-  for (ElementIndex e : indices(w_.flexibility().blocks))
-    if (blocks_[e] >= 0)
-      factor_->add(blocks_[e], blocks_[e], inverse_of(w_.flexibility().blocks[e], size_of(blocks_[e])));
+  for (int block = 0; block < blocks_.count(); ++block) factor_->add(block, block, blocks_.stiffness(block));
   for (std::size_t first = 0; first < set_.rows.size();) {
     const Eigen::Index pair = set_.rows[first] - set_.rows[first] % 2;
     const bool is_two = first + 1 < set_.rows.size() && set_.rows[first + 1] == pair + 1;
@@ -78,10 +42,10 @@ void ForcesOfBlocks::assemble() {
 // Both forces of a pair act between the same two elements: four blocks in all, each the sum over its unknowns.
 void ForcesOfBlocks::add_pair(Eigen::Index pair, std::size_t first_unknown, int count) {
   const ContactRow& any = w_.row(pair);
-  const int blocks[2] = {blocks_[any.vertex_element], blocks_[any.edge_element]};
+  const int blocks[2] = {blocks_.of(any.vertex_element), blocks_.of(any.edge_element)};
   BlockFactor::Block sums[2][2];
   for (int i : {0, 1})
-    for (int j : {0, 1}) sums[i][j].setZero(size_of(blocks[i]), size_of(blocks[j]));
+    for (int j : {0, 1}) sums[i][j].setZero(blocks_.size(blocks[i]), blocks_.size(blocks[j]));
   for (int k = 0; k < count; ++k) {
     const std::size_t unknown = first_unknown + static_cast<std::size_t>(k);
     const ContactRow& row = w_.row(set_.rows[unknown]);
@@ -98,8 +62,8 @@ void ForcesOfBlocks::add_pair(Eigen::Index pair, std::size_t first_unknown, int 
     const Row* across[2] = {&row.of_vertex, &row.of_edge};
     for (int i : {0, 1})
       for (int j : {0, 1})
-        sums[i][j].noalias() +=
-            (stiffness * columns[i]->head(size_of(blocks[i]))).transpose() * across[j]->head(size_of(blocks[j]));
+        sums[i][j].noalias() += (stiffness * columns[i]->head(blocks_.size(blocks[i]))).transpose() *
+                                across[j]->head(blocks_.size(blocks[j]));
   }
   for (int i : {0, 1})
     for (int j : {0, 1})
@@ -108,12 +72,11 @@ void ForcesOfBlocks::add_pair(Eigen::Index pair, std::size_t first_unknown, int 
 
 // Gᵀ f on the unknowns that answer.
 Eigen::VectorXd ForcesOfBlocks::on_blocks(const Eigen::VectorXd& forces) const {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(first_rows_.back());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(blocks_.row_count());
   const auto add = [&](ElementIndex e, const Row& row, double force) {
-    const int block = blocks_[e];
+    const int block = blocks_.of(e);
     if (block >= 0)
-      sum.segment(first_rows_[static_cast<std::size_t>(block)], size_of(block)) +=
-          force * row.head(size_of(block)).transpose();
+      sum.segment(blocks_.first_row(block), blocks_.size(block)) += force * row.head(blocks_.size(block)).transpose();
   };
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
     if (forces[i] == 0) continue;
@@ -125,9 +88,9 @@ Eigen::VectorXd ForcesOfBlocks::on_blocks(const Eigen::VectorXd& forces) const {
 
 double ForcesOfBlocks::rate(Eigen::Index i, const Eigen::VectorXd& x) const {
   const auto of = [&](ElementIndex e, const Row& row) {
-    const int block = blocks_[e];
+    const int block = blocks_.of(e);
     if (block < 0) return 0.0;
-    return row.head(size_of(block)).dot(x.segment(first_rows_[static_cast<std::size_t>(block)], size_of(block)));
+    return row.head(blocks_.size(block)).dot(x.segment(blocks_.first_row(block), blocks_.size(block)));
   };
   return of(w_.row(i).vertex_element, w_.row(i).of_vertex) + of(w_.row(i).edge_element, w_.row(i).of_edge);
 }

@@ -15,16 +15,16 @@ namespace keyblock {
 class ForcesOfBlocks {
  public:
   ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added);
+  ForcesOfBlocks(const ForcesOfBlocks&) = delete;  // its factor goes back to the matrix
+  ~ForcesOfBlocks() { blocks_.give_back(std::move(factor_)); }
 
   bool is_regular() const { return is_regular_; }
   /// u for one f, an entry an unknown each.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
  private:
-  void number();
   void assemble();
   void add_pair(Eigen::Index pair, std::size_t first_unknown, int count);
-  int size_of(int block) const;
   Eigen::VectorXd on_blocks(const Eigen::VectorXd& forces) const;
   double rate(Eigen::Index row, const Eigen::VectorXd& x) const;
   Eigen::VectorXd once(const Eigen::VectorXd& right) const;
@@ -32,10 +32,8 @@ class ForcesOfBlocks {
   const ContactMatrix& w_;
   const ActiveSet& set_;
   Eigen::VectorXd added_;
-  Eigen::VectorXd compliance_;       ///< D, of each unknown
-  Table<ElementIndex, int> blocks_;  ///< of the factor; −1 where nothing can move
-  std::vector<int> sizes_;           ///< of blocks
-  std::vector<int> first_rows_;
+  Eigen::VectorXd compliance_;  ///< D, of each unknown
+  const BlockNumbers& blocks_;
   std::unique_ptr<BlockFactor> factor_;
   bool is_regular_ = false;
 };

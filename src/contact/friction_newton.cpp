@@ -47,10 +47,10 @@ class Newton {
   // Round after round with these weights, from the best forces seen.
   void try_weights() {
     system_.reset();
-    forces_ = solution_.forces;
+    tried_ = tried(problem_, solution_.forces);
     for (int round = 0; round < kMostRounds && !is_solved(); ++round) {
       const double before = solution_.residual;
-      if (!settle({weights_, forces_})) break;
+      if (!settle({weights_, tried_.forces})) break;
       if (solution_.converged && solution_.residual > kProgress * before) break;
     }
   }
@@ -59,15 +59,15 @@ class Newton {
   bool settle(const Proximal& proximal) {
     const Eigen::VectorXd right = problem_.b - proximal.weights.cwiseProduct(proximal.reference);
     std::set<std::vector<Grip>> visited;
-    std::vector<Grip> grips = natural_map(problem_, forces_, proximal).grips;
+    std::vector<Grip> grips = natural_map(problem_, tried_, proximal).grips;
     for (int i = 0; i < kMostSets; ++i) {
       visited.insert(grips);
       factorise(grips);
       if (!system_->is_regular()) return false;
-      forces_ = system_->solve(right);
+      tried_ = tried(problem_, system_->solve(right));
       keep_best();
       if (is_solved()) return true;
-      const std::vector<Grip> next = natural_map(problem_, forces_, proximal).grips;
+      const std::vector<Grip> next = natural_map(problem_, tried_, proximal).grips;
       if (next == grips) return true;
       if (visited.contains(next)) {
         name_undecided(grips, next);
@@ -96,12 +96,12 @@ class Newton {
   bool is_solved() const { return solution_.residual <= problem_.goal; }
 
   void keep_best() {
-    const double now = residual(problem_, forces_);
+    const double now = residual(problem_, tried_);
     if (!(now < solution_.residual)) return;
-    const bool is_good = is_acceptable(problem_, forces_);
+    const bool is_good = is_acceptable(problem_, tried_);
     if (solution_.converged && !is_good) return;
     solution_.residual = now;
-    solution_.forces = forces_;
+    solution_.forces = tried_.forces;
     solution_.converged = is_good;
   }
 
@@ -114,7 +114,7 @@ class Newton {
   const FrictionalProblem& problem_;
   FrictionalSolution solution_;  ///< with the best forces seen
   Eigen::VectorXd weights_;      ///< of the proximal term
-  Eigen::VectorXd forces_;       ///< of the last active set
+  Tried tried_;                  ///< forces of the last active set
   std::optional<ActiveForces> system_;
   std::vector<Grip> factorised_;
 };
@@ -123,9 +123,10 @@ class Newton {
 
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
   FrictionalSolution so_far;
+  const Tried first = tried(problem, start);
   so_far.forces = start;
-  so_far.residual = residual(problem, start);
-  so_far.converged = is_acceptable(problem, start);
+  so_far.residual = residual(problem, first);
+  so_far.converged = is_acceptable(problem, first);
   return newton(problem, std::move(so_far));
 }
 

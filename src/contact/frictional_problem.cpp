@@ -20,9 +20,11 @@ double ForceLaw::limit(double normal) const {
   return std::max(0.0, cohesion + friction * normal);
 }
 
-NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal) {
-  const Eigen::VectorXd y = problem.w * forces + problem.b + proximal.weights.cwiseProduct(forces - proximal.reference);
-  const Eigen::VectorXd compliance = problem.compliance() + proximal.weights;
+namespace {
+
+// r one over `compliance`, about the rates y.
+NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Eigen::VectorXd& y,
+                       const Eigen::VectorXd& compliance) {
   NaturalMap map{forces, {}};
   map.grips.reserve(problem.count());
   for (std::size_t i = 0; i < problem.count(); ++i) {
@@ -45,19 +47,44 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
   return map;
 }
 
+NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried) {
+  return natural_map(problem, tried.forces, tried.y, problem.compliance());
+}
+
+}  // namespace
+
+Tried tried(const FrictionalProblem& problem, Eigen::VectorXd forces) {
+  Tried made{std::move(forces), {}};
+  made.y = problem.w * made.forces + problem.b;
+  return made;
+}
+
+NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, const Proximal& proximal) {
+  const Eigen::VectorXd y = tried.y + proximal.weights.cwiseProduct(tried.forces - proximal.reference);
+  return natural_map(problem, tried.forces, y, problem.compliance() + proximal.weights);
+}
+
+NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal) {
+  return natural_map(problem, tried(problem, forces), proximal);
+}
+
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
-  return natural_map(problem, forces, {Eigen::VectorXd::Zero(forces.size()), forces});
+  return natural_map(problem, tried(problem, forces));
+}
+
+double residual(const FrictionalProblem& problem, const Tried& tried) {
+  if (problem.count() == 0) return 0;
+  return (natural_map(problem, tried).forces - tried.forces).cwiseAbs().maxCoeff();
 }
 
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
-  if (problem.count() == 0) return 0;
-  return (natural_map(problem, forces).forces - forces).cwiseAbs().maxCoeff();
+  return residual(problem, tried(problem, forces));
 }
 
 // The pairs that the natural map would still change by more than is acceptable.
-std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
-  const Eigen::VectorXd change = (natural_map(problem, forces).forces - forces).cwiseAbs();
-  const Eigen::VectorXd y = problem.w * forces + problem.b;
+std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Tried& tried) {
+  const auto& [forces, y] = tried;
+  const Eigen::VectorXd change = (natural_map(problem, tried).forces - forces).cwiseAbs();
   std::vector<std::size_t> pairs;
   for (std::size_t i = 0; i < problem.count(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
@@ -71,8 +98,12 @@ std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Eigen
   return pairs;
 }
 
+bool is_acceptable(const FrictionalProblem& problem, const Tried& tried) {
+  return unsettled(problem, tried).empty();
+}
+
 bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
-  return unsettled(problem, forces).empty();
+  return is_acceptable(problem, tried(problem, forces));
 }
 
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
@@ -85,7 +116,8 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
   }
   solution.forces = best.forces;
   solution.residual = best.residual;
-  if (!solution.converged && solution.undecided.empty()) solution.undecided = unsettled(problem, solution.forces);
+  if (!solution.converged && solution.undecided.empty())
+    solution.undecided = unsettled(problem, tried(problem, solution.forces));
   // Round-off on an open touch would pass for a closed one.
   const NaturalMap map = natural_map(problem, solution.forces);
   for (std::size_t i = 0; i < problem.count(); ++i) {

@@ -82,12 +82,22 @@ struct Proximal {
 };
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal);
 
+/// Forces with what they make, where that is wanted more than once: the product with W is what judging them costs.
+struct Tried {
+  Eigen::VectorXd forces;
+  Eigen::VectorXd y;  ///< W λ + b
+};
+Tried tried(const FrictionalProblem& problem, Eigen::VectorXd forces);
+NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, const Proximal& proximal);
+
 /// Largest change of λ by the natural map: zero at the solution and only there.
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
+double residual(const FrictionalProblem& problem, const Tried& tried);
 
 /// Whether every force is settled: the natural map changes it by no more than is acceptable, or it is one that its law allows
 /// and its |y| is tolerated.
 bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
+bool is_acceptable(const FrictionalProblem& problem, const Tried& tried);
 
 /// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and Newton
 /// in turn from the best forces seen. The forces of open touches are exactly zero.

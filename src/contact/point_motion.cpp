@@ -21,25 +21,37 @@ PointMotion between(PointMotion a, const PointMotion& b, double s) {
   return a;
 }
 
+PointMotions::PointMotions(const Model& model, const Reference& reference, const UnknownsTable& q)
+    : model_(model), reference_(reference), q_(q), numbers_(model.elements.size(), -1) {}
+
+const PointMotions::Block& PointMotions::block(ElementIndex e) const {
+  if (numbers_[e] < 0) {
+    const Basis& basis = *model_.elements[e].basis;
+    const BlockMap map(basis, q_[e], reference_.centroids[e]);
+    numbers_[e] = static_cast<int>(blocks_.size());
+    blocks_.push_back({map, BlockJacobian(basis, q_[e], map)});
+  }
+  return blocks_[static_cast<std::size_t>(numbers_[e])];
+}
+
 PointMotion PointMotions::of_vertex(VertexIndex v) const {
   const ElementIndex e = model_.vertices[v].element;
   if (reference_.is_on_covers(e)) {
     const auto shares = reference_.covers->of_vertex(v);
     return {DisplacementOperator(2, 0), {shares.begin(), shares.end()}};
   }
-  return {jacobian(*model_.elements[e].basis, q_[e], reference_.offsets[v])};
+  return {block(e).jacobian.at(reference_.offsets[v])};
 }
 
 PointMotion PointMotions::of_point(ElementIndex e, Point start) const {
   if (reference_.is_on_covers(e)) return {DisplacementOperator(2, 0), reference_.covers->shares(e, start)};
-  return {jacobian(*model_.elements[e].basis, q_[e], start - reference_.centroids[e])};
+  return {block(e).jacobian.at(start - reference_.centroids[e])};
 }
 
 PointMotion PointMotions::at_place(ElementIndex e, Point x) const {
   if (reference_.is_on_covers(e)) return of_point(e, reference_.covers->start_of(e, q_.covers, x));
-  const Basis& basis = *model_.elements[e].basis;
-  const Point centroid = reference_.centroids[e] + translation(basis, q_[e]);
-  return {jacobian(basis, q_[e], material_offset(basis, q_[e], x - centroid))};
+  const Block& of = block(e);
+  return {of.jacobian.at(of.map.offset(x))};
 }
 
 ContactRow row_between(ElementIndex a, const PointMotion& of_a, ElementIndex b, const PointMotion& of_b,

@@ -16,11 +16,10 @@ struct PointMotion {
 /// (1 − s) a + s b, both points of one element.
 PointMotion between(PointMotion a, const PointMotion& b, double s);
 
-/// Points of the elements of a model in the configuration q.
+/// Points of the elements of a model in the configuration q. The map of a block is made when one of its points is first asked for.
 class PointMotions {
  public:
-  PointMotions(const Model& model, const Reference& reference, const UnknownsTable& q)
-      : model_(model), reference_(reference), q_(q) {}
+  PointMotions(const Model& model, const Reference& reference, const UnknownsTable& q);
 
   PointMotion of_vertex(VertexIndex v) const;
   /// Of the point that lay at `start`.
@@ -29,9 +28,17 @@ class PointMotions {
   PointMotion at_place(ElementIndex e, Point x) const;
 
  private:
+  struct Block {
+    BlockMap map;
+    BlockJacobian jacobian;
+  };
+  const Block& block(ElementIndex e) const;
+
   const Model& model_;
   const Reference& reference_;
   const UnknownsTable& q_;
+  mutable Table<ElementIndex, int> numbers_;  ///< of each element in the list below; −1 where its map was not made yet
+  mutable std::vector<Block> blocks_;
 };
 
 /// The row of `direction` · (velocity of the point of a − velocity of the point of b).

@@ -31,7 +31,7 @@ constexpr double cross(Point a, Point b) {
   return a.x * b.y - a.y * b.x;
 }
 inline double length(Point a) {
-  return std::hypot(a.x, a.y);
+  return std::sqrt(a.x * a.x + a.y * a.y);
 }
 inline double distance(Point a, Point b) {
   return length(b - a);

@@ -39,11 +39,6 @@ Reference reference_of(const Model& model, const Settings& settings) {
   return reference;
 }
 
-Point stretched(const Basis& basis, const Unknowns& q, Point offset) {
-  const DisplacementOperator gradient = offset.x * basis.per_x + offset.y * basis.per_y;
-  return offset + point_of(gradient * without_rotation(basis, q));
-}
-
 Point turned(Point p, double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -58,24 +53,31 @@ Point translation(const Basis& basis, const Unknowns& q) {
   return point_of(basis.constant * q);
 }
 
-DisplacementOperator jacobian(const Basis& basis, const Unknowns& q, Point offset) {
-  if (basis.unknown_count() == 0) return basis.constant;
-  const double angle = angle_of(basis, q);
-  DisplacementOperator gradient = rotation_matrix(angle) * (offset.x * basis.per_x + offset.y * basis.per_y);
-  if (basis.rotation_unknown >= 0) {
-    const Point arm = turned(stretched(basis, q, offset), angle);
-    gradient.col(basis.rotation_unknown) = Eigen::Vector2d(-arm.y, arm.x);
-  }
-  return basis.constant + gradient;
-}
-
-Point material_offset(const Basis& basis, const Unknowns& q, Point from_centroid) {
-  const Point local = turned(from_centroid, -angle_of(basis, q));
+BlockMap::BlockMap(const Basis& basis, const Unknowns& q, Point centroid_at_start)
+    : centroid_(centroid_at_start + translation(basis, q)), rotation_(rotation_matrix(angle_of(basis, q))) {
   const Unknowns strain = without_rotation(basis, q);
   Eigen::Matrix2d stretch = Eigen::Matrix2d::Identity();
   stretch.col(0) += basis.per_x * strain;
   stretch.col(1) += basis.per_y * strain;
-  return point_of(stretch.inverse() * Eigen::Vector2d(local.x, local.y));
+  a_ = rotation_ * stretch;
+}
+
+Point BlockMap::offset(Point place) const {
+  const Point from_centroid = place - centroid_;
+  return point_of(a_.inverse() * Eigen::Vector2d(from_centroid.x, from_centroid.y));
+}
+
+// The turn of the frame moves a point at right angles to its arm.
+BlockJacobian::BlockJacobian(const Basis& basis, const Unknowns& q, const BlockMap& map)
+    : constant_(basis.constant), per_x_(map.rotation() * basis.per_x), per_y_(map.rotation() * basis.per_y) {
+  if (basis.rotation_unknown < 0 || q.size() == 0) return;
+  const Eigen::Matrix2d& a = map.stretch();
+  per_x_.col(basis.rotation_unknown) = Eigen::Vector2d(-a(1, 0), a(0, 0));
+  per_y_.col(basis.rotation_unknown) = Eigen::Vector2d(-a(1, 1), a(0, 1));
+}
+
+DisplacementOperator jacobian(const Basis& basis, const Unknowns& q, Point offset) {
+  return BlockJacobian(basis, q, BlockMap(basis, q, {})).at(offset);
 }
 
 void UnknownsTable::set_zero() {
@@ -97,10 +99,8 @@ bool operator==(const UnknownsTable& a, const UnknownsTable& b) {
 Point point_at(const Model& model, const Reference& reference, const UnknownsTable& q, ElementIndex element,
                Point start) {
   if (reference.is_on_covers(element)) return moved(start, reference.covers->shares(element, start), q.covers);
-  const Basis& basis = *model.elements[element].basis;
   const Point centroid = reference.centroids[element];
-  const Point arm = turned(stretched(basis, q[element], start - centroid), angle_of(basis, q[element]));
-  return centroid + translation(basis, q[element]) + arm;
+  return BlockMap(*model.elements[element].basis, q[element], centroid).place(start - centroid);
 }
 
 Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& reference, const UnknownsTable& q) {
@@ -112,11 +112,8 @@ Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& refer
             moved(model.start_vertices[static_cast<std::size_t>(v.value)], reference.covers->of_vertex(v), q.covers);
       continue;
     }
-    const Basis& basis = *model.elements[e].basis;
-    const Point centroid = reference.centroids[e] + translation(basis, q[e]);
-    const double angle = angle_of(basis, q[e]);
-    for (VertexIndex v : model.elements[e].vertices())
-      vertices[v] = centroid + turned(stretched(basis, q[e], reference.offsets[v]), angle);
+    const BlockMap map(*model.elements[e].basis, q[e], reference.centroids[e]);
+    for (VertexIndex v : model.elements[e].vertices()) vertices[v] = map.place(reference.offsets[v]);
   }
   return vertices;
 }

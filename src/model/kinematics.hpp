@@ -35,9 +35,6 @@ struct Reference {
 
 Reference reference_of(const Model& model, const Settings& settings);
 
-/// (I + ε) X: the offset of a material point, seen in the block frame.
-Point stretched(const Basis& basis, const Unknowns& q, Point offset);
-
 Point turned(Point p, double angle);
 
 /// The angle of the block frame; 0 for a basis without rotation.
@@ -49,8 +46,41 @@ Point translation(const Basis& basis, const Unknowns& q);
 /// ∂x/∂q at the material point X, 2 × n. The velocity of the point is this times the rate of q.
 DisplacementOperator jacobian(const Basis& basis, const Unknowns& q, Point offset);
 
-/// The X of the material point that lies at `from_centroid` (in the plane, from the present centroid).
-Point material_offset(const Basis& basis, const Unknowns& q, Point from_centroid);
+/// The map of one block at q: it moves many points for the price of a few. Blocks of few unknowns all lie in their one affine map
+/// x = c + A X, A = R (I + ε).
+class BlockMap {
+ public:
+  BlockMap(const Basis& basis, const Unknowns& q, Point centroid_at_start);
+
+  Point centroid() const { return centroid_; }
+  /// x of the material point X.
+  Point place(Point offset) const {
+    return {centroid_.x + a_(0, 0) * offset.x + a_(0, 1) * offset.y,
+            centroid_.y + a_(1, 0) * offset.x + a_(1, 1) * offset.y};
+  }
+  /// The X whose place is x.
+  Point offset(Point place) const;
+  /// R, of the turn of the block frame.
+  const Eigen::Matrix2d& rotation() const { return rotation_; }
+  const Eigen::Matrix2d& stretch() const { return a_; }
+
+ private:
+  Point centroid_;
+  Eigen::Matrix2d rotation_;
+  Eigen::Matrix2d a_;
+};
+
+/// ∂x/∂q of the points of one block at q: linear in X.
+class BlockJacobian {
+ public:
+  BlockJacobian(const Basis& basis, const Unknowns& q, const BlockMap& map);
+  DisplacementOperator at(Point offset) const { return constant_ + offset.x * per_x_ + offset.y * per_y_; }
+
+ private:
+  DisplacementOperator constant_;
+  DisplacementOperator per_x_;
+  DisplacementOperator per_y_;
+};
 
 /// Where the point of an element lies that lay at `start`.
 Point point_at(const Model& model, const Reference& reference, const UnknownsTable& q, ElementIndex element,

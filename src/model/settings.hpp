@@ -9,6 +9,7 @@
 #include "model/standard_choices.hpp"
 #include "problem/analysis.hpp"
 #include "problem/drawing.hpp"
+#include "system/linear_method.hpp"
 
 namespace keyblock {
 
@@ -72,6 +73,7 @@ struct Settings {
   int pass_limit = 8;
   int redo_limit = 200;  ///< redone attempts at one step before the run is given up
   OpenCloseConstants open_close;
+  LinearMethod linear_method = LinearMethod::automatic;  ///< of the systems of Dynamics::shi
   BerkeleyQuirks quirks;
   Dynamics dynamics = Dynamics::shi;
   Bookkeeping ledger = Bookkeeping::on;  ///< energy and momentum, step by step

@@ -125,8 +125,8 @@ class Attempts {
     const Attempt kind = !stepping_.has_solved ? Attempt::first_of_run
                          : report_.redos == 0  ? Attempt::first_of_step
                                                : Attempt::redone;
-    OpenCloseOutcome outcome =
-        open_close(system, contacts_, scene_.model, start_, settings_, scene_.rules, penalty_, kind, stepping_.solver);
+    OpenCloseOutcome outcome = open_close(system, contacts_, scene_.model, start_, settings_, scene_.rules, penalty_,
+                                          dt_, kind, stepping_.solver);
     stepping_.has_solved = true;
     report_.passes += outcome.passes;
     report_.residual = std::max(report_.residual, outcome.residual);
@@ -221,6 +221,7 @@ Stepping start(const Scene& scene) {
   stepping.state = start_state(scene.model, scene.dialect, scene.settings);
   stepping.history = {scene.settings.time_step, 0, 0, scene.settings.contact_penalty};
   stepping.penalty = scene.settings.contact_penalty;
+  stepping.solver.method = scene.settings.linear_method;
   return stepping;
 }
 

@@ -78,52 +78,6 @@ class MassAnswer : public CoverFlexibility {
   Eigen::Index size_;
 };
 
-class RigidAnswer : public CoverFlexibility {
- public:
-  RigidAnswer(const ElasticBodies& bodies, const Eigen::VectorXd& d)
-      : functions_(bodies.rigid.functions()), size_(bodies.unknown_count()) {
-    const std::vector<RigidMotion> motions = bodies.rigid.motions(d, Eigen::VectorXd::Zero(size_));
-    for (std::size_t b = 0; b < motions.size(); ++b) {
-      modes_.push_back(bodies.rigid.modes(static_cast<int>(b), d, motions[b].centre));
-      const Eigen::Vector3d root(1 / std::sqrt(motions[b].mass), 1 / std::sqrt(motions[b].mass),
-                                 1 / std::sqrt(motions[b].rotary_inertia));
-      inverse_.push_back(root.asDiagonal() * free_directions(bodies, b, root) * root.asDiagonal());
-    }
-  }
-  Eigen::Index size() const override { return size_; }
-  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
-    return by_body(functions_, forces, [&](int body, const Eigen::MatrixXd& part) {
-      const auto b = static_cast<std::size_t>(body);
-      return Eigen::MatrixXd(modes_[b] * (inverse_[b] * (modes_[b].transpose() * part)));
-    });
-  }
-
- private:
-  // A support that resists a rigid motion by more than this share of the stiffest holds it.
-  static constexpr double kHolds = 1e-9;
-
-  // Of motions scaled by the roots of the masses: the projection on those that no support of the problem resists.
-  Eigen::Matrix3d free_directions(const ElasticBodies& bodies, std::size_t b, const Eigen::Vector3d& root) const {
-    Eigen::MatrixX3d all = Eigen::MatrixX3d::Zero(size_, 3);
-    for (std::size_t i = 0; i < functions_[b].size(); ++i)
-      all.middleRows<2>(2 * functions_[b][i]) =
-          modes_[b].middleRows<2>(static_cast<Eigen::Index>(2 * i)) * root.asDiagonal();
-    Eigen::Matrix3d held;
-    for (Eigen::Index c = 0; c < 3; ++c) held.col(c) = all.transpose() * bodies.supports.times(all.col(c));
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions((held + held.transpose()) / 2);
-    Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
-    for (Eigen::Index k = 0; k < 3; ++k)
-      if (directions.eigenvalues()[k] > kHolds * directions.eigenvalues().cwiseAbs().maxCoeff())
-        free -= directions.eigenvectors().col(k) * directions.eigenvectors().col(k).transpose();
-    return free;
-  }
-
-  const Functions& functions_;
-  Eigen::Index size_;
-  std::vector<Eigen::MatrixX3d> modes_;
-  std::vector<Eigen::Matrix3d> inverse_;  ///< of mass, mass, inertia, in the directions that are free
-};
-
 CoverDamping damping_of(const Settings& settings) {
   return {settings.mass_damping.common, settings.stiffness_damping.common.value_or(0)};
 }
@@ -219,7 +173,7 @@ std::vector<WholeBody> CoverScene::whole(const Eigen::VectorXd& d, const Eigen::
 }
 
 Eigen::VectorXd CoverScene::rigid_part(const Eigen::VectorXd& d, const Eigen::VectorXd& v) const {
-  return rigid_mass_inverse(d)->times(momentum(v));
+  return RigidCovers(bodies_, d).velocity(momentum(v));
 }
 
 double CoverScene::top_speed(const Eigen::VectorXd& v) {
@@ -298,8 +252,8 @@ std::shared_ptr<const CoverFlexibility> CoverScene::flexibility_of_step() const 
   return std::make_shared<StepAnswer>(*equations_, bodies_.rigid.functions());
 }
 
-std::shared_ptr<const CoverFlexibility> CoverScene::rigid_mass_inverse(const Eigen::VectorXd& d) const {
-  return std::make_shared<RigidAnswer>(bodies_, d);
+std::shared_ptr<const RigidCovers> CoverScene::rigid(const Eigen::VectorXd& d) const {
+  return std::make_shared<RigidCovers>(bodies_, d);
 }
 
 }  // namespace keyblock

@@ -10,6 +10,7 @@
 #include "model/cover_kinematics.hpp"
 #include "model/settings.hpp"
 #include "step/cover_equations.hpp"
+#include "step/rigid_covers.hpp"
 
 namespace keyblock {
 
@@ -78,6 +79,8 @@ class CoverScene {
   double rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const;  ///< of the polar decomposition, rad
   /// Of the point that lay at `start`, and the turning there, half the curl: length and rad, per time.
   Velocity velocity(ElementIndex e, const Eigen::VectorXd& d, const Eigen::VectorXd& v, Point start) const;
+  /// Number of the body of an element on covers, from 0.
+  int body_of(ElementIndex e) const;
   /// Whether both elements are of one body on covers.
   bool are_one_body(ElementIndex a, ElementIndex b) const;
 
@@ -85,12 +88,10 @@ class CoverScene {
   CoverEquations& equations() const { return *equations_; }
   std::shared_ptr<const CoverFlexibility> flexibility_of_step() const;
   std::shared_ptr<const CoverFlexibility> mass_inverse() const { return mass_inverse_; }
-  /// Of the bodies as rigid ones at d; supports of the problem take what they hold out of it.
-  std::shared_ptr<const CoverFlexibility> rigid_mass_inverse(const Eigen::VectorXd& d) const;
+  /// The bodies as rigid ones at d.
+  std::shared_ptr<const RigidCovers> rigid(const Eigen::VectorXd& d) const;
 
  private:
-  int body_of(ElementIndex e) const;
-
   ElasticBodies bodies_;
   ElementIndex first_;
   std::shared_ptr<const CoverKinematics> kinematics_;

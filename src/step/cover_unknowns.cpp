@@ -55,8 +55,18 @@ System CoverUnknowns::of_covers(const System& of_elements) const {
   return system;
 }
 
-std::optional<Solution> CoverUnknowns::solve(const System& of_elements, Solver& solver) const {
-  return has_shared_covers_ ? solver.solve(of_covers(of_elements)) : solver.solve(of_elements);
+std::optional<Solution> CoverUnknowns::solve(const System& of_elements, const SystemKind& kind, Solver& solver) const {
+  return has_shared_covers_ ? solver.solve(of_covers(of_elements), kind) : solver.solve(of_elements, kind);
+}
+
+Eigen::VectorXd CoverUnknowns::steady(const State& state, double dt) const {
+  if (has_shared_covers_) return {};
+  Eigen::VectorXd increments(first_rows_.back());
+  for (ElementIndex e : indices(model_.elements)) {
+    const auto cover = static_cast<std::size_t>(e.value);
+    increments.segment(first_rows_[cover], sizes_[cover]) = dt * state.elements[e].velocity;
+  }
+  return increments;
 }
 
 Unknowns CoverUnknowns::unknowns_of(const Solution& solution, ElementIndex element) const {

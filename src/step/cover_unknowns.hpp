@@ -22,7 +22,10 @@ class CoverUnknowns {
   System of_covers(const System& of_elements) const;
 
   /// Solves a system of elements for the unknowns of covers.
-  std::optional<Solution> solve(const System& of_elements, Solver& solver) const;
+  std::optional<Solution> solve(const System& of_elements, const SystemKind& kind, Solver& solver) const;
+
+  /// Increments of blocks that go on for `dt` as they are; empty where covers are shared.
+  Eigen::VectorXd steady(const State& state, double dt) const;
 
   Increments increments(const Solution& solution) const;
 

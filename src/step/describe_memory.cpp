@@ -96,6 +96,7 @@ void describe(Archive& a, Stepping& stepping) {
   a.value("last_penalty", stepping.history.penalty);
   a.value("penalty", stepping.penalty);
   a.value("has_solved", stepping.has_solved);
+  a.value("gave_up_iterations", stepping.solver.gave_up_iterations);
 }
 
 void describe(Archive& a, ClosedContacts& contacts, VertexIndex vertices) {

@@ -3,10 +3,12 @@
 #include "step/impact.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
 #include "model/material_choices.hpp"
+#include "step/rigid_view.hpp"
 #include "step/step_ties.hpp"
 
 namespace keyblock {
@@ -88,20 +90,20 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
   for (std::size_t i = 0; i < all.size(); ++i)
     least[i] = i < impacts.size() ? all[i].rest_gap : std::min(least[i], 0.0);
   const double tolerable = kNoOverlap * size_of(scene);
-  const Flexibility blocks = rigid_flexibility(scene, q);
+  const RigidView view(scene, q);
   for (int pass = 0; pass < kMostPasses; ++pass) {
     std::vector<double> room = gaps_of(scene, q, all);
     for (std::size_t i = 0; i < all.size(); ++i) room[i] -= least[i];
     if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable; })) break;
-    const ContactRows rows = rows_with_points(scene, q, all);
-    FrictionalProblem problem{ContactMatrix(rows, blocks), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
+    const ContactRows rows = view.rows(rows_with_points(scene, q, all));
+    FrictionalProblem problem{ContactMatrix(rows, view.flexibility()), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
     problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
     problem.b = Eigen::VectorXd::Zero(problem.w.rows());
     for (std::size_t i = 0; i < all.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
     problem.goal = tolerable / problem.w.diagonal().maxCoeff();
     problem.acceptable = kLooser * problem.goal;
     const Eigen::VectorXd push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
-    q = plus(q, 1, answer(rows, blocks, push));
+    q = plus(q, 1, view.answer(rows, push));
   }
   return q;
 }
@@ -120,10 +122,11 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   touches = joined(touches, closed);
   ContactRows rows = rows_with_points(scene, q, touches);
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
-  const Flexibility blocks = rigid_flexibility(scene, q);
+  const RigidView view(scene, q);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
-  FrictionalProblem problem{
-      ContactMatrix(rows, blocks), rates(rows, rigid_part(scene, q, v)), {}, goal, kLooser * goal, {}};
+  const Eigen::VectorXd speeds = rates(rows, rigid_part(scene, q, v));
+  rows = view.rows(std::move(rows));
+  FrictionalProblem problem{ContactMatrix(rows, view.flexibility()), speeds, {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
@@ -140,7 +143,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   }
   const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   const Eigen::VectorXd shifts = impulses.cwiseProduct(times_of(meetings, impulses.size()));
-  return {plus(q, 1, answer(rows, blocks, shifts)), plus(v, 1, answer(rows, blocks, impulses))};
+  return {plus(q, 1, view.answer(rows, shifts)), plus(v, 1, view.answer(rows, impulses))};
 }
 
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,

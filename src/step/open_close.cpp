@@ -23,21 +23,29 @@ std::vector<bool> friction_acts(const Contacts& contacts, Attempt attempt, int p
   return acts;
 }
 
+// Mean of p Δt² / 2m over the blocks: without contact the first entry of a block is 2m/Δt², and more where it is held.
+double stiffness_over_inertia(const BlockMatrix& matrix, double penalty) {
+  double sum = 0;
+  for (int i = 0; i < matrix.block_count(); ++i) sum += penalty / matrix.row(i).front().block(0, 0);
+  return sum / std::max(1, matrix.block_count());
+}
+
 }  // namespace
 
 OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model, const State& state,
-                            const Settings& settings, const ContactRules& rules, double penalty, Attempt attempt,
-                            Solver& solver) {
+                            const Settings& settings, const ContactRules& rules, double penalty, double dt,
+                            Attempt attempt, Solver& solver) {
   OpenCloseOutcome outcome;
   outcome.contacts = std::move(contacts);
   const CoverUnknowns covers(model, state);
+  SystemKind kind{stiffness_over_inertia(without_contact.matrix, penalty), covers.steady(state, dt)};
   const int bound = settings.quirks.fixed_pass_bound ? kBerkeleyPassBound : settings.pass_limit;
   while (outcome.passes < bound) {
     ++outcome.passes;
     System system = without_contact;
     add_springs(outcome.contacts, model, state, rules, penalty, system);
     add_friction(outcome.contacts, friction_acts(outcome.contacts, attempt, outcome.passes), model, state, system);
-    const std::optional<Solution> solution = covers.solve(system, solver);
+    const std::optional<Solution> solution = covers.solve(system, kind, solver);
     if (!solution) {
       outcome.failure = "the system of equations could not be solved";
       return outcome;
@@ -50,6 +58,7 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
     }
     outcome.increments = covers.increments(*solution);
     outcome.node_steps = covers.node_steps(*solution);
+    kind.guess = solution->x;
     outcome.contacts = judge(std::move(outcome.contacts), model, state, outcome.increments, rules, penalty);
     outcome.still_changing = changed(outcome.contacts);
     const bool must_repeat = attempt == Attempt::first_of_run && outcome.passes == 1;

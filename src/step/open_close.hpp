@@ -38,7 +38,7 @@ struct OpenCloseOutcome {
 };
 
 OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model, const State& state,
-                            const Settings& settings, const ContactRules& rules, double penalty, Attempt attempt,
-                            Solver& solver);
+                            const Settings& settings, const ContactRules& rules, double penalty, double dt,
+                            Attempt attempt, Solver& solver);
 
 }  // namespace keyblock

@@ -34,6 +34,10 @@ constexpr double kWorstGain = 0.03;
 constexpr double kWeakTerm = 1e-3;
 // Gaps of this share of block size need not be closed further by forces without springs.
 constexpr double kGapTolerance = 1e-9;
+// Round-off of forces is these shares of what the gaps would ask for one by one: where nothing but a driven point loads a scene, no
+// load says what is small.
+constexpr double kRoundOff = 1e-14;
+constexpr double kFewRoundOffs = 1e-12;
 // A bond that opens by more than this share of block size in a step is broken; less is round-off of the solution.
 constexpr double kBroken = 1e-11;
 
@@ -44,6 +48,7 @@ class SmoothSolve {
       : scene_(scene),
         start_(start),
         touches_(touches),
+        tolerance_(tolerance),
         dt_(dt),
         rule_(rule),
         start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
@@ -55,8 +60,6 @@ class SmoothSolve {
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) size_ = std::max(size_, body.size);
     if (scene.covers) size_ = std::max(size_, scene.covers->size());
-    problem_.goal = tolerance.goal;
-    problem_.acceptable = tolerance.acceptable;
     result_.forces = remembered_forces();
   }
 
@@ -215,6 +218,10 @@ class SmoothSolve {
     }
     const Eigen::Index of_ties = problem_.b.size() - first_tie();
     problem_.b.tail(of_ties) = ties_.gaps(plus(start_.q, 1, estimate)) + from_estimate.tail(of_ties);
+    if (problem_.b.size() == 0) return;
+    const double asked = problem_.b.cwiseQuotient(problem_.compliance()).cwiseAbs().maxCoeff();
+    problem_.goal = std::max(tolerance_.goal, kRoundOff * asked);
+    problem_.acceptable = std::max(tolerance_.acceptable, kFewRoundOffs * asked);
   }
 
   // Springs that stop an impact act at the middle of the step, which keeps their energy: λ = −p (g0 + g1)/2.
@@ -272,6 +279,7 @@ class SmoothSolve {
   const StandardScene& scene_;
   const Motion& start_;
   const Touches& touches_;
+  ForceTolerance tolerance_;
   double dt_;
   StepRule rule_;
   Table<VertexIndex, Point> start_vertices_;

@@ -117,9 +117,10 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
       if (loads[e].size() > 0) loads[e].head<2>() += scene.bodies[e].mass(0, 0) * acceleration;
     if (scene.covers) loads.covers += scene.covers->inertia_of({acceleration.x(), acceleration.y()});
   }
+  const PointMotions points(scene.model, scene.reference, q);
   for (const CarriedPoint& point : scene.model.loading_points) {
     const Point force = point.curve.at(time);
-    const PointMotion motion = PointMotions(scene.model, scene.reference, q).of_point(point.element, point.start);
+    const PointMotion motion = points.of_point(point.element, point.start);
     loads[point.element] += motion.of_block.transpose() * Eigen::Vector2d(force.x, force.y);
     for (const CoverShare& share : motion.of_covers)
       loads.covers.segment<2>(2 * share.function) += share.value * Eigen::Vector2d(force.x, force.y);
@@ -131,11 +132,6 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
 
 Flexibility mass_flexibility(const StandardScene& scene) {
   return {every(scene.bodies, &Body::mass_inverse), scene.covers ? scene.covers->mass_inverse() : nullptr};
-}
-
-Flexibility rigid_flexibility(const StandardScene& scene, const UnknownsTable& q) {
-  return {every(scene.bodies, &Body::rigid_mass_inverse),
-          scene.covers ? scene.covers->rigid_mass_inverse(q.covers) : nullptr};
 }
 
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,

@@ -30,9 +30,8 @@ struct StandardScene {
   bool has_springs() const { return has_enforcement(settings, model, Enforcement::penalty); }
 };
 
-/// M⁻¹ of everything, and M⁻¹ of translation and rotation of everything in the configuration q.
+/// M⁻¹ of everything.
 Flexibility mass_flexibility(const StandardScene& scene);
-Flexibility rigid_flexibility(const StandardScene& scene, const UnknownsTable& q);
 
 /// An enforcement that is `automatic` is decided here.
 StandardScene standard_scene(Model model, Settings settings);

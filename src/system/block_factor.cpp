@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_factor.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 
 namespace keyblock {
 
 class BlockFactor::Kernel {
  public:
   virtual ~Kernel() = default;
+  virtual void clear() = 0;
   virtual void add(int i, int j, const Block& block) = 0;
   virtual bool factorise(bool is_symmetric) = 0;
   virtual void solve(std::span<double> b) const = 0;
@@ -45,6 +48,55 @@ class Reaching {
   std::vector<int> entries_;
 };
 
+// N × N with columns filled up by zeros to whole vectors of four numbers: a product is then vector operations alone.
+template <int N>
+struct alignas(32) Padded {
+  static constexpr int kRows = (N + 3) / 4 * 4;
+  using Square = Eigen::Matrix<double, N, N>;
+
+  std::array<std::array<double, kRows>, N> columns{};
+
+  auto square() { return Eigen::Map<Square, 0, Eigen::OuterStride<kRows>>(columns[0].data()); }
+  auto square() const { return Eigen::Map<const Square, 0, Eigen::OuterStride<kRows>>(columns[0].data()); }
+};
+
+using Four [[gnu::vector_size(32), gnu::may_alias]] = double;
+
+template <int N>
+Four& four(Padded<N>& m, int column, int h) {
+  return reinterpret_cast<Four*>(m.columns[at(column)].data())[h];
+}
+template <int N>
+const Four& four(const Padded<N>& m, int column, int h) {
+  return reinterpret_cast<const Four*>(m.columns[at(column)].data())[h];
+}
+
+// c −= a bᵀ, or c −= a b. Unrolled, the sums stay in registers.
+template <bool kTransposed, int N>
+inline void subtract_product(Padded<N>& c, const Padded<N>& a, const Padded<N>& b) {
+  constexpr int kFours = Padded<N>::kRows / 4;
+  Four sums[N][kFours];
+#pragma GCC unroll 8
+  for (int j = 0; j < N; ++j) {
+#pragma GCC unroll 2
+    for (int h = 0; h < kFours; ++h) sums[j][h] = four(c, j, h);
+  }
+#pragma GCC unroll 8
+  for (int k = 0; k < N; ++k) {
+#pragma GCC unroll 8
+    for (int j = 0; j < N; ++j) {
+      const double factor = kTransposed ? b.columns[at(k)][at(j)] : b.columns[at(j)][at(k)];
+#pragma GCC unroll 2
+      for (int h = 0; h < kFours; ++h) sums[j][h] -= four(a, k, h) * factor;
+    }
+  }
+#pragma GCC unroll 8
+  for (int j = 0; j < N; ++j) {
+#pragma GCC unroll 2
+    for (int h = 0; h < kFours; ++h) four(c, j, h) = sums[j][h];
+  }
+}
+
 template <int N>
 class KernelOf : public BlockFactor::Kernel {
  public:
@@ -54,30 +106,38 @@ class KernelOf : public BlockFactor::Kernel {
   KernelOf(std::shared_ptr<const BlockPattern> pattern, std::vector<int> sizes)
       : pattern_(std::move(pattern)),
         sizes_(std::move(sizes)),
-        diagonal_(sizes_.size(), Square::Zero()),
-        lower_(at(pattern_->entry_count()), Square::Zero()),
-        upper_(lower_) {
+        diagonal_(sizes_.size()),
+        pivots_(sizes_.size()),
+        lower_(at(pattern_->entry_count())),
+        upper_(lower_.size()) {
     int row = 0;
-    first_rows_.resize(sizes_.size());
-    for (std::size_t i = 0; i < sizes_.size(); ++i) {
-      first_rows_[i] = row;
-      row += sizes_[i];
-      diagonal_[at(pattern_->place(static_cast<int>(i)))].diagonal().tail(N - sizes_[i]).setOnes();
+    for (const int size : sizes_) {
+      first_rows_.push_back(row);
+      row += size;
     }
+    clear();
+  }
+
+  void clear() override {
+    std::ranges::fill(diagonal_, Padded<N>{});
+    std::ranges::fill(lower_, Padded<N>{});
+    std::ranges::fill(upper_, Padded<N>{});
+    for (std::size_t i = 0; i < sizes_.size(); ++i)
+      diagonal_[at(pattern_->place(static_cast<int>(i)))].square().diagonal().tail(N - sizes_[i]).setOnes();
   }
 
   void add(int i, int j, const BlockFactor::Block& block) override {
     const int a = pattern_->place(i);
     const int b = pattern_->place(j);
     if (a == b)
-      diagonal_[at(a)].topLeftCorner(block.rows(), block.cols()) += block;
+      diagonal_[at(a)].square().topLeftCorner(block.rows(), block.cols()) += block;
     else if (a > b)
-      lower_[at(pattern_->entry(a, b))].topLeftCorner(block.rows(), block.cols()) += block;
+      lower_[at(pattern_->entry(a, b))].square().topLeftCorner(block.rows(), block.cols()) += block;
     else
-      upper_[at(pattern_->entry(b, a))].topLeftCorner(block.cols(), block.rows()) += block.transpose();
+      upper_[at(pattern_->entry(b, a))].square().topLeftCorner(block.cols(), block.rows()) += block.transpose();
   }
 
-  // Of column j, `lower_` becomes L (rows below) and `upper_` the transposed rows of D U to the right.
+  // A pivot is split in two: of column j, `lower_` becomes L (rows below) and `upper_` the transposed rows of U to the right.
   bool factorise(bool is_symmetric) override {
     Reaching reaching(*pattern_);
     std::vector<int> places(diagonal_.size());  // entry of each row in the column at hand
@@ -92,14 +152,11 @@ class KernelOf : public BlockFactor::Kernel {
         reaching.file(k, reached + 1);
         k = after;
       }
-      Square& pivot = diagonal_[at(j)];
-      const Eigen::PartialPivLU<Square> lu(pivot);
-      pivot = lu.inverse();
-      if (!pivot.allFinite()) return false;
+      Pivot& pivot = pivots_[at(j)];
+      if (!pivot.factorise(diagonal_[at(j)].square(), is_symmetric)) return false;
       for (int entry = begin; entry < end; ++entry) {
-        if (is_symmetric) upper_[at(entry)] = lower_[at(entry)];
-        const Square raw = lower_[at(entry)];
-        lower_[at(entry)].noalias() = raw * pivot;
+        lower_[at(entry)] = product(lower_[at(entry)], pivot.minus_upper_inverse);
+        upper_[at(entry)] = is_symmetric ? lower_[at(entry)] : product(upper_[at(entry)], pivot.minus_lower_inverse);
       }
       reaching.file(j, begin);
     }
@@ -110,38 +167,75 @@ class KernelOf : public BlockFactor::Kernel {
     std::vector<Column> x(diagonal_.size(), Column::Zero());
     for (std::size_t i = 0; i < sizes_.size(); ++i)
       for (int r = 0; r < sizes_[i]; ++r) x[at(pattern_->place(static_cast<int>(i)))][r] = b[at(first_rows_[i] + r)];
-    for (int j = 0; j < pattern_->block_count(); ++j)
+    for (int j = 0; j < pattern_->block_count(); ++j) {
+      const Column own = pivots_[at(j)].minus_lower_inverse.square().transpose() * -x[at(j)];
+      x[at(j)] = own;
       for (int entry = pattern_->begin(j); entry < pattern_->begin(j + 1); ++entry)
-        x[at(pattern_->row(entry))].noalias() -= lower_[at(entry)] * x[at(j)];
+        x[at(pattern_->row(entry))].noalias() -= lower_[at(entry)].square() * own;
+    }
     for (int j = pattern_->block_count() - 1; j >= 0; --j) {
       Column sum = x[at(j)];
       for (int entry = pattern_->begin(j); entry < pattern_->begin(j + 1); ++entry)
-        sum.noalias() -= upper_[at(entry)].transpose() * x[at(pattern_->row(entry))];
-      x[at(j)].noalias() = diagonal_[at(j)] * sum;
+        sum.noalias() -= upper_[at(entry)].square().transpose() * x[at(pattern_->row(entry))];
+      x[at(j)].noalias() = pivots_[at(j)].minus_upper_inverse.square() * -sum;
     }
     for (std::size_t i = 0; i < sizes_.size(); ++i)
       for (int r = 0; r < sizes_[i]; ++r) b[at(first_rows_[i] + r)] = x[at(pattern_->place(static_cast<int>(i)))][r];
   }
 
  private:
+  // P = L U of a pivot block: their inverses with the sign that a product wants, that of L with its rows exchanged and transposed.
+  // The inverse of P itself would lose as many figures as the block has between its stiffest and its softest unknown.
+  struct Pivot {
+    Padded<N> minus_lower_inverse;
+    Padded<N> minus_upper_inverse;
+
+    // False if it is singular, or not positive where it is said to be symmetric.
+    bool factorise(const Square& block, bool is_symmetric) {
+      if (is_symmetric) {
+        const Eigen::LLT<Square> cholesky(block);
+        if (cholesky.info() != Eigen::Success) return false;
+        const Square inverse = cholesky.matrixL().solve(Square::Identity());
+        minus_lower_inverse.square() = -inverse.transpose();
+        minus_upper_inverse.square() = -inverse.transpose();
+        return inverse.allFinite();
+      }
+      const Eigen::PartialPivLU<Square> lu(block);
+      const Square of_lower =
+          lu.matrixLU().template triangularView<Eigen::UnitLower>().solve(Square(lu.permutationP()));
+      const Square of_upper = lu.matrixLU().template triangularView<Eigen::Upper>().solve(Square::Identity());
+      minus_lower_inverse.square() = -of_lower.transpose();
+      minus_upper_inverse.square() = -of_upper;
+      return of_lower.allFinite() && of_upper.allFinite();
+    }
+  };
+
+  // −a b.
+  static Padded<N> product(const Padded<N>& a, const Padded<N>& b) {
+    Padded<N> c;
+    subtract_product<false>(c, a, b);
+    return c;
+  }
+
   // What column k, which reaches row j by `reached`, takes from column j.
   void subtract(int j, int k, int reached, const std::vector<int>& places, bool is_symmetric) {
-    const Square left = lower_[at(reached)];
-    const Square right = upper_[at(reached)].transpose();
-    diagonal_[at(j)].noalias() -= left * right;
+    const Padded<N> left = lower_[at(reached)];
+    const Padded<N> right = upper_[at(reached)];
+    subtract_product<true>(diagonal_[at(j)], left, right);
     for (int entry = reached + 1; entry < pattern_->begin(k + 1); ++entry) {
       const int place = places[at(pattern_->row(entry))];
-      lower_[at(place)].noalias() -= lower_[at(entry)] * right;
-      if (!is_symmetric) upper_[at(place)].noalias() -= upper_[at(entry)] * left.transpose();
+      subtract_product<true>(lower_[at(place)], lower_[at(entry)], right);
+      if (!is_symmetric) subtract_product<true>(upper_[at(place)], upper_[at(entry)], left);
     }
   }
 
   std::shared_ptr<const BlockPattern> pattern_;
   std::vector<int> sizes_;
   std::vector<int> first_rows_;
-  std::vector<Square> diagonal_;  ///< by place; inverted once factorised
-  std::vector<Square> lower_;     ///< by entry
-  std::vector<Square> upper_;     ///< by entry, transposed
+  std::vector<Padded<N>> diagonal_;  ///< by place
+  std::vector<Pivot> pivots_;        ///< by place, once factorised
+  std::vector<Padded<N>> lower_;     ///< by entry
+  std::vector<Padded<N>> upper_;     ///< by entry, transposed
 };
 
 }  // namespace
@@ -157,6 +251,10 @@ BlockFactor::BlockFactor(std::shared_ptr<const BlockPattern> pattern, std::vecto
 BlockFactor::BlockFactor(BlockFactor&&) noexcept = default;
 BlockFactor& BlockFactor::operator=(BlockFactor&&) noexcept = default;
 BlockFactor::~BlockFactor() = default;
+
+void BlockFactor::clear() {
+  kernel_->clear();
+}
 
 void BlockFactor::add(int i, int j, const Block& block) {
   kernel_->add(i, j, block);

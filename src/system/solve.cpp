@@ -1,37 +1,50 @@
-// Hands the block matrix to Eigen's sparse factorisation, refines once where needed, and measures the residual.
+// Chooses between the block factor and iterations, refines once where needed, and measures the residual.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/solve.hpp"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "system/block_iterations.hpp"
 
 namespace keyblock {
 namespace {
 
-// A residual above this asks for one step of refinement: a backward-stable factorisation stays well below it.
-constexpr double kRefineAbove = 1e-12;
+// A residual above this asks for one step of refinement: all but exact ones do. Impacts multiply what is left by ten each.
+constexpr double kRefineAbove = 1e-16;
+// Residual of iterations: contacts are judged by forces to some 1e-6.
+constexpr double kIterated = 1e-11;
+// Measured on walls of bricks: gradients win below the first ratio, and the factor below the number of blocks.
+constexpr double kGreatestRatio = 100;
+constexpr int kFewBlocks = 300;
+// Iterations that cost what a factor does.
+constexpr int kManyBlocks = 10000;
+constexpr IterationLimits kUpToMany{kIterated, 70};
+constexpr IterationLimits kBeyond{kIterated, 140};
+constexpr IterationLimits kGiven{kIterated, 5000};
+// The old programs' factor of over-relaxation and their bound of sweeps, roughly.
+constexpr double kOmega = 1.4;
+constexpr IterationLimits kSweeps{kIterated, 3000};
 
-// Lower triangle, column by column: the stored upper blocks of block row i are the lower blocks of block
-// column i.
-Eigen::SparseMatrix<double> lower_triangle(const BlockMatrix& matrix) {
-  Eigen::SparseMatrix<double> lower(matrix.row_count(), matrix.row_count());
-  std::vector<int> column_sizes;
+BlockPattern::Pairs coupled_in(const BlockMatrix& matrix) {
+  BlockPattern::Pairs pairs;
+  for (int i = 0; i < matrix.block_count(); ++i)
+    for (const auto& entry : matrix.row(i))
+      if (entry.column != i) pairs.emplace_back(i, entry.column);
+  return pairs;
+}
+
+BlockFactor factor_of(const BlockMatrix& matrix, std::shared_ptr<const BlockPattern> pattern) {
+  std::vector<int> sizes;
+  for (int i = 0; i < matrix.block_count(); ++i) sizes.push_back(matrix.size(i));
+  BlockFactor factor(std::move(pattern), std::move(sizes));
   for (int i = 0; i < matrix.block_count(); ++i) {
-    int below = 0;
-    for (const auto& entry : matrix.row(i)) below += entry.column == i ? 0 : matrix.size(entry.column);
-    for (int c = 0; c < matrix.size(i); ++c) column_sizes.push_back(matrix.size(i) - c + below);
-  }
-  lower.reserve(column_sizes);
-  for (int i = 0; i < matrix.block_count(); ++i) {
-    for (int c = 0; c < matrix.size(i); ++c) {
-      for (const auto& [j, block] : matrix.row(i)) {
-        for (int r = j == i ? c : 0; r < matrix.size(j); ++r)
-          lower.insert(matrix.first_row(j) + r, matrix.first_row(i) + c) = block(c, r);
-      }
+    for (const auto& [column, block] : matrix.row(i)) {
+      factor.add(i, column, block);
+      if (column != i) factor.add(column, i, block.transpose());
     }
   }
-  lower.makeCompressed();
-  return lower;
+  return factor;
 }
 
 double relative_residual(const System& system, const Eigen::VectorXd& residual) {
@@ -39,29 +52,61 @@ double relative_residual(const System& system, const Eigen::VectorXd& residual) 
   return load > 0 ? residual.norm() / load : residual.norm();
 }
 
-}  // namespace
-
-bool Solver::same_pattern(const Sparse& matrix) const {
-  return matrix.rows() == matrix_.rows() && matrix.nonZeros() == matrix_.nonZeros() &&
-         std::equal(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1, matrix_.outerIndexPtr()) &&
-         std::equal(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros(), matrix_.innerIndexPtr());
+std::span<double> entries(Eigen::VectorXd& x) {
+  return {x.data(), static_cast<std::size_t>(x.size())};
 }
 
-std::optional<Solution> Solver::solve(const System& system) {
-  Sparse matrix = lower_triangle(system.matrix);
-  if (!same_pattern(matrix)) factor_->analyzePattern(matrix);
-  matrix_ = std::move(matrix);
-  factor_->factorize(matrix_);
-  if (factor_->info() != Eigen::Success) return std::nullopt;
-  Solution solution{factor_->solve(system.load), 0};
-  Eigen::VectorXd residual = system.load - system.matrix * solution.x;
-  if (relative_residual(system, residual) > kRefineAbove) {
-    solution.x += factor_->solve(residual);
-    residual = system.load - system.matrix * solution.x;
+}  // namespace
+
+bool Solver::iterates(int block_count, double stiffness_over_inertia) const {
+  if (method != LinearMethod::automatic) return method != LinearMethod::factor;
+  return !gave_up_iterations && block_count >= kFewBlocks && stiffness_over_inertia <= kGreatestRatio;
+}
+
+std::optional<Eigen::VectorXd> Solver::by_factor(const System& system) {
+  BlockPattern::Pairs coupled = coupled_in(system.matrix);
+  if (!pattern_ || block_count_ != system.matrix.block_count() || coupled != coupled_) {
+    block_count_ = system.matrix.block_count();
+    coupled_ = std::move(coupled);
+    pattern_ = std::make_shared<BlockPattern>(block_count_, coupled_);
   }
-  solution.residual = relative_residual(system, residual);
-  if (!solution.x.allFinite()) return std::nullopt;
-  return solution;
+  BlockFactor factor = factor_of(system.matrix, pattern_);
+  if (!factor.factorise(true)) {
+    factor = factor_of(system.matrix, pattern_);  // not positive: as any other matrix
+    if (!factor.factorise(false)) return std::nullopt;
+  }
+  Eigen::VectorXd x = system.load;
+  factor.solve(entries(x));
+  Eigen::VectorXd residual = system.load - system.matrix * x;
+  if (relative_residual(system, residual) > kRefineAbove) {
+    factor.solve(entries(residual));
+    x += residual;
+  }
+  return x;
+}
+
+std::optional<Eigen::VectorXd> Solver::by_iterations(const System& system, const Eigen::VectorXd& guess) {
+  const BlockIterations iterations(system.matrix);
+  const Eigen::VectorXd start = guess.size() == system.load.size() ? guess : Eigen::VectorXd::Zero(system.load.size());
+  if (method == LinearMethod::over_relaxation) return iterations.over_relaxation(system.load, start, kOmega, kSweeps).x;
+  const IterationLimits& limits = method == LinearMethod::conjugate_gradients  ? kGiven
+                                  : system.matrix.block_count() <= kManyBlocks ? kUpToMany
+                                                                               : kBeyond;
+  IterationResult result = iterations.conjugate_gradients(system.load, start, limits);
+  if (!result.converged) return std::nullopt;
+  return std::move(result.x);
+}
+
+std::optional<Solution> Solver::solve(const System& system, const SystemKind& kind) {
+  std::optional<Eigen::VectorXd> x;
+  if (iterates(system.matrix.block_count(), kind.stiffness_over_inertia)) {
+    x = by_iterations(system, kind.guess);
+    gave_up_iterations = gave_up_iterations || !x;
+  }
+  if (!x) x = by_factor(system);
+  if (!x || !x->allFinite()) return std::nullopt;
+  const double residual = relative_residual(system, system.load - system.matrix * *x);
+  return Solution{*std::move(x), residual};
 }
 
 }  // namespace keyblock

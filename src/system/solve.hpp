@@ -1,12 +1,13 @@
-// One call that solves a symmetric block system and says how well: the true residual is always recomputed.
+// One call that solves a symmetric block system, by a factor or by iterations, and says how well: the true residual is recomputed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <memory>
 #include <optional>
 
+#include "system/block_factor.hpp"
 #include "system/block_matrix.hpp"
+#include "system/linear_method.hpp"
 
 namespace keyblock {
 
@@ -15,20 +16,32 @@ struct Solution {
   double residual = 0;  ///< ‖b − A x‖ / ‖b‖, recomputed from the block matrix
 };
 
-/// Sparse L D Lᵀ (Eigen, approximate minimum degree). Keeps the symbolic factor while the pattern stays the
-/// same.
+/// What is known of a system beforehand.
+struct SystemKind {
+  /// R = p Δt² / 2m, contact stiffness over inertia of a mean block; infinite without inertia.
+  double stiffness_over_inertia = 0;
+  Eigen::VectorXd guess{};  ///< of the solution; empty: zero
+};
+
+/// Keeps the symbolic factor while the pattern stays the same. `automatic`: conjugate gradients where R ≤ 100 and blocks are at least
+/// 300, unless they took more iterations once than a factor costs (70 up to 1e4 blocks, 140 beyond); then the factor from there on.
 class Solver {
  public:
-  /// Nothing if the factorisation breaks down or the result is not finite.
-  std::optional<Solution> solve(const System& system);
+  /// Nothing if the factorisation breaks down or the result is not finite. Iterations that do not reach 1e-11 are left to the factor;
+  /// those of over-relaxation are not.
+  std::optional<Solution> solve(const System& system, const SystemKind& kind = {});
+
+  LinearMethod method = LinearMethod::automatic;
+  bool gave_up_iterations = false;  ///< of `automatic`: a run that is resumed goes on as it was
 
  private:
-  using Sparse = Eigen::SparseMatrix<double>;
-  using Factor = Eigen::SimplicialLDLT<Sparse, Eigen::Lower>;
-  bool same_pattern(const Sparse& matrix) const;
+  bool iterates(int block_count, double stiffness_over_inertia) const;
+  std::optional<Eigen::VectorXd> by_factor(const System& system);
+  std::optional<Eigen::VectorXd> by_iterations(const System& system, const Eigen::VectorXd& guess);
 
-  Sparse matrix_;
-  std::unique_ptr<Factor> factor_ = std::make_unique<Factor>();
+  int block_count_ = 0;
+  BlockPattern::Pairs coupled_;
+  std::shared_ptr<const BlockPattern> pattern_;
 };
 
 }  // namespace keyblock

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace keyblock {
 namespace {
 
@@ -14,8 +16,7 @@ Unknowns moved() {
 }
 
 Point position(const Unknowns& q, Point offset) {
-  const Basis& basis = affine_basis();
-  return translation(basis, q) + turned(stretched(basis, q, offset), angle_of(basis, q));
+  return BlockMap(affine_basis(), q, {}).place(offset);
 }
 
 }  // namespace
@@ -35,17 +36,25 @@ TEST(Kinematics, the_jacobian_is_the_derivative_of_the_position) {
   }
 }
 
+// x = c + R (I + ε) X with figures: R of 0.7 rad, (I + ε) X = (0.3 · 1.01 + 0.02 · −0.8, 0.02 · 0.3 − 0.8 · 0.98).
+TEST(Kinematics, a_point_is_turned_after_it_is_stretched) {
+  const Point stretched{0.287, -0.778};
+  const Point at = position(moved(), {0.3, -0.8});
+  EXPECT_NEAR(at.x, 1 + std::cos(0.7) * stretched.x - std::sin(0.7) * stretched.y, 1e-15);
+  EXPECT_NEAR(at.y, 2 + std::sin(0.7) * stretched.x + std::cos(0.7) * stretched.y, 1e-15);
+}
+
 TEST(Kinematics, the_material_point_at_a_place_is_found_again) {
   const Unknowns q = moved();
   const Point offset{0.3, -0.8};
-  const Point back = material_offset(affine_basis(), q, position(q, offset) - translation(affine_basis(), q));
+  const Point back = BlockMap(affine_basis(), q, {}).offset(position(q, offset));
   EXPECT_NEAR(distance(back, offset), 0, 1e-15);
 }
 
 TEST(Kinematics, rigid_and_fixed_points_keep_their_distances) {
   Unknowns q(3);
   q << 5, 6, 2.5;
-  EXPECT_NEAR(length(stretched(rigid_basis(), q, {3, 4})), 5, 1e-15);
+  EXPECT_NEAR(distance(BlockMap(rigid_basis(), q, {}).place({3, 4}), {5, 6}), 5, 4e-15);
   EXPECT_EQ(jacobian(fixed_basis(), Unknowns(0), {3, 4}).cols(), 0);
   EXPECT_EQ(angle_of(fixed_basis(), Unknowns(0)), 0);
 }

@@ -37,7 +37,7 @@ OpenCloseOutcome iterated(const Scene& scene, Attempt attempt, Contacts contacts
   const System system = assemble(scene.terms, {scene.model, state, scene.settings, scene.settings.time_step});
   Solver solver;
   return open_close(system, std::move(contacts), scene.model, state, scene.settings, scene.rules,
-                    scene.settings.contact_penalty, attempt, solver);
+                    scene.settings.contact_penalty, scene.settings.time_step, attempt, solver);
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ TEST(OpenClose, a_system_that_cannot_be_solved_is_said_so) {
   const Scene scene = two_blocks(true);
   Solver solver;
   const OpenCloseOutcome outcome = open_close(System({6, 6}), {}, scene.model, start(scene).state, scene.settings,
-                                              scene.rules, 1, Attempt::first_of_step, solver);
+                                              scene.rules, 1, 1, Attempt::first_of_step, solver);
   EXPECT_NE(outcome.failure, "");
 }
 

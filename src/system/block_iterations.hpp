@@ -1,0 +1,48 @@
+// Solves a symmetric block system by iterations, for steps whose inertia keeps neighbours nearly uncoupled.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "system/block_matrix.hpp"
+
+namespace keyblock {
+
+/// Where iterations end.
+struct IterationLimits {
+  double residual = 0;  ///< ‖b − A x‖ / ‖b‖ that is small enough
+  int count = 0;        ///< iterations at most
+};
+
+struct IterationResult {
+  Eigen::VectorXd x;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Symmetric positive definite blocks of up to 6 rows, all padded to one fixed size (2, 3 or 6), rows stored in full.
+class BlockIterations {
+ public:
+  explicit BlockIterations(const BlockMatrix& matrix);
+  BlockIterations(BlockIterations&&) noexcept;
+  BlockIterations& operator=(BlockIterations&&) noexcept;
+  ~BlockIterations();
+
+  /// Conjugate gradients (Hestenes & Stiefel 1952) from `start`, preconditioned by the incomplete block factor L D Lᵀ on the pattern of A
+  /// (Meijerink & van der Vorst 1977). Where a pivot is not positive the diagonal is raised by 1e-3 of itself, and by twice as
+  /// much in every further attempt (Manteuffel 1980).
+  IterationResult conjugate_gradients(const Eigen::VectorXd& b, const Eigen::VectorXd& start,
+                                      const IterationLimits& limits) const;
+
+  /// Successive over-relaxation block by block, as the old programs did it, with their factor 1 < ω < 2 (Young 1954).
+  IterationResult over_relaxation(const Eigen::VectorXd& b, const Eigen::VectorXd& start, double omega,
+                                  const IterationLimits& limits) const;
+
+  /// Interface of the kernels, one for each size of block.
+  class Kernel;
+
+ private:
+  std::unique_ptr<Kernel> kernel_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,72 @@
+// Bodies on covers answer to forces as rigid blocks do.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/rigid_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include "contact/point_motion.hpp"
+#include "tests/support/cover_scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+using testing::block_on_slope;
+using testing::mixed_scene_of;
+using testing::plain_analysis;
+using testing::radians;
+using testing::rectangle;
+using testing::standard_settings;
+
+StandardScene on_covers(const Blocks& blocks, int meshed) {
+  const Analysis analysis = plain_analysis(1e-3, 1);
+  const Scene scene =
+      mixed_scene_of(blocks, {meshed}, analysis, standard_settings(analysis), 2, CoverFunctions::derived);
+  return standard_scene(scene.model, scene.settings);
+}
+
+VertexIndex first_vertex_on_covers(const StandardScene& scene) {
+  for (VertexIndex v : indices(scene.model.vertices))
+    if (scene.model.elements[scene.model.vertices[v].element].is_on_covers()) return v;
+  return scene.model.vertices.end_index();
+}
+
+}  // namespace
+
+// A unit impulse n at a point r from the mass centre of a free body: n (1/m + (r × n)²/I) along itself.
+TEST(RigidView, a_free_body_answers_by_its_mass_and_inertia) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-5, -2}, {5, 0}), rectangle({0, 1}, {3, 2})};
+  blocks.fixed_points = {{{-4, -1}, 0, {}}, {{4, -1}, 0, {}}};
+  const StandardScene scene = on_covers(blocks, 1);
+  const Motion motion = start_motion(scene);
+  const RigidView view(scene, motion.q);
+  const VertexIndex v = first_vertex_on_covers(scene);
+  const ElementIndex e = scene.model.vertices[v].element;
+  const Point n{0.6, 0.8};
+  const ContactRows of_scene{row_of(e, PointMotions(scene.model, scene.reference, motion.q).of_vertex(v), n)};
+  const ContactRows rows = view.rows(of_scene);
+  const Eigen::VectorXd unit = Eigen::VectorXd::Ones(1);
+  const double rate = rates(of_scene, view.answer(rows, unit))[0];
+  const double mass = scene.model.material_of(scene.model.elements[e]).density * 3;
+  const Point arm = scene.model.start_vertices[static_cast<std::size_t>(v.value)] - Point{1.5, 1.5};
+  const double turn = cross(arm, n);
+  EXPECT_NEAR(rate * mass, 1 + turn * turn / ((9 + 1) / 12.0), 1e-10);
+  EXPECT_NEAR(ContactMatrix(rows, view.flexibility()).diagonal()[0], rate, 1e-12 * rate);
+}
+
+// What an impulse between two faces of one body gives it as a whole is nothing.
+TEST(RigidView, a_body_does_not_push_itself) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-5, -2}, {5, 0}), rectangle({0, 1}, {3, 2})};
+  blocks.fixed_points = {{{-4, -1}, 0, {}}, {{4, -1}, 0, {}}};
+  const StandardScene scene = on_covers(blocks, 1);
+  const Motion motion = start_motion(scene);
+  const RigidView view(scene, motion.q);
+  const VertexIndex v = first_vertex_on_covers(scene);
+  const ElementIndex e = scene.model.vertices[v].element;
+  const PointMotion at = PointMotions(scene.model, scene.reference, motion.q).of_vertex(v);
+  const ContactRows rows = view.rows({row_between(e, at, e, at, {1, 0})});
+  EXPECT_LT(view.answer(rows, Eigen::VectorXd::Ones(1)).covers.norm(), 1e-14);
+}
+
+}  // namespace keyblock

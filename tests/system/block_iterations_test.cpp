@@ -1,0 +1,127 @@
+// Iterations reach the solution of a factor, say so where they do not, and end for a matrix that has no factor.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/block_iterations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "system/solve.hpp"
+
+namespace keyblock {
+namespace {
+
+using Block = BlockMatrix::Block;
+
+// A wall of blocks with springs to their neighbours: inertia 1 on the diagonal, springs of `stiffness` between.
+System wall(int rows, int columns, double stiffness, const std::vector<int>& sizes = {6}) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<int> all;
+  for (int i = 0; i < rows * columns; ++i) all.push_back(sizes[static_cast<std::size_t>(i) % sizes.size()]);
+  System system(all);
+  const auto couple = [&](int a, int b) {
+    for (int spring = 0; spring < 2; ++spring) {
+      Eigen::VectorXd on_a(system.matrix.size(a));
+      Eigen::VectorXd on_b(system.matrix.size(b));
+      for (double& x : on_a) x = value(random);
+      for (double& x : on_b) x = value(random);
+      system.matrix.add(a, a, stiffness * on_a * on_a.transpose());
+      system.matrix.add(b, b, stiffness * on_b * on_b.transpose());
+      system.matrix.add(a, b, stiffness * on_a * on_b.transpose());
+    }
+  };
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) {
+      const int i = r * columns + c;
+      system.matrix.add(i, i, Block::Identity(system.matrix.size(i), system.matrix.size(i)));
+      if (c > 0) couple(i, i - 1);
+      if (r > 0) couple(i, i - columns);
+    }
+  }
+  for (double& x : system.load) x = value(random);
+  return system;
+}
+
+double residual(const System& system, const Eigen::VectorXd& x) {
+  return (system.load - system.matrix * x).norm() / system.load.norm();
+}
+
+constexpr IterationLimits kLimits{1e-11, 2000};
+
+Eigen::VectorXd none(const System& system) {
+  return Eigen::VectorXd::Zero(system.load.size());
+}
+
+}  // namespace
+
+TEST(BlockIterations, gradients_reach_the_solution_for_every_size_of_block) {
+  for (const std::vector<int>& sizes : {std::vector{6}, {3}, {2}, {6, 3, 2}}) {
+    const System system = wall(7, 9, 30, sizes);
+    const IterationResult result =
+        BlockIterations(system.matrix).conjugate_gradients(system.load, none(system), kLimits);
+    EXPECT_TRUE(result.converged);
+    EXPECT_LT(residual(system, result.x), 2e-11);
+    Solver solver;
+    solver.method = LinearMethod::factor;
+    EXPECT_LT((solver.solve(system)->x - result.x).norm(), 1e-9 * result.x.norm());
+  }
+}
+
+TEST(BlockIterations, a_good_guess_saves_iterations) {
+  const System system = wall(10, 10, 30);
+  const BlockIterations iterations(system.matrix);
+  const IterationResult cold = iterations.conjugate_gradients(system.load, none(system), kLimits);
+  const IterationResult warm = iterations.conjugate_gradients(system.load, 1.000001 * cold.x, kLimits);
+  EXPECT_LT(warm.iterations, cold.iterations);
+  EXPECT_EQ(iterations.conjugate_gradients(system.load, cold.x, {1e-10, 10}).iterations, 0);
+}
+
+TEST(BlockIterations, an_end_before_the_goal_is_said) {
+  const System system = wall(10, 10, 1e4);
+  const BlockIterations iterations(system.matrix);
+  EXPECT_FALSE(iterations.conjugate_gradients(system.load, none(system), {1e-11, 3}).converged);
+  EXPECT_FALSE(iterations.over_relaxation(system.load, none(system), 1.4, {1e-11, 3}).converged);
+}
+
+TEST(BlockIterations, over_relaxation_reaches_the_solution_where_inertia_rules) {
+  const System system = wall(6, 6, 0.5);
+  const IterationResult result =
+      BlockIterations(system.matrix).over_relaxation(system.load, none(system), 1.3, kLimits);
+  EXPECT_TRUE(result.converged);
+  EXPECT_LT(residual(system, result.x), 2e-11);
+}
+
+// Two blocks pushed together by a spring that is no spring: −2 on the diagonal of what has 1.
+TEST(BlockIterations, an_indefinite_matrix_is_no_success) {
+  System system({2, 2});
+  system.matrix.add(0, 0, Block::Identity(2, 2));
+  system.matrix.add(1, 1, -2 * Block::Identity(2, 2));
+  system.load.setOnes();
+  EXPECT_FALSE(BlockIterations(system.matrix).conjugate_gradients(system.load, none(system), kLimits).converged);
+}
+
+TEST(Solver, chooses_iterations_by_inertia_and_number_and_keeps_to_the_factor_once_they_fail) {
+  Solver solver;
+  const System light = wall(20, 20, 1);
+  ASSERT_TRUE(solver.solve(light, {1, none(light)}));
+  EXPECT_FALSE(solver.gave_up_iterations);
+  const System stiff = wall(20, 20, 1e7);
+  const auto solution = solver.solve(stiff, {1, none(stiff)});  // said to be easy
+  ASSERT_TRUE(solution);
+  EXPECT_LT(solution->residual, 1e-8);
+  EXPECT_TRUE(solver.gave_up_iterations);
+}
+
+// The old programs took what their sweeps left for a solution.
+TEST(Solver, over_relaxation_tells_what_it_leaves) {
+  Solver solver;
+  solver.method = LinearMethod::over_relaxation;
+  const System stiff = wall(12, 12, 1e6);
+  const auto solution = solver.solve(stiff, {1e6, none(stiff)});
+  ASSERT_TRUE(solution);
+  EXPECT_GT(solution->residual, 1e-9);
+  EXPECT_NEAR(solution->residual, residual(stiff, solution->x), 1e-15);
+}
+
+}  // namespace keyblock
