@@ -300,7 +300,7 @@ ExitCode resume_run(const RunOptions& options) {
 // The file's settings come first: those of the command line overrule them. A file that a value names is taken from beside it.
 RunOptions with_settings_file(RunOptions options) {
   if (options.settings_file.empty()) return options;
-  const SettingsFile file = read_settings(formats::load(options.settings_file));
+  const SettingsFile file = read_settings(options.settings_file, formats::load(options.settings_file).text);
   if (options.profile.empty()) options.profile = file.profile;
   std::vector<std::string> sets;
   for (const auto& [name, value] : file.settings) {

@@ -51,9 +51,9 @@ bool is_known(const std::string& name) {
 
 }  // namespace
 
-SettingsFile read_settings(const formats::Source& source) {
+SettingsFile read_settings(const std::string& file_name, const std::string& text) {
   SettingsFile file;
-  std::istringstream lines(source.text);
+  std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     const Word whole = word_of(line, 0, line.size());
@@ -61,7 +61,7 @@ SettingsFile read_settings(const formats::Source& source) {
     const std::size_t equals = line.find('=');
     const Word name = word_of(line, 0, equals == std::string::npos ? line.size() : equals);
     const auto refuse = [&](const Word& at, const std::string& sentence) {
-      throw InputError({source.name, number, at.column}, sentence);
+      throw InputError({file_name, number, at.column}, sentence);
     };
     if (equals == std::string::npos || name.text.empty())
       refuse(whole, fmt::format("expected name = value, found \"{}\"", whole.text));

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "formats/format.hpp"
 #include "run/prepare.hpp"
 
 namespace keyblock {
@@ -18,9 +17,9 @@ struct SettingsFile {
   std::vector<Override> settings;
 };
 
-/// Throws InputError with line and column for a line without `=`, a name that is no setting or comes twice, a profile that is
+/// `name`: of the file, for messages. Throws InputError with line and column for a line without `=`, a name that is no setting or comes twice, a profile that is
 /// none, or a value that its setting does not take.
-SettingsFile read_settings(const formats::Source& source);
+SettingsFile read_settings(const std::string& name, const std::string& text);
 
 /// The file's text, headed by `comment` (one line or several).
 std::string settings_text(const SettingsFile& file, const std::string& comment);

@@ -9,7 +9,7 @@ namespace {
 
 std::string fault_of(const std::string& text) {
   try {
-    read_settings({"wish.settings", text});
+    read_settings("wish.settings", text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -20,14 +20,14 @@ std::string fault_of(const std::string& text) {
 
 TEST(SettingsFile, holds_a_profile_and_settings_in_order) {
   const SettingsFile file =
-      read_settings({"s", "# why\n\nprofile = draft\r\n  basis=rigid\ntime_step = 1e-3\nmesh.side = 2\n"});
+      read_settings("s", "# why\n\nprofile = draft\r\n  basis=rigid\ntime_step = 1e-3\nmesh.side = 2\n");
   EXPECT_EQ(file.profile, "draft");
   EXPECT_EQ(file.settings, (std::vector<Override>{{"basis", "rigid"}, {"time_step", "1e-3"}, {"mesh.side", "2"}}));
 }
 
 TEST(SettingsFile, comes_back_as_written) {
   const SettingsFile file{"reference", {{"restitution.2", "0.5"}, {"functions", "quadratic"}}};
-  const SettingsFile again = read_settings({"s", settings_text(file, "two\nlines")});
+  const SettingsFile again = read_settings("s", settings_text(file, "two\nlines"));
   EXPECT_EQ(again.profile, file.profile);
   EXPECT_EQ(again.settings, file.settings);
 }
