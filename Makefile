@@ -7,7 +7,7 @@ SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
            libhdf5-dev libmuparser-dev libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev
 
-.PHONY: help build debug run test cases validate bench sanitize fuzz format tidy clean packages
+.PHONY: help build debug run test cases fronts validate bench sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -27,6 +27,25 @@ test: build ## build and pass every test
 
 cases: build ## rerun every legacy case in both profiles against its expected values
 	build/keyblock compare legacy_cases
+
+# Whole tables and pictures; processor time, so that what else runs disturbs little.
+FRONTS = legacy_cases/fronts
+fronts: packages ## what accuracy costs: tables and pictures of legacy_cases/fronts anew (minutes)
+	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+	cmake --build build --parallel $(JOBS) --target keyblock
+	@mkdir -p out
+	build/keyblock joints --slope height=30,angle=60,toe=5,crest=20,base=3 --fixed 0,0,40,0 \
+	  --set dip=20,spacing=1,trace=500,joint=1 --set dip=110,spacing=1.1,trace=500,joint=1 -o out/slope_1000.geo --force
+	$(call front,sliding_block,legacy_cases/sliding_block/a30_p20 --repeat 3)
+	$(call front,arch,legacy_cases/masonry_arch/quake_thin_falls --against finest --finest 16 --repeat 3)
+	$(call front,cantilever,legacy_cases/cantilever/blocks_16x4 --vary basis$(comma)enforcement$(comma)penalty)
+	$(call front,cook,legacy_cases/cook_membrane/coarse --repeat 3)
+	$(call front,slope,out/slope_1000.geo $(FRONTS)/slope_1000.ana --vary step --limit 200)
+	build/keyblock sweep legacy_cases/masonry_arch/quake_thin_falls --against finest --finest 16 \
+	  --picture $(FRONTS)/arch_map.svg --force >$(FRONTS)/arch_map.txt
+
+comma = ,
+front = build/keyblock tradeoff $(2) --picture $(FRONTS)/$(1).svg --force >$(FRONTS)/$(1).txt
 
 validate: build ## longer checks: every case and trace, slow ones too, cutting against GEOS, random and extreme scenes
 	@$(call install_missing,libgeos-dev valgrind calculix-ccx)

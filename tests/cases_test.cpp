@@ -47,7 +47,7 @@ void expect_holds(const ComparedCase& run) {
 class Cases : public ::testing::TestWithParam<CaseFolder> {};
 
 TEST_P(Cases, meet_every_expected_value) {
-  const CaseComparison comparison = compare_in(GetParam(), profile_names());
+  const CaseComparison comparison = compare_in(GetParam(), rule_names());
   for (const ComparedCase& run : comparison.plain) expect_holds(run);
   for (const ComparedCase& run : comparison.variants) expect_holds(run);
 }
@@ -59,7 +59,7 @@ TEST(CasesAtLarge, every_expected_value_is_judged_in_a_profile_that_runs) {
   for (const CaseFolder& folder : quick_cases()) {
     const CaseFile file = read_case_file(folder);
     for (const ExpectedValue& value : read_expected(folder.folder / "expected.csv")) {
-      const bool is_judged = std::ranges::any_of(profile_names(), [&](const std::string& profile) {
+      const bool is_judged = std::ranges::any_of(rule_names(), [&](const std::string& profile) {
         return value.is_judged_in(profile) && !file.not_run.contains(profile);
       });
       EXPECT_TRUE(is_judged) << folder.name << ": " << value.quantity;

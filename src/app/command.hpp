@@ -20,13 +20,15 @@ struct Command {
   Action (*configure)(CLI::App& options);
 };
 
-Action configure_check(CLI::App& options);    ///< check_command.cpp
-Action configure_cut(CLI::App& options);      ///< cut_command.cpp
-Action configure_joints(CLI::App& options);   ///< joints_command.cpp
-Action configure_run(CLI::App& options);      ///< run_command.cpp
-Action configure_compare(CLI::App& options);  ///< compare_command.cpp
-Action configure_batch(CLI::App& options);    ///< batch_command.cpp
-Action configure_convert(CLI::App& options);  ///< convert_command.cpp
-Action configure_formats(CLI::App& options);  ///< formats_command.cpp
+Action configure_check(CLI::App& options);     ///< check_command.cpp
+Action configure_cut(CLI::App& options);       ///< cut_command.cpp
+Action configure_joints(CLI::App& options);    ///< joints_command.cpp
+Action configure_run(CLI::App& options);       ///< run_command.cpp
+Action configure_compare(CLI::App& options);   ///< compare_command.cpp
+Action configure_tradeoff(CLI::App& options);  ///< tradeoff_command.cpp
+Action configure_sweep(CLI::App& options);     ///< sweep_command.cpp
+Action configure_batch(CLI::App& options);     ///< batch_command.cpp
+Action configure_convert(CLI::App& options);   ///< convert_command.cpp
+Action configure_formats(CLI::App& options);   ///< formats_command.cpp
 
 }  // namespace keyblock

@@ -27,13 +27,13 @@ using study::TraceDifference;
 
 struct CompareOptions {
   std::vector<std::string> cases = {"legacy_cases"};
-  std::string profile;  ///< all where empty
+  std::string profile;  ///< legacy and standard where empty
   std::string picture;
   bool as_json = false;
   bool with_sources = false;
   bool with_slow = false;
 
-  std::vector<std::string> profiles() const { return profile.empty() ? profile_names() : std::vector{profile}; }
+  std::vector<std::string> profiles() const { return profile.empty() ? rule_names() : std::vector{profile}; }
 };
 
 Json json_of(const ComparedValue& v) {
@@ -199,7 +199,10 @@ ExitCode compare(const CompareOptions& options) {
 Action configure_compare(CLI::App& options) {
   const auto chosen = std::make_shared<CompareOptions>();
   options.add_option("cases", chosen->cases, "case folders, or folders of cases")->capture_default_str();
-  options.add_option("--profile", chosen->profile, "only this preset of all choices; traces are of profile legacy")
+  options
+      .add_option("--profile", chosen->profile,
+                  "only this preset of all choices (default: legacy and standard, as which others are judged); traces "
+                  "are of legacy")
       ->check(CLI::IsMember(profile_names()));
   options.add_flag("--all", chosen->with_slow, "run slow cases too");
   options.add_option("--picture", chosen->picture, "write a picture of the one case given (SVG)");

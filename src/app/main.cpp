@@ -25,12 +25,14 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 9> kCommands{{
+constexpr std::array<Command, 11> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
     {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut},
     {"joints", "draws joint sets from statistics into an outline", configure_joints},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
+    {"tradeoff", "runs a case in many ways: what each digit of accuracy costs", configure_tradeoff},
+    {"sweep", "runs a case over contact stiffness and step: where it is accurate, where it fails", configure_sweep},
     {"batch", "checks, runs or converts every case of an archive, and writes a catalogue", configure_batch},
     {"convert", "writes a case in another format and names what that cannot hold", configure_convert},
     {"formats", "lists the file formats and how well each is known (also: info)", configure_formats},

@@ -18,10 +18,12 @@
 #include "app/run_report.hpp"
 #include "app/run_warnings.hpp"
 #include "app/saved_run.hpp"
+#include "app/study_options.hpp"
 #include "app/usage_error.hpp"
 #include "base/sha256.hpp"
 #include "run/cover_settings.hpp"
 #include "run/profile.hpp"
+#include "run/settings_file.hpp"
 #include "run/settings_guide.hpp"
 #include "run/settings_table.hpp"
 #include "study/named_files.hpp"
@@ -48,6 +50,7 @@ struct RunOptions {
   std::string resume;  ///< folder of a run to go on with
   double checkpoint_every = kCheckpointSeconds;
   std::vector<std::string> sets;
+  std::string settings_file;  ///< below `sets`
   int record_every = 0;
   bool as_json = false;
   bool trace = false;
@@ -67,16 +70,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-std::vector<Override> overrides_of(const std::vector<std::string>& sets) {
-  std::vector<Override> overrides;
-  for (const std::string& text : sets) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected key=value, found \"{}\"", text));
-    overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-  }
-  return overrides;
-}
 
 // What concerns the mesh goes into the plan of a case on covers; the rest is left.
 std::vector<Override> left_for_settings(Problem& problem, const RunOptions& options) {
@@ -310,12 +303,27 @@ ExitCode resume_run(const RunOptions& options) {
   return run_asked(again, &request, &saved);
 }
 
+// The file's settings come first: those of the command line overrule them. A file that a value names is taken from beside it.
+RunOptions with_settings_file(RunOptions options) {
+  if (options.settings_file.empty()) return options;
+  const SettingsFile file = read_settings(options.settings_file, formats::load(options.settings_file).text);
+  if (options.profile.empty()) options.profile = file.profile;
+  std::vector<std::string> sets;
+  for (const auto& [name, value] : file.settings) {
+    const bool is_file = name == "body_acceleration_file" && !value.empty();
+    const std::filesystem::path beside = std::filesystem::path(options.settings_file).parent_path() / value;
+    sets.push_back(fmt::format("{}={}", name, is_file ? beside.string() : value));
+  }
+  options.sets.insert(options.sets.begin(), sets.begin(), sets.end());
+  return options;
+}
+
 ExitCode run_files(const RunOptions& options) {
   if (options.list_settings) return list_settings();
   if (!options.resume.empty()) return resume_run(options);
   if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file");
   if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
-  return run_asked(options, nullptr, nullptr);
+  return run_asked(with_settings_file(options), nullptr, nullptr);
 }
 
 }  // namespace
@@ -332,6 +340,9 @@ Action configure_run(CLI::App& options) {
   CLI::Option* sets =
       options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
           ->take_all();
+  CLI::Option* settings_file =
+      options.add_option("--settings-file", chosen->settings_file,
+                         "name = value on each line, below --set; `profile = NAME` too, below --profile");
   CLI::Option* every =
       options
           .add_option("--record-every", chosen->record_every,
@@ -350,7 +361,7 @@ Action configure_run(CLI::App& options) {
   CLI::Option* resume = options.add_option(
       "--resume", chosen->resume,
       "folder of an interrupted run, which goes on from its checkpoint, or begins again before its first");
-  for (CLI::Option* other : {files, profile, folder, sets, every, trace, force}) resume->excludes(other);
+  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force}) resume->excludes(other);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");
   return [chosen] { return run_files(*chosen); };
 }

@@ -8,16 +8,13 @@
 #include <cmath>
 
 #include "report/colours.hpp"
+#include "report/plot.hpp"
 #include "report/scene.hpp"
-#include "report/ticks.hpp"
 
 namespace keyblock::report {
 namespace {
 
 constexpr std::size_t kStretches = 1000;  // more than a picture has columns
-constexpr double kLeft = 74;              // tick labels and the turned label of the y axis
-constexpr double kRight = 16;             // half of the last tick label
-constexpr double kBottom = 44;            // tick labels and the label of the x axis
 constexpr std::size_t kMostMarkers = 40;
 
 std::vector<Point> finite_points(const Curve& curve) {
@@ -25,43 +22,6 @@ std::vector<Point> finite_points(const Curve& curve) {
   for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
     if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) points.push_back({curve.x[i], curve.y[i]});
   return points;
-}
-
-/// The plot inside its axes.
-struct Plot {
-  Point corner;
-  Point size;
-  Axis x;
-  Axis y;
-
-  Point operator()(Point p) const {
-    return {corner.x + size.x * (p.x - x.low()) / (x.high() - x.low()),
-            corner.y + size.y * (y.high() - p.y) / (y.high() - y.low())};
-  }
-};
-
-std::string with_exponent(const std::string& label, int exponent) {
-  return exponent == 0 ? label : fmt::format("{}  × 1e{}", label, exponent);
-}
-
-void draw_axes(SvgPage& page, const Plot& plot, const AxisLabels& labels) {
-  const Style grid{.stroke = "#dddddd", .stroke_width = 0.8};
-  const double bottom = plot.corner.y + plot.size.y;
-  for (std::size_t i = 0; i < plot.x.ticks.size(); ++i) {
-    const double x = plot({plot.x.ticks[i], plot.y.low()}).x;
-    page.line({x, plot.corner.y}, {x, bottom}, grid);
-    page.text({x, bottom + 16}, plot.x.labels[i], {.size = 12, .anchor = Anchor::middle});
-  }
-  for (std::size_t i = 0; i < plot.y.ticks.size(); ++i) {
-    const double y = plot({plot.x.low(), plot.y.ticks[i]}).y;
-    page.line({plot.corner.x, y}, {plot.corner.x + plot.size.x, y}, grid);
-    page.text({plot.corner.x - 6, y + 4}, plot.y.labels[i], {.size = 12, .anchor = Anchor::end});
-  }
-  page.rectangle(plot.corner, plot.size.x, plot.size.y, {.stroke = "#222222", .stroke_width = 1});
-  page.text({plot.corner.x + plot.size.x / 2, bottom + 36}, with_exponent(labels.x, plot.x.exponent),
-            {.size = 13, .anchor = Anchor::middle});
-  page.text({plot.corner.x - kLeft + 16, plot.corner.y + plot.size.y / 2}, with_exponent(labels.y, plot.y.exponent),
-            {.size = 13, .anchor = Anchor::middle, .turn_deg = -90});
 }
 
 /// Some of the points, evenly taken with the first and the last, so that markers do not run together.
@@ -126,14 +86,14 @@ void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve
     for (Point p : finite_points(curve)) box.include(p);
   if (box.empty()) return;
   const std::vector<LegendEntry> legend = make_legend(curves);
-  const double width = size.x - kLeft - kRight;
+  const double width = size.x - kPlotLeft - kPlotRight;
   const double top = legend_height(legend, width) + 6;
-  const Plot plot{.corner = corner + Point{kLeft, top},
-                  .size = {width, size.y - top - kBottom},
+  const Plot plot{.corner = corner + Point{kPlotLeft, top},
+                  .size = {width, size.y - top - kPlotBottom},
                   .x = make_axis(box.low.x, box.high.x, std::max(2, static_cast<int>(width / 90))),
                   .y = make_axis(box.low.y, box.high.y, 5)};
-  draw_legend(page, corner + Point{kLeft, 0}, width, legend);
-  draw_axes(page, plot, labels);
+  draw_legend(page, corner + Point{kPlotLeft, 0}, width, legend);
+  draw_axes(page, plot, labels.x, labels.y);
   draw_curves(page, plot, curves, Curve::Style::line);
   draw_curves(page, plot, curves, Curve::Style::points);
 }

@@ -102,6 +102,14 @@ void SvgPage::text(Point anchor, std::string_view words, const TextStyle& style)
                        page_number(style.size), name_of(style.anchor), style.fill, extra, escape_xml(words));
 }
 
+void SvgPage::begin_group(std::string_view words) {
+  body_ += fmt::format("<g><title>{}</title>\n", escape_xml(words));
+}
+
+void SvgPage::end_group() {
+  body_ += "</g>\n";
+}
+
 std::string SvgPage::str() const {
   const std::string width = page_number(width_);
   const std::string height = page_number(height_);

@@ -43,6 +43,10 @@ class SvgPage {
   void rectangle(Point corner, double width, double height, const Style& style);
   void text(Point anchor, std::string_view words, const TextStyle& style = {});
 
+  /// Shapes until `end_group` show `words` where the pointer rests on them.
+  void begin_group(std::string_view words);
+  void end_group();
+
   /// The whole document.
   std::string str() const;
 

@@ -55,4 +55,35 @@ Axis make_axis(double low, double high, int wanted) {
   return axis;
 }
 
+Axis make_log_axis(double low, double high) {
+  const int first = static_cast<int>(std::floor(std::log10(low) + 1e-9));
+  const int last = std::max(static_cast<int>(std::ceil(std::log10(high) - 1e-9)), first + 1);
+  const int every = (last - first + 9) / 10;
+  Axis axis;
+  if (last - first < 3) {
+    for (int decade = first; decade < last; ++decade)
+      for (const int digit : {1, 2, 5}) {
+        axis.ticks.push_back(decade + std::log10(digit));
+        axis.labels.push_back(fmt::format("{:g}", digit * std::pow(10, decade)));
+      }
+    axis.ticks.push_back(last);
+    axis.labels.push_back(fmt::format("{:g}", std::pow(10, last)));
+    // No further than the data: a tick at or below the least, one at or above the greatest.
+    while (axis.ticks.size() > 2 && axis.ticks[1] <= std::log10(low) + 1e-9) {
+      axis.ticks.erase(axis.ticks.begin());
+      axis.labels.erase(axis.labels.begin());
+    }
+    while (axis.ticks.size() > 2 && axis.ticks[axis.ticks.size() - 2] >= std::log10(high) - 1e-9) {
+      axis.ticks.pop_back();
+      axis.labels.pop_back();
+    }
+    return axis;
+  }
+  for (int decade = first; decade < last + every; decade += every) {
+    axis.ticks.push_back(decade);
+    axis.labels.push_back(fmt::format("1e{}", decade));
+  }
+  return axis;
+}
+
 }  // namespace keyblock::report

@@ -30,7 +30,7 @@ double cpu_seconds() {
 // Statics, by the analysis or by the settings of the case file.
 void require_statics(const Problem& problem, const std::string& profile) {
   const Place& place = problem.analysis->place;
-  if (profile != "standard")
+  if (rules_of(profile) != "standard")
     throw InputError(problem.covers->place,
                      fmt::format("expected profile standard for bodies on covers, found {}", profile));
   Settings settings = profile_settings(profile, *problem.analysis);

@@ -13,6 +13,12 @@ namespace keyblock {
 /// Names of the profiles there are.
 std::vector<std::string> profile_names();
 
+/// The profiles that others are variations of, and that cases speak of: legacy and standard.
+std::vector<std::string> rule_names();
+
+/// One of those: whose settings a case gives to profile `name` too, and as which it is judged. Throws as below.
+std::string rules_of(const std::string& name);
+
 /// The settings of profile `name` for this analysis. Throws std::invalid_argument for a name that is none.
 Settings profile_settings(const std::string& name, const Analysis& analysis);
 

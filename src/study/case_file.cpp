@@ -69,11 +69,11 @@ void append(std::vector<Override>& list, const std::vector<Override>& more) {
 }
 
 std::map<std::string, std::vector<Override>> sets_of(const Node& set) {
-  std::vector<std::string> known = profile_names();
+  std::vector<std::string> known = rule_names();
   known.insert(known.begin(), "both");
   set.require_keys(known);
   std::map<std::string, std::vector<Override>> sets;
-  for (const std::string& profile : profile_names())
+  for (const std::string& profile : rule_names())
     for (const std::string& key : {std::string("both"), profile})
       if (set.json.contains(key)) append(sets[profile], overrides_of(set.at(key)));
   return sets;
@@ -90,7 +90,7 @@ Variant variant_of(const Node& node) {
   for (const char* key : {"name", "profile", "set"})
     if (!node.json.contains(key)) node.refuse(fmt::format("the key \"{}\" in it", key));
   Variant variant{node.at("name").text(), node.at("profile").text(), overrides_of(node.at("set")), {}, {}};
-  const std::vector<std::string> profiles = profile_names();
+  const std::vector<std::string> profiles = rule_names();
   if (std::ranges::find(profiles, variant.profile) == profiles.end())
     node.at("profile").refuse(fmt::format("one of {}", fmt::join(profiles, ", ")));
   if (node.json.contains("tolerance") != node.json.contains("reason"))
@@ -135,7 +135,7 @@ std::string reason_of(const Node& node) {
 }  // namespace
 
 std::vector<Override> CaseFile::overrides(const std::string& profile) const {
-  const auto found = set.find(profile);
+  const auto found = set.find(rules_of(profile));
   return found == set.end() ? std::vector<Override>{} : found->second;
 }
 
@@ -152,13 +152,13 @@ CaseFile read_case_file(const CaseFolder& folder) {
   const Json json = parsed(file.path);
   const Node top{folder, file.path, "", json};
   std::vector<std::string> known{"about", "slow", "set", "variants"};
-  for (const std::string& profile : profile_names()) known.push_back(profile);
+  for (const std::string& profile : rule_names()) known.push_back(profile);
   top.require_keys(known);
   if (json.contains("about")) file.about = top.at("about").text();
   if (json.contains("slow")) file.is_slow = top.at("slow").flag();
   if (json.contains("set")) file.set = sets_of(top.at("set"));
   if (json.contains("variants")) file.variants = variants_of(top.at("variants"));
-  for (const std::string& profile : profile_names())
+  for (const std::string& profile : rule_names())
     if (json.contains(profile)) file.not_run[profile] = reason_of(top.at(profile));
   return file;
 }

@@ -38,7 +38,7 @@ struct CaseFile {
   std::map<std::string, std::string> not_run;        ///< by profile: why it is not
   std::vector<Variant> variants;
 
-  /// The settings of the plain run under `profile`.
+  /// The settings of the plain run under `profile`: what the file sets for legacy or standard, whichever it varies.
   std::vector<Override> overrides(const std::string& profile) const;
   /// The settings of a variant: those of the plain run, then its own.
   std::vector<Override> overrides(const Variant& variant) const;

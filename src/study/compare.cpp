@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <variant>
 
@@ -13,8 +12,8 @@
 #include "run/cover_case.hpp"
 #include "run/cover_settings.hpp"
 #include "run/prepare.hpp"
+#include "run/profile.hpp"
 #include "study/named_files.hpp"
-#include "study/quantities.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -31,50 +30,6 @@ struct Loaded {
 Loaded load(const CaseFolder& folder) {
   const std::string table = (folder.folder / "expected.csv").string();
   return {folder, table, read_case_file(folder), read_expected(table), formats::load_case(folder.inputs())};
-}
-
-std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expected, const std::string& profile) {
-  std::vector<ComparedValue> values;
-  for (const ExpectedValue& e : expected)
-    values.push_back({e.quantity,
-                      e.block,
-                      e.time,
-                      e.value,
-                      {},
-                      e.tolerance,
-                      e.tolerance_reason,
-                      e.source,
-                      e.listed_miss,
-                      e.is_judged_in(profile)});
-  return values;
-}
-
-void require_numbers(const std::vector<ComparedValue>& values, std::size_t points, std::size_t elements,
-                     const std::string& file) {
-  for (const ComparedValue& v : values) {
-    const bool of_point = owner_of(v.quantity) == Owner::point;
-    const std::size_t count = of_point ? points : elements;
-    if (v.block && (*v.block < 1 || *v.block > static_cast<int>(count)))
-      throw InputError({file, 0, 0}, fmt::format("expected a {} from 1 to {}, found {}",
-                                                 of_point ? "measured point" : "block", count, *v.block));
-  }
-}
-
-// Instants this near to each other, as a share of the given step, are the same up to the round-off of their sum.
-constexpr double kSameInstant = 1e-3;
-
-// Takes in a frame and picks the values of its time; between two frames, as automatic steps have them, values are linear.
-void pick(std::vector<ComparedValue>& values, RunSoFar& run, const Frame& frame, double same) {
-  const double last = run.now().time;
-  std::vector<std::pair<ComparedValue*, double>> between;
-  for (ComparedValue& v : values)
-    if (!run.now().elements.empty() && v.time > last + same && v.time < frame.time - same)
-      between.emplace_back(&v, quantity_of(run, v.quantity, v.block));
-  run.add(frame);
-  for (const auto& [v, before] : between)
-    v->computed = std::lerp(before, quantity_of(run, v->quantity, v->block), (v->time - last) / (frame.time - last));
-  for (ComparedValue& v : values)
-    if (std::abs(frame.time - v.time) <= same) v.computed = quantity_of(run, v.quantity, v.block);
 }
 
 int first_block(const std::vector<ComparedValue>& values) {
@@ -168,7 +123,7 @@ ComparedCase plain_run(const Loaded& loaded, const std::string& profile) {
   compared.name = loaded.folder.name;
   compared.profile = profile;
   compared.values = values_to_find(loaded.expected, profile);
-  const auto not_run = loaded.file.not_run.find(profile);
+  const auto not_run = loaded.file.not_run.find(rules_of(profile));
   if (not_run == loaded.file.not_run.end())
     return compared_with(loaded, std::move(compared), loaded.file.overrides(profile));
   compared.not_run = not_run->second;
@@ -196,14 +151,6 @@ ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
 }
 
 }  // namespace
-
-bool ComparedValue::holds() const {
-  return computed && std::abs(error()) <= tolerance;
-}
-
-bool ComparedValue::is_listed_miss() const {
-  return is_judged && !listed_miss.empty() && computed && std::isfinite(*computed) && !holds();
-}
 
 bool ComparedCase::holds() const {
   if (std::ranges::none_of(values, &ComparedValue::is_judged)) return true;

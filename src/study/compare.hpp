@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,30 +10,9 @@
 #include "run/run.hpp"
 #include "study/case_file.hpp"
 #include "study/cases.hpp"
-#include "study/expected.hpp"
+#include "study/compared_values.hpp"
 
 namespace keyblock::study {
-
-/// One row of expected.csv and what the run gave for it.
-struct ComparedValue {
-  std::string quantity;
-  std::optional<int> block;  ///< or measured point, from 1, as in the file; none for the whole scene
-  double time = 0;
-  double expected = 0;
-  std::optional<double> computed;  ///< none if the run did not reach the time
-  double tolerance = 0;            ///< absolute
-  std::string tolerance_reason;
-  std::string source;
-  std::string listed_miss;  ///< why it is known to miss; empty if it should hold
-  bool is_judged = true;    ///< in this run; otherwise only shown
-
-  double error() const { return computed.value_or(0) - expected; }
-  bool holds() const;
-  /// Judged and outside its tolerance without being listed, or within it although it is: then the list is out of date.
-  bool is_missed() const { return is_judged && !is_listed_miss() && (!holds() || !listed_miss.empty()); }
-  /// Computed, not held, and known not to hold.
-  bool is_listed_miss() const;
-};
 
 /// A case rerun once.
 struct ComparedCase {

@@ -24,7 +24,7 @@ void require_quantity(const ExpectedValue& value, const Place& place) {
 }
 
 void require_judged(const ExpectedValue& value, const Place& place) {
-  std::vector<std::string> known = profile_names();
+  std::vector<std::string> known = rule_names();
   known.insert(known.begin(), "both");
   if (std::ranges::find(known, value.judged) == known.end())
     throw InputError(

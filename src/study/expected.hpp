@@ -24,7 +24,8 @@ struct ExpectedValue {
   std::string judged = "both";
   std::string listed_miss;  ///< a miss that is published with this reason; to hold is then the surprise
 
-  bool is_judged_in(const std::string& profile) const { return judged == "both" || judged == profile; }
+  /// `rules`: legacy or standard.
+  bool is_judged_in(const std::string& rules) const { return judged == "both" || judged == rules; }
 };
 
 /// Throws InputError for a table that cannot be read, a quantity that is none, or a profile that is none.

@@ -53,4 +53,29 @@ TEST(Profile, a_name_that_is_none_is_refused) {
   EXPECT_THROW(profile_settings("modern", testing::plain_analysis(1e-3, 1)), std::invalid_argument);
 }
 
+TEST(Profile, draft_and_reference_take_the_time_of_the_file_in_other_steps) {
+  Analysis analysis = testing::plain_analysis(1e-3, 1000);
+  const Settings standard = profile_settings("standard", analysis);
+  const Settings draft = profile_settings("draft", analysis);
+  const Settings reference = profile_settings("reference", analysis);
+  EXPECT_EQ(draft.step_count, 500);
+  EXPECT_DOUBLE_EQ(draft.time_step, 2e-3);
+  EXPECT_EQ(reference.step_count, 4000);
+  EXPECT_DOUBLE_EQ(reference.time_step, 2.5e-4);
+  EXPECT_EQ(standard.step_count, 1000);
+  analysis.step_count = 3;
+  EXPECT_EQ(profile_settings("draft", analysis).step_count, 2);
+  EXPECT_DOUBLE_EQ(profile_settings("draft", analysis).time_step, 1.5e-3);
+  analysis.velocity_carry_over = 0;  // statics: no time to be divided
+  EXPECT_EQ(profile_settings("draft", analysis).step_count, 3);
+  EXPECT_EQ(profile_settings("reference", analysis).step_count, 3);
+}
+
+TEST(Profile, cases_know_draft_and_reference_as_standard) {
+  EXPECT_EQ(rules_of("draft"), "standard");
+  EXPECT_EQ(rules_of("reference"), "standard");
+  EXPECT_EQ(rules_of("legacy"), "legacy");
+  EXPECT_THROW(rules_of("fast"), std::invalid_argument);
+}
+
 }  // namespace keyblock

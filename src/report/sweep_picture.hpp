@@ -1,0 +1,30 @@
+// A map of a run's error over two of its settings.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace keyblock::report {
+
+struct SweptCell {
+  double error = 0;     ///< > 0; not finite: no result
+  std::string words;    ///< in the cell where there is no result: "failed"
+  std::string details;  ///< shown where the pointer rests on it
+};
+
+struct SweepPicture {
+  std::string title;
+  std::string subtitle;
+  std::vector<std::string> columns;  ///< headings
+  std::vector<std::string> rows;     ///< headings, the topmost first
+  std::string column_label;
+  std::string row_label;
+  std::vector<std::vector<SweptCell>> cells;  ///< by row
+};
+
+/// An SVG document: a cell a run, its error written in and, by its power of ten, its colour, dark where it is small; crossed where
+/// there is no result.
+std::string sweep_picture(const SweepPicture& picture);
+
+}  // namespace keyblock::report

@@ -1,0 +1,32 @@
+// A picture of runs by their cost and their error, with the front of those that nothing beats.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace keyblock::report {
+
+/// A run with a result.
+struct PricedRun {
+  std::string name;
+  double seconds = 0;  ///< > 0
+  double error = 0;    ///< > 0
+  bool is_profile = false;
+  bool is_on_front = false;
+  bool is_near_front = false;  ///< on it but for the noise of timings: drawn filled
+  std::string details;         ///< shown where the pointer rests on it
+};
+
+struct TradeoffPicture {
+  std::string title;
+  std::string subtitle;
+  std::vector<PricedRun> runs;
+  double least_error = 0;  ///< errors below it are not told apart; 0: none is known
+};
+
+/// An SVG document: error over processor time, both in powers of ten; the front joined by a staircase, its runs and the profiles
+/// named as far as there is room. Without runs the page holds the titles alone.
+std::string tradeoff_picture(const TradeoffPicture& picture);
+
+}  // namespace keyblock::report

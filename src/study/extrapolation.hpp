@@ -1,0 +1,27 @@
+// Where runs lead as they are refined: the limit of values at h, h/2 and h/4, after Richardson (1911).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace keyblock::study {
+
+struct Limit {
+  std::vector<double> values;
+  std::optional<double> order;  ///< observed, of h; nothing where the three are the same
+  bool is_extrapolated = false;
+  /// Of `values`, relative: what extrapolation added to the finest run or, without it, how far the others are from that at most.
+  double uncertainty = 0;
+};
+
+/// Root mean square of `a` less `b` over that of `b`; of equal length. Where `b` is 0 throughout, not divided by it.
+double relative_distance(const std::vector<double>& a, const std::vector<double>& b);
+
+/// The limit of values of equal length, coarsest first, each of half the h of the one before. The order p = log2(|a - b| / |b - c|)
+/// is common to all values. Where it is below 0.4 or above 6, differences do not shrink as those of a convergent method:
+/// then the limit is the finest as it is.
+Limit limit_of(const std::array<std::vector<double>, 3>& values);
+
+}  // namespace keyblock::study

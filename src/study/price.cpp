@@ -1,0 +1,52 @@
+// Runs sorted by cost; one is on the front where its error is below all before it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/price.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace keyblock::study {
+namespace {
+
+bool is_result(const Price& price) {
+  return std::isfinite(price.error) && std::isfinite(price.seconds);
+}
+
+}  // namespace
+
+std::vector<std::size_t> pareto_front(const std::vector<Price>& prices) {
+  std::vector<std::size_t> order(prices.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    if (prices[a].seconds != prices[b].seconds) return prices[a].seconds < prices[b].seconds;
+    return prices[a].error < prices[b].error;
+  });
+  std::vector<std::size_t> front;
+  for (const std::size_t i : order)
+    if (is_result(prices[i]) && (front.empty() || prices[i].error < prices[front.back()].error)) front.push_back(i);
+  return front;
+}
+
+double over_front(const std::vector<Price>& prices, std::size_t which) {
+  const Price& own = prices[which];
+  if (!is_result(own)) return std::numeric_limits<double>::infinity();
+  double cheapest = own.seconds;
+  for (const Price& other : prices)
+    if (is_result(other) && other.error <= own.error) cheapest = std::min(cheapest, other.seconds);
+  return own.seconds / cheapest;
+}
+
+std::optional<std::size_t> choice_for(const std::vector<Price>& prices, const Wish& wish) {
+  std::optional<std::size_t> chosen;
+  for (const std::size_t i : pareto_front(prices)) {
+    if (wish.budget && prices[i].seconds > *wish.budget) continue;
+    if (wish.error && prices[i].error > *wish.error) continue;
+    chosen = i;
+    if (wish.error) break;
+  }
+  return chosen;
+}
+
+}  // namespace keyblock::study

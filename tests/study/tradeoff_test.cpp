@@ -1,0 +1,164 @@
+// Errors against expected values and against the limit of refined runs; which runs are made.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/tradeoff.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "study/run_design.hpp"
+
+namespace keyblock::study {
+namespace {
+
+const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
+
+ExpectedValue expected(const std::string& quantity, double time, double value, const std::string& judged) {
+  ExpectedValue e;
+  e.quantity = quantity;
+  e.block = 1;
+  e.time = time;
+  e.value = value;
+  e.tolerance = 0.5;
+  e.judged = judged;
+  return e;
+}
+
+MeasuredRun with_values(std::vector<double> values) {
+  MeasuredRun run;
+  run.values = std::move(values);
+  return run;
+}
+
+const RunPlan* named(const std::vector<RunPlan>& plans, const std::string& name) {
+  const auto found = std::ranges::find(plans, name, &RunPlan::name);
+  return found == plans.end() ? nullptr : &*found;
+}
+
+std::string value_of(const RunPlan& plan, const std::string& setting) {
+  const auto found = std::ranges::find(plan.set, setting, &Override::first);
+  return found == plan.set.end() ? "" : found->second;
+}
+
+const OnRun kQuiet = [](const MeasuredRun&, std::size_t, std::size_t) {};
+
+}  // namespace
+
+TEST(Tradeoff, errors_are_relative_to_the_greatest_expected_of_a_quantity) {
+  const Reference reference = expected_reference({expected("dx", 1, 2, "both"), expected("dx", 2, -8, "standard"),
+                                                  expected("dx", 3, 100, "legacy"), expected("rotation", 1, 0, "both")},
+                                                 "standard");
+  EXPECT_DOUBLE_EQ(error_of(with_values({2.4, -8, 0, 7}), reference), 0.05);
+  EXPECT_DOUBLE_EQ(error_of(with_values({2, -6, 0, 7}), reference), 0.25);
+  EXPECT_TRUE(std::isinf(error_of(with_values({2, std::nan(""), 0, 7}), reference)));
+}
+
+TEST(Tradeoff, where_nothing_is_expected_to_happen_errors_are_shares_of_the_tolerance) {
+  const Reference reference = expected_reference({expected("dx", 1, 0, "both")}, "standard");
+  EXPECT_DOUBLE_EQ(error_of(with_values({0.1}), reference), 0.2);
+}
+
+TEST(Tradeoff, a_run_that_did_not_finish_has_no_error) {
+  MeasuredRun run = with_values({1});
+  run.end = MeasuredEnd::over_limit;
+  EXPECT_TRUE(std::isinf(error_of(run, expected_reference({expected("dx", 1, 1, "both")}, "standard"))));
+}
+
+TEST(Tradeoff, the_design_of_a_block_case_varies_every_choice_and_has_each_run_once) {
+  const StudyCase chosen = study_case({kCases + "sliding_block/a30_p20"});
+  const std::vector<RunPlan> plans = usual_design(chosen, "standard");
+  for (const char* name : {"standard", "legacy", "draft", "reference", "rigid", "multipliers", "springs", "augmented",
+                           "step x4", "step /4", "penalty x10", "tolerance 1e-3", "rigid, step x4", "rigid, springs"})
+    EXPECT_NE(named(plans, name), nullptr) << name;
+  std::set<std::string> names;
+  for (const RunPlan& plan : plans) EXPECT_TRUE(names.insert(plan.name).second) << plan.name;
+  EXPECT_EQ(plans.front().name, "standard");
+}
+
+// The file: 1000 steps of 1 ms, values expected at quarters of a second.
+TEST(Tradeoff, steps_are_varied_so_that_the_run_ends_at_the_same_time) {
+  const std::vector<RunPlan> plans = usual_design(study_case({kCases + "sliding_block/a30_p20"}), "standard");
+  for (const char* name : {"step x8", "step x4", "step x2", "step /2", "step /4"}) {
+    const RunPlan* plan = named(plans, name);
+    ASSERT_NE(plan, nullptr) << name;
+    const int steps = std::stoi(value_of(*plan, "steps"));
+    EXPECT_NEAR(steps * std::stod(value_of(*plan, "time_step")), 1, 1e-12) << name;
+    EXPECT_EQ(steps % 4, 0) << name;
+  }
+  EXPECT_EQ(named(plans, "step /2")->coarser, "standard");
+  EXPECT_EQ(named(plans, "rigid, step /4")->coarser, "rigid, step /2");
+  EXPECT_EQ(named(plans, "rigid, step /2")->coarser, "rigid");
+}
+
+TEST(Tradeoff, a_case_on_covers_varies_functions_and_mesh) {
+  const std::vector<RunPlan> plans = usual_design(study_case({kCases + "cook_membrane/coarse"}), "standard");
+  EXPECT_EQ(named(plans, "legacy"), nullptr);
+  EXPECT_EQ(named(plans, "rigid"), nullptr);
+  const RunPlan* plan = named(plans, "quadratic, side x2");
+  ASSERT_NE(plan, nullptr);
+  EXPECT_EQ(value_of(*plan, "functions"), "quadratic");
+  EXPECT_EQ(named(plans, "linear, side /2")->coarser, "linear");
+}
+
+TEST(Tradeoff, the_full_design_keeps_to_its_cap) {
+  const StudyCase chosen = study_case({kCases + "sliding_block/a30_p20"});
+  EXPECT_EQ(full_design(chosen, "standard", 40).size(), 40U);
+  EXPECT_NE(named(full_design(chosen, "standard", 1000), "rigid, step x4, augmented"), nullptr);
+}
+
+TEST(Tradeoff, refinements_are_three_halvings_down_to_the_finest) {
+  const StudyCase chosen = study_case({kCases + "sliding_block/a30_p20"});
+  const std::vector<RunPlan> plans = refinements(chosen, "standard", 16);
+  ASSERT_EQ(plans.size(), 3U);
+  EXPECT_EQ(plans[0].name, "step /4");
+  EXPECT_EQ(plans[2].name, "step /16");
+  EXPECT_EQ(refinements(chosen, "standard", 4).front().name, "standard");
+}
+
+TEST(Tradeoff, the_standard_slide_is_exact_and_legacy_lags) {
+  StudyCase chosen = study_case({kCases + "sliding_block/a30_p20"});
+  const std::vector<RunPlan> plans{{"standard", "profile", "standard", {}, {}, 1},
+                                   {"legacy", "profile", "legacy", {}, {}, 1}};
+  const Tradeoff result = tradeoff(chosen, plans, {}, {}, kQuiet);
+  EXPECT_LT(error_of(result.runs[0], result.reference), 1e-6);
+  // Friction a step late: g cos a tan phi dt of the speed, some 1e-3 of it.
+  EXPECT_NEAR(error_of(result.runs[1], result.reference), 2e-3, 1.5e-3);
+  EXPECT_GT(result.runs[0].seconds, 0);
+  EXPECT_EQ(result.runs[0].steps, 1000);
+}
+
+TEST(Tradeoff, runs_over_the_limit_are_ended_and_finer_ones_left_out) {
+  StudyCase chosen = study_case({kCases + "sliding_block/a30_p20"});
+  const std::vector<RunPlan> plans{{"standard", "profile", "standard", {}, {}, 1},
+                                   {"finer", "step", "standard", {}, "standard", 1.5}};
+  const Tradeoff result = tradeoff(chosen, plans, {}, {1, 1e-4}, kQuiet);
+  EXPECT_EQ(result.runs[0].end, MeasuredEnd::over_limit);
+  EXPECT_EQ(result.runs[1].end, MeasuredEnd::over_limit);
+  EXPECT_EQ(result.runs[1].timings, 0);
+  EXPECT_TRUE(result.front.empty());
+}
+
+TEST(Tradeoff, settings_that_do_not_fit_are_refused_and_the_others_go_on) {
+  StudyCase chosen = study_case({kCases + "sliding_block/a30_p20"});
+  const std::vector<RunPlan> plans{
+      {"misfit", "x", "standard", {{"impact", "springs"}, {"enforcement", "lagrange"}}, {}, 1},
+      {"standard", "profile", "standard", {{"steps", "1000"}}, {}, 1}};
+  const Tradeoff result = tradeoff(chosen, plans, {}, {}, kQuiet);
+  EXPECT_EQ(result.runs[0].end, MeasuredEnd::refused);
+  EXPECT_EQ(result.front, std::vector<std::size_t>{1});
+}
+
+TEST(Tradeoff, the_map_has_every_penalty_with_every_step) {
+  const std::vector<RunPlan> plans =
+      penalty_step_map(study_case({kCases + "sliding_block/a30_p20"}), "standard", {10, 1}, {2, 1, 0.5});
+  ASSERT_EQ(plans.size(), 6U);
+  EXPECT_EQ(plans[0].name, "penalty x10, step x2");
+  EXPECT_EQ(value_of(plans[0], "enforcement"), "penalty");
+  EXPECT_DOUBLE_EQ(std::stod(value_of(plans[0], "contact_penalty")),
+                   10 * std::stod(value_of(plans[3], "contact_penalty")));
+  EXPECT_EQ(value_of(plans[1], "steps"), "");
+}
+
+}  // namespace keyblock::study
