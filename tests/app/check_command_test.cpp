@@ -88,7 +88,8 @@ std::string case_with(const std::string& run) {
 
 TEST(CheckCommand, a_profile_or_setting_of_a_case_file_that_is_none_is_named_where_it_stands) {
   const std::vector<std::pair<std::string, std::string>> faults{
-      {R"({"profile": "legcy"})", ":6:21: error: expected a profile, one of legacy, standard, found \"legcy\"\n"},
+      {R"({"profile": "legcy"})",
+       ":6:21: error: expected a profile, one of legacy, draft, standard, reference, found \"legcy\"\n"},
       {R"({"set": {"motion": "statik"}})", ":6:18: error: setting motion: expected "},
       {R"({"set": {"motion": "static", "motoin": "static"}})", ":6:38: error: there is no setting \"motoin\""}};
   for (const auto& [choices, message] : faults) {
