@@ -273,7 +273,8 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   folder.finish(title, history, record.traced, {record.outcome.ledger_scope, record.ledger.rows()},
                 record.outcome.field);
   record.outputs = folder.outputs();
-  record.equilibrium_way = watch_steps.equilibrium_way();
+  record.is_static = watch_steps.is_static();
+  if (record.outcome.end != RunEnd::failed) record.equilibrium_way = watch_steps.equilibrium_way();
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   folder.write_record(json + "\n");

@@ -190,6 +190,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps)}};
+  json["is_static"] = record.is_static;
   if (record.equilibrium_way) json["equilibrium"] = json_of(*record.equilibrium_way);
   const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};
   if (!ledger.rows.empty()) json["ledger"] = ledger_json(ledger, record.ledger_sums, record.ledger.stride());

@@ -47,7 +47,8 @@ struct RunRecord {
   LedgerRows ledger;
   RunOutcome outcome;
   Extremes extremes;                              ///< of the last frame
-  std::optional<EquilibriumWay> equilibrium_way;  ///< of static runs
+  bool is_static = false;
+  std::optional<EquilibriumWay> equilibrium_way;  ///< of static runs that came to their end
   Timings timings;
   Warnings warnings;
   int record_every = 1;

@@ -44,11 +44,13 @@ StepWatch::StepWatch(const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
   const Model& model = prepared.scene.model;
   const bool is_old = settings.dynamics == Dynamics::shi;
+  // Where points are driven, each step has another equilibrium to go to.
   const bool stands_still =
       std::ranges::all_of(model.fixed_points, [](const CarriedPoint& point) { return point.curve.times.size() < 2; });
-  creeps_ = is_static(settings, model) && !model.nodes.empty() &&
+  creeps_ = keyblock::is_static(settings, model) && !model.nodes.empty() &&
             (is_old || (settings.standard.motion == MotionRule::dynamic && stands_still));
-  balances_ = !is_old && settings.standard.motion == MotionRule::equilibrium;
+  balances_ = !is_old && settings.standard.motion != MotionRule::dynamic;
+  is_static_ = balances_ || keyblock::is_static(settings, model);
   const double time_step = settings.time_step;
   const bool constant = settings.step_control == StepControl::constant;
   const bool cut_stays = settings.quirks.cut_step_stays;
@@ -167,14 +169,15 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
   };
   for (const CarriedPoint& point : prepared.scene.model.loading_points)
     warn_held("load_held_after_table", "load", point.curve);
+  warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
   const bool is_on_covers = prepared.scene.settings.dynamics == Dynamics::standard &&
+                            !prepared.scene.model.elements.empty() &&
                             prepared.scene.model.elements[ElementIndex{extremes.crushed_element}].is_on_covers();
   if (is_on_covers && extremes.area_share < kSofteningStretch)
     warnings.push_back({"crushed_beyond_law", place,
                         fmt::format("element {} is pressed to {:.2g} of its area; the elastic law gives way below a "
                                     "stretch of {:.2g}: do not trust what is near it",
                                     extremes.crushed_element + 1, extremes.area_share, kSofteningStretch)});
-  warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
   return warnings;
 }
 

@@ -25,7 +25,8 @@ class StepWatch {
   /// At the place of the analysis.
   Warnings warnings(const Place& place) const;
 
-  /// None for dynamics, for blocks under the old rules, and before two steps of the old kind.
+  bool is_static() const { return is_static_; }
+  /// None for dynamics, for blocks under the old rules, where points are driven, and before two steps that creep.
   std::optional<EquilibriumWay> equilibrium_way() const;
 
  private:
@@ -44,7 +45,8 @@ class StepWatch {
   std::vector<Kind> kinds_;
   std::vector<Seen> seen_;  ///< one a kind
   int steps_ = 0;
-  bool creeps_ = false;    ///< static steps of the old kind, each from rest: their last frame need not be equilibrium
+  bool is_static_ = false;
+  bool creeps_ = false;    ///< static steps, each from rest, towards one equilibrium: their last frame need not be it
   bool balances_ = false;  ///< each step is an equilibrium
   double way_ = 0;         ///< sum of the greatest displacements of the steps, over the allowed one
   double before_ = 0;      ///< that of the last step but one

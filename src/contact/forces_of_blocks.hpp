@@ -16,7 +16,10 @@ class ForcesOfBlocks {
  public:
   ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added);
   ForcesOfBlocks(const ForcesOfBlocks&) = delete;  // its factor goes back to the matrix
-  ~ForcesOfBlocks() { blocks_.give_back(std::move(factor_)); }
+  ForcesOfBlocks& operator=(const ForcesOfBlocks&) = delete;
+  ~ForcesOfBlocks() {
+    if (factor_) blocks_.give_back(std::move(factor_));
+  }
 
   bool is_regular() const { return is_regular_; }
   /// u for one f, an entry an unknown each.

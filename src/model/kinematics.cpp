@@ -71,7 +71,7 @@ Point BlockMap::offset(Point place) const {
 BlockJacobian::BlockJacobian(const Basis& basis, const Unknowns& q, const BlockMap& map)
     : constant_(basis.constant), per_x_(map.rotation() * basis.per_x), per_y_(map.rotation() * basis.per_y) {
   if (basis.rotation_unknown < 0 || q.size() == 0) return;
-  const Eigen::Matrix2d& a = map.stretch();
+  const Eigen::Matrix2d& a = map.gradient();
   per_x_.col(basis.rotation_unknown) = Eigen::Vector2d(-a(1, 0), a(0, 0));
   per_y_.col(basis.rotation_unknown) = Eigen::Vector2d(-a(1, 1), a(0, 1));
 }

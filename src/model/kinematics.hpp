@@ -52,7 +52,6 @@ class BlockMap {
  public:
   BlockMap(const Basis& basis, const Unknowns& q, Point centroid_at_start);
 
-  Point centroid() const { return centroid_; }
   /// x of the material point X.
   Point place(Point offset) const {
     return {centroid_.x + a_(0, 0) * offset.x + a_(0, 1) * offset.y,
@@ -62,7 +61,8 @@ class BlockMap {
   Point offset(Point place) const;
   /// R, of the turn of the block frame.
   const Eigen::Matrix2d& rotation() const { return rotation_; }
-  const Eigen::Matrix2d& stretch() const { return a_; }
+  /// A, of x by X.
+  const Eigen::Matrix2d& gradient() const { return a_; }
 
  private:
   Point centroid_;

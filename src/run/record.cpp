@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/union_find.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -43,29 +45,21 @@ std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const
 
 // Elements that hang together, of each element the number of its body, counted from 0 in their order.
 std::vector<int> bodies_of(const Model& model) {
-  std::vector<int> first_of_cover;  // the body of the first element on it, or -1
-  std::vector<int> parent;
-  const auto root = [&](int body) {
-    while (parent[static_cast<std::size_t>(body)] != body) body = parent[static_cast<std::size_t>(body)];
-    return body;
-  };
-  for (const Element& element : model.elements) {
-    const auto own = static_cast<int>(parent.size());
-    parent.push_back(own);
-    for (const int cover : element.covers) {
+  std::vector<int> first_of_cover;  // the first element on it, or -1
+  UnionFind groups(model.elements.size());
+  for (ElementIndex e : indices(model.elements)) {
+    for (const int cover : model.elements[e].covers) {
       const auto c = static_cast<std::size_t>(cover);
       if (c >= first_of_cover.size()) first_of_cover.resize(c + 1, -1);
-      if (first_of_cover[c] < 0) first_of_cover[c] = own;
-      const int one = root(first_of_cover[c]);
-      const int other = root(own);
-      parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+      if (first_of_cover[c] < 0) first_of_cover[c] = e.value;
+      groups.unite(first_of_cover[c], e.value);
     }
   }
-  std::vector<int> bodies(parent.size());
+  std::vector<int> bodies;
   int count = 0;
-  for (std::size_t e = 0; e < parent.size(); ++e) {
-    const int lowest = root(static_cast<int>(e));
-    bodies[e] = lowest == static_cast<int>(e) ? count++ : bodies[static_cast<std::size_t>(lowest)];
+  for (ElementIndex e : indices(model.elements)) {
+    const int lowest = groups.find(e.value);
+    bodies.push_back(lowest == e.value ? count++ : bodies[static_cast<std::size_t>(lowest)]);
   }
   return bodies;
 }

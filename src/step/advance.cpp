@@ -116,6 +116,7 @@ class Attempts {
         stepping_(stepping),
         start_(stepping.state),
         contacts_(contacts_of_step(scene, stepping)),
+        coupled_(coupled_elements(scene.model, contacts_)),
         dt_(step_size(scene, stepping)),
         penalty_(stepping.penalty) {}
 
@@ -136,7 +137,6 @@ class Attempts {
   OpenCloseOutcome attempt() {
     if (start_.step > 0 && settings_.quirks.velocity_from_coming_step)
       start_ = with_velocity_of_last_step(scene_.model, std::move(start_), settings_, dt_);
-    coupled_ = coupled_elements(scene_.model, contacts_);
     const System system = assemble(scene_.terms, {scene_.model, start_, settings_, dt_}, coupled_);
     const Attempt kind = !stepping_.has_solved ? Attempt::first_of_run
                          : report_.redos == 0  ? Attempt::first_of_step

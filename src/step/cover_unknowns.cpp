@@ -35,7 +35,16 @@ std::vector<CoverUnknowns::Part> CoverUnknowns::parts_of(const Element& element,
 
 System CoverUnknowns::of_covers(const System& of_elements) const {
   if (!has_shared_covers_) return of_elements;
-  System system(sizes_);
+  BlockMatrix::Pairs coupled;
+  for (ElementIndex e : indices(parts_))
+    for (const auto& [column, block] : of_elements.matrix.row(e.value))
+      for (const Part& a : parts_[e])
+        for (const Part& b : parts_[ElementIndex{column}])
+          if (a.cover != b.cover) coupled.push_back(std::minmax(a.cover, b.cover));
+  std::ranges::sort(coupled);
+  const auto repeated = std::ranges::unique(coupled);
+  coupled.erase(repeated.begin(), repeated.end());
+  System system(sizes_, coupled);
   for (ElementIndex e : indices(parts_)) {
     const auto load = of_elements.load.segment(of_elements.matrix.first_row(e.value), of_elements.matrix.size(e.value));
     for (const Part& a : parts_[e]) system.load_of(a.cover) += a.share.transpose() * load;

@@ -8,7 +8,8 @@
 
 namespace keyblock {
 
-/// Of a stepping of the same scene, as `start` makes it. The solver is not in it: its factor is that of any new solver.
+/// Of a stepping of the same scene, as `start` makes it. Of the solver, only whether it gave up iterations: its factor
+/// is that of any new solver.
 void describe(Archive& archive, Stepping& stepping);
 
 /// Of a motion of the same scene, as `start_motion` makes it; contacts and bonds lie between `vertices`.

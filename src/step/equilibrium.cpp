@@ -19,8 +19,10 @@ constexpr double kBalanced = 1e-8;
 // Way of a held point from where it is wanted, over the size of its block: above what steps settle increments to.
 constexpr double kInPlace = 1e-9;
 
-// A body with two held points cannot leave: where it is soft it may hang further from its place than its own size.
+// A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from its place
+// than its own size.
 bool is_held(const StandardScene& scene, ElementIndex e) {
+  if (scene.reference.is_on_covers(e) && scene.covers->has_supports()) return true;
   const CarriedPoint* first = nullptr;
   for (const CarriedPoint& point : scene.held) {
     const bool are_on_covers = scene.reference.is_on_covers(point.element) && scene.reference.is_on_covers(e);
@@ -108,7 +110,7 @@ std::string no_equilibrium(const StandardScene& scene, const std::vector<Element
   const bool several = numbers.size() > 1;
   const bool is_of_body = std::ranges::any_of(blocks, [&](ElementIndex e) { return scene.reference.is_on_covers(e); });
   return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", fmt::join(numbers, ", "),
-                     several ? "" : "s", is_of_body ? "; neither contact nor two fixed points hold its body" : "");
+                     several ? "" : "s", is_of_body ? "; no two fixed points hold what it is part of" : "");
 }
 
 }  // namespace keyblock

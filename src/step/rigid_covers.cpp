@@ -16,7 +16,7 @@ constexpr double kHolds = 1e-9;
 RigidCovers::RigidCovers(const ElasticBodies& bodies, const Eigen::VectorXd& d)
     : functions_(bodies.rigid.functions()),
       size_(bodies.unknown_count()),
-      body_of_(static_cast<std::size_t>(size_ / 2)),
+      body_of_(static_cast<std::size_t>(size_ / 2), -1),
       rows_(body_of_.size()) {
   const std::vector<RigidMotion> motions = bodies.rigid.motions(d, Eigen::VectorXd::Zero(size_));
   for (std::size_t b = 0; b < motions.size(); ++b) {

@@ -34,8 +34,7 @@ constexpr double kWorstGain = 0.03;
 constexpr double kWeakTerm = 1e-3;
 // Gaps of this share of block size need not be closed further by forces without springs.
 constexpr double kGapTolerance = 1e-9;
-// Round-off of forces is these shares of what the gaps would ask for one by one: where nothing but a driven point loads a scene, no
-// load says what is small.
+// Where nothing loads a scene, no load says what forces are small: round-off is these shares of what the gaps ask for one by one.
 constexpr double kRoundOff = 1e-14;
 constexpr double kFewRoundOffs = 1e-12;
 // A bond that opens by more than this share of block size in a step is broken; less is round-off of the solution.
@@ -218,10 +217,12 @@ class SmoothSolve {
     }
     const Eigen::Index of_ties = problem_.b.size() - first_tie();
     problem_.b.tail(of_ties) = ties_.gaps(plus(start_.q, 1, estimate)) + from_estimate.tail(of_ties);
-    if (problem_.b.size() == 0) return;
+    problem_.goal = tolerance_.goal;
+    problem_.acceptable = tolerance_.acceptable;
+    if (tolerance_.acceptable > 0 || problem_.b.size() == 0) return;
     const double asked = problem_.b.cwiseQuotient(problem_.compliance()).cwiseAbs().maxCoeff();
-    problem_.goal = std::max(tolerance_.goal, kRoundOff * asked);
-    problem_.acceptable = std::max(tolerance_.acceptable, kFewRoundOffs * asked);
+    problem_.goal = kRoundOff * asked;
+    problem_.acceptable = kFewRoundOffs * asked;
   }
 
   // Springs that stop an impact act at the middle of the step, which keeps their energy: λ = −p (g0 + g1)/2.

@@ -47,8 +47,7 @@ std::string crushed_before(const StandardScene& scene, const State& before, cons
     const double first = state_of(scene, start_motion(scene)).elements[e].moments.area;
     return fmt::format(
         "; a step before it was pressed to {:.2g} of its area, and the elastic law (St. Venant-Kirchhoff) bears less "
-        "and "
-        "less below a stretch of {:.2g}",
+        "and less below a stretch of {:.2g}",
         before.elements[e].moments.area / first, kSofteningStretch);
   }
   return {};

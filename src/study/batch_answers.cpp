@@ -51,9 +51,9 @@ void add_measures(CatalogueAnswer& answer, const Json& record) {
                                      extremes.at("least_principal_stress").at("value"),
                                      extremes.at("greatest_principal_stress").at("value"),
                                      record.at("counts").at("most_contacts"),
-                                     record.contains("equilibrium"),
+                                     record.value("is_static", record.contains("equilibrium")),
                                      std::nullopt};
-  if (measures.is_static && !record.at("equilibrium").at("share").is_null())
+  if (record.contains("equilibrium") && !record.at("equilibrium").at("share").is_null())
     measures.equilibrium_share = record.at("equilibrium").at("share").get<double>();
   answer.measures = measures;
 }

@@ -81,7 +81,7 @@ std::string measure_cell(const CatalogueRow& row, Text text) {
 
 std::string share_of(const CatalogueMeasures& measures) {
   if (!measures.is_static) return "dynamic";
-  return measures.equilibrium_share ? fmt::format("{:.4g}", *measures.equilibrium_share) : "no sign";
+  return measures.equilibrium_share ? fmt::format("{:.4g}", *measures.equilibrium_share) : "none known";
 }
 
 std::string text_of_number(double number) {

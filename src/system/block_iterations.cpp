@@ -25,7 +25,7 @@ class BlockIterations::Kernel {
 namespace {
 
 constexpr double kFirstShift = 1e-3;
-constexpr double kLastShift = 1;  // a diagonal doubled and still no factor: the matrix is not positive definite
+constexpr double kLastShift = 1;  // a diagonal raised by half and still no factor: the matrix is not positive definite
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);

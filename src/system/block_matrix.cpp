@@ -3,6 +3,7 @@
 #include "system/block_matrix.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <utility>
 
@@ -11,6 +12,8 @@ namespace keyblock {
 BlockMatrix::BlockMatrix(std::vector<int> sizes, const Pairs& coupled)
     : sizes_(std::move(sizes)), first_rows_(sizes_.size() + 1, 0) {
   std::partial_sum(sizes_.begin(), sizes_.end(), first_rows_.begin() + 1);
+  assert(std::ranges::is_sorted(coupled) && std::ranges::adjacent_find(coupled) == coupled.end());
+  assert(std::ranges::all_of(coupled, [](const auto& pair) { return pair.first < pair.second; }));
   entries_.reserve(sizes_.size() + coupled.size());
   auto next = coupled.begin();
   for (int i = 0; i < block_count(); ++i) {

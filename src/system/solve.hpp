@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -19,20 +20,21 @@ struct Solution {
 /// What is known of a system beforehand.
 struct SystemKind {
   /// R = p Δt² / 2m, contact stiffness over inertia of a mean block; infinite without inertia.
-  double stiffness_over_inertia = 0;
+  double stiffness_over_inertia = std::numeric_limits<double>::infinity();
   Eigen::VectorXd guess{};  ///< of the solution; empty: zero
 };
 
-/// Keeps the symbolic factor while the pattern stays the same. `automatic`: conjugate gradients where R ≤ 100 and blocks are at least
+/// Keeps the symbolic factor while the pattern stays the same. The factor is always the block factor: CHOLMOD gained nothing beside it. `automatic`: conjugate gradients where R ≤ 100 and blocks are at least
 /// 300, unless they took more iterations once than a factor costs (70 up to 1e4 blocks, 140 beyond); then the factor from there on.
 class Solver {
  public:
-  /// Nothing if the factorisation breaks down or the result is not finite. Iterations that do not reach 1e-11 are left to the factor;
-  /// those of over-relaxation are not.
+  /// Nothing if the factorisation breaks down or the result is not finite. Iterations that do not reach 1e-11 are left to the factor,
+  /// but for those of over-relaxation, which have no solution then.
   std::optional<Solution> solve(const System& system, const SystemKind& kind = {});
 
   LinearMethod method = LinearMethod::automatic;
-  bool gave_up_iterations = false;  ///< of `automatic`: a run that is resumed goes on as it was
+  /// Iterations missed their goal once; `automatic` does not try them again, nor does a run that is resumed.
+  bool gave_up_iterations = false;
 
  private:
   bool iterates(int block_count, double stiffness_over_inertia) const;

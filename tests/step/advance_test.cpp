@@ -143,4 +143,21 @@ TEST(ShiStep, only_the_first_solve_of_a_run_is_repeated) {
   EXPECT_EQ(step_once(scene, stepping).passes, 1);
 }
 
+// Iterations stop at 1e-11 of the load: what they leave is nothing beside what a block moves.
+TEST(Advance, every_way_to_solve_makes_the_same_steps) {
+  std::vector<Point> places;
+  for (const LinearMethod method : {LinearMethod::factor, LinearMethod::conjugate_gradients}) {
+    Blocks blocks;
+    blocks.blocks = {rectangle({-1, -1}, {2, 0}), rectangle({0, 0.001}, {1, 1})};
+    blocks.fixed_points = {{{-0.5, -0.5}, 0, {}}, {{1.5, -0.5}, 0, {}}};
+    Scene scene = legacy_scene(blocks, plain_analysis(1e-3, 30));
+    scene.settings.linear_method = method;
+    Stepping stepping = start(scene);
+    for (int i = 0; i < 30; ++i) step_once(scene, stepping);
+    places.push_back(stepping.state.elements[ElementIndex{1}].centroid);
+  }
+  EXPECT_GT(std::abs(places[0].y - 0.5005), 1e-3) << "it falls upon the lower one and is thrown back";
+  EXPECT_LT(distance(places[1], places[0]), 1e-9);
+}
+
 }  // namespace keyblock

@@ -59,7 +59,7 @@ TEST(BatchCatalogue, the_table_keeps_commas_quotes_and_line_ends) {
   EXPECT_EQ(cell("greatest_displacement"), "7 | 8 | none");
   EXPECT_EQ(cell("least_stress"), "-2 | -3 | none");
   EXPECT_EQ(cell("greatest_stress"), "0.5 | 0.25 | none");
-  EXPECT_EQ(cell("equilibrium_share"), "0.125 | no sign | none");
+  EXPECT_EQ(cell("equilibrium_share"), "0.125 | none known | none");
   EXPECT_EQ(cell("outputs"), "jobs/a/legacy | jobs/a/standard");
 }
 

@@ -93,4 +93,45 @@ TEST(BlockPattern, fills_no_more_than_it_must) {
   EXPECT_EQ(BlockPattern(20, chain).entry_count(), 20 + 17);
 }
 
+// Two blocks of unit inertia with a spring of 1e9 between them, pulled across it: what the spring does not hold moves by 1. An inverse
+// of the pivot itself would lose nine figures.
+TEST(BlockFactor, keeps_what_is_soft_beside_what_is_stiff) {
+  constexpr double kStiffness = 1e9;
+  Random random;
+  for (const bool is_symmetric : {true, false}) {
+    BlockFactor factor(std::make_shared<BlockPattern>(2, BlockPattern::Pairs{{0, 1}}), {6, 6});
+    Eigen::Matrix<double, 6, 1> on_first = random.block(6, 1);
+    Eigen::Matrix<double, 6, 1> on_second = random.block(6, 1);
+    const BlockFactor::Block inertia = BlockFactor::Block::Identity(6, 6);
+    factor.add(0, 0, inertia + kStiffness * on_first * on_first.transpose());
+    factor.add(1, 1, inertia + kStiffness * on_second * on_second.transpose());
+    factor.add(0, 1, kStiffness * on_first * on_second.transpose());
+    factor.add(1, 0, kStiffness * on_second * on_first.transpose());
+    ASSERT_TRUE(factor.factorise(is_symmetric));
+    Eigen::Matrix<double, 12, 1> across = Eigen::Matrix<double, 12, 1>::Ones();
+    Eigen::Matrix<double, 12, 1> along;
+    along << on_first, on_second;
+    across -= along * (along.dot(across) / along.squaredNorm());
+    Eigen::Matrix<double, 12, 1> x = across;
+    factor.solve({x.data(), 12});
+    EXPECT_LT((x - across).norm(), 1e-6);
+  }
+}
+
+TEST(BlockFactor, serves_again_once_it_is_cleared) {
+  const Wall made = wall(3, 2, {6, 3});
+  BlockFactor factor(std::make_shared<BlockPattern>(6, made.coupled), made.sizes);
+  const auto solved = [&] {
+    for (int i = 0; i < 6; ++i) factor.add(i, i, 2.0 * BlockFactor::Block::Identity(made.sizes[i], made.sizes[i]));
+    EXPECT_TRUE(factor.factorise(true));
+    std::vector<double> x(27, 1);
+    factor.solve(x);
+    return x;
+  };
+  const std::vector<double> first = solved();
+  factor.clear();
+  EXPECT_EQ(solved(), first);
+  for (const double x : first) EXPECT_DOUBLE_EQ(x, 0.5);
+}
+
 }  // namespace keyblock

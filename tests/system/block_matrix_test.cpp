@@ -65,4 +65,17 @@ TEST(BlockMatrix, rows_of_blocks_follow_one_another) {
   EXPECT_EQ(system.load[7], 5);
 }
 
+TEST(BlockMatrix, room_made_beforehand_holds_zeros_and_what_is_added) {
+  BlockMatrix matrix({2, 3, 1}, {{0, 2}, {1, 2}});
+  EXPECT_EQ(matrix.entry_count(), 5);
+  EXPECT_EQ(matrix.row(0)[1].block, Block::Zero(2, 1));
+  matrix.add(2, 1, Block::Ones(1, 3));
+  EXPECT_EQ(matrix.entry_count(), 5);
+  EXPECT_EQ(matrix.row(1)[1].block, Block::Ones(3, 1));
+  matrix.add(0, 1, Block::Ones(2, 3));  // not foreseen
+  EXPECT_EQ(matrix.entry_count(), 6);
+  EXPECT_EQ(matrix.row(0)[1].column, 1);
+  EXPECT_EQ(matrix.row(2).front().column, 2);
+}
+
 }  // namespace keyblock
