@@ -3,6 +3,7 @@
 #include "formats/keyblock_case.hpp"
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 
@@ -109,13 +110,26 @@ void require_points(const std::vector<Point>& points, std::size_t fewest, std::s
     fail(place, fmt::format("{} points at least {}", fewest, noun), static_cast<long long>(points.size()));
 }
 
+constexpr double kHalfTurn = 180;
+// Of the mesh's scale: nodes that are moved further take whole triangles with them.
+constexpr double kMostSnapping = 0.1;
+
 void check(const MeshPlan& mesh, const Place& covers) {
   const Place& place = mesh.place.line > 0 ? mesh.place : covers;
   if ((mesh.half_rows > 0) == (mesh.side > 0))
     throw InputError(place, fmt::format("expected a mesh with one of half_rows and side, found {}",
-                                        mesh.side > 0 ? "both" : "neither"));
+                                        mesh.side > 0 ? "both" : "none above 0"));
   if (mesh.kind == MeshKind::unstructured && mesh.half_rows > 0)
     throw InputError(place, "expected the side of an unstructured mesh, found half_rows");
+  if (mesh.kind == MeshKind::unstructured && mesh.angle_deg != 0)
+    throw InputError(place, fmt::format("expected no angle of an unstructured mesh, found {}", mesh.angle_deg));
+  if (mesh.kind == MeshKind::regular && !mesh.refined.empty())
+    throw InputError(place, "expected kind unstructured where a mesh is refined, found a regular one");
+  if (!(std::abs(mesh.angle_deg) <= kHalfTurn))
+    throw InputError(place, fmt::format("expected an angle from -180 to 180, found {}", mesh.angle_deg));
+  if (!(mesh.snap_ratio <= kMostSnapping))
+    throw InputError(place,
+                     fmt::format("expected a snap_ratio of at most {}, found {}", kMostSnapping, mesh.snap_ratio));
 }
 
 void check(const DisplacementPlan& part) {

@@ -132,7 +132,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, const std:
   if (record.outcome.end == RunEnd::stopped)
     spdlog::warn("stopped {}; keyblock run --resume {} goes on",
                  is_at_time_limit() ? "at the limit of processor time" : "by request", folder);
-  if (record.equilibrium_way && record.equilibrium_way->share)
+  if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)
     spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
 }

@@ -115,7 +115,17 @@ TEST(KeyblockCase, faults_of_covers_are_named_where_they_stand) {
   };
   EXPECT_EQ(error_of(on_covers(R"({"mesh": {"side": 1, "half_rows": 3}})")),
             "f:2:20: error: expected a mesh with one of half_rows and side, found both");
-  EXPECT_EQ(error_of(on_covers("{}")), "f:2:11: error: expected a mesh with one of half_rows and side, found neither");
+  EXPECT_EQ(error_of(on_covers("{}")),
+            "f:2:11: error: expected a mesh with one of half_rows and side, found none above 0");
+  const auto fault_of_mesh = [](const std::string& mesh) {
+    return error_of(on_covers(fmt::format(R"({{"mesh": {{"side": 1, {}}}}})", mesh))).substr(15);
+  };
+  EXPECT_EQ(fault_of_mesh(R"("refined": [[0, 0, 0.1]])"),
+            "expected kind unstructured where a mesh is refined, found a regular one");
+  EXPECT_EQ(fault_of_mesh(R"("kind": "unstructured", "angle": 7)"),
+            "expected no angle of an unstructured mesh, found 7");
+  EXPECT_EQ(fault_of_mesh(R"("angle": 700)"), "expected an angle from -180 to 180, found 700");
+  EXPECT_EQ(fault_of_mesh(R"("snap_ratio": 0.5)"), "expected a snap_ratio of at most 0.1, found 0.5");
   EXPECT_EQ(fault(R"("body_force": {"y": "2*z"})"),
             "f:2:58: error: expected a number or an expression in x, y, found \"z\"");
   EXPECT_EQ(fault(R"("body_force": {"y": "2*(x"})").substr(0, 61),

@@ -33,6 +33,8 @@ struct Sample {
 const std::vector<Sample>& samples() {
   static const std::vector<Sample> all{
       {"circle_slope", {}, {"legacy"}},                                             // many contacts, a step by rule
+      {"circle_slope", {{"linear_method", "conjugate_gradients"}}, {"legacy"}},     // iterations from a guess
+      {"sliding_block_on_covers", {}, {"standard"}},                                // bodies on covers
       {"toppling_column/falls", {{"step_control", "shi"}, {"time_step", "0.01"}}},  // contact, parts of a step
       {"stack/five_blocks", {{"enforcement", "penalty"}}, {"standard"}},            // stretched springs
       {"restitution/e_050",
