@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -38,6 +39,8 @@ bool has_initial_stress(const StandardScene& scene) {
 constexpr double kMisfit = 1e-6;
 // Jointed masses of more touching pairs than this are settled at once: multipliers between rigid blocks seldom settle there.
 constexpr std::size_t kMostExact = 40;
+// Parts of the load in which a first equilibrium of bodies on covers is searched that was not found at once.
+constexpr std::array kFinerShares{5, 20};
 
 /// What led to it, where an element on covers is crushed to nothing; empty otherwise.
 std::string crushed_before(const StandardScene& scene, const State& before, const State& end) {
@@ -254,9 +257,27 @@ StandardStep StandardStepper::static_equilibrium(double time) {
   if (state_.step > 0 && last == loads_at(scene_, motion_.q, time) && std::ranges::all_of(scene_.held, stays))
     return unchanged(scene_, motion_, time);
   StandardStep made = equilibrium_from(motion_, time);
+  if (state_.step == 0 && wanted == 1 && scene_.covers) made = in_finer_shares(std::move(made), time);
   while (++share <= end && made.converged && made.failure.empty()) {
     scene_.load_share = static_cast<double>(share) / wanted;
     made = joined(made, equilibrium_from(made.motion, time));
+  }
+  return made;
+}
+
+// The first equilibrium of soft bodies may be lost on the way to it, where parts of the load find it.
+StandardStep StandardStepper::in_finer_shares(StandardStep made, double time) {
+  for (const int count : kFinerShares) {
+    if (made.converged && made.failure.empty()) return made;
+    StandardStep parts;
+    parts.motion = motion_;
+    parts.converged = true;
+    for (int share = 1; share <= count && parts.converged && parts.failure.empty(); ++share) {
+      scene_.load_share = static_cast<double>(share) / count;
+      parts = joined(parts, equilibrium_from(parts.motion, time));
+    }
+    scene_.load_share = 1;
+    if (parts.converged && parts.failure.empty()) made = std::move(parts);
   }
   return made;
 }

@@ -30,6 +30,7 @@ class StandardStepper : public Stepper {
   void describe(Archive& archive);
   ControlledStep make_step();
   StandardStep static_equilibrium(double time);
+  StandardStep in_finer_shares(StandardStep made, double time);
   StandardStep equilibrium_from(const Motion& motion, double time) const;
   void book(const StandardStep& step);
   StepReport report_of(const ControlledStep& made) const;
