@@ -320,14 +320,16 @@ CoverPlan covers(Dice& dice) {
   else
     plan.mesh.side = positive_real(dice);
   plan.mesh.shape = dice.happens(0.5) ? MeshShape::old : MeshShape::equilateral;
-  plan.mesh.angle_deg = dice.between(-180, 180);
+  const bool is_regular = plan.mesh.kind == MeshKind::regular;
+  if (is_regular) plan.mesh.angle_deg = dice.between(-180, 180);
   plan.mesh.placement = dice.happens(0.5) ? MeshPlacement::aligned : MeshPlacement::free;
   if (dice.happens(0.5)) plan.mesh.through_x = coordinate(dice);
   if (dice.happens(0.5)) plan.mesh.through_y = coordinate(dice);
-  plan.mesh.refined = some(dice, 3, [](Dice& one) {
-    const Point at = any_point(one);
-    return RefinedPoint{at, positive_real(one)};
-  });
+  if (!is_regular)
+    plan.mesh.refined = some(dice, 3, [](Dice& one) {
+      const Point at = any_point(one);
+      return RefinedPoint{at, positive_real(one)};
+    });
   plan.tractions = some(dice, 3, [](Dice& one) {
     TractionPlan part{polygon(one), {}, {}, {}, {}};
     part.x = formula(one, true);
