@@ -321,15 +321,16 @@ CoverPlan covers(Dice& dice) {
     plan.mesh.side = positive_real(dice);
   plan.mesh.shape = dice.happens(0.5) ? MeshShape::old : MeshShape::equilateral;
   const bool is_regular = plan.mesh.kind == MeshKind::regular;
-  if (is_regular) plan.mesh.angle_deg = dice.between(-180, 180);
+  const double angle_deg = dice.between(-180, 180);
+  if (is_regular) plan.mesh.angle_deg = angle_deg;
   plan.mesh.placement = dice.happens(0.5) ? MeshPlacement::aligned : MeshPlacement::free;
   if (dice.happens(0.5)) plan.mesh.through_x = coordinate(dice);
   if (dice.happens(0.5)) plan.mesh.through_y = coordinate(dice);
-  if (!is_regular)
-    plan.mesh.refined = some(dice, 3, [](Dice& one) {
-      const Point at = any_point(one);
-      return RefinedPoint{at, positive_real(one)};
-    });
+  auto refined = some(dice, 3, [](Dice& one) {
+    const Point at = any_point(one);
+    return RefinedPoint{at, positive_real(one)};
+  });
+  if (!is_regular) plan.mesh.refined = std::move(refined);
   plan.tractions = some(dice, 3, [](Dice& one) {
     TractionPlan part{polygon(one), {}, {}, {}, {}};
     part.x = formula(one, true);
