@@ -14,6 +14,7 @@
 #include "model/free_pieces.hpp"
 #include "run/cover_plan_parts.hpp"
 #include "run/planned_bodies.hpp"
+#include "run/prepare.hpp"
 #include "run/profile.hpp"
 #include "run/settings_table.hpp"
 
@@ -50,16 +51,10 @@ void require_statics(const Problem& problem, const std::string& profile) {
 Warnings without_effect(const Problem& problem, bool touches) {
   Warnings warnings;
   const Place& place = problem.covers->place;
-  const auto has_points = [](const auto& geometry) {
-    if constexpr (requires { geometry.fixed_points; })
-      return !geometry.fixed_points.empty() || !geometry.loading_points.empty();
-    if constexpr (requires { geometry.fixed_lines; })
-      return !geometry.fixed_lines.empty() || !geometry.loading_points.empty();
-    return false;
-  };
-  if (std::visit(has_points, problem.geometry))
+  if (has_fixed_or_loading_points(problem))
     warnings.push_back({"points_without_effect", place,
-                        "fixed and loading points have no effect on covers: displacements and forces of covers have"});
+                        "fixed and loading points have no effect where contact is ignored or regions are dug out: name "
+                        "displacements and forces of `covers` instead"});
   if (touches)
     warnings.push_back(
         {"contact_without_effect", place,

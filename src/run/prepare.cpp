@@ -235,13 +235,26 @@ std::string profile_of(const Problem& problem, const std::string& asked) {
   return profile.empty() ? "standard" : profile;
 }
 
+bool has_fixed_or_loading_points(const Problem& problem) {
+  const auto has_points = [](const auto& geometry) {
+    if constexpr (requires { geometry.fixed_points; })
+      return !geometry.fixed_points.empty() || !geometry.loading_points.empty();
+    else if constexpr (requires { geometry.fixed_lines; })
+      return !geometry.fixed_lines.empty() || !geometry.loading_points.empty();
+    else
+      return false;
+  };
+  return std::visit(has_points, problem.geometry);
+}
+
 bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (!problem.covers || !problem.analysis) return problem.covers.has_value();
   if (!problem.covers->excavations.empty()) return true;
   const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
   const bool is_static = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
   if (!is_static || !problem.covers->mesh.materials.empty()) return false;
-  return problem.covers->contact == CoverContact::ignored || !PlannedBodies(problem).touches();
+  if (problem.covers->contact == CoverContact::ignored) return true;
+  return !has_fixed_or_loading_points(problem) && !PlannedBodies(problem).touches();
 }
 
 bool can_prepare(const Problem& problem) {

@@ -50,4 +50,28 @@ TEST(SoftStatics, an_equilibrium_lost_at_once_is_found_in_parts_of_the_load) {
   EXPECT_NEAR(sag(at_once) / sag(in_parts), 1, 1e-9);
 }
 
+// Two points at mid-height hold a beam: it hangs between them, the same to both sides, whether anything else is in the scene or not.
+TEST(SoftStatics, fixed_points_hold_a_body_on_covers_that_touches_nothing) {
+  const std::filesystem::path folder = testing::fresh_folder("held_beam");
+  const std::string file = (folder / "beam.json").string();
+  testing::write_text(file, R"({"keyblock": 1,
+ "blocks": {"blocks": [{"material": 1, "outer": [[0, 0, 1], [10, 0, 1], [10, 2, 1], [0, 2, 1]]}],
+            "fixed_points": [[0.5, 1, 1], [9.5, 1, 1]], "measured_points": [[5, 1, 1]]},
+ "covers": {"functions": "derived", "mesh": {"side": 0.6}},
+ "analysis": {"velocity_carry_over": 0, "step_count": 1, "time_step": 0.01, "allowed_displacement_ratio": 0.05,
+              "gravity": 9.81, "joint_materials": [{}],
+              "block_materials": [
+ {"density": 2000, "unit_weight": 19620, "youngs_modulus": 1e9, "poissons_ratio": 0.2}]}}
+)");
+  const auto run = testing::run_keyblock({"run", file, "-o", (folder / "out").string()});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_EQ(run.messages.find("without_effect"), std::string::npos) << run.messages;
+  // Euler and Timoshenko for a beam on two supports, 5 q L⁴/384 E I + q L²/8 κ G A: 5.6 mm. The ends that stand out lift the middle
+  // (q c² L²/16 E I, 0.07 mm) and each point gives way by some of its load over E.
+  const double q = 19620 * 2;
+  const double bending = 5 * q * std::pow(9, 4) / (384 * 1e9 * 8 / 12.0);
+  const double shear = q * 81 / 8 / (5 / 6.0 * 1e9 / 2.4 * 2);
+  EXPECT_NEAR(sag((folder / "out").string()) / -(bending + shear), 1, 0.1);
+}
+
 }  // namespace keyblock
