@@ -179,6 +179,9 @@ struct Range {
   double spread() const { return (most - least) / (most + least); }
 };
 
+constexpr double kFlat = 0.2;
+constexpr double kListed = 0.225;  // measured: 0.201 and 0.219
+
 /// The upper and right edges sweep one row of the mesh; half of the positions reach down to 1e-8 of it. Judged is what scales the
 /// unknowns of a cover together; where a cover has but one function the diagonal does nearly the same. That alone is seen in a tenth
 /// of the positions.
@@ -204,10 +207,12 @@ void print_sweep(int positions) {
                  is_judged ? "covers" : "diagonal", iterations.least, iterations.most, 100 * iterations.spread(),
                  condition.least, condition.most, 100 * condition.spread());
       std::fflush(stdout);
-      // 0.2 is wanted of both; measured: 0.201 and 0.219 for the condition of derived and quadratic functions.
-      if (!is_judged || (iterations.spread() <= 0.2 && condition.spread() <= 0.225)) continue;
-      ++missed;
-      fmt::print("  MISSED: within 20 %\n");
+      if (!is_judged || (iterations.spread() <= kFlat && condition.spread() <= kFlat)) continue;
+      // Listed: derived and quadratic functions (cause not found). Missed when they get worse.
+      const bool is_listed = functions == CoverFunctions::derived || functions == CoverFunctions::quadratic;
+      const bool is_as_listed = is_listed && iterations.spread() <= kFlat && condition.spread() <= kListed;
+      if (!is_as_listed) ++missed;
+      fmt::print("  {}: within 20 %\n", is_as_listed ? "listed miss" : "MISSED");
     }
   }
 }
@@ -269,6 +274,6 @@ int main(int count, char** words) {
                 {quadratic, {0.25, 0.125}, 5e-3, 10000}});
   print_sweep(1000);
   print_large();
-  fmt::print("\n{}\n", missed == 0 ? "all figures reached" : fmt::format("{} figures missed", missed));
+  fmt::print("\n{}\n", missed == 0 ? "all figures reached but those listed" : fmt::format("{} figures missed", missed));
   return missed == 0 ? 0 : 1;
 }
