@@ -10,17 +10,18 @@
 namespace keyblock {
 namespace {
 
-using testing::block_on_slope;
 using testing::mixed_scene_of;
 using testing::plain_analysis;
-using testing::radians;
 using testing::rectangle;
 using testing::standard_settings;
 
-StandardScene on_covers(const Blocks& blocks, int meshed) {
+// A slab of 3 m × 1 m on covers above a held floor that is a block.
+StandardScene slab_on_covers() {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-5, -2}, {5, 0}), rectangle({0, 1}, {3, 2})};
+  blocks.fixed_points = {{{-4, -1}, 0, {}}, {{4, -1}, 0, {}}};
   const Analysis analysis = plain_analysis(1e-3, 1);
-  const Scene scene =
-      mixed_scene_of(blocks, {meshed}, analysis, standard_settings(analysis), 2, CoverFunctions::derived);
+  const Scene scene = mixed_scene_of(blocks, {1}, analysis, standard_settings(analysis), 2, CoverFunctions::derived);
   return standard_scene(scene.model, scene.settings);
 }
 
@@ -34,10 +35,7 @@ VertexIndex first_vertex_on_covers(const StandardScene& scene) {
 
 // A unit impulse n at a point r from the mass centre of a free body: n (1/m + (r × n)²/I) along itself.
 TEST(RigidView, a_free_body_answers_by_its_mass_and_inertia) {
-  Blocks blocks;
-  blocks.blocks = {rectangle({-5, -2}, {5, 0}), rectangle({0, 1}, {3, 2})};
-  blocks.fixed_points = {{{-4, -1}, 0, {}}, {{4, -1}, 0, {}}};
-  const StandardScene scene = on_covers(blocks, 1);
+  const StandardScene scene = slab_on_covers();
   const Motion motion = start_motion(scene);
   const RigidView view(scene, motion.q);
   const VertexIndex v = first_vertex_on_covers(scene);
@@ -56,10 +54,7 @@ TEST(RigidView, a_free_body_answers_by_its_mass_and_inertia) {
 
 // What an impulse between two faces of one body gives it as a whole is nothing.
 TEST(RigidView, a_body_does_not_push_itself) {
-  Blocks blocks;
-  blocks.blocks = {rectangle({-5, -2}, {5, 0}), rectangle({0, 1}, {3, 2})};
-  blocks.fixed_points = {{{-4, -1}, 0, {}}, {{4, -1}, 0, {}}};
-  const StandardScene scene = on_covers(blocks, 1);
+  const StandardScene scene = slab_on_covers();
   const Motion motion = start_motion(scene);
   const RigidView view(scene, motion.q);
   const VertexIndex v = first_vertex_on_covers(scene);
