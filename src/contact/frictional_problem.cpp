@@ -64,10 +64,6 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, con
   return natural_map(problem, tried.forces, y, problem.compliance() + proximal.weights);
 }
 
-NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal) {
-  return natural_map(problem, tried(problem, forces), proximal);
-}
-
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
   return natural_map(problem, tried(problem, forces));
 }

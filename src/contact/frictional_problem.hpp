@@ -80,7 +80,6 @@ struct Proximal {
   Eigen::VectorXd weights;
   Eigen::VectorXd reference;
 };
-NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Proximal& proximal);
 
 /// Forces with what they make, where that is wanted more than once: the product with W is what judging them costs.
 struct Tried {

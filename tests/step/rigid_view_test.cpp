@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "contact/point_motion.hpp"
 #include "tests/support/cover_scenes.hpp"
 
@@ -52,16 +54,22 @@ TEST(RigidView, a_free_body_answers_by_its_mass_and_inertia) {
   EXPECT_NEAR(ContactMatrix(rows, view.flexibility()).diagonal()[0], rate, 1e-12 * rate);
 }
 
-// What an impulse between two faces of one body gives it as a whole is nothing.
-TEST(RigidView, a_body_does_not_push_itself) {
+// Opposite impulses n at two points of one body do not move it, but turn it: by ((r₁ − r₂) × n)²/I between them, counted once.
+TEST(RigidView, opposite_impulses_on_one_body_turn_it) {
   const StandardScene scene = slab_on_covers();
   const Motion motion = start_motion(scene);
   const RigidView view(scene, motion.q);
-  const VertexIndex v = first_vertex_on_covers(scene);
-  const ElementIndex e = scene.model.vertices[v].element;
-  const PointMotion at = PointMotions(scene.model, scene.reference, motion.q).of_vertex(v);
-  const ContactRows rows = view.rows({row_between(e, at, e, at, {1, 0})});
-  EXPECT_LT(view.answer(rows, Eigen::VectorXd::Ones(1)).covers.norm(), 1e-14);
+  const VertexIndex first = first_vertex_on_covers(scene);
+  const VertexIndex last{scene.model.vertices.end_index().value - 1};
+  const PointMotions points(scene.model, scene.reference, motion.q);
+  const Point n{0.6, 0.8};
+  const ContactRows rows = view.rows({row_between(scene.model.vertices[first].element, points.of_vertex(first),
+                                                  scene.model.vertices[last].element, points.of_vertex(last), n)});
+  const auto start = [&](VertexIndex v) { return scene.model.start_vertices[static_cast<std::size_t>(v.value)]; };
+  const double turn = cross(start(first) - start(last), n);
+  const double mass = 3 * scene.model.material_of(scene.model.elements[scene.model.vertices[first].element]).density;
+  ASSERT_GT(std::abs(turn), 0.1);
+  EXPECT_NEAR(ContactMatrix(rows, view.flexibility()).diagonal()[0] * mass, turn * turn / ((9 + 1) / 12.0), 1e-10);
 }
 
 }  // namespace keyblock
