@@ -16,7 +16,10 @@ namespace {
 
 std::string numbers(std::initializer_list<double> values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : " ") + format_real(value);
+  for (const double value : values) {
+    if (!text.empty()) text += ' ';
+    text += format_real(value);
+  }
   return text;
 }
 
