@@ -81,7 +81,7 @@ ChildEnd run_logged(const BatchPlan& plan, const fs::path& folder, const std::st
 CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder,
                        const std::string& profile, CatalogueRow& row) {
   std::vector<std::string> arguments = with_inputs("run", plan, job);
-  arguments.insert(arguments.end(), {"-o", (folder / profile).string(), "--profile", profile});
+  arguments.insert(arguments.end(), {"-o", (folder / profile).string(), "--profile", profile, "--threads", "1"});
   const ChildEnd end = run_logged(plan, folder, profile, arguments);
   if (end.exit_code == 0) return study::answer_in(folder / profile, profile);
   const std::string why = why_it_ended(end, plan.limits, folder / (profile + ".log"));
@@ -106,7 +106,7 @@ bool is_the_case_of_its_folder(const BatchPlan& plan, const study::BatchJob& job
 std::string compare_with_expected(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder) {
   if (!is_the_case_of_its_folder(plan, job)) return {};
   const fs::path of_case = study::place_of(plan.root, job.files.front()).parent_path();
-  std::vector<std::string> arguments{"compare", of_case.string(), "--json", "--all"};
+  std::vector<std::string> arguments{"compare", of_case.string(), "--json", "--all", "--threads", "1"};
   if (!plan.profile.empty()) arguments.insert(arguments.end(), {"--profile", plan.profile});
   const ChildEnd end = run_logged(plan, folder, "compare", arguments);
   return end.ran_out_of_time ? "not compared: the limit of processor time was reached"

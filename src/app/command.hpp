@@ -20,6 +20,9 @@ struct Command {
   Action (*configure)(CLI::App& options);
 };
 
+/// `--threads`, which takes effect as it is read.
+void add_thread_option(CLI::App& options);  // thread_option.cpp
+
 Action configure_check(CLI::App& options);     ///< check_command.cpp
 Action configure_cut(CLI::App& options);       ///< cut_command.cpp
 Action configure_joints(CLI::App& options);    ///< joints_command.cpp

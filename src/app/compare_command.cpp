@@ -204,6 +204,7 @@ Action configure_compare(CLI::App& options) {
                   "only this preset of all choices (default: legacy and standard, as which others are judged); traces "
                   "are of legacy")
       ->check(CLI::IsMember(profile_names()));
+  add_thread_option(options);
   options.add_flag("--all", chosen->with_slow, "run slow cases too");
   options.add_option("--picture", chosen->picture, "write a picture of the one case given (SVG)");
   options.add_flag("--sources", chosen->with_sources, "print the reasons of the tolerances too");

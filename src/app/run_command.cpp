@@ -363,6 +363,7 @@ Action configure_run(CLI::App& options) {
       "--resume", chosen->resume,
       "folder of an interrupted run, which goes on from its checkpoint, or begins again before its first");
   for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force}) resume->excludes(other);
+  add_thread_option(options);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");
   return [chosen] { return run_files(*chosen); };
 }

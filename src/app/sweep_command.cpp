@@ -10,6 +10,7 @@
 #include "app/files.hpp"
 #include "app/study_options.hpp"
 #include "app/usage_error.hpp"
+#include "base/loop.hpp"
 #include "report/sweep_picture.hpp"
 #include "study/run_design.hpp"
 
@@ -167,7 +168,10 @@ Action configure_sweep(CLI::App& options) {
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   options.add_option("--table", chosen->table, "write the map as a table (CSV)");
-  return [chosen] { return run_sweep(*chosen); };
+  return [chosen] {
+    set_loop_threads(1);  // prices are processor time
+    return run_sweep(*chosen);
+  };
 }
 
 }  // namespace keyblock

@@ -15,6 +15,7 @@
 #include "app/study_options.hpp"
 #include "app/usage_error.hpp"
 #include "base/counted.hpp"
+#include "base/loop.hpp"
 #include "report/tradeoff_picture.hpp"
 #include "run/settings_file.hpp"
 #include "study/run_design.hpp"
@@ -252,7 +253,10 @@ Action configure_tradeoff(CLI::App& options) {
       ->check(CLI::PositiveNumber);
   options.add_option("-o,--output", chosen->output,
                      "file for the settings picked, for run --settings-file (default: CASE.settings)");
-  return [chosen] { return run_tradeoff(*chosen); };
+  return [chosen] {
+    set_loop_threads(1);  // prices are processor time
+    return run_tradeoff(*chosen);
+  };
 }
 
 }  // namespace keyblock

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/active_forces.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
 #include "contact/forces_of_blocks.hpp"
 
 namespace keyblock {
@@ -9,6 +14,10 @@ namespace {
 
 // Up to this many unknowns a dense factor beats the sparse one's bookkeeping. What covers couple is dense anyhow.
 constexpr std::size_t kMostDense = 48;
+// Iterations win up to this ratio of contact stiffness to inertia, as in a step of the old rules.
+constexpr double kGreatestRatio = 100;
+// Products that cost what a factor does, over the square root of the number of blocks.
+constexpr double kMostProducts = 3;
 
 }  // namespace
 
@@ -62,6 +71,8 @@ ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<G
   if ((given.array() != 0).any()) from_given_ = set_.kept(problem.w * given + added.cwiseProduct(given));
   if (set_.rows.size() <= kMostDense || !problem.w.covers().is_none())
     factorise_dense();
+  else if (is_inertia_great())
+    iterates_ = true;
   else
     sparse_ = std::make_unique<ForcesOfBlocks>(problem.w, set_, added);
 }
@@ -90,8 +101,50 @@ void ActiveForces::factorise_dense() {
   dense_.compute(a);
 }
 
-Eigen::VectorXd ActiveForces::solve(const Eigen::VectorXd& b) const {
+// R = p Δt² / 2m and its like for soft blocks: what a force moves beside what its spring yields.
+bool ActiveForces::is_inertia_great() const {
+  if (!problem_.w.pairs() || problem_.w.pairs()->gave_up()) return false;
+  double sum = 0;
+  for (const Eigen::Index i : set_.rows) {
+    const double spring = problem_.w.added()[i] + added_[i];
+    if (!(spring > 0)) return false;
+    sum += (problem_.w.diagonal()[i] - problem_.w.added()[i]) / spring;
+  }
+  return sum <= kGreatestRatio * static_cast<double>(set_.rows.size());
+}
+
+std::optional<Eigen::VectorXd> ActiveForces::by_iterations(const Eigen::VectorXd& right, const Eigen::VectorXd& near,
+                                                           double goal) const {
+  const Eigen::VectorXd springs = set_.kept(problem_.w.added() + added_);
+  std::vector<PairStiffness> h(problem_.count());
+  double judged = std::numeric_limits<double>::infinity();
+  for (std::size_t u = 0; u < set_.rows.size(); ++u) {
+    const Eigen::Index row = set_.rows[u];
+    PairStiffness& pair = h[static_cast<std::size_t>(row / 2)];
+    const double stiffness = 1 / springs[static_cast<Eigen::Index>(u)];
+    (row % 2 == 0 ? pair.nn : pair.tt) = stiffness;
+    const ActiveSet::Column& across = set_.columns[static_cast<std::size_t>(row + 1 - row % 2)];
+    if (row % 2 == 0 && across.unknown == static_cast<Eigen::Index>(u)) pair.tn = across.factor * stiffness;
+    const double own = problem_.w.diagonal()[row] - problem_.w.added()[row];
+    judged = std::min(judged, problem_.compliance()[row] / std::sqrt(own));
+  }
+  const int most = static_cast<int>(kMostProducts * std::sqrt(static_cast<double>(problem_.w.blocks().count())));
+  // A residual r of two blocks changes the force of a pair by G A⁻¹ r over its compliance, at most √(2 W) times the greater norm.
+  const PairSystem::Result result =
+      problem_.w.pairs()->solve(h, set_.forces(right.cwiseQuotient(springs), 0), set_.forces(set_.kept(near), 0),
+                                goal * judged / std::numbers::sqrt2, most);
+  if (!result.converged) return std::nullopt;
+  return (right - set_.kept(result.rates)).cwiseQuotient(springs);
+}
+
+Eigen::VectorXd ActiveForces::solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal) {
   const Eigen::VectorXd right = -from_given_ - set_.kept(b);
+  if (iterates_) {
+    if (const auto unknowns = by_iterations(right, near, goal)) return set_.forces(*unknowns, 1);
+    iterates_ = false;
+    problem_.w.pairs()->give_up();
+    sparse_ = std::make_unique<ForcesOfBlocks>(problem_.w, set_, added_);
+  }
   Eigen::VectorXd unknowns = right;
   if (right.size() > 0) unknowns = sparse_ ? sparse_->solve(right) : Eigen::VectorXd(dense_.solve(right));
   return set_.forces(unknowns, 1);

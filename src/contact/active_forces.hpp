@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <memory>
+#include <optional>
 
 #include "contact/frictional_problem.hpp"
 
@@ -39,14 +40,21 @@ class ActiveForces {
   ActiveForces(const ActiveForces&) = delete;  // its parts refer to each other
   ~ActiveForces();
 
+  /// Whether solutions are as good as they were asked to be, and no better.
+  bool iterates() const { return iterates_; }
+
   /// False where no factor was found: the active set leaves forces open.
   bool is_regular() const;
 
-  /// The forces of all pairs for y = (W + added) λ + b.
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// The forces of all pairs for y = (W + added) λ + b. Iterations begin at `near`, forces that may be near, and end where no force is
+  /// wrong by more than `goal`; factors need neither.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal);
 
  private:
   void factorise_dense();
+  bool is_inertia_great() const;
+  std::optional<Eigen::VectorXd> by_iterations(const Eigen::VectorXd& right, const Eigen::VectorXd& near,
+                                               double goal) const;
 
   const FrictionalProblem& problem_;
   ActiveSet set_;
@@ -54,6 +62,7 @@ class ActiveForces {
   Eigen::VectorXd from_given_;  ///< y of the given forces, in the rows kept
   Eigen::PartialPivLU<Eigen::MatrixXd> dense_;
   std::unique_ptr<ForcesOfBlocks> sparse_;
+  bool iterates_ = false;
 };
 
 }  // namespace keyblock

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/loop.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -25,29 +27,29 @@ UnknownBlock inverse_of(const UnknownBlock& flexibility, int size) {
 
 BlockNumbers::BlockNumbers(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility) {
   int row = 0;
-  for (const UnknownBlock& of : flexibility) {
-    const int size = answering(of);
+  for (const UnknownBlock& block : flexibility) {
+    const int size = answering(block);
     numbers_.push_back(size > 0 ? count() : -1);
     if (size == 0) continue;
     sizes_.push_back(size);
-    stiffness_.push_back(inverse_of(of, size));
     first_rows_.push_back(row);
     row += size;
   }
   first_rows_.push_back(row);
-  BlockPattern::Pairs coupled;
+  stiffness_.resize(sizes_.size());
+  for_each_entry(numbers_.size(), [&](std::size_t i) {
+    const ElementIndex e{static_cast<int>(i)};
+    if (of(e) >= 0) stiffness_[static_cast<std::size_t>(of(e))] = inverse_of(flexibility[e], size(of(e)));
+  });
   for (std::size_t i = 0; i < rows.size(); i += 2) {
     const int a = numbers_[rows[i].vertex_element];
     const int b = numbers_[rows[i].edge_element];
-    if (a >= 0 && b >= 0 && a != b) coupled.emplace_back(std::min(a, b), std::max(a, b));
+    if (a >= 0 && b >= 0 && a != b) coupled_.emplace_back(std::min(a, b), std::max(a, b));
   }
-  std::ranges::sort(coupled);
-  const auto repeated = std::ranges::unique(coupled);
-  coupled.erase(repeated.begin(), repeated.end());
-  pattern_ = std::make_shared<BlockPattern>(count(), coupled);
 }
 
 std::unique_ptr<BlockFactor> BlockNumbers::take_factor() const {
+  if (!pattern_) pattern_ = std::make_shared<BlockPattern>(count(), coupled_);
   if (!spare_) return std::make_unique<BlockFactor>(pattern_, sizes_);
   spare_->clear();
   return std::move(spare_);

@@ -34,7 +34,8 @@ class BlockNumbers {
   std::vector<int> sizes_;
   std::vector<int> first_rows_;
   std::vector<UnknownBlock> stiffness_;
-  std::shared_ptr<const BlockPattern> pattern_;
+  BlockPattern::Pairs coupled_;
+  mutable std::shared_ptr<const BlockPattern> pattern_;  ///< made for the first factor
   mutable std::unique_ptr<BlockFactor> spare_;
 };
 

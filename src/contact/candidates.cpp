@@ -1,4 +1,4 @@
-// A uniform grid over the bounding boxes: linear in the number of elements where sizes are alike.
+// A uniform grid over the bounding boxes, linear in the number of elements where sizes are alike; a tree where they are not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/candidates.hpp"
 
@@ -6,13 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/box_tree.hpp"
+
 namespace keyblock {
 namespace {
-
-struct Box {
-  Point low;
-  Point high;
-};
 
 Box box_of(const Model& model, const State& state, ElementIndex e) {
   const Element& element = model.elements[e];
@@ -31,8 +28,9 @@ bool touch(const Box& a, const Box& b, double distance) {
 }
 
 // A box that covers more cells than this is tested against all others instead: one huge element must not fill
-// the grid.
+// the grid. Where there are many such boxes, a tree takes the place of the grid.
 constexpr double kMostCells = 64;
+constexpr std::ptrdiff_t kMostLarge = 32;
 
 class Grid {
  public:
@@ -100,6 +98,13 @@ std::vector<ElementPair> close_pairs(const Model& model, const State& state, con
   std::vector<ElementPair> pairs;
   if (boxes.size() < 2) return pairs;
   Grid grid(boxes, distance);
+  const auto is_large = [&](const Box& box) { return grid.range_of(box, distance).cells() > kMostCells; };
+  if (std::ranges::count_if(boxes, is_large) > kMostLarge) {
+    for (const auto& [a, b] : touching_by_tree(boxes, distance))
+      pairs.push_back({among[static_cast<std::size_t>(a)], among[static_cast<std::size_t>(b)]});
+    std::ranges::sort(pairs);
+    return pairs;
+  }
   std::vector<int> large;
   std::vector<int> met;
   const auto test = [&](int a, int b) {
@@ -110,8 +115,7 @@ std::vector<ElementPair> close_pairs(const Model& model, const State& state, con
     met.clear();
     const Box& box = boxes[static_cast<std::size_t>(b)];
     const Grid::Range range = grid.range_of(box, distance);
-    const bool is_large = range.cells() > kMostCells;
-    if (is_large) {
+    if (is_large(box)) {
       for (int a = 0; a < b; ++a) test(a, b);
       large.push_back(b);
     } else {

@@ -4,8 +4,13 @@
 
 #include <utility>
 
+#include "base/loop.hpp"
+
 namespace keyblock {
 namespace {
+
+// Fewer blocks than these are factorised faster than iterations get anywhere.
+constexpr std::size_t kManyBlocks = 300;
 
 ContactRow through(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& blocks) {
   return {row.vertex_element, row.edge_element, row.of_vertex * blocks[row.vertex_element],
@@ -78,11 +83,17 @@ Eigen::VectorXd CoverCoupling::times(const Eigen::VectorXd& forces) const {
 }
 
 ContactMatrix::ContactMatrix(ContactRows rows, Flexibility flexibility)
+    : ContactMatrix(std::make_shared<const ContactRows>(std::move(rows)), std::move(flexibility)) {}
+
+ContactMatrix::ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibility flexibility)
     : rows_(std::move(rows)),
       flexibility_(std::move(flexibility)),
-      covers_(rows_, flexibility_),
-      diagonal_(diagonal_of(rows_, flexibility_, covers_)),
-      added_(Eigen::VectorXd::Zero(diagonal_.size())) {}
+      covers_(*rows_, flexibility_),
+      diagonal_(diagonal_of(*rows_, flexibility_, covers_)),
+      added_(Eigen::VectorXd::Zero(diagonal_.size())) {
+  if (!covers_.is_none() || flexibility_.blocks.size() < kManyBlocks) return;
+  pairs_ = std::make_shared<PairSystem>(*rows_, blocks(), flexibility_.blocks);
+}
 
 void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
   diagonal_[row] += value;
@@ -90,26 +101,27 @@ void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
 }
 
 const BlockNumbers& ContactMatrix::blocks() const {
-  if (!blocks_) blocks_ = std::make_shared<BlockNumbers>(rows_, flexibility_.blocks);
+  if (!blocks_) blocks_ = std::make_shared<BlockNumbers>(*rows_, flexibility_.blocks);
   return *blocks_;
 }
 
 Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {
-  const UnknownsTable of_blocks = answer_of_blocks(rows_, flexibility_.blocks, forces);
+  if (pairs_) return pairs_->answer(forces) + added_.cwiseProduct(forces);
+  const UnknownsTable of_blocks = answer_of_blocks(*rows_, flexibility_.blocks, forces);
   Eigen::VectorXd all = added_.cwiseProduct(forces);
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    all[static_cast<Eigen::Index>(i)] += rows_[i].of_vertex.dot(of_blocks[rows_[i].vertex_element].transpose()) +
-                                         rows_[i].of_edge.dot(of_blocks[rows_[i].edge_element].transpose());
+  for (Eigen::Index i = 0; i < all.size(); ++i)
+    all[i] += row(i).of_vertex.dot(of_blocks[row(i).vertex_element].transpose()) +
+              row(i).of_edge.dot(of_blocks[row(i).edge_element].transpose());
   return covers_.is_none() ? all : Eigen::VectorXd(all + covers_.times(forces));
 }
 
 Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const CoverCoupling& covers) {
   Eigen::VectorXd diagonal(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for_each_entry(rows.size(), [&](std::size_t i) {
     const auto n = static_cast<Eigen::Index>(i);
     diagonal[n] = product(through(rows[i], flexibility.blocks), rows[i]);
     if (!covers.is_none()) diagonal[n] += covers.entry(n, n);
-  }
+  });
   return diagonal;
 }
 

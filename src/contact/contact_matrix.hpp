@@ -6,6 +6,7 @@
 
 #include "contact/block_numbers.hpp"
 #include "contact/contact_row.hpp"
+#include "contact/pair_system.hpp"
 
 namespace keyblock {
 
@@ -34,15 +35,19 @@ class ContactMatrix {
  public:
   ContactMatrix() = default;
   ContactMatrix(ContactRows rows, Flexibility flexibility);
+  /// The same rows as others have.
+  ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibility flexibility);
 
   Eigen::Index rows() const { return diagonal_.size(); }
   const Eigen::VectorXd& diagonal() const { return diagonal_; }
-  const ContactRow& row(Eigen::Index i) const { return rows_[static_cast<std::size_t>(i)]; }
+  const ContactRow& row(Eigen::Index i) const { return (*rows_)[static_cast<std::size_t>(i)]; }
   const Flexibility& flexibility() const { return flexibility_; }
   const CoverCoupling& covers() const { return covers_; }
   const Eigen::VectorXd& added() const { return added_; }
   /// Made when first asked for.
   const BlockNumbers& blocks() const;
+  /// The same rows for products many times over; none for few blocks, or where covers couple rows.
+  const PairSystem* pairs() const { return pairs_.get(); }
 
   /// The compliance of a spring, 1/p.
   void add_to_diagonal(Eigen::Index row, double value);
@@ -50,12 +55,13 @@ class ContactMatrix {
   Eigen::VectorXd operator*(const Eigen::VectorXd& forces) const;
 
  private:
-  ContactRows rows_;
+  std::shared_ptr<const ContactRows> rows_ = std::make_shared<ContactRows>();
   Flexibility flexibility_;
   CoverCoupling covers_;
   Eigen::VectorXd diagonal_;
   Eigen::VectorXd added_;
   mutable std::shared_ptr<const BlockNumbers> blocks_;
+  std::shared_ptr<const PairSystem> pairs_;
 };
 
 /// The diagonal of G B Gᵀ alone, with what covers couple made already.

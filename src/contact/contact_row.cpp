@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/contact_row.hpp"
 
+#include "base/loop.hpp"
+
 namespace keyblock {
 
 Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for_each_entry(rows.size(), [&](std::size_t i) {
     const ContactRow& row = rows[i];
     result[static_cast<Eigen::Index>(i)] = row.of_vertex.dot(x[row.vertex_element].transpose()) +
                                            row.of_edge.dot(x[row.edge_element].transpose()) + row.of_covers(x.covers);
-  }
+  });
   return result;
 }
 

@@ -3,8 +3,10 @@
 #include "contact/detect.hpp"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
+#include "base/loop.hpp"
 #include "contact/candidates.hpp"
 #include "contact/wedge.hpp"
 
@@ -30,26 +32,49 @@ double sine_of(double degrees) {
 class Detector {
  public:
   Detector(const Model& model, const State& state, const Settings& settings, const ContactRules& rules)
-      : model_(model), state_(state), rules_(rules) {
-    const double offset = settings.quirks.edge_direction_offset ? kBerkeleyDirectionOffset : 0;
-    for (VertexIndex v : indices(model.vertices))
-      leaving_.push_back(edge_direction(at(end_of_edge(v)) - at(v), offset));
-  }
+      : model_(model), state_(state), rules_(rules), leaving_(directions(model, state, settings)) {}
 
-  Detection run() {
-    for (const auto& [a, b] : close_pairs(model_, state_, rules_.search_distance)) {
-      const bool hang_together = share_a_cover(model_.elements[a], model_.elements[b]);
-      for (VertexIndex i : model_.elements[a].vertices()) {
-        if (!next(i)) continue;
-        for (VertexIndex j : model_.elements[b].vertices())
-          if (next(j) && !(hang_together && follow_each_other(i, j))) meet(i, j);
-      }
+  Detection run() const {
+    const std::vector<ElementPair> pairs = close_pairs(model_, state_, rules_.search_distance);
+    std::vector<Detector> parts(range_count(pairs.size()), *this);
+    for_ranges(pairs.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) parts[range].meet(pairs[i]);
+    });
+    Detection all;
+    for (const Detector& part : parts) {
+      all.contacts.insert(all.contacts.end(), part.found_.contacts.begin(), part.found_.contacts.end());
+      all.all_exchanged = all.all_exchanged && part.found_.all_exchanged;
     }
-    return std::move(found_);
+    return all;
   }
 
  private:
+  using Directions = Table<VertexIndex, double>;
+
+  // Of the edges that leave the vertices.
+  static std::shared_ptr<const Directions> directions(const Model& model, const State& state,
+                                                      const Settings& settings) {
+    const double offset = settings.quirks.edge_direction_offset ? kBerkeleyDirectionOffset : 0;
+    auto leaving = std::make_shared<Directions>(model.vertices.size());
+    for_each_entry(leaving->size(), [&](std::size_t i) {
+      const VertexIndex v{static_cast<int>(i)};
+      (*leaving)[v] = edge_direction(state.vertices[model.vertices[v].next] - state.vertices[v], offset);
+    });
+    return leaving;
+  }
+
+  void meet(const ElementPair& pair) {
+    const auto& [a, b] = pair;
+    const bool hang_together = share_a_cover(model_.elements[a], model_.elements[b]);
+    for (VertexIndex i : model_.elements[a].vertices()) {
+      if (!next(i)) continue;
+      for (VertexIndex j : model_.elements[b].vertices())
+        if (next(j) && !(hang_together && follow_each_other(i, j))) meet(i, j);
+    }
+  }
+
   Point at(VertexIndex v) const { return state_.vertices[v]; }
+  double leaving(VertexIndex v) const { return (*leaving_)[v]; }
   // Along the boundary, from element to element.
   VertexIndex next(VertexIndex v) const { return model_.vertices[v].boundary_next; }
   VertexIndex previous(VertexIndex v) const { return model_.vertices[v].boundary_previous; }
@@ -60,7 +85,7 @@ class Detector {
   // A vertex against the edge that leaves `start`: the reference line runs against it.
   Triple against_edge(VertexIndex vertex, VertexIndex start) const { return {vertex, end_of_edge(start), start}; }
 
-  Wedge wedge(VertexIndex v) const { return {leaving_[v], one_turn(leaving_[previous(v)] - 180)}; }
+  Wedge wedge(VertexIndex v) const { return {leaving(v), one_turn(leaving(previous(v)) - 180)}; }
   bool is_convex(VertexIndex v) const { return wedge(v).angle() < kConvexBelow; }
 
   void meet(VertexIndex i, VertexIndex j) {
@@ -95,7 +120,7 @@ class Detector {
   void vertex_edge(VertexIndex i, VertexIndex j) {
     if (element(i) == element(j)) return;
     const Wedge a = wedge(i);
-    const Wedge b{leaving_[j], one_turn(leaving_[j] - 180)};
+    const Wedge b{leaving(j), one_turn(leaving(j) - 180)};
     if (!may_touch(a, b, rules_.angle_overlap)) return;
     Contact contact;
     contact.first = against_edge(i, j);
@@ -164,7 +189,7 @@ class Detector {
   const Model& model_;
   const State& state_;
   const ContactRules& rules_;
-  Table<VertexIndex, double> leaving_;
+  std::shared_ptr<const Directions> leaving_;
   Detection found_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/friction_newton.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <set>
@@ -23,6 +24,10 @@ constexpr int kMostRounds = 30;
 constexpr double kProgress = 0.5;
 // Active sets of one round; a cycle is found long before.
 constexpr int kMostSets = 60;
+// Errors of forces that iterations may leave: over the goal, and of an active set that may not be the last one, over the residual
+// that it starts with.
+constexpr double kInner = 0.3;
+constexpr double kForcing = 0.001;
 
 class Newton {
  public:
@@ -60,16 +65,21 @@ class Newton {
     const Eigen::VectorXd right = problem_.b - proximal.weights.cwiseProduct(proximal.reference);
     std::set<std::vector<Grip>> visited;
     std::vector<Grip> grips = natural_map(problem_, tried_, proximal).grips;
+    bool is_loose = true;
     for (int i = 0; i < kMostSets; ++i) {
       visited.insert(grips);
       factorise(grips);
       if (!system_->is_regular()) return false;
-      tried_ = tried(problem_, system_->solve(right));
+      const double left = is_loose ? kForcing * residual(problem_, tried_) : 0;
+      tried_ = tried(problem_, system_->solve(right, tried_.forces, std::max(kInner * problem_.goal, left)));
       keep_best();
       if (is_solved()) return true;
       const std::vector<Grip> next = natural_map(problem_, tried_, proximal).grips;
       if (next == grips) return true;
-      if (visited.contains(next)) {
+      if (visited.contains(next) && is_loose && system_->iterates()) {
+        is_loose = false;  // it may be errors that go round
+        visited.clear();
+      } else if (visited.contains(next)) {
         name_undecided(grips, next);
         return false;
       }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/loop.hpp"
 #include "contact/friction_newton.hpp"
 #include "contact/friction_sweeps.hpp"
 
@@ -25,9 +26,8 @@ namespace {
 // r one over `compliance`, about the rates y.
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Eigen::VectorXd& y,
                        const Eigen::VectorXd& compliance) {
-  NaturalMap map{forces, {}};
-  map.grips.reserve(problem.count());
-  for (std::size_t i = 0; i < problem.count(); ++i) {
+  NaturalMap map{forces, std::vector<Grip>(problem.count())};
+  for_each_entry(problem.count(), [&](std::size_t i) {
     const ForceLaw& law = problem.laws[i];
     const auto n = static_cast<Eigen::Index>(2 * i);
     const Eigen::Index t = n + 1;
@@ -40,10 +40,10 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
     const Grip sliding = tangential > 0 ? Grip::slip_forward : Grip::slip_backward;
     const bool holds = limit > 0 && std::abs(tangential) <= limit;
     if (open)
-      map.grips.push_back(limit > 0 ? Grip::open_stick : Grip::open);
+      map.grips[i] = limit > 0 ? Grip::open_stick : Grip::open;
     else
-      map.grips.push_back(holds ? Grip::stick : sliding);
-  }
+      map.grips[i] = holds ? Grip::stick : sliding;
+  });
   return map;
 }
 

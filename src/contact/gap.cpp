@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/gap.hpp"
 
+#include "base/loop.hpp"
 #include "contact/point_motion.hpp"
 
 namespace keyblock {
@@ -10,15 +11,17 @@ namespace {
 class Rows {
  public:
   Rows(const Model& model, const Reference& reference, const UnknownsTable& q)
-      : model_(model), points_(model, reference, q), vertices_(vertices_at(model, reference, q)) {}
+      : model_(model), points_(model, reference, q), vertices_(vertices_at(model, reference, q)) {
+    points_.prepare_all();
+  }
 
-  void add(const Touch& touch, ContactRows& rows) const {
+  void make(const Touch& touch, ContactRow& normal, ContactRow& tangential) const {
     const ElementIndex a = model_.vertices[touch.vertex].element;
     const ElementIndex b = model_.vertices[touch.start].element;
     const Point n = normal_of(touch, vertices_);
     const PointMotion at_point = of_point(touch);
-    rows.push_back(row_between(a, at_point, b, of_foot(touch), n));
-    rows.push_back(row_between(a, at_point, b, points_.at_place(b, point_of(touch, vertices_)), {-n.y, n.x}));
+    normal = row_between(a, at_point, b, of_foot(touch), n);
+    tangential = row_between(a, at_point, b, points_.at_place(b, point_of(touch, vertices_)), {-n.y, n.x});
   }
 
  private:
@@ -46,7 +49,8 @@ ContactRows contact_rows(const Model& model, const Reference& reference, const U
   ContactRows rows;
   if (touches.empty()) return rows;
   const Rows maker(model, reference, q);
-  for (const Touch& touch : touches) maker.add(touch, rows);
+  rows.resize(2 * touches.size());
+  for_each_entry(touches.size(), [&](std::size_t i) { maker.make(touches[i], rows[2 * i], rows[2 * i + 1]); });
   return rows;
 }
 

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "base/loop.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -24,14 +26,27 @@ PointMotion between(PointMotion a, const PointMotion& b, double s) {
 PointMotions::PointMotions(const Model& model, const Reference& reference, const UnknownsTable& q)
     : model_(model), reference_(reference), q_(q), numbers_(model.elements.size(), -1) {}
 
+PointMotions::Block PointMotions::made(ElementIndex e) const {
+  const Basis& basis = *model_.elements[e].basis;
+  const BlockMap map(basis, q_[e], reference_.centroids[e]);
+  return {map, BlockJacobian(basis, q_[e], map)};
+}
+
 const PointMotions::Block& PointMotions::block(ElementIndex e) const {
   if (numbers_[e] < 0) {
-    const Basis& basis = *model_.elements[e].basis;
-    const BlockMap map(basis, q_[e], reference_.centroids[e]);
     numbers_[e] = static_cast<int>(blocks_.size());
-    blocks_.push_back({map, BlockJacobian(basis, q_[e], map)});
+    blocks_.emplace_back(made(e));
   }
-  return blocks_[static_cast<std::size_t>(numbers_[e])];
+  return *blocks_[static_cast<std::size_t>(numbers_[e])];
+}
+
+void PointMotions::prepare_all() {
+  blocks_.resize(numbers_.size());
+  for_each_entry(numbers_.size(), [&](std::size_t i) {
+    const ElementIndex e{static_cast<int>(i)};
+    numbers_[e] = e.value;
+    if (!reference_.is_on_covers(e)) blocks_[i] = made(e);
+  });
 }
 
 PointMotion PointMotions::of_vertex(VertexIndex v) const {

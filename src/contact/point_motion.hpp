@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "contact/contact_row.hpp"
 #include "model/kinematics.hpp"
 
@@ -21,6 +23,9 @@ class PointMotions {
  public:
   PointMotions(const Model& model, const Reference& reference, const UnknownsTable& q);
 
+  /// Makes the maps of all elements at once; until then each is made when it is first asked for, by one thread.
+  void prepare_all();
+
   PointMotion of_vertex(VertexIndex v) const;
   /// Of the point that lay at `start`.
   PointMotion of_point(ElementIndex e, Point start) const;
@@ -32,13 +37,14 @@ class PointMotions {
     BlockMap map;
     BlockJacobian jacobian;
   };
+  Block made(ElementIndex e) const;
   const Block& block(ElementIndex e) const;
 
   const Model& model_;
   const Reference& reference_;
   const UnknownsTable& q_;
   mutable Table<ElementIndex, int> numbers_;  ///< of each element in the list below; −1 where its map was not made yet
-  mutable std::vector<Block> blocks_;
+  mutable std::vector<std::optional<Block>> blocks_;
 };
 
 /// The row of `direction` · (velocity of the point of a − velocity of the point of b).

@@ -3,7 +3,10 @@
 #include "contact/touch.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+
+#include "base/loop.hpp"
 
 namespace keyblock {
 namespace {
@@ -258,14 +261,24 @@ void drop_repeated(Touches& touches, std::size_t first) {
 
 FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
                           const Table<VertexIndex, Point>& vertices, const TouchSearch& search) {
-  FoundTouches found;
-  for (const auto& [a, b] : pairs) {
-    const std::size_t first = found.touches.size();
-    for (const ConvexPiece& of_a : pieces[a])
-      for (const ConvexPiece& of_b : pieces[b]) PairTouches(of_a, of_b, vertices, search).add_to(found);
-    drop_repeated(found.touches, first);
+  std::vector<FoundTouches> parts(range_count(pairs.size()));
+  for_ranges(pairs.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+    FoundTouches& found = parts[range];
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [a, b] = pairs[i];
+      const std::size_t first = found.touches.size();
+      for (const ConvexPiece& of_a : pieces[a])
+        for (const ConvexPiece& of_b : pieces[b]) PairTouches(of_a, of_b, vertices, search).add_to(found);
+      drop_repeated(found.touches, first);
+    }
+  });
+  if (parts.size() == 1) return std::move(parts.front());
+  FoundTouches all;
+  for (FoundTouches& part : parts) {
+    all.touches.insert(all.touches.end(), part.touches.begin(), part.touches.end());
+    std::ranges::move(part.ties, std::back_inserter(all.ties));
   }
-  return found;
+  return all;
 }
 
 Point outward_normal(VertexIndex start, VertexIndex end, const Table<VertexIndex, Point>& vertices) {

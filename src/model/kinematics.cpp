@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/kinematics.hpp"
 
+#include "base/loop.hpp"
+
 #include <Eigen/LU>
 #include <cmath>
 
@@ -105,16 +107,17 @@ Point point_at(const Model& model, const Reference& reference, const UnknownsTab
 
 Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& reference, const UnknownsTable& q) {
   Table<VertexIndex, Point> vertices(model.vertices.size());
-  for (ElementIndex e : indices(model.elements)) {
+  for_each_entry(model.elements.size(), [&](std::size_t i) {
+    const ElementIndex e{static_cast<int>(i)};
     if (reference.is_on_covers(e)) {
       for (VertexIndex v : model.elements[e].vertices())
         vertices[v] =
             moved(model.start_vertices[static_cast<std::size_t>(v.value)], reference.covers->of_vertex(v), q.covers);
-      continue;
+      return;
     }
     const BlockMap map(*model.elements[e].basis, q[e], reference.centroids[e]);
     for (VertexIndex v : model.elements[e].vertices()) vertices[v] = map.place(reference.offsets[v]);
-  }
+  });
   return vertices;
 }
 

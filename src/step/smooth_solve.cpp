@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/loop.hpp"
 #include "base/worse.hpp"
 #include "contact/gap.hpp"
 #include "step/contact_laws.hpp"
@@ -53,12 +54,13 @@ class SmoothSolve {
         start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
         bonds_(start.bonds),
         ties_(scene, start, time, dt) {
-    for (ElementIndex e : indices(scene.bodies)) prepare(e, loads[e]);
+    prepare_blocks(loads);
     if (scene.covers) prepare_covers(loads.covers);
     increments_ = is_linear() ? free_ : steady();
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) size_ = std::max(size_, body.size);
     if (scene.covers) size_ = std::max(size_, scene.covers->size());
+    remember_contacts();
     result_.forces = remembered_forces();
   }
 
@@ -76,7 +78,7 @@ class SmoothSolve {
     }
     result_.bonds = bonds_;
     result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()));
-    result_.rows = std::move(rows_);
+    result_.rows = rows_ ? *std::move(rows_) : ContactRows();
     result_.laws = std::move(laws_);
     return std::move(result_);
   }
@@ -111,13 +113,21 @@ class SmoothSolve {
     result_.converged = result_.converged && (change <= kTolerable || forces_suffice);
   }
 
-  void prepare(ElementIndex e, const Unknowns& load) {
-    StepEquations equations = step_equations(scene_.bodies[e], {start_.q[e], start_.v[e], start_.a[e]}, load, rule_);
-    inverse_.blocks.push_back(std::move(equations.inverse));
-    if (rule_.judging_inertia > 0) judging_.blocks.push_back(std::move(equations.judging));
-    free_.push_back(std::move(equations.free));
-    known_velocity_.push_back(std::move(equations.known_velocity));
-    known_acceleration_.push_back(std::move(equations.known_acceleration));
+  void prepare_blocks(const UnknownsTable& loads) {
+    const std::size_t count = scene_.bodies.size();
+    inverse_.blocks.resize(count);
+    if (rule_.judging_inertia > 0) judging_.blocks.resize(count);
+    for (UnknownsTable* table : {&free_, &known_velocity_, &known_acceleration_}) table->resize(count);
+    for_each_entry(count, [&](std::size_t i) { prepare({static_cast<int>(i)}, loads); });
+  }
+  void prepare(ElementIndex e, const UnknownsTable& loads) {
+    StepEquations equations =
+        step_equations(scene_.bodies[e], {start_.q[e], start_.v[e], start_.a[e]}, loads[e], rule_);
+    inverse_.blocks[e] = std::move(equations.inverse);
+    if (!judging_.blocks.empty()) judging_.blocks[e] = std::move(equations.judging);
+    free_[e] = std::move(equations.free);
+    known_velocity_[e] = std::move(equations.known_velocity);
+    known_acceleration_[e] = std::move(equations.known_acceleration);
   }
 
   void prepare_covers(const Eigen::VectorXd& load) {
@@ -156,13 +166,13 @@ class SmoothSolve {
   void linearise() {
     linearised_ = increments_;
     const UnknownsTable middle = plus(start_.q, 0.5, increments_);
-    rows_ = contact_rows(scene_.model, scene_.reference, middle, touches_);
+    rows_ = std::make_shared<ContactRows>(contact_rows(scene_.model, scene_.reference, middle, touches_));
     const ContactRows of_ties = ties_.rows(middle);
-    rows_.insert(rows_.end(), of_ties.begin(), of_ties.end());
+    rows_->insert(rows_->end(), of_ties.begin(), of_ties.end());
     problem_.w = ContactMatrix(rows_, inverse_);
     const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
     problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * size_;
-    if (!judging_.blocks.empty()) problem_.scale = diagonal_of(rows_, judging_, problem_.w.covers());
+    if (!judging_.blocks.empty()) problem_.scale = diagonal_of(*rows_, judging_, problem_.w.covers());
     problem_.laws.clear();
     problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
     for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -201,20 +211,20 @@ class SmoothSolve {
     result_.residual = solution.residual;
     result_.converged = solution.converged;
     result_.undecided = solution.undecided;
-    return plus(free_, 1, answer(rows_, inverse_, solution.forces));
+    return plus(free_, 1, answer(*rows_, inverse_, solution.forces));
   }
 
   void set_right_side(const UnknownsTable& estimate) {
     const Table<VertexIndex, Point> end = vertices_at(scene_.model, scene_.reference, plus(start_.q, 1, estimate));
-    const Eigen::VectorXd from_estimate = rates(rows_, plus(free_, -1, estimate));
-    problem_.b = rates(rows_, plus(free_, 1 / rate(), known_velocity_));
-    for (std::size_t i = 0; i < touches_.size(); ++i) {
+    const Eigen::VectorXd from_estimate = rates(*rows_, plus(free_, -1, estimate));
+    problem_.b = rates(*rows_, plus(free_, 1 / rate(), known_velocity_));
+    for_each_entry(touches_.size(), [&](std::size_t i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       problem_.b[n] = gap_of(touches_[i], end) + from_estimate[n] - laws_[i].rest_gap;
       if (springs_stop()) problem_.b[n] += gap_of(touches_[i], start_vertices_) - laws_[i].rest_gap;
-      const ContactMemory* memory = start_.closed.of(touches_[i]);
+      const ContactMemory* memory = memories_[i];
       if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += of_stretch() * memory->stretch;
-    }
+    });
     const Eigen::Index of_ties = problem_.b.size() - first_tie();
     problem_.b.tail(of_ties) = ties_.gaps(plus(start_.q, 1, estimate)) + from_estimate.tail(of_ties);
     problem_.goal = tolerance_.goal;
@@ -249,12 +259,17 @@ class SmoothSolve {
     return bonds_.size() < before;
   }
 
+  void remember_contacts() {
+    memories_.resize(touches_.size());
+    for_each_entry(touches_.size(), [&](std::size_t i) { memories_[i] = start_.closed.of(touches_[i]); });
+  }
+
   Eigen::VectorXd remembered_forces() const {
     const Eigen::VectorXd of_ties = ties_.remembered();
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_tie() + of_ties.size());
     forces.tail(of_ties.size()) = of_ties;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const ContactMemory* memory = start_.closed.of(touches_[i]);
+      const ContactMemory* memory = memories_[i];
       if (!memory) continue;
       forces[static_cast<Eigen::Index>(2 * i)] = memory->normal;
       forces[static_cast<Eigen::Index>(2 * i + 1)] = memory->tangential;
@@ -287,7 +302,8 @@ class SmoothSolve {
   Bonds bonds_;
   StepTies ties_;
   std::vector<ContactLaw> laws_;
-  ContactRows rows_;
+  std::vector<const ContactMemory*> memories_;  ///< of each touch; none of one that was open
+  std::shared_ptr<ContactRows> rows_;
   FrictionalProblem problem_;
   UnknownsTable increments_;
   UnknownsTable linearised_;          ///< increments about which rows and matrix were made

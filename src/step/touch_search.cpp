@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
+#include "base/loop.hpp"
 #include "contact/gap.hpp"
 
 namespace keyblock {
@@ -63,7 +65,8 @@ int joint_under(const Touch& touch, const Model& model, const Table<VertexIndex,
 }
 
 void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, Point>& vertices) {
-  for (Touch& touch : touches) touch.joint_material = joint_under(touch, model, vertices);
+  for_each_entry(touches.size(),
+                 [&](std::size_t i) { touches[i].joint_material = joint_under(touches[i], model, vertices); });
 }
 
 FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, Point>& vertices,
@@ -99,17 +102,27 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
 
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
                           const FoundTouches& known, const Scales& scales) {
-  std::set<Touch> names(known.touches.begin(), known.touches.end());
+  Touches sorted = known.touches;
+  std::set<Touch> added;
+  bool is_sorted = false;  // few steps have a touch to look up
+  const auto is_new = [&](const Touch& touch) {
+    if (!std::exchange(is_sorted, true)) std::ranges::sort(sorted);
+    return !std::ranges::binary_search(sorted, touch) && !added.contains(touch);
+  };
   const double overlap = kNewOverlap * scales.size;
   const auto before = vertices_at(scene.model, scene.reference, start.q);
   const TouchSearch search = search_of(scene, start, before, 0);
   Touches fresh;
   for (const Touch& touch : found_within(scene, vertices, search).touches)
-    if (gap_of(touch, vertices) < -overlap - search.slack && names.insert(touch).second) fresh.push_back(touch);
+    if (gap_of(touch, vertices) < -overlap - search.slack && is_new(touch)) {
+      added.insert(touch);
+      fresh.push_back(touch);
+    }
   for (const CornerTie& tie : known.ties) {
-    if (std::ranges::any_of(tie.candidates, [&](const Touch& touch) { return names.contains(touch); })) continue;
     const Touch* touch = touch_of(tie, before, vertices, overlap);
-    if (touch && names.insert(*touch).second) fresh.push_back(*touch);
+    if (!touch || !std::ranges::all_of(tie.candidates, is_new)) continue;
+    added.insert(*touch);
+    fresh.push_back(*touch);
   }
   return fresh;
 }
@@ -134,7 +147,8 @@ double handed_on(const Motion& start, const Touch& touch, const Touches& present
 void leave_overlaps(const StandardScene& scene, const Motion& start, const Scales& scales, Touches& touches) {
   if (scene.settings.standard.impact == ImpactLaw::springs) return;
   const auto vertices = vertices_at(scene.model, scene.reference, start.q);
-  for (Touch& touch : touches) {
+  for_each_entry(touches.size(), [&](std::size_t i) {
+    Touch& touch = touches[i];
     const ContactMemory* memory = start.closed.of(touch);
     const double overlap = -kPushedOut * scales.size;
     double gap = gap_of(touch, vertices);
@@ -143,7 +157,7 @@ void leave_overlaps(const StandardScene& scene, const Motion& start, const Scale
     else if (gap < overlap && scene.has_springs())
       gap += handed_on(start, touch, touches, vertices);
     touch.rest_gap = gap < overlap ? gap : 0;
-  }
+  });
 }
 
 Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {

@@ -5,7 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
+
+#include "system/fours.hpp"
 
 namespace keyblock {
 
@@ -47,55 +48,6 @@ class Reaching {
   std::vector<int> next_;
   std::vector<int> entries_;
 };
-
-// N × N with columns filled up by zeros to whole vectors of four numbers: a product is then vector operations alone.
-template <int N>
-struct alignas(32) Padded {
-  static constexpr int kRows = (N + 3) / 4 * 4;
-  using Square = Eigen::Matrix<double, N, N>;
-
-  std::array<std::array<double, kRows>, N> columns{};
-
-  auto square() { return Eigen::Map<Square, 0, Eigen::OuterStride<kRows>>(columns[0].data()); }
-  auto square() const { return Eigen::Map<const Square, 0, Eigen::OuterStride<kRows>>(columns[0].data()); }
-};
-
-using Four [[gnu::vector_size(32), gnu::may_alias]] = double;
-
-template <int N>
-Four& four(Padded<N>& m, int column, int h) {
-  return reinterpret_cast<Four*>(m.columns[at(column)].data())[h];
-}
-template <int N>
-const Four& four(const Padded<N>& m, int column, int h) {
-  return reinterpret_cast<const Four*>(m.columns[at(column)].data())[h];
-}
-
-// c −= a bᵀ, or c −= a b. Unrolled, the sums stay in registers.
-template <bool kTransposed, int N>
-inline void subtract_product(Padded<N>& c, const Padded<N>& a, const Padded<N>& b) {
-  constexpr int kFours = Padded<N>::kRows / 4;
-  Four sums[N][kFours];
-#pragma GCC unroll 8
-  for (int j = 0; j < N; ++j) {
-#pragma GCC unroll 2
-    for (int h = 0; h < kFours; ++h) sums[j][h] = four(c, j, h);
-  }
-#pragma GCC unroll 8
-  for (int k = 0; k < N; ++k) {
-#pragma GCC unroll 8
-    for (int j = 0; j < N; ++j) {
-      const double factor = kTransposed ? b.columns[at(k)][at(j)] : b.columns[at(j)][at(k)];
-#pragma GCC unroll 2
-      for (int h = 0; h < kFours; ++h) sums[j][h] -= four(a, k, h) * factor;
-    }
-  }
-#pragma GCC unroll 8
-  for (int j = 0; j < N; ++j) {
-#pragma GCC unroll 2
-    for (int h = 0; h < kFours; ++h) four(c, j, h) = sums[j][h];
-  }
-}
 
 template <int N>
 class KernelOf : public BlockFactor::Kernel {

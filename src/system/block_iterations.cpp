@@ -5,11 +5,15 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "base/loop.hpp"
+#include "system/fours.hpp"
 
 namespace keyblock {
 
@@ -24,22 +28,20 @@ class BlockIterations::Kernel {
 
 namespace {
 
-constexpr double kFirstShift = 1e-3;
-constexpr double kLastShift = 1;  // a diagonal raised by half and still no factor: the matrix is not positive definite
+constexpr float kFirstShift = 1e-3F;
+constexpr float kLastShift = 1;  // a diagonal raised by half and still no factor: the matrix is not positive definite
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-template <int N>
-using SquareOf = Eigen::Matrix<double, N, N>;
-
 // Blocks of row i: from begin[i] up to begin[i + 1], columns ascending.
-template <int N>
+template <int N, class Real>
 struct Rows {
+  using Square = Padded<N, Real>;
   std::vector<int> begin{0};
   std::vector<int> columns;
-  std::vector<SquareOf<N>> blocks;
+  std::vector<Square> blocks;
 
   int count() const { return static_cast<int>(begin.size()) - 1; }
   void reserve(std::size_t row_count, std::size_t entry_count) {
@@ -48,79 +50,90 @@ struct Rows {
     blocks.reserve(entry_count);
   }
   void end_row() { begin.push_back(static_cast<int>(columns.size())); }
-  void add(int column, const SquareOf<N>& block) {
+  void add(int column, const Square& block) {
     columns.push_back(column);
     blocks.push_back(block);
   }
 };
 
+// In single precision: it need not be exact, and is read twice in each iteration.
 template <int N>
 class IncompleteFactor {
  public:
-  using Square = SquareOf<N>;
+  using Square = Padded<N, float>;
+  using Vector = PaddedVector<N, float>;
 
   // Nothing where a pivot is not positive.
-  static std::optional<IncompleteFactor> of(const Rows<N>& a, double shift) {
+  static std::optional<IncompleteFactor> of(const Rows<N, float>& a, float shift) {
     IncompleteFactor factor;
     factor.lower_.reserve(at(a.count()), (a.columns.size() - at(a.count())) / 2);
+    factor.upper_.reserve((a.columns.size() - at(a.count())) / 2);
     factor.inverse_pivots_.reserve(at(a.count()));
     std::vector<int> places(at(a.count()), -1);  // of the columns of the row at hand in `raw`
-    std::vector<Square> raw;                     // L_ij D_j of that row
+    std::vector<Square> raw;                     // − L_ij D_j of that row
     for (int i = 0; i < a.count(); ++i) {
       raw.clear();
-      Square pivot = Square::Zero();
       const int first = a.begin[at(i)];
       int entry = first;
-      for (; a.columns[at(entry)] < i; ++entry) {
-        const int j = a.columns[at(entry)];
-        Square sum = a.blocks[at(entry)];
+      while (a.columns[at(entry)] < i) ++entry;
+      Square pivot = a.blocks[at(entry)];
+      pivot.square().diagonal() *= 1 + shift;
+      for (int e = first; e < entry; ++e) {
+        const int j = a.columns[at(e)];
+        Square sum = a.blocks[at(e)];
         for (int k = factor.lower_.begin[at(j)]; k < factor.lower_.begin[at(j) + 1]; ++k)
           if (const int place = places[at(factor.lower_.columns[at(k)])]; place >= 0)
-            sum.noalias() -= raw[at(place)] * factor.lower_.blocks[at(k)].transpose();
+            subtract_product<true>(sum, raw[at(place)], factor.lower_.blocks[at(k)]);
         places[at(j)] = static_cast<int>(raw.size());
         raw.push_back(sum);
-        const Square l = sum * factor.inverse_pivots_[at(j)];
-        pivot.noalias() -= sum * l.transpose();
-        factor.lower_.add(j, l);
+        Square l;
+        subtract_product<false>(l, sum, factor.inverse_pivots_[at(j)]);
+        l.square() *= -1;
+        subtract_product<true>(pivot, sum, l);
+        factor.add(j, l);
       }
       factor.lower_.end_row();
-      pivot += a.blocks[at(entry)];
-      pivot.diagonal() += shift * a.blocks[at(entry)].diagonal();
       for (int e = first; e < entry; ++e) places[at(a.columns[at(e)])] = -1;
-      const Eigen::LLT<Square> cholesky(pivot);
+      const Eigen::LLT<typename Square::Square> cholesky(pivot.square());
       if (cholesky.info() != Eigen::Success) return std::nullopt;
-      factor.inverse_pivots_.push_back(cholesky.solve(Square::Identity()));
+      Square inverse;
+      inverse.square() = cholesky.solve(Square::Square::Identity());
+      factor.inverse_pivots_.push_back(inverse);
     }
     return factor;
   }
 
-  // z = (L D Lᵀ)⁻¹ r.
-  void solve(const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
-    z = r;
+  // z becomes (L D Lᵀ)⁻¹ z.
+  void solve(std::vector<Vector>& z) const {
     const int count = lower_.count();
     for (int i = 0; i < count; ++i)
       for (int e = lower_.begin[at(i)]; e < lower_.begin[at(i) + 1]; ++e)
-        z.template segment<N>(N * i).noalias() -=
-            lower_.blocks[at(e)] * z.template segment<N>(N * lower_.columns[at(e)]);
-    for (int i = count - 1; i >= 0; --i) {
-      const Eigen::Matrix<double, N, 1> own = z.template segment<N>(N * i);
-      z.template segment<N>(N * i) = inverse_pivots_[at(i)] * own;
-    }
+        z[at(i)].add(-1, lower_.blocks[at(e)] * z[at(lower_.columns[at(e)])]);
+    for (int i = count - 1; i >= 0; --i) z[at(i)] = inverse_pivots_[at(i)] * z[at(i)];
     for (int i = count - 1; i >= 0; --i)
       for (int e = lower_.begin[at(i)]; e < lower_.begin[at(i) + 1]; ++e)
-        z.template segment<N>(N * lower_.columns[at(e)]).noalias() -=
-            lower_.blocks[at(e)].transpose() * z.template segment<N>(N * i);
+        z[at(lower_.columns[at(e)])].add(-1, upper_[at(e)] * z[at(i)]);
   }
 
  private:
-  Rows<N> lower_;
+  void add(int column, const Square& l) {
+    Square transposed;
+    transposed.square() = l.square().transpose();
+    lower_.add(column, l);
+    upper_.push_back(transposed);
+  }
+
+  Rows<N, float> lower_;
+  std::vector<Square> upper_;  ///< the blocks of `lower_`, transposed
   std::vector<Square> inverse_pivots_;
 };
 
 template <int N>
 class KernelOf : public BlockIterations::Kernel {
  public:
-  using Square = SquareOf<N>;
+  using Square = Padded<N>;
+  using Vector = PaddedVector<N>;
+  using Vectors = std::vector<Vector>;
 
   explicit KernelOf(const BlockMatrix& matrix) {
     const int count = matrix.block_count();
@@ -141,7 +154,7 @@ class KernelOf : public BlockIterations::Kernel {
       for (const auto& [column, block] : matrix.row(i)) {
         rows_.add(column, padded(block));
         if (column == i)
-          rows_.blocks.back().diagonal().tail(N - block.rows()).setOnes();
+          rows_.blocks.back().square().diagonal().tail(N - block.rows()).setOnes();
         else
           below[at(next[at(column)]++)] = {i, &block};
       }
@@ -153,32 +166,38 @@ class KernelOf : public BlockIterations::Kernel {
   IterationResult conjugate_gradients(const Eigen::VectorXd& b, const Eigen::VectorXd& start,
                                       const IterationLimits& limits) const override {
     IterationResult result{start, 0, false};
-    std::optional<IncompleteFactor<N>> factor = IncompleteFactor<N>::of(rows_, 0);
-    for (double shift = kFirstShift; !factor && shift <= kLastShift; shift *= 2)
-      factor = IncompleteFactor<N>::of(rows_, shift);
+    const std::optional<IncompleteFactor<N>> factor = incomplete_factor();
     if (!factor) return result;
-    Eigen::VectorXd x = with_padding(start);
-    Eigen::VectorXd r = with_padding(b);
-    const double goal = limits.residual * r.norm();
-    Eigen::VectorXd q(x.size());
+    const std::size_t count = sizes_.size();
+    Vectors x = with_padding(start);
+    Vectors r = with_padding(b);
+    const double goal = limits.residual * norm(r);
+    Vectors q(count);
     multiply(x, q);
-    r -= q;
-    Eigen::VectorXd z(x.size());
-    Eigen::VectorXd p;
+    for_each_entry(count, [&](std::size_t i) { r[i].add(-1, q[i]); });
+    std::vector<PaddedVector<N, float>> z(count);
+    Vectors p(count);
     double before = 0;
-    while (!(result.converged = r.norm() <= goal) && result.iterations < limits.count) {
-      factor->solve(r, z);
-      const double now = r.dot(z);
-      if (p.size() == 0)
-        p = z;
-      else
-        p = z + now / before * p;
+    for (double left = norm(r); !(result.converged = left <= goal) && result.iterations < limits.count;) {
+      // Of unit size: no number leaves the range of single precision.
+      for_each_entry(count, [&](std::size_t i) { z[i].vector() = (r[i].vector() / left).template cast<float>(); });
+      factor->solve(z);
+      const auto [now] = sums_over<1>(count, [&](std::size_t i) {
+        return std::array{left * r[i].vector().dot(z[i].vector().template cast<double>())};
+      });
+      const double beta = before > 0 ? now / before : 0;
       before = now;
+      for_each_entry(count, [&](std::size_t i) {
+        p[i].vector() = left * z[i].vector().template cast<double>() + beta * p[i].vector();
+      });
       multiply(p, q);
-      const double alpha = now / p.dot(q);
+      const double alpha = now / sums_over<1>(count, [&](std::size_t i) { return std::array{dot(p[i], q[i])}; })[0];
       if (!std::isfinite(alpha)) break;
-      x += alpha * p;
-      r -= alpha * q;
+      for_each_entry(count, [&](std::size_t i) {
+        x[i].add(alpha, p[i]);
+        r[i].add(-alpha, q[i]);
+      });
+      left = norm(r);
       ++result.iterations;
     }
     result.x = without_padding(x);
@@ -188,22 +207,22 @@ class KernelOf : public BlockIterations::Kernel {
   IterationResult over_relaxation(const Eigen::VectorXd& b, const Eigen::VectorXd& start, double omega,
                                   const IterationLimits& limits) const override {
     IterationResult result{start, 0, false};
-    std::vector<Square> inverse;
-    for (int i = 0; i < rows_.count(); ++i) inverse.push_back(rows_.blocks[at(diagonal(i))].inverse());
-    Eigen::VectorXd x = with_padding(start);
-    const Eigen::VectorXd right = with_padding(b);
-    const double goal = limits.residual * right.norm();
-    Eigen::VectorXd product(x.size());
+    std::vector<Square> inverse(sizes_.size());
+    for (int i = 0; i < rows_.count(); ++i) inverse[at(i)].square() = rows_.blocks[at(diagonal(i))].square().inverse();
+    Vectors x = with_padding(start);
+    const Vectors right = with_padding(b);
+    const double goal = limits.residual * norm(right);
+    Vectors product(x.size());
     const auto residual = [&] {
       multiply(x, product);
-      return (right - product).norm();
+      for (std::size_t i = 0; i < product.size(); ++i) product[i].add(-1, right[i]);
+      return norm(product);
     };
     while (!(result.converged = residual() <= goal) && result.iterations < limits.count) {
       for (int i = 0; i < rows_.count(); ++i) {
-        Eigen::Matrix<double, N, 1> r = right.template segment<N>(N * i);
-        for (int e = rows_.begin[at(i)]; e < rows_.begin[at(i) + 1]; ++e)
-          r.noalias() -= rows_.blocks[at(e)] * x.template segment<N>(N * rows_.columns[at(e)]);
-        x.template segment<N>(N * i).noalias() += omega * (inverse[at(i)] * r);
+        Vector r = right[at(i)];
+        r.add(-1, times(i, x));
+        x[at(i)].add(omega, inverse[at(i)] * r);
       }
       ++result.iterations;
     }
@@ -214,10 +233,31 @@ class KernelOf : public BlockIterations::Kernel {
  private:
   template <class Block>
   static Square padded(const Block& block) {
-    if (block.rows() == N && block.cols() == N) return block;
-    Square all = Square::Zero();
-    all.topLeftCorner(block.rows(), block.cols()) = block;
+    Square all;
+    if (block.rows() == N && block.cols() == N)
+      all.square() = block;
+    else
+      all.square().topLeftCorner(block.rows(), block.cols()) = block;
     return all;
+  }
+
+  std::optional<IncompleteFactor<N>> incomplete_factor() const {
+    Rows<N, float> single;
+    single.begin = rows_.begin;
+    single.columns = rows_.columns;
+    single.blocks.resize(rows_.blocks.size());
+    // Over the greatest entry, which is on a diagonal: the range of single precision is not that of double.
+    double greatest = 0;
+    for (int i = 0; i < rows_.count(); ++i)
+      greatest = std::max(greatest, rows_.blocks[at(diagonal(i))].square().diagonal().cwiseAbs().maxCoeff());
+    if (!(greatest > 0)) return std::nullopt;
+    for_each_entry(single.blocks.size(), [&](std::size_t k) {
+      single.blocks[k].square() = (rows_.blocks[k].square() / greatest).template cast<float>();
+    });
+    std::optional<IncompleteFactor<N>> factor = IncompleteFactor<N>::of(single, 0);
+    for (float shift = kFirstShift; !factor && shift <= kLastShift; shift *= 2)
+      factor = IncompleteFactor<N>::of(single, shift);
+    return factor;
   }
 
   int diagonal(int i) const {
@@ -225,30 +265,35 @@ class KernelOf : public BlockIterations::Kernel {
     return static_cast<int>(std::lower_bound(begin + rows_.begin[at(i)], begin + rows_.begin[at(i) + 1], i) - begin);
   }
 
-  // y = A x.
-  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-    for (int i = 0; i < rows_.count(); ++i) {
-      Eigen::Matrix<double, N, 1> sum = Eigen::Matrix<double, N, 1>::Zero();
-      for (int e = rows_.begin[at(i)]; e < rows_.begin[at(i) + 1]; ++e)
-        sum.noalias() += rows_.blocks[at(e)] * x.template segment<N>(N * rows_.columns[at(e)]);
-      y.template segment<N>(N * i) = sum;
-    }
+  // Row i of A x.
+  Vector times(int i, const Vectors& x) const {
+    Vector sum;
+    for (int e = rows_.begin[at(i)]; e < rows_.begin[at(i) + 1]; ++e)
+      sum.add(1, rows_.blocks[at(e)] * x[at(rows_.columns[at(e)])]);
+    return sum;
+  }
+  void multiply(const Vectors& x, Vectors& y) const {
+    for_each_entry(x.size(), [&](std::size_t i) { y[i] = times(static_cast<int>(i), x); });
   }
 
-  Eigen::VectorXd with_padding(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(N * rows_.count());
-    for (int i = 0; i < rows_.count(); ++i)
-      all.segment(N * i, sizes_[at(i)]) = x.segment(first_rows_[at(i)], sizes_[at(i)]);
+  static double norm(const Vectors& x) {
+    return std::sqrt(sums_over<1>(x.size(), [&](std::size_t i) { return std::array{dot(x[i], x[i])}; })[0]);
+  }
+
+  Vectors with_padding(const Eigen::VectorXd& x) const {
+    Vectors all(sizes_.size());
+    for_each_entry(all.size(),
+                   [&](std::size_t i) { all[i].vector().head(sizes_[i]) = x.segment(first_rows_[i], sizes_[i]); });
     return all;
   }
-  Eigen::VectorXd without_padding(const Eigen::VectorXd& all) const {
+  Eigen::VectorXd without_padding(const Vectors& all) const {
     Eigen::VectorXd x(unknowns_);
-    for (int i = 0; i < rows_.count(); ++i)
-      x.segment(first_rows_[at(i)], sizes_[at(i)]) = all.segment(N * i, sizes_[at(i)]);
+    for_each_entry(all.size(),
+                   [&](std::size_t i) { x.segment(first_rows_[i], sizes_[i]) = all[i].vector().head(sizes_[i]); });
     return x;
   }
 
-  Rows<N> rows_;
+  Rows<N, double> rows_;
   std::vector<int> sizes_;
   std::vector<int> first_rows_;
   int unknowns_ = 0;

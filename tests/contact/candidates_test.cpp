@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "tests/support/scenes.hpp"
@@ -50,6 +51,23 @@ std::vector<ElementPair> all_against_all(const Scattered& scene, double distance
 }
 
 }  // namespace
+
+TEST(Candidates, sizes_over_three_decades_are_found_as_all_against_all_finds_them) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> place(0, 100);
+  std::uniform_real_distribution<double> decades(-2, 1);
+  Scattered scattering;
+  for (int i = 0; i < 600; ++i) {
+    const Point low{place(random), place(random)};
+    const Point high = low + Point{std::pow(10, decades(random)), std::pow(10, decades(random))};
+    scattering.blocks.blocks.push_back(rectangle(low, high));
+    scattering.boxes.push_back({low, high});
+  }
+  const Scene scene = legacy_scene(scattering.blocks, plain_analysis(1e-3, 1));
+  for (double distance : {0.0, 0.01, 1.0})
+    EXPECT_EQ(close_pairs(scene.model, start(scene).state, distance), all_against_all(scattering, distance))
+        << distance;
+}
 
 TEST(Candidates, grid_and_all_against_all_find_the_same_pairs) {
   for (double size : {1.0, 3.0, 40.0}) {  // the last: elements that cover the whole grid

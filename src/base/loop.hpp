@@ -1,0 +1,53 @@
+// Loops over blocks and contacts on several threads, with the same result for any number of them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace keyblock {
+
+/// Threads that loops may use from here on; 0: as many as there are processors. Set once, by the program.
+void set_loop_threads(int count);
+int loop_threads();
+
+/// Entries of a range: some tens of microseconds of work, many times what handing it to a thread takes. Ranges do not depend
+/// on threads, so that sums over them do not either.
+inline constexpr std::size_t kLoopRange = 256;
+
+inline std::size_t range_count(std::size_t count) {
+  return (count + kLoopRange - 1) / kLoopRange;
+}
+
+/// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. The first exception is thrown again.
+void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work);
+
+/// Does `work(i)` for 0 … count − 1, which must not depend on each other.
+template <class Work>
+void for_each_entry(std::size_t count, const Work& work) {
+  for_ranges(count, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) work(i);
+  });
+}
+
+/// Several sums over `term(i)`, an array of `N` each, with one order of addition.
+template <std::size_t N, class Term>
+std::array<double, N> sums_over(std::size_t count, const Term& term) {
+  std::vector<std::array<double, N>> parts(range_count(count));
+  for_ranges(count, [&](std::size_t range, std::size_t begin, std::size_t end) {
+    std::array<double, N> sum{};
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::array<double, N> one = term(i);
+      for (std::size_t k = 0; k < N; ++k) sum[k] += one[k];
+    }
+    parts[range] = sum;
+  });
+  std::array<double, N> all{};
+  for (const std::array<double, N>& part : parts)
+    for (std::size_t k = 0; k < N; ++k) all[k] += part[k];
+  return all;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,137 @@
+// Small blocks filled up to whole vectors of four numbers: their products are then vector operations alone.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+namespace keyblock {
+
+// Each of these functions is part of the loop that calls it, whatever that is compiled with.
+#define KEYBLOCK_INLINE [[gnu::always_inline]] inline
+
+using Four [[gnu::vector_size(32), gnu::may_alias]] = double;
+using FourSingle [[gnu::vector_size(16), gnu::may_alias]] = float;
+using EightSingle [[gnu::vector_size(32), gnu::may_alias]] = float;
+
+/// The vector type for `kRows` numbers of a kind: as many as an instruction takes.
+template <class Real, int kRows>
+struct LaneOf {
+  using Type = Four;
+};
+template <>
+struct LaneOf<float, 4> {
+  using Type = FourSingle;
+};
+template <>
+struct LaneOf<float, 8> {
+  using Type = EightSingle;
+};
+
+KEYBLOCK_INLINE double sum(const Four& v) {
+  return (v[0] + v[2]) + (v[1] + v[3]);
+}
+KEYBLOCK_INLINE float sum(const FourSingle& v) {
+  return (v[0] + v[2]) + (v[1] + v[3]);
+}
+KEYBLOCK_INLINE float sum(const EightSingle& v) {
+  return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+}
+
+/// N numbers, and zeros.
+template <int N, class Real = double>
+struct alignas(sizeof(Real) * 4) PaddedVector {
+  static constexpr int kRows = (N + 3) / 4 * 4;
+  using Lane = typename LaneOf<Real, kRows>::Type;
+  static constexpr int kLanes = kRows * static_cast<int>(sizeof(Real)) / static_cast<int>(sizeof(Lane));
+
+  alignas(sizeof(Lane)) std::array<Real, kRows> entries{};
+
+  KEYBLOCK_INLINE Lane& lane(int h) { return reinterpret_cast<Lane*>(entries.data())[h]; }
+  KEYBLOCK_INLINE const Lane& lane(int h) const { return reinterpret_cast<const Lane*>(entries.data())[h]; }
+  auto vector() { return Eigen::Map<Eigen::Matrix<Real, N, 1>>(entries.data()); }
+  auto vector() const { return Eigen::Map<const Eigen::Matrix<Real, N, 1>>(entries.data()); }
+
+  KEYBLOCK_INLINE void add(Real factor, const PaddedVector& other) {
+#pragma GCC unroll 2
+    for (int h = 0; h < kLanes; ++h) lane(h) += factor * other.lane(h);
+  }
+};
+
+/// Products entry by entry, as many sums of them as a vector holds.
+template <int N, class Real>
+KEYBLOCK_INLINE auto products(const PaddedVector<N, Real>& a, const PaddedVector<N, Real>& b) {
+  auto all = a.lane(0) * b.lane(0);
+#pragma GCC unroll 2
+  for (int h = 1; h < PaddedVector<N, Real>::kLanes; ++h) all += a.lane(h) * b.lane(h);
+  return all;
+}
+
+template <int N, class Real>
+KEYBLOCK_INLINE Real dot(const PaddedVector<N, Real>& a, const PaddedVector<N, Real>& b) {
+  return sum(products(a, b));
+}
+
+/// N × N, each column filled up.
+template <int N, class Real = double>
+struct alignas(sizeof(Real) * 4) Padded {
+  using Vector = PaddedVector<N, Real>;
+  using Lane = typename Vector::Lane;
+  static constexpr int kRows = Vector::kRows;
+  static constexpr int kLanes = Vector::kLanes;
+  using Square = Eigen::Matrix<Real, N, N>;
+
+  alignas(sizeof(Lane)) std::array<std::array<Real, kRows>, N> columns{};
+
+  auto square() { return Eigen::Map<Square, 0, Eigen::OuterStride<kRows>>(columns[0].data()); }
+  auto square() const { return Eigen::Map<const Square, 0, Eigen::OuterStride<kRows>>(columns[0].data()); }
+  KEYBLOCK_INLINE Lane& lane(int column, int h) { return reinterpret_cast<Lane*>(columns[at(column)].data())[h]; }
+  KEYBLOCK_INLINE const Lane& lane(int column, int h) const {
+    return reinterpret_cast<const Lane*>(columns[at(column)].data())[h];
+  }
+
+  KEYBLOCK_INLINE Real entry(int row, int column) const { return columns[at(column)][at(row)]; }
+
+  KEYBLOCK_INLINE Vector operator*(const Vector& x) const {
+    Vector y;
+#pragma GCC unroll 8
+    for (int k = 0; k < N; ++k)
+#pragma GCC unroll 2
+      for (int h = 0; h < kLanes; ++h) y.lane(h) += lane(k, h) * x.entries[at(k)];
+    return y;
+  }
+
+ private:
+  static std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+  }
+};
+
+/// c −= a bᵀ, or c −= a b. Unrolled, the sums stay in registers.
+template <bool kTransposed, int N, class Real>
+KEYBLOCK_INLINE void subtract_product(Padded<N, Real>& c, const Padded<N, Real>& a, const Padded<N, Real>& b) {
+  constexpr int kLanes = Padded<N, Real>::kLanes;
+  typename Padded<N, Real>::Lane sums[N][kLanes];
+#pragma GCC unroll 8
+  for (int j = 0; j < N; ++j) {
+#pragma GCC unroll 2
+    for (int h = 0; h < kLanes; ++h) sums[j][h] = c.lane(j, h);
+  }
+#pragma GCC unroll 8
+  for (int k = 0; k < N; ++k) {
+#pragma GCC unroll 8
+    for (int j = 0; j < N; ++j) {
+      const Real factor = kTransposed ? b.entry(j, k) : b.entry(k, j);
+#pragma GCC unroll 2
+      for (int h = 0; h < kLanes; ++h) sums[j][h] -= a.lane(k, h) * factor;
+    }
+  }
+#pragma GCC unroll 8
+  for (int j = 0; j < N; ++j) {
+#pragma GCC unroll 2
+    for (int h = 0; h < kLanes; ++h) c.lane(j, h) = sums[j][h];
+  }
+}
+
+}  // namespace keyblock
