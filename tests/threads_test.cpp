@@ -13,7 +13,7 @@ namespace {
 using testing::contents;
 using testing::run_keyblock;
 
-/// A jointed slope of some hundred blocks: enough for iterations and for ranges that threads share.
+/// A jointed slope of some hundred blocks, whose contacts threads share (tests/step/threads_test.cpp: more blocks).
 class ThreadedRuns : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {

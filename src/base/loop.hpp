@@ -21,7 +21,8 @@ inline std::size_t range_count(std::size_t count) {
   return (count + kLoopRange - 1) / kLoopRange;
 }
 
-/// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. The first exception is thrown again.
+/// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. An exception is thrown again
+/// when all are done, that of the lowest range. `base/parallel` is for whole jobs instead: files, runs.
 void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work);
 
 /// Does `work(i)` for 0 … count − 1, which must not depend on each other.

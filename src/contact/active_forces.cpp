@@ -137,7 +137,7 @@ std::optional<Eigen::VectorXd> ActiveForces::by_iterations(const Eigen::VectorXd
   return (right - set_.kept(result.rates)).cwiseQuotient(springs);
 }
 
-Eigen::VectorXd ActiveForces::solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal) {
+std::optional<Eigen::VectorXd> ActiveForces::solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal) {
   const Eigen::VectorXd right = -from_given_ - set_.kept(b);
   if (iterates_) {
     if (const auto unknowns = by_iterations(right, near, goal)) return set_.forces(*unknowns, 1);
@@ -145,6 +145,7 @@ Eigen::VectorXd ActiveForces::solve(const Eigen::VectorXd& b, const Eigen::Vecto
     problem_.w.pairs()->give_up();
     sparse_ = std::make_unique<ForcesOfBlocks>(problem_.w, set_, added_);
   }
+  if (!is_regular()) return std::nullopt;
   Eigen::VectorXd unknowns = right;
   if (right.size() > 0) unknowns = sparse_ ? sparse_->solve(right) : Eigen::VectorXd(dense_.solve(right));
   return set_.forces(unknowns, 1);

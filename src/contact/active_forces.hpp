@@ -31,8 +31,8 @@ struct ActiveSet {
   Eigen::VectorXd kept(const Eigen::VectorXd& all) const;
 };
 
-/// The slip makes the matrix nonsymmetric. It is factorised once and serves any right side: the dense matrix of a few forces, else
-/// the sparse one of the blocks that they act on.
+/// The slip makes the matrix nonsymmetric. The dense matrix of a few forces is factorised once
+/// and serves any right side, else the sparse one of the blocks that they act on; iterations take its place where inertia rules.
 class ActiveForces {
  public:
   /// `added` stands on the diagonal of W beside its own entries; where an unknown force has neither, few forces can be solved only.
@@ -46,9 +46,9 @@ class ActiveForces {
   /// False where no factor was found: the active set leaves forces open.
   bool is_regular() const;
 
-  /// The forces of all pairs for y = (W + added) λ + b. Iterations begin at `near`, forces that may be near, and end where no force is
-  /// wrong by more than `goal`; factors need neither.
-  Eigen::VectorXd solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal);
+  /// The forces of all pairs for y = (W + added) λ + b; nothing where iterations fail and no factor is found either. Iterations begin at
+  /// `near`, forces that may be near, and end where y, judged as a force, is at most `goal`; factors need neither.
+  std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal);
 
  private:
   void factorise_dense();

@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-// Fewer blocks than these are factorised faster than iterations get anywhere.
+// Fewer blocks than these, or fewer pairs, are factorised faster than iterations get anywhere.
 constexpr std::size_t kManyBlocks = 300;
 
 ContactRow through(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& blocks) {
@@ -91,8 +91,7 @@ ContactMatrix::ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibilit
       covers_(*rows_, flexibility_),
       diagonal_(diagonal_of(*rows_, flexibility_, covers_)),
       added_(Eigen::VectorXd::Zero(diagonal_.size())) {
-  if (!covers_.is_none() || flexibility_.blocks.size() < kManyBlocks) return;
-  pairs_ = std::make_shared<PairSystem>(*rows_, blocks(), flexibility_.blocks);
+  has_many_pairs_ = covers_.is_none() && flexibility_.blocks.size() >= kManyBlocks && rows_->size() >= 2 * kManyBlocks;
 }
 
 void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
@@ -105,8 +104,13 @@ const BlockNumbers& ContactMatrix::blocks() const {
   return *blocks_;
 }
 
+const PairSystem* ContactMatrix::pairs() const {
+  if (has_many_pairs_ && !pairs_) pairs_ = std::make_shared<PairSystem>(*rows_, blocks(), flexibility_.blocks);
+  return pairs_.get();
+}
+
 Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {
-  if (pairs_) return pairs_->answer(forces) + added_.cwiseProduct(forces);
+  if (has_many_pairs_) return pairs()->answer(forces) + added_.cwiseProduct(forces);
   const UnknownsTable of_blocks = answer_of_blocks(*rows_, flexibility_.blocks, forces);
   Eigen::VectorXd all = added_.cwiseProduct(forces);
   for (Eigen::Index i = 0; i < all.size(); ++i)

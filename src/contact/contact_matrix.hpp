@@ -46,8 +46,9 @@ class ContactMatrix {
   const Eigen::VectorXd& added() const { return added_; }
   /// Made when first asked for.
   const BlockNumbers& blocks() const;
-  /// The same rows for products many times over; none for few blocks, or where covers couple rows.
-  const PairSystem* pairs() const { return pairs_.get(); }
+  /// The same rows for products many times over; none for few blocks or pairs, or where covers couple rows. Made
+  /// when first asked for.
+  const PairSystem* pairs() const;
 
   /// The compliance of a spring, 1/p.
   void add_to_diagonal(Eigen::Index row, double value);
@@ -61,7 +62,8 @@ class ContactMatrix {
   Eigen::VectorXd diagonal_;
   Eigen::VectorXd added_;
   mutable std::shared_ptr<const BlockNumbers> blocks_;
-  std::shared_ptr<const PairSystem> pairs_;
+  bool has_many_pairs_ = false;
+  mutable std::shared_ptr<const PairSystem> pairs_;
 };
 
 /// The diagonal of G B Gᵀ alone, with what covers couple made already.

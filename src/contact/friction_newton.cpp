@@ -24,7 +24,7 @@ constexpr int kMostRounds = 30;
 constexpr double kProgress = 0.5;
 // Active sets of one round; a cycle is found long before.
 constexpr int kMostSets = 60;
-// Errors of forces that iterations may leave: over the goal, and of an active set that may not be the last one, over the residual
+// Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the residual
 // that it starts with.
 constexpr double kInner = 0.3;
 constexpr double kForcing = 0.001;
@@ -69,9 +69,10 @@ class Newton {
     for (int i = 0; i < kMostSets; ++i) {
       visited.insert(grips);
       factorise(grips);
-      if (!system_->is_regular()) return false;
-      const double left = is_loose ? kForcing * residual(problem_, tried_) : 0;
-      tried_ = tried(problem_, system_->solve(right, tried_.forces, std::max(kInner * problem_.goal, left)));
+      const double left = is_loose && system_->iterates() ? kForcing * residual(problem_, tried_) : 0;
+      auto forces = system_->solve(right, tried_.forces, std::max(kInner * problem_.goal, left));
+      if (!forces) return false;
+      tried_ = tried(problem_, *std::move(forces));
       keep_best();
       if (is_solved()) return true;
       const std::vector<Grip> next = natural_map(problem_, tried_, proximal).grips;

@@ -106,9 +106,9 @@ struct PairOperator {
   }
 };
 
-/// The same numbers in single precision.
+/// The same in single precision, with `stiffness` as unit of A: no entry leaves the range of those numbers.
 template <int N>
-PairOperator<N, float> single(const PairOperator<N, double>& of) {
+PairOperator<N, float> single(const PairOperator<N, double>& of, double stiffness) {
   PairOperator<N, float> made;
   made.blocks = of.blocks;
   made.sides = of.sides;
@@ -122,8 +122,8 @@ PairOperator<N, float> single(const PairOperator<N, double>& of) {
     }
   });
   for_each_entry(of.stiffness.size(), [&](std::size_t e) {
-    made.stiffness[e].square() = of.stiffness[e].square().template cast<float>();
-    made.flexibility[e].square() = of.flexibility[e].square().template cast<float>();
+    made.stiffness[e].square() = (of.stiffness[e].square() / stiffness).template cast<float>();
+    made.flexibility[e].square() = (of.flexibility[e].square() * stiffness).template cast<float>();
   });
   return made;
 }

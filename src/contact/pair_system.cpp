@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/loop.hpp"
 #include "contact/pair_operator.hpp"
@@ -41,7 +42,8 @@ class Corrections {
 
   Corrections(const Coarse& of, const std::vector<PairStiffness>& h)
       : of_(of), h_(h), forces_(of.rows.size()), inverse_(of.block_count()) {
-    for_each_entry(of.block_count(), [&](std::size_t e) { inverse_[e].square() = diagonal(e).inverse(); });
+    for_each_entry(of.block_count(),
+                   [&](std::size_t e) { inverse_[e].square() = diagonal(e).partialPivLu().inverse(); });
   }
 
   struct Result {
@@ -157,7 +159,8 @@ class KernelOf : public PairSystem::Kernel {
       fine_.flexibility[at(block)].square().topLeftCorner(size, size) = flexibility[e].topLeftCorner(size, size);
     }
     fine_.sides = SidesOfBlocks(fine_.blocks, count);
-    coarse_ = single(fine_);
+    for (const Padded<N>& block : fine_.stiffness)
+      stiffest_ = std::max(stiffest_, block.square().diagonal().cwiseAbs().maxCoeff());
   }
 
   Eigen::VectorXd answer(const Eigen::VectorXd& f) const override {
@@ -169,7 +172,9 @@ class KernelOf : public PairSystem::Kernel {
   Result solve(const std::vector<PairStiffness>& h, const Eigen::VectorXd& f, const Eigen::VectorXd& start, double goal,
                int most_products) const override {
     const std::size_t count = fine_.block_count();
-    Corrections<N> corrections(coarse_, h);
+    if (!coarse_) coarse_ = single(fine_, stiffest_);
+    const std::vector<PairStiffness> in_units = in_units_of_stiffness(h);
+    Corrections<N> corrections(*coarse_, in_units);
     std::vector<typename Fine::Forces> forces(fine_.rows.size());
     Blocks x = answers_to(start);
     Blocks r(count);
@@ -184,14 +189,16 @@ class KernelOf : public PairSystem::Kernel {
       result.converged = left <= goal;
       if (result.converged || !(left < before / 2) || result.products >= most_products) break;
       before = left;
-      // Of unit size, so that no number leaves the range of single precision.
+      // Of unit size in the units of single precision, and so is what it is corrected by.
+      const double unit = left * std::sqrt(stiffest_);
       typename PairOperator<N, float>::Blocks scaled(count);
-      for_each_entry(count, [&](std::size_t e) { scaled[e].vector() = (r[e].vector() / left).template cast<float>(); });
+      for_each_entry(count, [&](std::size_t e) { scaled[e].vector() = (r[e].vector() / unit).template cast<float>(); });
       auto correction =
           corrections.of(std::move(scaled), std::max(goal / left / 2, kSingle), most_products - result.products);
       result.products += correction.products;
-      for_each_entry(count,
-                     [&](std::size_t e) { x[e].vector() += left * correction.x[e].vector().template cast<double>(); });
+      for_each_entry(count, [&](std::size_t e) {
+        x[e].vector() += unit / stiffest_ * correction.x[e].vector().template cast<double>();
+      });
     }
     result.rates.resize(f.size());
     rates_of(x, result.rates);
@@ -203,6 +210,11 @@ class KernelOf : public PairSystem::Kernel {
     Block block;
     block.vector().head(size) = row.head(size).transpose();
     return block;
+  }
+
+  std::vector<PairStiffness> in_units_of_stiffness(std::vector<PairStiffness> h) const {
+    for (PairStiffness& of : h) of = {of.nn / stiffest_, of.tn / stiffest_, of.tt / stiffest_};
+    return h;
   }
 
   void rates_of(const Blocks& x, Eigen::VectorXd& all) const {
@@ -231,7 +243,8 @@ class KernelOf : public PairSystem::Kernel {
   }
 
   PairOperator<N, double> fine_;
-  PairOperator<N, float> coarse_;
+  double stiffest_ = 0;                                   ///< greatest entry of A
+  mutable std::optional<PairOperator<N, float>> coarse_;  ///< made for the first solution
 };
 
 }  // namespace

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/kinematics.hpp"
 
-#include "base/loop.hpp"
-
 #include <Eigen/LU>
 #include <cmath>
 
+#include "base/loop.hpp"
 #include "model/state.hpp"
 
 namespace keyblock {

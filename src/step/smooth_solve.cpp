@@ -78,7 +78,7 @@ class SmoothSolve {
     }
     result_.bonds = bonds_;
     result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()));
-    result_.rows = rows_ ? *std::move(rows_) : ContactRows();
+    if (rows_) result_.rows = std::move(*rows_);  // the matrix that shares them is not used again
     result_.laws = std::move(laws_);
     return std::move(result_);
   }

@@ -17,7 +17,9 @@ using EightSingle [[gnu::vector_size(32), gnu::may_alias]] = float;
 
 /// The vector type for `kRows` numbers of a kind: as many as an instruction takes.
 template <class Real, int kRows>
-struct LaneOf {
+struct LaneOf;
+template <int kRows>
+struct LaneOf<double, kRows> {
   using Type = Four;
 };
 template <>
@@ -41,7 +43,7 @@ KEYBLOCK_INLINE float sum(const EightSingle& v) {
 
 /// N numbers, and zeros.
 template <int N, class Real = double>
-struct alignas(sizeof(Real) * 4) PaddedVector {
+struct PaddedVector {
   static constexpr int kRows = (N + 3) / 4 * 4;
   using Lane = typename LaneOf<Real, kRows>::Type;
   static constexpr int kLanes = kRows * static_cast<int>(sizeof(Real)) / static_cast<int>(sizeof(Lane));
@@ -75,7 +77,7 @@ KEYBLOCK_INLINE Real dot(const PaddedVector<N, Real>& a, const PaddedVector<N, R
 
 /// N × N, each column filled up.
 template <int N, class Real = double>
-struct alignas(sizeof(Real) * 4) Padded {
+struct Padded {
   using Vector = PaddedVector<N, Real>;
   using Lane = typename Vector::Lane;
   static constexpr int kRows = Vector::kRows;
@@ -133,5 +135,7 @@ KEYBLOCK_INLINE void subtract_product(Padded<N, Real>& c, const Padded<N, Real>&
     for (int h = 0; h < kLanes; ++h) c.lane(j, h) = sums[j][h];
   }
 }
+
+#undef KEYBLOCK_INLINE
 
 }  // namespace keyblock

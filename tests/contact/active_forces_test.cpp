@@ -46,7 +46,7 @@ double misfit(int elements, double share, bool iterates) {
   ActiveForces active(problem, grips, added);
   EXPECT_TRUE(active.is_regular());
   EXPECT_EQ(active.iterates(), iterates);
-  const Eigen::VectorXd forces = active.solve(problem.b, Eigen::VectorXd::Zero(2 * elements), 1e-12);
+  const Eigen::VectorXd forces = active.solve(problem.b, Eigen::VectorXd::Zero(2 * elements), 1e-12).value();
   const Eigen::VectorXd y = problem.w * forces + added.cwiseProduct(forces) + problem.b;
   double worst = 0;
   for (int i = 0; i < elements; ++i) {

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "contact/box_tree.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock {
@@ -55,7 +57,7 @@ std::vector<ElementPair> all_against_all(const Scattered& scene, double distance
 TEST(Candidates, sizes_over_three_decades_are_found_as_all_against_all_finds_them) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> place(0, 100);
-  std::uniform_real_distribution<double> decades(-2, 1);
+  std::uniform_real_distribution<double> decades(-3, 1.6);
   Scattered scattering;
   for (int i = 0; i < 600; ++i) {
     const Point low{place(random), place(random)};
@@ -64,6 +66,14 @@ TEST(Candidates, sizes_over_three_decades_are_found_as_all_against_all_finds_the
     scattering.boxes.push_back({low, high});
   }
   const Scene scene = legacy_scene(scattering.blocks, plain_analysis(1e-3, 1));
+  std::vector<Box> boxes;
+  for (const auto& [low, high] : scattering.boxes) boxes.push_back({low, high});
+  for (double distance : {0.0, 0.01, 1.0}) {
+    std::vector<ElementPair> by_tree;
+    for (const auto& [a, b] : touching_by_tree(boxes, distance)) by_tree.push_back({{a}, {b}});
+    std::ranges::sort(by_tree);
+    EXPECT_EQ(by_tree, all_against_all(scattering, distance)) << distance;
+  }
   for (double distance : {0.0, 0.01, 1.0})
     EXPECT_EQ(close_pairs(scene.model, start(scene).state, distance), all_against_all(scattering, distance))
         << distance;

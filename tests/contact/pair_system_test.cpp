@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
+#include <limits>
 #include <random>
 
 namespace keyblock {
@@ -16,11 +18,12 @@ struct RandomPairs {
   Table<ElementIndex, UnknownBlock> flexibility;
   std::vector<PairStiffness> h;
 
-  explicit RandomPairs(int elements, unsigned seed) : dice_(seed) {
+  /// `unit`: of A; `most`: unknowns of the larger blocks.
+  RandomPairs(int elements, unsigned seed, double unit = 1, int most = 6) : unit_(unit), dice_(seed) {
     for (int e = 0; e < elements; ++e) {
-      const int size = e == 0 ? 0 : e % 3 == 0 ? 3 : 6;
+      const int size = e == 0 ? 0 : e % 3 == 0 ? 3 : most;
       const Eigen::MatrixXd a = random(size, size);
-      flexibility.push_back(UnknownBlock(a * a.transpose() + Eigen::MatrixXd::Identity(size, size)));
+      flexibility.push_back(UnknownBlock((a * a.transpose() + Eigen::MatrixXd::Identity(size, size)) / unit));
     }
     for (int e = 0; e + 1 < elements; ++e)
       for (const int other : {e + 1, e + 7})
@@ -70,9 +73,10 @@ struct RandomPairs {
     if (is_open)
       h.push_back({});
     else
-      h.push_back({0.5, slips ? 0.3 : 0, slips ? 0 : 0.2});
+      h.push_back({0.5 * unit_, slips ? 0.3 * unit_ : 0, slips ? 0 : 0.2 * unit_});
   }
 
+  double unit_;
   std::mt19937 dice_;
   std::uniform_real_distribution<double> uniform_{-1, 1};
 };
@@ -94,6 +98,28 @@ TEST(PairSystem, iterations_meet_the_dense_solution_with_slip_and_open_pairs) {
   const Eigen::VectorXd start = f - scene.springs() * exact;
   EXPECT_EQ(system.solve(scene.h, f, start, 1e-7, 1000).products, 1);
   EXPECT_LE((system.answer(f) - g * scene.stiffness(blocks).inverse() * g.transpose() * f).norm(), 1e-9 * f.norm());
+}
+
+TEST(PairSystem, single_precision_bears_any_unit_and_blocks_of_three_unknowns) {
+  for (const int most : {3, 6})
+    for (const double unit : {1e-25, 1e-13, 1e13, 1e25}) {
+      RandomPairs scene(120, 7, unit, most);
+      const BlockNumbers blocks(scene.rows, scene.flexibility);
+      const PairSystem system(scene.rows, blocks, scene.flexibility);
+      const Eigen::VectorXd f = scene.random(static_cast<int>(scene.rows.size()), 1);
+      const double goal = 1e-9 / std::sqrt(unit);
+      const auto result = system.solve(scene.h, f, Eigen::VectorXd::Zero(f.size()), goal, 1000);
+      EXPECT_TRUE(result.converged) << most << ' ' << unit;
+    }
+}
+
+TEST(PairSystem, what_is_no_number_does_not_converge) {
+  RandomPairs scene(120, 8);
+  const BlockNumbers blocks(scene.rows, scene.flexibility);
+  const PairSystem system(scene.rows, blocks, scene.flexibility);
+  Eigen::VectorXd f = scene.random(static_cast<int>(scene.rows.size()), 1);
+  f[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(system.solve(scene.h, f, Eigen::VectorXd::Zero(f.size()), 1e-3, 1000).converged);
 }
 
 TEST(PairSystem, too_few_products_are_said_to_be_too_few) {

@@ -1,0 +1,35 @@
+// Steps of a wall large enough for iterations and for threads in every loop: the same motion to the last bit.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "base/loop.hpp"
+#include "step/standard_stepper.hpp"
+#include "tests/bench/bench_scenes.hpp"
+
+namespace keyblock {
+namespace {
+
+class Threads : public ::testing::TestWithParam<const char*> {
+ protected:
+  ~Threads() override { set_loop_threads(0); }
+
+  /// Vertices after some steps of a wall of 1,121 bricks that is loaded at once.
+  static Table<VertexIndex, Point> after_steps(const std::string& profile, int threads) {
+    set_loop_threads(threads);
+    Scene scene = bench::scene_for(bench::brick_wall(33), profile);
+    scene.settings.standard.start = StartRule::sudden;
+    const std::unique_ptr<Stepper> stepper = stepper_for(scene);
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+    return stepper->state().vertices;
+  }
+};
+
+TEST_P(Threads, make_the_same_motion_to_the_last_bit) {
+  const auto one = after_steps(GetParam(), 1);
+  for (const int threads : {2, 4}) EXPECT_TRUE(one == after_steps(GetParam(), threads)) << threads;
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, Threads, ::testing::Values("legacy", "standard"));
+
+}  // namespace
+}  // namespace keyblock
