@@ -248,7 +248,7 @@ Action configure_batch(CLI::App& app) {
   app.add_option("--convert", options->format, "convert every case to this format, as `keyblock convert --to`");
   app.add_option("--profile", options->profile, "only this preset of all choices")
       ->check(CLI::IsMember(profile_names()));
-  app.add_option("--jobs", options->threads, "jobs at a time (default: as many as cores)")->check(CLI::PositiveNumber);
+  app.add_option("--jobs", options->threads, "jobs at a time (default: as many as cores)")->check(CLI::Range(1, 1024));
   app.add_option(
          "--time-limit", options->limits.cpu_seconds,
          "seconds of processor time for the check of a job and for each process of --run and --convert (default: none)")

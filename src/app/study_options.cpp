@@ -68,6 +68,11 @@ study::StudyCase case_asked(const StudyOptions& options) {
   if (options.against == "expected" && chosen.expected.empty())
     throw UsageError(fmt::format("--against expected: {} has no expected.csv", chosen.name));
   if (options.against == "finest") chosen.expected.clear();
+  if (!options.against.empty()) return chosen;
+  const std::size_t given = chosen.expected.size();
+  chosen.expected = study::without_verdicts(std::move(chosen.expected));
+  if (given > 0 && chosen.expected.empty())
+    spdlog::info("expected.csv only says whether something happens: errors are against the finest runs");
   return chosen;
 }
 

@@ -9,7 +9,7 @@ void add_thread_option(CLI::App& options) {
   options
       .add_option_function<int>("--threads", set_loop_threads,
                                 "threads of a step (default: as many as processors); results do not depend on it")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 256));
 }
 
 }  // namespace keyblock

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "formats/csv.hpp"
 #include "formats/registry.hpp"
@@ -61,6 +62,12 @@ std::vector<ExpectedValue> read_expected(const std::filesystem::path& file) {
     values.push_back(std::move(v));
   }
   return values;
+}
+
+std::vector<ExpectedValue> without_verdicts(std::vector<ExpectedValue> expected) {
+  std::erase_if(expected,
+                [](const ExpectedValue& e) { return e.value != 0 && e.tolerance > kVerdict * std::abs(e.value); });
+  return expected;
 }
 
 }  // namespace keyblock::study

@@ -64,6 +64,8 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
                             : fmt::format("the run \"{}\" itself (beside \"{}\", \"{}\")", limit_from[2].name,
                                           limit_from[0].name, limit_from[1].name),
       order, limit.uncertainty);
+  if (limit.order && !limit.is_extrapolated)
+    reference.words += "; the three do not converge as a method of any order does: errors near that are a guess";
   return reference;
 }
 

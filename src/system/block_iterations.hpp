@@ -28,7 +28,7 @@ class BlockIterations {
   BlockIterations& operator=(BlockIterations&&) noexcept;
   ~BlockIterations();
 
-  /// Conjugate gradients (Hestenes & Stiefel 1952) from `start`, preconditioned by the incomplete block factor L D Lᵀ on the pattern of A
+  /// Conjugate gradients (Hestenes & Stiefel 1952) from `start`, preconditioned by the incomplete block factor L D Lᵀ on the pattern of A, in single precision
   /// (Meijerink & van der Vorst 1977). Where a pivot is not positive the diagonal is raised by 1e-3 of itself, and by twice as
   /// much in every further attempt (Manteuffel 1980).
   IterationResult conjugate_gradients(const Eigen::VectorXd& b, const Eigen::VectorXd& start,

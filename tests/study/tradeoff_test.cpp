@@ -60,6 +60,14 @@ TEST(Tradeoff, where_nothing_is_expected_to_happen_errors_are_shares_of_the_tole
   EXPECT_DOUBLE_EQ(error_of(with_values({0.1}), reference), 0.2);
 }
 
+TEST(Tradeoff, values_that_say_only_whether_something_happens_are_no_reference) {
+  const std::vector<ExpectedValue> left = without_verdicts(
+      {expected("dx", 1, 0.52, "both"), expected("dx", 2, -8, "both"), expected("rotation", 1, 0, "both")});
+  ASSERT_EQ(left.size(), 2U);
+  EXPECT_EQ(left[0].value, -8);
+  EXPECT_EQ(left[1].value, 0);
+}
+
 TEST(Tradeoff, a_run_that_did_not_finish_has_no_error) {
   MeasuredRun run = with_values({1});
   run.end = MeasuredEnd::over_limit;
