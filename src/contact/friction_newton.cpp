@@ -53,6 +53,7 @@ class Newton {
   void try_weights() {
     system_.reset();
     tried_ = tried(problem_, solution_.forces);
+    tried_residual_ = solution_.residual;
     for (int round = 0; round < kMostRounds && !is_solved(); ++round) {
       const double before = solution_.residual;
       if (!settle({weights_, tried_.forces})) break;
@@ -69,7 +70,7 @@ class Newton {
     for (int i = 0; i < kMostSets; ++i) {
       visited.insert(grips);
       factorise(grips);
-      const double left = is_loose && system_->iterates() ? kForcing * residual(problem_, tried_) : 0;
+      const double left = is_loose && system_->iterates() ? kForcing * tried_residual_ : 0;
       auto forces = system_->solve(right, tried_.forces, std::max(kInner * problem_.goal, left));
       if (!forces) return false;
       tried_ = tried(problem_, *std::move(forces));
@@ -107,11 +108,11 @@ class Newton {
   bool is_solved() const { return solution_.residual <= problem_.goal; }
 
   void keep_best() {
-    const double now = residual(problem_, tried_);
-    if (!(now < solution_.residual)) return;
+    tried_residual_ = residual(problem_, tried_);
+    if (!(tried_residual_ < solution_.residual)) return;
     const bool is_good = is_acceptable(problem_, tried_);
     if (solution_.converged && !is_good) return;
-    solution_.residual = now;
+    solution_.residual = tried_residual_;
     solution_.forces = tried_.forces;
     solution_.converged = is_good;
   }
@@ -126,6 +127,7 @@ class Newton {
   FrictionalSolution solution_;  ///< with the best forces seen
   Eigen::VectorXd weights_;      ///< of the proximal term
   Tried tried_;                  ///< forces of the last active set
+  double tried_residual_ = 0;    ///< their residual
   std::optional<ActiveForces> system_;
   std::vector<Grip> factorised_;
 };

@@ -10,9 +10,12 @@ namespace {
 
 class Rows {
  public:
-  Rows(const Model& model, const Reference& reference, const UnknownsTable& q)
+  Rows(const Model& model, const Reference& reference, const UnknownsTable& q, const Touches& touches)
       : model_(model), points_(model, reference, q), vertices_(vertices_at(model, reference, q)) {
-    points_.prepare_all();
+    std::vector<ElementIndex> elements;
+    for (const Touch& touch : touches)
+      for (const VertexIndex v : {touch.vertex, touch.start}) elements.push_back(model.vertices[v].element);
+    points_.prepare(elements);
   }
 
   void make(const Touch& touch, ContactRow& normal, ContactRow& tangential) const {
@@ -48,7 +51,7 @@ ContactRows contact_rows(const Model& model, const Reference& reference, const U
                          const Touches& touches) {
   ContactRows rows;
   if (touches.empty()) return rows;
-  const Rows maker(model, reference, q);
+  const Rows maker(model, reference, q, touches);
   rows.resize(2 * touches.size());
   for_each_entry(touches.size(), [&](std::size_t i) { maker.make(touches[i], rows[2 * i], rows[2 * i + 1]); });
   return rows;

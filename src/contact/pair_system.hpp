@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// H of one pair: the forces that rates make, fn = nn un and ft = tn un + tt ut. Slip is what tn is for.
+/// H of one pair, force / length: the forces that rates make, fn = nn un and ft = tn un + tt ut. Slip is what tn is for.
 struct PairStiffness {
   double nn = 0;
   double tn = 0;
@@ -33,7 +33,7 @@ class PairSystem {
     bool converged = false;
   };
 
-  /// From x = A⁻¹ Gᵀ `start`, until no block has a residual r with √(rᵀ A⁻¹ r) above the `goal`, or so many products were made.
+  /// `h` has an entry a pair, `f` and `start` two, normal and tangential, as the rates of the result. From x = A⁻¹ Gᵀ `start`, until no block has a residual r with √(rᵀ A⁻¹ r) above the `goal`, or so many products were made.
   Result solve(const std::vector<PairStiffness>& h, const Eigen::VectorXd& f, const Eigen::VectorXd& start, double goal,
                int most_products) const;
 

@@ -40,13 +40,16 @@ const PointMotions::Block& PointMotions::block(ElementIndex e) const {
   return *blocks_[static_cast<std::size_t>(numbers_[e])];
 }
 
-void PointMotions::prepare_all() {
-  blocks_.resize(numbers_.size());
-  for_each_entry(numbers_.size(), [&](std::size_t i) {
-    const ElementIndex e{static_cast<int>(i)};
-    numbers_[e] = e.value;
-    if (!reference_.is_on_covers(e)) blocks_[i] = made(e);
-  });
+void PointMotions::prepare(const std::vector<ElementIndex>& elements) {
+  const std::size_t first = blocks_.size();
+  std::vector<ElementIndex> fresh;
+  for (ElementIndex e : elements) {
+    if (numbers_[e] >= 0 || reference_.is_on_covers(e)) continue;
+    numbers_[e] = static_cast<int>(first + fresh.size());
+    fresh.push_back(e);
+  }
+  blocks_.resize(first + fresh.size());
+  for_each_entry(fresh.size(), [&](std::size_t i) { blocks_[first + i] = made(fresh[i]); });
 }
 
 PointMotion PointMotions::of_vertex(VertexIndex v) const {

@@ -23,8 +23,9 @@ class PointMotions {
  public:
   PointMotions(const Model& model, const Reference& reference, const UnknownsTable& q);
 
-  /// Makes the maps of all elements at once; until then each is made when it is first asked for, by one thread.
-  void prepare_all();
+  /// Makes the maps of these elements, repeated or not, so that several threads may ask for them; others are made when they are
+  /// first asked for, by one thread.
+  void prepare(const std::vector<ElementIndex>& elements);
 
   PointMotion of_vertex(VertexIndex v) const;
   /// Of the point that lay at `start`.
