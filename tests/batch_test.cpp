@@ -13,15 +13,15 @@
 #include "tests/support/sample_covers.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::batch_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::fresh_folder;
-using testing::ProgramRun;
-using testing::read_text;
-using testing::run_keyblock;
-using testing::write_text;
+using support::fresh_folder;
+using support::ProgramRun;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
 
 const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
 const std::vector<std::string> kCatalogue{"catalogue.csv", "catalogue.json", "catalogue.html"};
@@ -51,7 +51,7 @@ void copy_case(const std::string& name, const fs::path& folder) {
 
 TEST(Batch, every_sound_case_of_a_mixed_archive_is_paired_and_every_broken_file_is_told) {
   const fs::path root = fresh_folder("batch_mixed");
-  const auto made = testing::write_mixed_archive(root / "in", 41, 0.1, 7);
+  const auto made = support::write_mixed_archive(root / "in", 41, 0.1, 7);
   ASSERT_GE(made.broken.size(), 2U);
   const ProgramRun run = run_keyblock({"batch", root / "in", "--check", "-o", root / "out"});
   EXPECT_EQ(run.exit_code, 1) << run.messages;
@@ -75,7 +75,7 @@ TEST(Batch, every_sound_case_of_a_mixed_archive_is_paired_and_every_broken_file_
 
 TEST(Batch, the_catalogue_is_the_same_for_any_number_of_threads) {
   const fs::path root = fresh_folder("batch_threads");
-  testing::write_mixed_archive(root / "in", 40, 0.05, 3);
+  support::write_mixed_archive(root / "in", 40, 0.05, 3);
   run_keyblock({"batch", root / "in", "--check", "-o", root / "one", "--jobs", "1"});
   run_keyblock({"batch", root / "in", "--check", "-o", root / "four", "--jobs", "4"});
   EXPECT_FALSE(read_text(root / "one" / "catalogue.csv").empty());
@@ -84,7 +84,7 @@ TEST(Batch, the_catalogue_is_the_same_for_any_number_of_threads) {
 
 TEST(Batch, killed_in_the_middle_and_resumed_it_gives_the_same_catalogue) {
   const fs::path root = fresh_folder("batch_killed");
-  testing::write_mixed_archive(root / "in", 40, 0.05, 11);
+  support::write_mixed_archive(root / "in", 40, 0.05, 11);
   const std::vector<std::string> batch{"batch",        root / "in", "--run",  "--profile", "legacy",
                                        "--time-limit", "20",        "--jobs", "2"};
   const auto with = [&](const std::string& out, bool is_resumed) {
@@ -96,7 +96,7 @@ TEST(Batch, killed_in_the_middle_and_resumed_it_gives_the_same_catalogue) {
   run_keyblock(with("whole", false));
   const auto lines = [](const fs::path& journal) { return std::ranges::count(read_text(journal), '\n'); };
   const auto all = lines(root / "whole" / "journal.jsonl");
-  const ProgramRun killed = testing::kill_keyblock(with("killed", false), root / "killed" / "journal.jsonl", 6);
+  const ProgramRun killed = support::kill_keyblock(with("killed", false), root / "killed" / "journal.jsonl", 6);
   EXPECT_EQ(killed.exit_code, 128 + SIGKILL);
   EXPECT_LT(lines(root / "killed" / "journal.jsonl"), all);
   EXPECT_FALSE(fs::exists(root / "killed" / "catalogue.csv"));
@@ -197,8 +197,8 @@ TEST(Batch, a_check_beyond_its_limits_fails_alone_and_the_others_are_told_as_wit
 TEST(Batch, an_interrupted_batch_finishes_what_runs_and_exits_130) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const fs::path root = fresh_folder("batch_stopped");
-    testing::write_mixed_archive(root / "in", 40, 0, 5);
-    const ProgramRun run = testing::interrupt_keyblock(
+    support::write_mixed_archive(root / "in", 40, 0, 5);
+    const ProgramRun run = support::interrupt_keyblock(
         {"batch", root / "in", "--run", "--profile", "legacy", "--time-limit", "20", "-o", root / "out", "--jobs", "1"},
         (root / "out" / "jobs").string(), signal);
     EXPECT_EQ(run.exit_code, 130) << signal << ": " << run.messages;
@@ -418,4 +418,4 @@ TEST(Batch, old_manifold_pairs_come_to_a_row_each_in_both_profiles) {
       << "relaxation comes to it too";
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::batch_test

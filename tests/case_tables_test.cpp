@@ -11,7 +11,7 @@
 
 #include "formats/csv.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::case_tables_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ TEST(CaseTables, every_case_says_reference_analysis_purpose_and_summary) {
   }
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::case_tables_test

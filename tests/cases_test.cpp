@@ -11,7 +11,7 @@
 #include "run/profile.hpp"
 #include "study/compare.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::cases_test {
 
 /// How GoogleTest names a case in its output.
 void PrintTo(const CaseFolder& folder, std::ostream* out) {
@@ -69,4 +69,4 @@ TEST(CasesAtLarge, every_expected_value_is_judged_in_a_profile_that_runs) {
   EXPECT_GT(judged, 100);
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::cases_test

@@ -14,13 +14,13 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::commands_test {
 namespace {
 
-using testing::fresh_folder;
-using testing::ProgramRun;
-using testing::read_text;
-using testing::run_keyblock;
+using support::fresh_folder;
+using support::ProgramRun;
+using support::read_text;
+using support::run_keyblock;
 
 const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
 const std::string kFall = kCases + "free_fall/released";
@@ -154,7 +154,7 @@ TEST(Commands, a_long_run_keeps_a_bounded_number_of_rows_and_counts_all_steps) {
 
 TEST(Commands, a_case_without_geometry_is_named_by_its_file) {
   const std::string folder = fresh_folder("no_geometry");
-  testing::write_text(folder + "/empty.json", R"({"keyblock": 1})");
+  support::write_text(folder + "/empty.json", R"({"keyblock": 1})");
   const ProgramRun run = run_keyblock({"run", folder + "/empty.json", "-o", folder + "/out"});
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_TRUE(contains(run.messages, "empty.json: error: expected a geometry")) << run.messages;
@@ -219,7 +219,7 @@ TEST(Commands, a_run_at_a_limit_of_processor_time_saves_its_state_and_exits_5) {
   const std::string out = fresh_folder("at_limit") + "/out";
   const std::string rest = kCases + "block_at_rest/dynamic/dynamic";
   const ProgramRun run =
-      testing::interrupt_keyblock({"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"},
+      support::interrupt_keyblock({"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"},
                                   out + "/frames/00000000.vtu", SIGXCPU);
   EXPECT_EQ(run.exit_code, 5) << run.messages;
   EXPECT_TRUE(contains(run.messages, "stopped at the limit of processor time; keyblock run --resume")) << run.messages;
@@ -231,7 +231,7 @@ TEST(Commands, a_limit_of_memory_is_named_and_exits_5) {
   const std::string folder = fresh_folder("starved");
   std::string text = "0.01 30000000 0 0 0 0 0 0 0\n";
   while (text.size() < 60000000) text += "1 1 1 1 1 1 1 1\n";
-  testing::write_text(folder + "/large.geo", text);
+  support::write_text(folder + "/large.geo", text);
   const std::string command =
       fmt::format("ulimit -v 250000; '{}' check {}/large.geo 2> {}/messages", KEYBLOCK_PROGRAM, folder, folder);
   const int status = std::system(command.c_str());
@@ -242,7 +242,7 @@ TEST(Commands, a_limit_of_memory_is_named_and_exits_5) {
 TEST(Commands, an_interrupted_run_saves_its_state_and_exits_130) {
   const std::string out = fresh_folder("stopped") + "/out";
   const std::string rest = kCases + "block_at_rest/dynamic/dynamic";
-  const ProgramRun run = testing::interrupt_keyblock(
+  const ProgramRun run = support::interrupt_keyblock(
       {"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"}, out + "/frames/00000000.vtu");
   EXPECT_EQ(run.exit_code, 130) << run.messages;
   EXPECT_EQ(nlohmann::json::parse(read_text(out + "/run.json"))["outcome"]["end"], "stopped");
@@ -251,7 +251,7 @@ TEST(Commands, an_interrupted_run_saves_its_state_and_exits_130) {
 // A quarter of gravity sideways: the block that falls by g t^2/2 = 19.62 m in 2 s moves by a quarter of it.
 TEST(Commands, a_motion_of_the_ground_beside_a_case_moves_its_blocks) {
   const std::string folder = fresh_folder("quake");
-  testing::write_text(folder + "/quake", "0.02 3\n.25\n.25\n.25\n");
+  support::write_text(folder + "/quake", "0.02 3\n.25\n.25\n.25\n");
   const ProgramRun run = run_keyblock({"run", kFall + "/released.geo", kFall + "/released.ana", folder + "/quake", "-o",
                                        folder + "/out", "--profile", "standard"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
@@ -294,7 +294,7 @@ TEST(Commands, compare_exits_1_when_a_value_is_missed) {
   std::filesystem::copy(kFall, folder);
   EXPECT_EQ(run_keyblock({"compare", folder}).exit_code, 0);
   const std::string table = read_text(folder + "/expected.csv");
-  testing::write_text(folder + "/expected.csv", table + "area,2,1,3.5,0.1,a wrong value,this test\n");
+  support::write_text(folder + "/expected.csv", table + "area,2,1,3.5,0.1,a wrong value,this test\n");
   const ProgramRun missed = run_keyblock({"compare", folder});
   EXPECT_EQ(missed.exit_code, 1);
   EXPECT_TRUE(contains(missed.output, "MISSED"));
@@ -309,7 +309,7 @@ TEST(Commands, a_missing_file_is_exit_3) {
 TEST(Commands, compare_goes_on_after_a_case_that_cannot_be_read) {
   const std::string folder = fresh_folder("bad_setting") + "/released";
   std::filesystem::copy(kFall, folder);
-  testing::write_text(folder + "/case.json", R"({"set": {"both": {"time_stop": "1"}}})");
+  support::write_text(folder + "/case.json", R"({"set": {"both": {"time_stop": "1"}}})");
   const ProgramRun both = run_keyblock({"compare", folder, kFall});
   EXPECT_EQ(both.exit_code, 1);
   EXPECT_TRUE(contains(both.messages, "case.json: error: there is no setting \"time_stop\"")) << both.messages;
@@ -319,7 +319,7 @@ TEST(Commands, compare_goes_on_after_a_case_that_cannot_be_read) {
 TEST(Commands, compare_leaves_slow_cases_out_unless_all_are_asked_for) {
   const std::string folder = fresh_folder("slow") + "/released";
   std::filesystem::copy(kFall, folder);
-  testing::write_text(folder + "/case.json", R"({"slow": true})");
+  support::write_text(folder + "/case.json", R"({"slow": true})");
   const ProgramRun quick = run_keyblock({"compare", folder, kCases + "free_fall/spinning"});
   EXPECT_EQ(quick.exit_code, 0);
   EXPECT_TRUE(contains(quick.messages, "1 case, 0 traces, 0 missed; 1 slow case left out")) << quick.messages;
@@ -387,11 +387,11 @@ TEST(Commands, a_body_on_covers_that_can_move_is_exit_4) {
   ASSERT_TRUE(contains(text, held));
   text.replace(text.find(held), held.size(), "{\"along\": [[0, 44], [0, 0]], \"held\": \"normal\"}");
   const std::string folder = fresh_folder("loose");
-  testing::write_text(folder + "/loose.json", text);
+  support::write_text(folder + "/loose.json", text);
   const ProgramRun run = run_keyblock({"run", folder + "/loose.json", "-o", folder + "/out"});
   EXPECT_EQ(run.exit_code, 4) << run.messages;
   EXPECT_TRUE(contains(run.messages, "body 1, about (24, 30), can move along (0, 1): nothing holds it there"))
       << run.messages;
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::commands_test

@@ -8,7 +8,7 @@
 
 #include "tests/extremes/extreme.hpp"
 
-namespace keyblock::extremes {
+namespace keyblock::extremes::extremes_test {
 namespace {
 
 struct KnownMiss {
@@ -43,4 +43,4 @@ TEST_P(ExtremeCases, every_figure_holds) {
 INSTANTIATE_TEST_SUITE_P(Brief, ExtremeCases, ::testing::ValuesIn(extreme_cases()),
                          [](const auto& given) { return "ext_" + std::string(given.param.id).substr(4); });
 
-}  // namespace keyblock::extremes
+}  // namespace keyblock::extremes::extremes_test

@@ -15,7 +15,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::malformed_test {
 namespace {
 
 const std::string kFolder = std::string(KEYBLOCK_SOURCE_DIR) + "/tests/malformed/";
@@ -59,14 +59,14 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-void expect_error(const Expectation& row, const testing::ProgramRun& run) {
+void expect_error(const Expectation& row, const support::ProgramRun& run) {
   EXPECT_EQ(run.exit_code, 3) << run.messages;
   EXPECT_TRUE(contains(run.messages, kFolder + row.place + ": error: ")) << run.messages;
   EXPECT_TRUE(contains(run.messages, row.says)) << run.messages;
   EXPECT_EQ(run.output, "");
 }
 
-void expect_warnings(const Expectation& row, const testing::ProgramRun& run) {
+void expect_warnings(const Expectation& row, const support::ProgramRun& run) {
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   const auto record = nlohmann::json::parse(run.output);
   std::string names;
@@ -94,10 +94,10 @@ TEST(Malformed, every_input_gets_the_answer_of_the_table_quickly_and_in_little_m
   ASSERT_EQ(rows.size(), 50U);
   for (const Expectation& row : rows) {
     SCOPED_TRACE(row.input);
-    const std::string folder = testing::fresh_folder("malformed") + "/out";
+    const std::string folder = support::fresh_folder("malformed") + "/out";
     const std::string input = kFolder + row.input;
-    const testing::ProgramRun run =
-        testing::run_keyblock({"run", input + ".geo", input + ".ana", "-o", folder, "--profile", "legacy", "--json"});
+    const support::ProgramRun run =
+        support::run_keyblock({"run", input + ".geo", input + ".ana", "-o", folder, "--profile", "legacy", "--json"});
     EXPECT_LT(run.cpu_seconds, kMostSeconds);
     EXPECT_LT(run.peak_megabytes, kMostMegabytes);
     if (row.outcome == "error") {
@@ -110,4 +110,4 @@ TEST(Malformed, every_input_gets_the_answer_of_the_table_quickly_and_in_little_m
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::malformed_test

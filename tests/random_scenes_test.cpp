@@ -9,7 +9,7 @@
 #include "formats/case.hpp"
 #include "tests/validate/shares.hpp"
 
-namespace keyblock {
+namespace keyblock::random_scenes_test {
 namespace {
 
 constexpr int kScenes = 12;
@@ -77,4 +77,4 @@ TEST(RandomScenes, a_scene_replays_from_its_files) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::random_scenes_test

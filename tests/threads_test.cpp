@@ -7,17 +7,17 @@
 #include "tests/support/killed_runs.hpp"
 #include "tests/support/program.hpp"
 
-namespace keyblock {
+namespace keyblock::threads_test {
 namespace {
 
-using testing::contents;
-using testing::run_keyblock;
+using support::contents;
+using support::run_keyblock;
 
 /// A jointed slope of some hundred blocks, whose contacts threads share (tests/step/threads_test.cpp: more blocks).
 class ThreadedRuns : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    folder_ = testing::fresh_folder(std::string("threads_") + GetParam());
+    folder_ = support::fresh_folder(std::string("threads_") + GetParam());
     const auto drawn = run_keyblock({"joints", "--slope", "height=30,angle=60,toe=5,crest=20,base=3", "--fixed",
                                      "0,0,40,0", "--set", "dip=20,spacing=1.5,trace=500,joint=1", "--set",
                                      "dip=110,spacing=1.6,trace=500,joint=1", "-o", folder_ + "/slope.geo"});
@@ -53,7 +53,7 @@ TEST_P(ThreadedRuns, have_the_same_bytes_on_1_2_and_4_threads_and_resumed) {
   EXPECT_TRUE(one == contents(folder_ + "/2"));
   EXPECT_TRUE(one == contents(folder_ + "/4"));
   auto stopped = command("2", "stopped");
-  const auto killed = testing::interrupt_keyblock(stopped, folder_ + "/stopped/frames/00000002.vtu");
+  const auto killed = support::interrupt_keyblock(stopped, folder_ + "/stopped/frames/00000002.vtu");
   ASSERT_EQ(killed.exit_code, 130) << killed.messages;
   const auto resumed = run_keyblock({"run", "--resume", folder_ + "/stopped", "--threads", "4"});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.messages;
@@ -63,4 +63,4 @@ TEST_P(ThreadedRuns, have_the_same_bytes_on_1_2_and_4_threads_and_resumed) {
 INSTANTIATE_TEST_SUITE_P(Profiles, ThreadedRuns, ::testing::Values("legacy", "standard"));
 
 }  // namespace
-}  // namespace keyblock
+}  // namespace keyblock::threads_test

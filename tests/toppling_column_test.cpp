@@ -9,7 +9,7 @@
 #include "formats/case.hpp"
 #include "formats/csv.hpp"
 
-namespace keyblock {
+namespace keyblock::toppling_column_test {
 namespace {
 
 constexpr double kGravity = 9.81;
@@ -94,4 +94,4 @@ TEST(TopplingColumn, energy_is_kept) {
   EXPECT_NEAR(square / 3 * motion.rate * motion.rate / 2 / lost, 1, 1e-12);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::toppling_column_test

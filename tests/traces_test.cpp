@@ -14,7 +14,7 @@
 #include "tests/support/shared_folder.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::traces_test {
 namespace {
 
 const std::string kTraces = KEYBLOCK_SOURCE_DIR "/legacy_cases/reference_traces";
@@ -73,15 +73,15 @@ TEST(Traces, the_circle_slope_example_comes_back_with_automatic_step_and_penalty
 
 // The measure itself: a run with another penalty does not follow, and is said to.
 TEST(Traces, a_run_that_differs_is_found_to_differ) {
-  const std::filesystem::path folder = testing::fresh_folder("trace") + "/incline_a30_p20_dt1ms";
+  const std::filesystem::path folder = support::fresh_folder("trace") + "/incline_a30_p20_dt1ms";
   std::filesystem::copy(kTraces + "/incline_a30_p20_dt1ms", folder);
-  std::string analysis = testing::read_text(folder / "incline_a30_p20_dt1ms.ana");
+  std::string analysis = support::read_text(folder / "incline_a30_p20_dt1ms.ana");
   const std::string given = "<Friction> 20 </Friction>";
   analysis.replace(analysis.find(given), given.size(), "<Friction> 20.001 </Friction>");
-  testing::write_text(folder / "incline_a30_p20_dt1ms.ana", analysis);
+  support::write_text(folder / "incline_a30_p20_dt1ms.ana", analysis);
   const TraceDifference difference = follow_trace(find_cases({folder.string()}).front());
   EXPECT_FALSE(difference.holds());
   EXPECT_GT(difference.position, kTraceTolerance);
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::traces_test

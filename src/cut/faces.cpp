@@ -27,7 +27,7 @@ struct Walks {
   int count() const { return static_cast<int>(start.size()) - 1; }
 };
 
-Walks trace_walks(const Arrangement& a, const Rotation& rotation) {
+Walks trace_walks(const Arrangement& a, const RotationSystem& rotation) {
   Walks walks;
   walks.of_half_edge.assign(2 * a.edges.size(), -1);
   walks.half_edges.reserve(2 * a.edges.size());
@@ -145,7 +145,7 @@ int outermost(const Arrangement& a, std::span<const int> leaving) {
   return best;
 }
 
-std::vector<Rim> find_rims(const Arrangement& a, const Rotation& rotation, const Walks& walks) {
+std::vector<Rim> find_rims(const Arrangement& a, const RotationSystem& rotation, const Walks& walks) {
   UnionFind parts(a.nodes.size());
   for (const Edge& e : a.edges) parts.unite(e.from, e.to);
   std::vector<int> leftmost(a.nodes.size(), -1);
@@ -233,7 +233,7 @@ Face bounded_face(const Arrangement& a, std::vector<Chain> chains) {
 }  // namespace
 
 std::vector<Face> trace_faces(const Arrangement& a) {
-  const Rotation rotation(a);
+  const RotationSystem rotation(a);
   const Walks walks = trace_walks(a, rotation);
   const std::vector<int> around = find_surroundings(a, walks, find_rims(a, rotation, walks));
   ChainCutter cutter(a);

@@ -33,7 +33,7 @@ Segment direction(const Arrangement& a, int half_edge) {
   return half_edge % 2 == 0 ? line : Segment{line.end, line.start};
 }
 
-Rotation::Rotation(const Arrangement& a) : start_(a.nodes.size() + 1, 0), next_(2 * a.edges.size()) {
+RotationSystem::RotationSystem(const Arrangement& a) : start_(a.nodes.size() + 1, 0), next_(2 * a.edges.size()) {
   const int count = static_cast<int>(2 * a.edges.size());
   for (int h = 0; h < count; ++h) ++start_[tail(a, h) + 1];
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];

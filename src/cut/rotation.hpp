@@ -23,9 +23,9 @@ inline int head(const Arrangement& a, int half_edge) {
 /// From one point to another in the exact direction of a half-edge.
 Segment direction(const Arrangement& a, int half_edge);
 
-class Rotation {
+class RotationSystem {
  public:
-  explicit Rotation(const Arrangement& arrangement);
+  explicit RotationSystem(const Arrangement& arrangement);
 
   /// Half-edges leaving a node, counter-clockwise from the x direction.
   std::span<const int> leaving(int node) const {

@@ -12,7 +12,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::check_command_test {
 namespace {
 
 struct Outcome {
@@ -76,8 +76,8 @@ TEST(CheckCommand, json_holds_the_same_report) {
 
 // A case file with one square and what its key "run" says.
 std::string case_with(const std::string& run) {
-  const std::string file = testing::fresh_folder("check_case") + "/case.json";
-  testing::write_text(file, R"({"keyblock": 1,
+  const std::string file = support::fresh_folder("check_case") + "/case.json";
+  support::write_text(file, R"({"keyblock": 1,
  "blocks": {"blocks": [{"material": 1, "outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1]]}],
   "fixed_points": [[0.5, 0.25, 1]]},
  "analysis": {"step_count": 1, "time_step": 0.01, "allowed_displacement_ratio": 0.1,
@@ -96,8 +96,8 @@ TEST(CheckCommand, a_profile_or_setting_of_a_case_file_that_is_none_is_named_whe
     const std::string file = case_with(choices);
     for (const std::string command : {"check", "run"}) {
       std::vector<std::string> arguments{command, file};
-      if (command == "run") arguments.insert(arguments.end(), {"-o", testing::fresh_folder("check_case_run")});
-      const auto run = testing::run_keyblock(arguments);
+      if (command == "run") arguments.insert(arguments.end(), {"-o", support::fresh_folder("check_case_run")});
+      const auto run = support::run_keyblock(arguments);
       EXPECT_EQ(run.exit_code, 3) << command << choices;
       EXPECT_TRUE(contains("\n" + run.messages, "\n" + file + message)) << run.messages;
     }
@@ -105,17 +105,17 @@ TEST(CheckCommand, a_profile_or_setting_of_a_case_file_that_is_none_is_named_whe
 }
 
 TEST(CheckCommand, a_case_file_that_holds_nothing_is_said_and_not_run) {
-  const std::string file = testing::fresh_folder("check_empty") + "/case.json";
-  const std::vector<std::string> run{"run", file, "-o", testing::fresh_folder("check_empty_run")};
-  testing::write_text(file, "{\"keyblock\": 1}");
-  const auto check = testing::run_keyblock({"check", file});
+  const std::string file = support::fresh_folder("check_empty") + "/case.json";
+  const std::vector<std::string> run{"run", file, "-o", support::fresh_folder("check_empty_run")};
+  support::write_text(file, "{\"keyblock\": 1}");
+  const auto check = support::run_keyblock({"check", file});
   EXPECT_TRUE(contains(check.output, file + ":1:1: warning: the case file holds nothing")) << check.output;
   for (const char* text : {"{\"keyblock\": 1}", "{\"keyblock\": 1, \"units\": {\"length\": \"m\"}}"}) {
-    testing::write_text(file, text);
-    const auto refused = testing::run_keyblock(run);
+    support::write_text(file, text);
+    const auto refused = support::run_keyblock(run);
     EXPECT_EQ(refused.exit_code, 3);
     EXPECT_EQ(refused.messages, file + ": error: expected a geometry or an analysis, found neither\n");
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::check_command_test

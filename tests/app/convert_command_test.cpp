@@ -8,14 +8,14 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::convert_command_test {
 namespace {
 
-using testing::fresh_folder;
-using testing::ProgramRun;
-using testing::read_text;
-using testing::run_keyblock;
-using testing::write_text;
+using support::fresh_folder;
+using support::ProgramRun;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -109,4 +109,4 @@ TEST_F(ConvertCommand, wrong_usage_and_bad_input_have_their_exit_codes) {
   EXPECT_TRUE(contains(run.messages, "a.geo:12:5: error: expected")) << run.messages;
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::convert_command_test

@@ -8,11 +8,11 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::convert_messages_test {
 namespace {
 
-using testing::fresh_folder;
-using testing::run_keyblock;
+using support::fresh_folder;
+using support::run_keyblock;
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -34,7 +34,7 @@ std::string drawing_of(const std::string& entities) {
 
 TEST(ConvertMessages, every_kind_of_skipped_entity_and_every_unknown_layer_is_named) {
   const std::string folder = fresh_folder("convert_kinds");
-  testing::write_text(folder + "/a.dxf",
+  support::write_text(folder + "/a.dxf",
                       drawing_of(line_on("JOINT") + line_on("fault1") + line_on("fault2") + entity("TEXT", "0") +
                                  entity("TEXT", "0") + entity("HATCH", "0") + entity("INSERT", "0")));
   const auto run = run_keyblock({"convert", folder + "/a.dxf", "-o", folder + "/a.json"});
@@ -47,7 +47,7 @@ TEST(ConvertMessages, every_kind_of_skipped_entity_and_every_unknown_layer_is_na
 TEST(ConvertMessages, warnings_that_differ_in_numbers_alone_are_told_once) {
   const std::string folder = fresh_folder("convert_same");
   const std::string blocks = "1 0 8\n2 0 0\n1 1 4\n1 0 0\n1 4 0\n1 4 1\n1 0 1\n1 0 0\n0 2.06 4\n0 8 2\n0 2 0.5\n";
-  testing::write_text(folder + "/a.blk", blocks + "0 5 0.5 0\n0 6 0.5 0\n");
+  support::write_text(folder + "/a.blk", blocks + "0 5 0.5 0\n0 6 0.5 0\n");
   const auto run = run_keyblock({"convert", folder + "/a.blk", "-o", folder + "/a.json"});
   EXPECT_TRUE(contains(run.messages, "is left out [point_outside_blocks] (2 times)")) << run.messages;
   EXPECT_EQ(std::ranges::count(run.messages, '\n'), 1) << run.messages;
@@ -55,7 +55,7 @@ TEST(ConvertMessages, warnings_that_differ_in_numbers_alone_are_told_once) {
 
 TEST(ConvertMessages, an_output_whose_ending_says_no_format_is_refused_with_those_that_do) {
   const std::string folder = fresh_folder("convert_ending");
-  testing::write_text(folder + "/a.dxf", drawing_of(line_on("JOINT")));
+  support::write_text(folder + "/a.dxf", drawing_of(line_on("JOINT")));
   const auto run = run_keyblock({"convert", folder + "/a.dxf", "-o", folder + "/a.vtk"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_TRUE(contains(run.messages,
@@ -67,7 +67,7 @@ TEST(ConvertMessages, an_output_whose_ending_says_no_format_is_refused_with_thos
 
 TEST(ConvertMessages, no_folder_is_made_unasked) {
   const std::string folder = fresh_folder("convert_folder");
-  testing::write_text(folder + "/a.dxf", drawing_of(line_on("JOINT")));
+  support::write_text(folder + "/a.dxf", drawing_of(line_on("JOINT")));
   const std::string missing = folder + "/missing";
   for (const auto& run : {run_keyblock({"convert", folder + "/a.dxf", "-o", missing + "/a.json"}),
                           run_keyblock({"cut", folder + "/a.dxf", "-o", missing + "/a.blk"}),
@@ -78,4 +78,4 @@ TEST(ConvertMessages, no_folder_is_made_unasked) {
   EXPECT_FALSE(std::filesystem::exists(missing));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::convert_messages_test

@@ -11,7 +11,7 @@
 #include "formats/case.hpp"
 #include "geometry/polygon.hpp"
 
-namespace keyblock {
+namespace keyblock::cut_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ TEST_F(CutCommand, prints_counts_as_json) {
   EXPECT_NE(text("out").find("\"blocks\": 2"), std::string::npos);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cut_command_test

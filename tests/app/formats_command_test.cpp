@@ -7,11 +7,11 @@
 #include "formats/registry.hpp"
 #include "tests/support/program.hpp"
 
-namespace keyblock {
+namespace keyblock::formats_command_test {
 namespace {
 
-using testing::ProgramRun;
-using testing::run_keyblock;
+using support::ProgramRun;
+using support::run_keyblock;
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -48,4 +48,4 @@ TEST(FormatsCommand, the_schema_is_json) {
   EXPECT_TRUE(schema["properties"].contains("analysis"));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::formats_command_test

@@ -7,12 +7,12 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::joints_command_test {
 namespace {
 
-using testing::fresh_folder;
-using testing::read_text;
-using testing::run_keyblock;
+using support::fresh_folder;
+using support::read_text;
+using support::run_keyblock;
 
 const std::vector<std::string> kSlope{"joints",
                                       "--slope",
@@ -61,7 +61,7 @@ TEST(JointsCommand, the_drawing_cuts_into_blocks_from_every_format) {
 
 TEST(JointsCommand, a_file_says_the_same_as_options) {
   const std::string folder = fresh_folder("joints_file");
-  testing::write_text(folder + "/spec.json", R"({
+  support::write_text(folder + "/spec.json", R"({
     "slope": {"height": 10, "angle": 60},
     "sets": [{"dip": 60, "spacing": 1, "trace": 5, "gap": 0.5, "scatter": 0.1},
              {"dip": 140, "spacing": 1.5, "trace": 5, "gap": 0.5, "scatter": 0.1}],
@@ -77,7 +77,7 @@ TEST(JointsCommand, the_example_of_the_formats_page_cuts) {
   const std::string page = read_text(KEYBLOCK_SOURCE_DIR "/formats/README.md");
   const std::size_t begin = page.find("{\"slope\"");
   ASSERT_NE(begin, std::string::npos);
-  testing::write_text(folder + "/spec.json", page.substr(begin, page.find("\n\n", begin) - begin));
+  support::write_text(folder + "/spec.json", page.substr(begin, page.find("\n\n", begin) - begin));
   const auto run = run_keyblock({"joints", folder + "/spec.json", "-o", folder + "/a.geo"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
   const auto cut = run_keyblock({"cut", folder + "/a.geo", "--json"});
@@ -87,7 +87,7 @@ TEST(JointsCommand, the_example_of_the_formats_page_cuts) {
 
 TEST(JointsCommand, overwrites_only_when_told_to) {
   const std::string folder = fresh_folder("joints_force");
-  testing::write_text(folder + "/old.geo", "precious");
+  support::write_text(folder + "/old.geo", "precious");
   EXPECT_EQ(run_keyblock(slope_with({"-o", folder + "/old.geo"})).exit_code, 2);
   EXPECT_EQ(read_text(folder + "/old.geo"), "precious");
   EXPECT_EQ(run_keyblock(slope_with({"-o", folder + "/old.geo", "--force"})).exit_code, 0);
@@ -104,17 +104,17 @@ TEST(JointsCommand, what_cannot_be_is_refused_with_the_name_of_the_option_or_the
   const auto none = run_keyblock({"joints", "-o", folder + "/x.geo"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_EQ(none.messages, "keyblock: error: expected one outline, rectangle or slope, found none\n");
-  testing::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2,\n  \"hight\": 3}}");
+  support::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2,\n  \"hight\": 3}}");
   const auto file = run_keyblock({"joints", folder + "/spec.json", "-o", folder + "/x.geo"});
   EXPECT_EQ(file.exit_code, 3);
   EXPECT_TRUE(contains(file.messages,
                        "spec.json:2:3: error: expected one of the keys width, height, x, y in the "
                        "rectangle, found \"hight\""))
       << file.messages;
-  testing::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2, \"height\": 2}}");
+  support::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2, \"height\": 2}}");
   const auto seed = run_keyblock({"joints", folder + "/spec.json", "--seed", "-1", "-o", folder + "/x.geo"});
   EXPECT_EQ(seed.exit_code, 2) << "an option beside a sound file";
   EXPECT_FALSE(std::filesystem::exists(folder + "/x.geo"));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::joints_command_test

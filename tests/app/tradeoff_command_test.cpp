@@ -8,13 +8,13 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::tradeoff_command_test {
 namespace {
 
-using testing::fresh_folder;
-using testing::ProgramRun;
-using testing::read_text;
-using testing::run_keyblock;
+using support::fresh_folder;
+using support::ProgramRun;
+using support::read_text;
+using support::run_keyblock;
 using Json = nlohmann::ordered_json;
 
 const std::string kFall = KEYBLOCK_SOURCE_DIR "/legacy_cases/free_fall/released";
@@ -132,8 +132,8 @@ TEST(SweepCommand, a_case_without_contact_steps_is_exit_2) {
 
 TEST(RunCommand, a_settings_file_is_overruled_by_the_command_line_and_its_faults_are_exit_3) {
   const std::string folder = fresh_folder("settings_file");
-  testing::write_text(folder + "/a.settings", "profile = legacy\nsteps = 30\ntime_step = 1e-3\n");
-  testing::write_text(folder + "/b.settings", "steps = none\n");
+  support::write_text(folder + "/a.settings", "profile = legacy\nsteps = 30\ntime_step = 1e-3\n");
+  support::write_text(folder + "/b.settings", "steps = none\n");
   const std::vector<std::string> run{"run", kSlide + "/a30_p20.geo", kSlide + "/a30_p20.ana",
                                      "-o",  folder + "/out",         "--settings-file"};
   const auto with = [&](std::vector<std::string> more) {
@@ -151,4 +151,4 @@ TEST(RunCommand, a_settings_file_is_overruled_by_the_command_line_and_its_faults
   EXPECT_EQ(with({folder + "/none.settings", "--force"}).exit_code, 3);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::tradeoff_command_test

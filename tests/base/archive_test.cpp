@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace keyblock {
+namespace keyblock::archive_test {
 namespace {
 
 struct Scene {
@@ -92,4 +92,4 @@ TEST(Archive, rows_of_a_table_must_be_as_many_as_the_model_has) {
             "");
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::archive_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::error_test {
 
 TEST(Error, input_error_reads_file_line_column_sentence) {
   const InputError error({"slope.geo", 14, 7}, "expected a joint material, found \"abc\"");
@@ -28,4 +28,4 @@ TEST(Error, a_list_of_warnings_ends_after_a_thousand_and_says_so) {
   EXPECT_EQ(warnings.back().place, (Place{"f", 1001, 0}));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::error_test

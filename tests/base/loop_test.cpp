@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace keyblock {
+namespace keyblock::loop_test {
 namespace {
 
 constexpr std::size_t kCount = 40 * kLoopRange + 7;
@@ -57,4 +57,4 @@ TEST_F(Loop, what_work_throws_comes_through) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::loop_test

@@ -14,13 +14,13 @@ namespace keyblock::bench {
 inline Blocks brick_wall(int side, double slope = 0) {
   Blocks blocks;
   const double width = side;
-  blocks.blocks.push_back(testing::turned_rectangle({-1, -2}, {width + 1, 0}, -slope));
+  blocks.blocks.push_back(support::turned_rectangle({-1, -2}, {width + 1, 0}, -slope));
   blocks.fixed_points = {{turned(Point{0, -1}, -slope), 0, {}}, {turned(Point{width, -1}, -slope), 0, {}}};
   for (int course = 0; course < side; ++course) {
     const double shift = course % 2 == 0 ? 0 : 0.5;
     for (double left = -shift; left < width; left += 1) {
       const Point low{std::max(0.0, left), 0.5 * course};
-      blocks.blocks.push_back(testing::turned_rectangle(low, {std::min(width, left + 1), low.y + 0.5}, -slope));
+      blocks.blocks.push_back(support::turned_rectangle(low, {std::min(width, left + 1), low.y + 0.5}, -slope));
     }
   }
   return blocks;
@@ -32,7 +32,7 @@ inline Blocks scatter(int side) {
   for (int row = 0; row < side; ++row)
     for (int column = 0; column < side; ++column) {
       const Point low{1.0 * column, 1.0 * row};
-      blocks.blocks.push_back(testing::rectangle(low, {low.x + 0.5, low.y + 0.5}));
+      blocks.blocks.push_back(support::rectangle(low, {low.x + 0.5, low.y + 0.5}));
     }
   return blocks;
 }
@@ -41,19 +41,19 @@ inline Blocks scatter(int side) {
 inline Blocks pyramid(int rows) {
   Blocks blocks;
   const double width = rows;
-  blocks.blocks.push_back(testing::rectangle({-2, -2}, {width + 2, 0}));
+  blocks.blocks.push_back(support::rectangle({-2, -2}, {width + 2, 0}));
   blocks.fixed_points = {{{-1, -1}, 0, {}}, {{width + 1, -1}, 0, {}}};
   for (int row = 0; row < rows; ++row)
     for (int i = 0; i < rows - row; ++i) {
       const Point low{i + 0.5 * row, 1.0 * row};
-      blocks.blocks.push_back(testing::rectangle(low, {low.x + 1, low.y + 1}));
+      blocks.blocks.push_back(support::rectangle(low, {low.x + 1, low.y + 1}));
     }
   return blocks;
 }
 
 /// As the scaling runs of the Berkeley program: 1 ms, E 5 GPa, penalty E, friction of 35 degrees; contacts within 50 mm.
 inline Analysis scaling_analysis(const Blocks& blocks) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1000000);
+  Analysis analysis = support::plain_analysis(1e-3, 1000000);
   analysis.joint_materials[0].friction_angle_deg = 35;
   Point low = blocks.blocks[0].outer[0].position;
   Point high = low;
@@ -70,7 +70,7 @@ inline Analysis scaling_analysis(const Blocks& blocks) {
 inline Scene scene_for(const Blocks& blocks, const std::string& profile) {
   const Analysis analysis = scaling_analysis(blocks);
   const Settings settings = profile_settings(profile, analysis);
-  if (settings.dynamics == Dynamics::standard) return testing::standard_scene_of(blocks, analysis, settings);
+  if (settings.dynamics == Dynamics::standard) return support::standard_scene_of(blocks, analysis, settings);
   return scene_of(model_from_blocks(blocks, analysis), settings, analysis.dialect);
 }
 

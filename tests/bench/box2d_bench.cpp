@@ -92,7 +92,7 @@ Outcome by_us(const Blocks& blocks, const std::vector<Box>& boxes) {
   settings.standard.basis = BlockBasis::rigid;
   settings.standard.start = StartRule::sudden;
   settings.ledger = Bookkeeping::off;
-  const Scene scene = testing::standard_scene_of(blocks, analysis, settings);
+  const Scene scene = support::standard_scene_of(blocks, analysis, settings);
   const std::unique_ptr<Stepper> stepper = stepper_for(scene);
   const double begin = now();
   for (int i = 0; i < kSteps; ++i) {

@@ -71,7 +71,7 @@ struct Layout {
 
 const std::vector<Layout>& layouts() {
   static const std::vector<Layout> all = {{"brick", [](int side) { return brick_wall(side); }},
-                                          {"slope", [](int side) { return brick_wall(side, testing::radians(20)); }},
+                                          {"slope", [](int side) { return brick_wall(side, support::radians(20)); }},
                                           {"scatter", [](int side) { return scatter(side); }}};
   return all;
 }
@@ -198,7 +198,7 @@ Json measured(const Layout& layout, int side, const std::string& profile) {
 Json legacy_parts(const Layout& layout, int side) {
   const Scene scene = scene_for(layout.draw(side), "legacy");
   Stepping stepping = start(scene);
-  for (int i = 0; i < kWarmSteps; ++i) testing::step_once(scene, stepping);
+  for (int i = 0; i < kWarmSteps; ++i) support::step_once(scene, stepping);
   return parts_of_legacy(scene, stepping);
 }
 

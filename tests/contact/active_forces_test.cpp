@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace keyblock {
+namespace keyblock::active_forces_test {
 namespace {
 
 // A chain of rigid and deformable elements, each pair of forces between two of them, the last between an element and itself.
@@ -96,4 +96,4 @@ TEST(FrictionalProblem, a_tolerated_gap_settles_forces_that_their_law_allows) {
   EXPECT_FALSE(is_acceptable(problem, Eigen::Vector4d(5, 4, 5, -4)));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::active_forces_test

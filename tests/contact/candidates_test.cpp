@@ -11,12 +11,12 @@
 #include "contact/box_tree.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::candidates_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 struct Scattered {
   Blocks blocks;
@@ -94,4 +94,4 @@ TEST(Candidates, one_element_has_no_pair) {
   EXPECT_TRUE(close_pairs(scene.model, start(scene).state, 1).empty());
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::candidates_test

@@ -6,12 +6,12 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::carry_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 // The base has vertices 0 … 3 (3 → 2 is its top, 5 long), the square on it 4 … 7.
 constexpr Triple kCorner{{4}, {3}, {2}};
@@ -189,4 +189,4 @@ TEST(Carry, a_vertex_vertex_contact_starts_on_the_line_it_is_less_deep_in_unless
   EXPECT_EQ(started(4 * near, near), ContactState::open);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::carry_test

@@ -7,12 +7,12 @@
 #include "contact/judge.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::contact_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 /// A unit square at height `gap` over a wide base; allowed displacement small, so that corners are told apart.
 struct SquareOnBase {
@@ -154,4 +154,4 @@ TEST(Contact, two_corners_that_meet_have_two_reference_lines) {
   EXPECT_NE(found.contacts[0].first, found.contacts[0].second);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::contact_test

@@ -7,13 +7,13 @@
 #include "geometry/polygon.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::convex_pieces_test {
 namespace {
 
 Model model_of(const BlockLoop& loop, std::vector<BlockLoop> holes = {}) {
   Blocks blocks;
   blocks.blocks = {{0, loop, std::move(holes)}};
-  return model_from_blocks(blocks, testing::plain_analysis(1, 1));
+  return model_from_blocks(blocks, support::plain_analysis(1, 1));
 }
 
 ConvexPieces pieces_of(const BlockLoop& loop, std::vector<BlockLoop> holes = {}) {
@@ -87,4 +87,4 @@ TEST(ConvexPieces, pieces_are_convex_and_fill_the_block) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::convex_pieces_test

@@ -10,13 +10,13 @@
 #include "contact/line.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::detect_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::step_once;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
+using support::step_once;
 
 Analysis fine_analysis() {
   Analysis analysis = plain_analysis(0.01, 10);
@@ -111,4 +111,4 @@ TEST(Detect, a_step_that_finds_no_contact_keeps_the_last_list_under_the_quirk) {
   EXPECT_EQ(contact_counts_of_a_throw(false), (std::vector<int>{2, 2, 0, 0, 0}));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::detect_test

@@ -9,7 +9,7 @@
 #include "contact/friction_newton.hpp"
 #include "contact/friction_sweeps.hpp"
 
-namespace keyblock {
+namespace keyblock::frictional_problem_test {
 namespace {
 
 // Forces that act on the unknowns of one element each, whose flexibility is W.
@@ -96,4 +96,4 @@ TEST(FrictionalProblem, a_solution_at_the_start_costs_no_solve) {
   EXPECT_EQ(solve(problem, Eigen::Vector2d(10, -3)).solves, 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::frictional_problem_test

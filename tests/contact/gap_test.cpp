@@ -7,10 +7,10 @@
 #include "contact/contact_matrix.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::gap_test {
 namespace {
 
-using testing::rectangle;
+using support::rectangle;
 
 struct Pair {
   Model model;
@@ -20,9 +20,9 @@ struct Pair {
   Pair() {
     Blocks blocks;
     blocks.blocks = {rectangle({0, -1}, {5, 0}), rectangle({1, 0.01}, {2, 1})};
-    const Analysis analysis = testing::plain_analysis(1, 1);
+    const Analysis analysis = support::plain_analysis(1, 1);
     model = model_from_blocks(blocks, analysis);
-    reference = reference_of(model, testing::standard_settings(analysis));
+    reference = reference_of(model, support::standard_settings(analysis));
     Unknowns a(6), b(6);
     a << 0.1, -0.05, 0.2, 0.01, -0.02, 0.03;
     b << 0.2, 0.1, 0.3, -0.02, 0.01, 0.02;
@@ -77,4 +77,4 @@ TEST(Gap, contact_matrix_is_that_of_its_definition) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::gap_test

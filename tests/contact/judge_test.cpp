@@ -9,12 +9,12 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::judge_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 /// A base (vertices 0 … 3, top 3 → 2 at y = 0, right side 2 → 1 at x = 3) and a triangle standing on vertex 4.
 struct TipOnBase {
@@ -160,4 +160,4 @@ TEST(Judge, changed_are_those_that_opened_or_closed_but_not_those_that_began_to_
   EXPECT_EQ(changed(contacts), (std::vector<std::size_t>{0, 2}));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::judge_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::line_test {
 namespace {
 
 const Line kLine{{3, 4}, {0, 0}, {10, 0}};
@@ -24,9 +24,9 @@ TEST(Line, projection_and_point_at_a_ratio_undo_each_other) {
 }
 
 TEST(Line, a_line_against_the_order_of_a_loop_has_its_outside_positive) {
-  const Scene scene = testing::legacy_scene(
-      {{testing::rectangle({0, 0}, {2, 1}), testing::rectangle({0, 5}, {1, 6})}, {}, {}, {}, {}, {}},
-      testing::plain_analysis(1e-3, 1));
+  const Scene scene = support::legacy_scene(
+      {{support::rectangle({0, 0}, {2, 1}), support::rectangle({0, 5}, {1, 6})}, {}, {}, {}, {}, {}},
+      support::plain_analysis(1e-3, 1));
   const Line top = line_of(start(scene).state, {{4}, {3}, {2}});
   EXPECT_EQ(top.p1, (Point{0, 5}));
   EXPECT_EQ(top.p2, (Point{0, 1}));
@@ -41,4 +41,4 @@ TEST(Line, change_of_twice_the_area_is_its_derivative) {
   EXPECT_NEAR(twice_area_change(line, u), (moved(1).twice_area() - moved(-1).twice_area()) / 2, 1e-14);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::line_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-namespace keyblock {
+namespace keyblock::pair_system_test {
 namespace {
 
 /// Blocks of 6 and of 3 unknowns and one that is held, each touching the next and one farther on.
@@ -130,4 +130,4 @@ TEST(PairSystem, too_few_products_are_said_to_be_too_few) {
   EXPECT_FALSE(system.solve(scene.h, f, Eigen::VectorXd::Zero(f.size()), 1e-10, 4).converged);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::pair_system_test

@@ -12,11 +12,11 @@
 #include "contact/line.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::springs_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
+using support::legacy_scene;
+using support::plain_analysis;
 
 constexpr double kNormal = 7e6;
 constexpr double kShearRatio = 2.5;
@@ -187,4 +187,4 @@ TEST(Friction, needs_sliding_a_direction_and_leave_to_act) {
   EXPECT_EQ(pair.friction().norm(), 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::springs_test

@@ -7,10 +7,10 @@
 #include "contact/contact_matrix.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::ties_test {
 namespace {
 
-using testing::rectangle;
+using support::rectangle;
 
 constexpr double kStep = 1e-6;  // central differences: error about 1e-10
 constexpr double kDifference = 1e-8;
@@ -27,10 +27,10 @@ struct Tied {
     blocks.blocks = {rectangle({0, -1}, {5, 0}), rectangle({1, 0.01}, {2, 1})};
     blocks.bolts = {{{{0.5, -0.5}, {1.5, 0.75}}, 0, 1, 100, 0, 7}, {{{1.25, 0.25}, {1.75, 0.5}}, 1, 1, 100, 0, 7}};
     blocks.fixed_points = {{{4, -0.25}, 0, {}}};
-    Analysis analysis = testing::plain_analysis(1, 1);
+    Analysis analysis = support::plain_analysis(1, 1);
     analysis.fixed_point_motions = {{{0, 2}, {{0, 0}, {0.5, -1}}, {}}};
     model = model_from_blocks(blocks, analysis);
-    reference = reference_of(model, testing::standard_settings(analysis));
+    reference = reference_of(model, support::standard_settings(analysis));
     Unknowns a(6), b(6);
     a << 0.1, -0.05, 0.2, 0.01, -0.02, 0.03;
     b << 0.2, 0.1, 0.3, -0.02, 0.01, 0.02;
@@ -154,4 +154,4 @@ TEST(Ties, points_of_fixed_elements_hold_nothing) {
   EXPECT_EQ(bolt_rows(tied.model, tied.reference, tied.q)[0].of_edge.size(), 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::ties_test

@@ -9,17 +9,17 @@
 #include "model/kinematics.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::touch_test {
 namespace {
 
-using testing::rectangle;
+using support::rectangle;
 
 constexpr double kReach = 0.1;
 
 Model two_blocks(const BlockPolygon& a, const BlockPolygon& b) {
   Blocks blocks;
   blocks.blocks = {a, b};
-  return model_from_blocks(blocks, testing::plain_analysis(1, 1));
+  return model_from_blocks(blocks, support::plain_analysis(1, 1));
 }
 
 Table<VertexIndex, Point> vertices_of(const Model& model) {
@@ -115,4 +115,4 @@ TEST(Touch, a_block_in_the_corner_of_an_l_meets_its_floor_and_its_wall) {
     EXPECT_TRUE(touch.start == VertexIndex{2} || touch.start == VertexIndex{3} || touch.start.value > 5);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::touch_test

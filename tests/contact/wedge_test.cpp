@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::wedge_test {
 
 TEST(Wedge, directions_of_the_four_quadrants) {
   EXPECT_NEAR(edge_direction({1, 1}, 0), 45, 1e-12);
@@ -35,4 +35,4 @@ TEST(Wedge, an_overlap_below_the_tolerance_is_let_through) {
   EXPECT_FALSE(may_touch({0, 90}, {86, 176}, 3));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::wedge_test

@@ -10,7 +10,7 @@
 
 #include "geometry/polygon.hpp"
 
-namespace keyblock {
+namespace keyblock::background_mesh_test {
 namespace {
 
 std::vector<Point> corners(const TriangleMesh& mesh, const std::array<int, 3>& t) {
@@ -80,4 +80,4 @@ TEST(BackgroundMesh, nodes_are_numbered_row_by_row_from_the_left) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::background_mesh_test

@@ -8,7 +8,7 @@
 
 #include "tests/cut/drawings.hpp"
 
-namespace keyblock {
+namespace keyblock::crossings_test {
 namespace {
 
 CutTolerances exact() {
@@ -95,4 +95,4 @@ TEST(Crossings, a_line_that_falls_short_by_less_than_the_reach_is_taken_to_meet)
   EXPECT_TRUE(find_crossings(short_by(5e-7), exact()).found.empty());
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::crossings_test

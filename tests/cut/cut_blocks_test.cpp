@@ -13,10 +13,10 @@
 #include "tests/validate/exact_arrangement.hpp"
 #include "tests/validate/random_drawings.hpp"
 
-namespace keyblock {
+namespace keyblock::cut_blocks_test {
 namespace {
 
-const std::vector<Segment> kSquare = rectangle({0, 0}, {10, 10});
+const std::vector<Segment> kSquare = rectangle_sides({0, 0}, {10, 10});
 
 /// A slope with two joint sets, cut off by a polygonal outline; ends overshoot a little. Gaps stay above the
 /// merging distance.
@@ -84,7 +84,7 @@ TEST(CutBlocks, areas_add_up_to_the_outline) {
   for (const double e0 : {0.0, 1e-6, 0.001}) {
     Drawing drawing = two_joint_sets(300, 0.5, 7);
     drawing.edge_node_ratio = e0;
-    const Drawing outline = drawing_of(rectangle({-1, -1}, {2, 2}));
+    const Drawing outline = drawing_of(rectangle_sides({-1, -1}, {2, 2}));
     drawing.joints.insert(drawing.joints.begin(), outline.joints.begin(), outline.joints.end());
     const Blocks blocks = cut_blocks(drawing).blocks;
     EXPECT_GT(blocks.blocks.size(), 500U);
@@ -101,7 +101,7 @@ TEST(CutBlocks, order_of_lines_does_not_matter) {
 
 TEST(CutBlocks, merging_of_whole_clusters_does_not_depend_on_the_order_of_lines) {
   Drawing drawing = random_lines(60, 0.6, 2);
-  const Drawing outline = drawing_of(rectangle({-0.7, -0.7}, {1.7, 1.7}));
+  const Drawing outline = drawing_of(rectangle_sides({-0.7, -0.7}, {1.7, 1.7}));
   drawing.joints.insert(drawing.joints.begin(), outline.joints.begin(), outline.joints.end());
   drawing.edge_node_ratio = 0.01;
   const CutResult cut = cut_blocks(drawing);
@@ -186,7 +186,7 @@ TEST(CutBlocks, an_end_that_falls_short_by_less_than_the_reach_meets_the_line) {
 
 TEST(CutBlocks, shared_edges_take_the_material_of_the_lower_numbered_line) {
   const std::vector<Segment> lines =
-      rectangle({0, 0}, {2, 1}) + std::vector<Segment>{{{1, 0}, {1, 1}}, {{1, -0.5}, {1, 1.5}}};
+      rectangle_sides({0, 0}, {2, 1}) + std::vector<Segment>{{{1, 0}, {1, 1}}, {{1, -0.5}, {1, 1.5}}};
   const Blocks blocks = cut_blocks(drawing_of(lines)).blocks;
   ASSERT_EQ(blocks.blocks.size(), 2U);
   for (const BlockPolygon& block : blocks.blocks) {
@@ -211,7 +211,8 @@ TEST(CutBlocks, a_joined_straight_edge_keeps_the_material_of_its_last_part) {
 }
 
 TEST(CutBlocks, a_loop_inside_a_block_is_cut_out_of_it) {
-  const CutResult cut = cut_blocks(drawing_of(kSquare + rectangle({2, 2}, {8, 8}) + rectangle({4, 4}, {6, 6})));
+  const CutResult cut =
+      cut_blocks(drawing_of(kSquare + rectangle_sides({2, 2}, {8, 8}) + rectangle_sides({4, 4}, {6, 6})));
   ASSERT_EQ(cut.blocks.blocks.size(), 3U);
   EXPECT_DOUBLE_EQ(total_area(cut.blocks), 100);
   EXPECT_DOUBLE_EQ(area(cut.blocks.blocks[0]), 64);
@@ -222,7 +223,8 @@ TEST(CutBlocks, a_loop_inside_a_block_is_cut_out_of_it) {
 }
 
 TEST(CutBlocks, two_loops_side_by_side_inside_a_block_are_two_holes) {
-  const CutResult cut = cut_blocks(drawing_of(kSquare + rectangle({1, 1}, {3, 3}) + rectangle({5, 2}, {8, 9})));
+  const CutResult cut =
+      cut_blocks(drawing_of(kSquare + rectangle_sides({1, 1}, {3, 3}) + rectangle_sides({5, 2}, {8, 9})));
   ASSERT_EQ(cut.blocks.blocks.size(), 3U);
   EXPECT_EQ(cut.blocks.blocks[0].holes.size(), 2U);
   EXPECT_DOUBLE_EQ(total_area(cut.blocks), 100);
@@ -241,7 +243,8 @@ TEST(CutBlocks, a_loop_touching_its_surroundings_in_a_vertex_is_cut_out) {
 }
 
 TEST(CutBlocks, loops_touching_each_other_inside_a_block_are_holes_of_it) {
-  const CutResult cut = cut_blocks(drawing_of(kSquare + rectangle({2, 2}, {4, 4}) + rectangle({4, 4}, {7, 7})));
+  const CutResult cut =
+      cut_blocks(drawing_of(kSquare + rectangle_sides({2, 2}, {4, 4}) + rectangle_sides({4, 4}, {7, 7})));
   ASSERT_EQ(cut.blocks.blocks.size(), 3U);
   EXPECT_EQ(cut.blocks.blocks[0].holes.size(), 2U);
   EXPECT_NEAR(total_area(cut.blocks), 100, 1e-12);
@@ -249,7 +252,7 @@ TEST(CutBlocks, loops_touching_each_other_inside_a_block_are_holes_of_it) {
 
 TEST(CutBlocks, a_bridge_between_a_hole_and_the_outside_is_removed) {
   const CutResult cut =
-      cut_blocks(drawing_of(kSquare + rectangle({4, 4}, {6, 6}) + std::vector<Segment>{{{0, 5}, {4, 5}}}));
+      cut_blocks(drawing_of(kSquare + rectangle_sides({4, 4}, {6, 6}) + std::vector<Segment>{{{0, 5}, {4, 5}}}));
   ASSERT_EQ(cut.blocks.blocks.size(), 2U);
   EXPECT_EQ(cut.report.bridge_edges, 1);
   EXPECT_TRUE(has_warning(cut.warnings, "bridge_lines_removed"));
@@ -297,9 +300,9 @@ TEST(CutBlocks, lines_a_rounding_apart_leave_every_block_its_area) {
       {{0.24056261216234409, 0.58333333333333326}, {0.52923774675715696, 0.58333333333333326}},
       {{0.40833924066960220, 0.58333333333333326}, {0.40833924066960220, 0.70}},
       {{0.32202003029785337, 0.58333333333333326}, {0.32202003029785337, 0.70}}};
-  const CutResult cut = cut_blocks(drawing_of(rectangle({0, 0}, {1, 1}) + lines, 0));
+  const CutResult cut = cut_blocks(drawing_of(rectangle_sides({0, 0}, {1, 1}) + lines, 0));
   EXPECT_NEAR(total_area(cut.blocks), 1, 1e-12);
   for (const BlockPolygon& block : cut.blocks.blocks) EXPECT_GT(area(block), -1e-15);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cut_blocks_test

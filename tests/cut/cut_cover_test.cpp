@@ -12,7 +12,7 @@
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 
-namespace keyblock {
+namespace keyblock::cut_cover_test {
 namespace {
 
 /// Six triangles about node 0 in the origin, nodes 1 to 6 on the circle of radius 2 from the x direction on.
@@ -29,7 +29,8 @@ TriangleMesh hexagon() {
 
 /// A square of side 2 about the origin with further lines, cut by the hexagon.
 Manifold cut_square(const std::vector<Segment>& lines) {
-  const Manifold manifold = cut_cover(cut_bodies(drawing_of(rectangle({-1, -1}, {1, 1}) + lines)).graph, hexagon());
+  const Manifold manifold =
+      cut_cover(cut_bodies(drawing_of(rectangle_sides({-1, -1}, {1, 1}) + lines)).graph, hexagon());
   expect_sound(manifold);
   return manifold;
 }
@@ -100,7 +101,7 @@ TEST(CutCover, a_joint_along_sides_of_the_mesh_parts_bodies_without_a_new_elemen
 
 // The hole lies inside triangle 0 (corners (0,0), (2,0), (1,1.73)): an element with a hole.
 TEST(CutCover, a_hole_inside_a_triangle_is_a_hole_of_its_element) {
-  Drawing drawing = drawing_of(rectangle({-1, -1}, {1, 1}) + rectangle({0.5, 0.2}, {0.7, 0.4}));
+  Drawing drawing = drawing_of(rectangle_sides({-1, -1}, {1, 1}) + rectangle_sides({0.5, 0.2}, {0.7, 0.4}));
   drawing.hole_points.push_back({{0.6, 0.3}, {}});
   const Manifold cut = cut_cover(cut_bodies(drawing).graph, hexagon());
   expect_sound(cut);
@@ -111,7 +112,7 @@ TEST(CutCover, a_hole_inside_a_triangle_is_a_hole_of_its_element) {
 }
 
 TEST(CutCover, a_body_inside_a_triangle_is_one_element) {
-  const Manifold cut = cut_cover(cut_bodies(drawing_of(rectangle({0.5, 0.2}, {0.7, 0.4}))).graph, hexagon());
+  const Manifold cut = cut_cover(cut_bodies(drawing_of(rectangle_sides({0.5, 0.2}, {0.7, 0.4}))).graph, hexagon());
   expect_sound(cut);
   EXPECT_EQ(cut.elements.size(), 1U);
   EXPECT_EQ(cut.elements[0].triangle, 0);
@@ -119,7 +120,7 @@ TEST(CutCover, a_body_inside_a_triangle_is_one_element) {
 }
 
 TEST(CutCover, a_block_of_a_block_file_is_cut_as_its_drawing_is) {
-  Drawing drawing = drawing_of(rectangle({-1, -1}, {1, 1}) + rectangle({-0.3, -0.2}, {0.7, 0.4}));
+  Drawing drawing = drawing_of(rectangle_sides({-1, -1}, {1, 1}) + rectangle_sides({-0.3, -0.2}, {0.7, 0.4}));
   drawing.hole_points.push_back({{0.1, 0.1}, {}});
   const BodyCut cut = cut_bodies(drawing);
   const Manifold from_drawing = cut_cover(cut.graph, hexagon());
@@ -160,7 +161,7 @@ TEST(CutCover, slivers_of_1e_8_survive) {
   const Box box{{0, 0}, {2, 2}};
   const RegularMesh mesh{2 / std::sqrt(3.0), 1, {0.05, 0.1}, 0};
   const auto cut = [&](double above) {
-    const Manifold manifold = cut_by_regular(drawing_of(rectangle({0, 0}, {2, 1.1 + above})), mesh, box);
+    const Manifold manifold = cut_by_regular(drawing_of(rectangle_sides({0, 0}, {2, 1.1 + above})), mesh, box);
     expect_sound(manifold);
     return manifold;
   };
@@ -180,7 +181,8 @@ TEST(CutCover, slivers_of_1e_8_survive) {
 TEST(CutCover, an_edge_on_a_row_up_to_round_off_makes_no_slivers) {
   const Box box{{0, 0}, {1, 0.5}};
   const auto elements = [&](double top, double row) {
-    const Manifold manifold = cut_by_regular(drawing_of(rectangle({0, 0}, {1, top})), {0.2, 0.1, {0.013, row}, 0}, box);
+    const Manifold manifold =
+        cut_by_regular(drawing_of(rectangle_sides({0, 0}, {1, top})), {0.2, 0.1, {0.013, row}, 0}, box);
     expect_sound(manifold);
     EXPECT_NEAR(areas_of_bodies(manifold)[0], top, 1e-15);
     return manifold.elements.size();
@@ -191,7 +193,8 @@ TEST(CutCover, an_edge_on_a_row_up_to_round_off_makes_no_slivers) {
 }
 
 TEST(CutCover, a_mesh_that_leaves_part_of_a_body_bare_is_refused) {
-  EXPECT_THROW(cut_cover(cut_bodies(drawing_of(rectangle({-3, -1}, {1, 1}))).graph, hexagon()), std::invalid_argument);
+  EXPECT_THROW(cut_cover(cut_bodies(drawing_of(rectangle_sides({-3, -1}, {1, 1}))).graph, hexagon()),
+               std::invalid_argument);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cut_cover_test

@@ -26,7 +26,7 @@ inline Drawing drawing_of(const std::vector<Segment>& lines, double edge_node_ra
 }
 
 /// The four sides of a rectangle, end to end, counter-clockwise from the lower left.
-inline std::vector<Segment> rectangle(Point low, Point high) {
+inline std::vector<Segment> rectangle_sides(Point low, Point high) {
   const Point right{high.x, low.y};
   const Point left{low.x, high.y};
   return {{low, right}, {right, high}, {high, left}, {left, low}};

@@ -12,7 +12,7 @@
 #include "cut/join_manifolds.hpp"
 #include "geometry/polygon.hpp"
 
-namespace keyblock {
+namespace keyblock::excavate_test {
 namespace {
 
 BlockPolygon rectangle(Point low, Point high, int material) {
@@ -92,4 +92,4 @@ TEST(JoinManifolds, bodies_cut_one_by_one_stand_side_by_side) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::excavate_test

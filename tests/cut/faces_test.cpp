@@ -7,7 +7,7 @@
 #include "geometry/polygon.hpp"
 #include "tests/cut/arrangements.hpp"
 
-namespace keyblock {
+namespace keyblock::faces_test {
 namespace {
 
 std::vector<int> nodes_of(const Chain& chain) {
@@ -106,4 +106,4 @@ TEST(Faces, without_edges_there_are_none) {
   EXPECT_TRUE(trace_faces({}).empty());
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::faces_test

@@ -15,7 +15,7 @@
 #include "tests/cut/manifolds.hpp"
 #include "tests/support/sample_covers.hpp"
 
-namespace keyblock {
+namespace keyblock::from_cover_test {
 namespace {
 
 // Pieces and covers of each file as their loops have been counted apart from this program; bodies are the loops less two
@@ -72,7 +72,7 @@ Blocks blocks_with(const ElementPoints& points) {
 
 // A plate with a crack, a hole in one triangle and a joint right through.
 Drawing plate() {
-  Drawing drawing = drawing_of(rectangle({0, 0}, {4, 2}) + rectangle({1, 0.9}, {1.02, 0.93}) +
+  Drawing drawing = drawing_of(rectangle_sides({0, 0}, {4, 2}) + rectangle_sides({1, 0.9}, {1.02, 0.93}) +
                                    std::vector<Segment>{{{2.5, 2.01}, {2.6, 0.7}}, {{3.2, -0.1}, {3.4, 2.1}}},
                                1e-4);
   drawing.hole_points.push_back({{1.01, 0.91}, {}});
@@ -154,4 +154,4 @@ TEST(FromCover, a_loop_off_the_elements_is_refused) {
   EXPECT_THROW(manifold_of(cover), InputError);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::from_cover_test

@@ -20,7 +20,7 @@
 #include "tests/cut/manifolds.hpp"
 #include "tests/support/shared_folder.hpp"
 
-namespace keyblock {
+namespace keyblock::legacy_covers_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -237,4 +237,4 @@ TEST_F(LegacyCovers, the_four_with_moved_nodes_differ_by_up_to_7_percent_without
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::legacy_covers_test

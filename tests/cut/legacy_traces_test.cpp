@@ -14,7 +14,7 @@
 #include "tests/cut/drawings.hpp"
 #include "tests/support/shared_folder.hpp"
 
-namespace keyblock {
+namespace keyblock::legacy_traces_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ TEST(LegacyTraces, malformed_drawings_are_refused_or_warned_of_by_name) {
   EXPECT_THROW(cut_blocks(read_drawing(folder / "08_no_closed_block_xml.geo")), InputError);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::legacy_traces_test

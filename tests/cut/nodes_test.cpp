@@ -8,7 +8,7 @@
 
 #include "tests/cut/drawings.hpp"
 
-namespace keyblock {
+namespace keyblock::nodes_test {
 namespace {
 
 /// Merging distance 0.1, round-off 1e-9.
@@ -142,4 +142,4 @@ TEST(Nodes, a_piece_shared_by_two_lines_belongs_to_the_lower_numbered) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::nodes_test

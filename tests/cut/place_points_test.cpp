@@ -7,12 +7,12 @@
 #include "cut/cut_blocks.hpp"
 #include "tests/cut/drawings.hpp"
 
-namespace keyblock {
+namespace keyblock::place_points_test {
 namespace {
 
 /// Two unit squares side by side, the right one numbered first; w0 = 1.02 / 1.3.
 Drawing two_squares() {
-  return drawing_of(rectangle({0, 0}, {2, 1}) + std::vector<Segment>{{{1, 0}, {1, 1}}});
+  return drawing_of(rectangle_sides({0, 0}, {2, 1}) + std::vector<Segment>{{{1, 0}, {1, 1}}});
 }
 
 constexpr double kInset = 0.005 * 1.02 / 1.3;
@@ -75,7 +75,7 @@ TEST(PlacePoints, a_hole_point_removes_its_block_before_points_are_placed) {
 }
 
 TEST(PlacePoints, a_point_in_a_hole_belongs_to_the_block_within) {
-  Drawing drawing = drawing_of(rectangle({0, 0}, {9, 9}) + rectangle({3, 3}, {6, 6}));
+  Drawing drawing = drawing_of(rectangle_sides({0, 0}, {9, 9}) + rectangle_sides({3, 3}, {6, 6}));
   drawing.measured_points = {{{4, 4}, {}}, {{1, 1}, {}}};
   const Blocks blocks = cut_blocks(drawing).blocks;
   EXPECT_EQ(blocks.measured_points.at(0).block, 1);
@@ -92,7 +92,7 @@ TEST(PlacePoints, the_later_material_line_wins) {
 
 // The box of the diagonal holds the point, the diagonal does not.
 TEST(PlacePoints, a_material_line_that_is_a_point_gives_its_material_to_the_one_block_that_holds_it) {
-  Drawing drawing = drawing_of(rectangle({0, 0}, {10, 10}) + std::vector<Segment>{{{0, 0}, {10, 10}}});
+  Drawing drawing = drawing_of(rectangle_sides({0, 0}, {10, 10}) + std::vector<Segment>{{{0, 0}, {10, 10}}});
   drawing.material_lines = {{{{8, 3}, {8, 3}}, 2, {}}};
   int taken = 0;
   for (const BlockPolygon& block : cut_blocks(drawing).blocks.blocks) taken += block.material == 2 ? 1 : 0;
@@ -109,4 +109,4 @@ TEST(PlacePoints, a_bolt_joins_the_blocks_of_its_ends) {
   EXPECT_TRUE(has_warning(cut.warnings, "point_outside_blocks"));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::place_points_test

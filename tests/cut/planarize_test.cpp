@@ -9,7 +9,7 @@
 #include "geometry/segment.hpp"
 #include "tests/cut/arrangements.hpp"
 
-namespace keyblock {
+namespace keyblock::planarize_test {
 namespace {
 
 using Ends = std::vector<std::pair<int, int>>;
@@ -89,4 +89,4 @@ TEST(Planarize, what_is_plane_already_is_left_as_it_is) {
   EXPECT_EQ(p.crossings, 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::planarize_test

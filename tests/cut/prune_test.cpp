@@ -10,7 +10,7 @@
 #include "base/union_find.hpp"
 #include "tests/cut/arrangements.hpp"
 
-namespace keyblock {
+namespace keyblock::prune_test {
 namespace {
 
 using Ends = std::vector<std::pair<int, int>>;
@@ -77,4 +77,4 @@ TEST(Prune, edges_that_stay_are_those_whose_ends_hang_together_without_them) {
   EXPECT_GT(removed, 100);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::prune_test

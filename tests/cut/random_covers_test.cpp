@@ -11,7 +11,7 @@
 #include "tests/cut/manifolds.hpp"
 #include "tests/validate/dice.hpp"
 
-namespace keyblock {
+namespace keyblock::random_covers_test {
 namespace {
 
 const Box kBox{{0, 0}, {1, 1}};
@@ -21,8 +21,8 @@ Drawing square_with_joints(Dice& dice, const std::vector<Segment>& joints, doubl
   const double x = dice.between(0.2, 0.6);
   const double y = dice.between(0.2, 0.6);
   const bool has_hole = dice.happens(0.5);
-  std::vector<Segment> lines = rectangle(kBox.low, kBox.high);
-  if (has_hole) lines = lines + rectangle({x, y}, {x + dice.between(0.001, 0.3), y + dice.between(0.001, 0.3)});
+  std::vector<Segment> lines = rectangle_sides(kBox.low, kBox.high);
+  if (has_hole) lines = lines + rectangle_sides({x, y}, {x + dice.between(0.001, 0.3), y + dice.between(0.001, 0.3)});
   Drawing drawing = drawing_of(lines + joints, edge_node_ratio);
   drawing.boundary_count = lines.size();
   return drawing;
@@ -102,4 +102,4 @@ TEST(RandomCovers, joints_on_lines_of_the_mesh) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::random_covers_test

@@ -6,28 +6,28 @@
 
 #include "tests/cut/arrangements.hpp"
 
-namespace keyblock {
+namespace keyblock::rotation_test {
 namespace {
 
 std::vector<int> heads_about(const Arrangement& a, int node) {
   std::vector<int> heads;
-  const Rotation rotation(a);
+  const RotationSystem rotation(a);
   for (const int h : rotation.leaving(node)) heads.push_back(head(a, h));
   return heads;
 }
 
 }  // namespace
 
-TEST(Rotation, edges_leave_a_node_counter_clockwise_from_the_x_direction) {
+TEST(RotationSystem, edges_leave_a_node_counter_clockwise_from_the_x_direction) {
   const std::vector<Point> nodes{{0, 0}, {0, -1}, {1, 0}, {-1, 0}, {1, 1}, {-1, -1}, {0, 1}, {1, -1}};
   const Arrangement star = arrangement_of(nodes, {{1, 0}, {0, 2}, {0, 3}, {4, 0}, {5, 0}, {0, 6}, {0, 7}});
   EXPECT_EQ(heads_about(star, 0), (std::vector<int>{2, 4, 6, 3, 5, 1, 7}));
   EXPECT_EQ(heads_about(star, 5), (std::vector<int>{0}));
 }
 
-TEST(Rotation, the_next_half_edge_keeps_the_face_on_the_left) {
+TEST(RotationSystem, the_next_half_edge_keeps_the_face_on_the_left) {
   const Arrangement square = arrangement_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}});
-  const Rotation rotation(square);
+  const RotationSystem rotation(square);
   EXPECT_EQ(rotation.next(0), 2) << "0 → 1 goes on to 1 → 2";
   EXPECT_EQ(rotation.next(2), 9) << "1 → 2 turns back along the diagonal 2 → 0";
   EXPECT_EQ(rotation.next(9), 0);
@@ -36,7 +36,7 @@ TEST(Rotation, the_next_half_edge_keeps_the_face_on_the_left) {
   EXPECT_EQ(rotation.next(twin(0)), twin(6)) << "outside, the other way round";
 }
 
-TEST(Rotation, twins_have_head_and_tail_exchanged) {
+TEST(RotationSystem, twins_have_head_and_tail_exchanged) {
   const Arrangement one = arrangement_of({{0, 0}, {1, 0}}, {{1, 0}});
   EXPECT_EQ(tail(one, 0), 1);
   EXPECT_EQ(head(one, 0), 0);
@@ -44,7 +44,7 @@ TEST(Rotation, twins_have_head_and_tail_exchanged) {
 }
 
 // Two edges whose far nodes were rounded to one point: the lines they lie on say which comes first.
-TEST(Rotation, edges_on_their_lines_are_ordered_by_the_lines) {
+TEST(RotationSystem, edges_on_their_lines_are_ordered_by_the_lines) {
   for (const bool is_upper_first : {true, false}) {
     Arrangement a = arrangement_of({{0, 0}, {1, 1}, {1, 1}, {-1, 0}}, {{0, 1}, {0, 2}, {0, 3}});
     a.lines[0] = {{-3, -3}, {3, is_upper_first ? 3.001 : 2.999}};
@@ -54,4 +54,4 @@ TEST(Rotation, edges_on_their_lines_are_ordered_by_the_lines) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::rotation_test

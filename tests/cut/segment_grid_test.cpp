@@ -9,7 +9,7 @@
 
 #include "geometry/segment.hpp"
 
-namespace keyblock {
+namespace keyblock::segment_grid_test {
 namespace {
 
 std::vector<Segment> random_segments(int count, double longest, unsigned seed) {
@@ -75,4 +75,4 @@ TEST(SegmentGrid, without_segments_there_is_nothing_near) {
   EXPECT_TRUE(grid.near({{0, 0}, {1, 1}}, 10).empty());
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::segment_grid_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::snap_nodes_test {
 
 TEST(SnapNodes, go_to_the_nearest_point_of_the_nearest_piece) {
   BodyGraph graph;
@@ -20,4 +20,4 @@ TEST(SnapNodes, go_to_the_nearest_point_of_the_nearest_piece) {
   EXPECT_EQ(mesh.nodes[4], (Point{1, 0.05})) << "not nearer than the reach";
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::snap_nodes_test

@@ -12,14 +12,14 @@
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 
-namespace keyblock {
+namespace keyblock::to_cover_test {
 namespace {
 
 /// A rectangle with a crack from its upper edge and a small hole, one point of each kind.
 Drawing plate() {
-  Drawing drawing = drawing_of(
-      rectangle({0, 0}, {4, 2}) + rectangle({1, 0.9}, {1.02, 0.93}) + std::vector<Segment>{{{2.5, 2}, {2.6, 0.7}}},
-      1e-4);
+  Drawing drawing = drawing_of(rectangle_sides({0, 0}, {4, 2}) + rectangle_sides({1, 0.9}, {1.02, 0.93}) +
+                                   std::vector<Segment>{{{2.5, 2}, {2.6, 0.7}}},
+                               1e-4);
   drawing.hole_points.push_back({{1.01, 0.91}, {}});
   drawing.fixed_lines.push_back({{{0.3, 0}, {0.3, 0}}, {}});
   drawing.loading_points.push_back({{4, 2}, {}});
@@ -93,4 +93,4 @@ TEST(ToCover, the_file_reads_back) {
   EXPECT_EQ(reading.content.cover->loop_vertices, cut.cover.loop_vertices);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::to_cover_test

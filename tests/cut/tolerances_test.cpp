@@ -6,19 +6,19 @@
 
 #include "tests/cut/drawings.hpp"
 
-namespace keyblock {
+namespace keyblock::tolerances_test {
 
 // w0 = 1.02 max(H/2, (W/2)/1.3), merge 1.25 e0 w0 (legacy-formats 3.6).
 TEST(Tolerances, scale_is_that_of_the_old_block_cutter) {
-  EXPECT_DOUBLE_EQ(cut_tolerances(drawing_of(rectangle({0, 0}, {2, 10}))).scale, 1.02 * 5);
-  const CutTolerances wide = cut_tolerances(drawing_of(rectangle({-10, 3}, {16, 5}), 0.01));
+  EXPECT_DOUBLE_EQ(cut_tolerances(drawing_of(rectangle_sides({0, 0}, {2, 10}))).scale, 1.02 * 5);
+  const CutTolerances wide = cut_tolerances(drawing_of(rectangle_sides({-10, 3}, {16, 5}), 0.01));
   EXPECT_DOUBLE_EQ(wide.scale, 1.02 * 10);
   EXPECT_DOUBLE_EQ(wide.merge, 1.25 * 0.01 * 10.2);
   EXPECT_DOUBLE_EQ(wide.near_pass, 0.01 * 10.2);
 }
 
 TEST(Tolerances, without_a_ratio_the_arrangement_is_exact) {
-  const CutTolerances exact = cut_tolerances(drawing_of(rectangle({0, 0}, {2, 10}), 0));
+  const CutTolerances exact = cut_tolerances(drawing_of(rectangle_sides({0, 0}, {2, 10}), 0));
   EXPECT_TRUE(exact.is_exact());
   EXPECT_EQ(exact.near_pass, 0);
   EXPECT_EQ(exact.reach_ratio, 0);
@@ -28,10 +28,10 @@ TEST(Tolerances, without_a_ratio_the_arrangement_is_exact) {
 }
 
 TEST(Tolerances, far_from_the_origin_round_off_grows_with_the_coordinates) {
-  const double near = cut_tolerances(drawing_of(rectangle({0, 0}, {2, 2}))).round_off;
-  const double far = cut_tolerances(drawing_of(rectangle({1e9, 0}, {1e9 + 2, 2}))).round_off;
+  const double near = cut_tolerances(drawing_of(rectangle_sides({0, 0}, {2, 2}))).round_off;
+  const double far = cut_tolerances(drawing_of(rectangle_sides({1e9, 0}, {1e9 + 2, 2}))).round_off;
   EXPECT_LT(near, 2e-9);
   EXPECT_GT(far, 1e-6);  // the spacing of doubles at 1e9 is 1.2e-7
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::tolerances_test

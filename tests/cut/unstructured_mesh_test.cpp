@@ -12,7 +12,7 @@
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 
-namespace keyblock {
+namespace keyblock::unstructured_mesh_test {
 namespace {
 
 const Box kBox{{0, 0}, {4, 2}};
@@ -62,7 +62,7 @@ TEST(UnstructuredMesh, is_fine_at_refined_points_and_coarse_elsewhere) {
 
 TEST(UnstructuredMesh, is_cut_like_a_regular_one) {
   const BodyCut bodies = cut_bodies(
-      drawing_of(rectangle(kBox.low, kBox.high) + std::vector<Segment>{{{1, 2}, {1, 1.3}}, {{2, 0}, {2.5, 2}}}));
+      drawing_of(rectangle_sides(kBox.low, kBox.high) + std::vector<Segment>{{{1, 2}, {1, 1.3}}, {{2, 0}, {2.5, 2}}}));
   const Manifold manifold = cut_cover(bodies.graph, unstructured_mesh(kBox, kGraded));
   expect_sound(manifold);
   EXPECT_NEAR(area_within_loops(manifold), 8, 1e-12);
@@ -70,8 +70,8 @@ TEST(UnstructuredMesh, is_cut_like_a_regular_one) {
 }
 
 TEST(UnstructuredMesh, along_the_lines_of_a_drawing_no_triangle_is_cut) {
-  const BodyCut bodies = cut_bodies(
-      drawing_of(rectangle(kBox.low, kBox.high) + std::vector<Segment>{{{0.3, 1.7}, {3.1, 0.4}}, {{1, 0}, {2.7, 2}}}));
+  const BodyCut bodies = cut_bodies(drawing_of(rectangle_sides(kBox.low, kBox.high) +
+                                               std::vector<Segment>{{{0.3, 1.7}, {3.1, 0.4}}, {{1, 0}, {2.7, 2}}}));
   std::vector<Segment> along;
   for (const BodyPiece& piece : bodies.graph.pieces)
     along.push_back({bodies.graph.nodes[static_cast<std::size_t>(piece.from)],
@@ -91,4 +91,4 @@ TEST(UnstructuredMesh, is_the_same_every_time) {
   EXPECT_EQ(first.triangles, second.triangles);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::unstructured_mesh_test

@@ -6,7 +6,7 @@
 
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::berkeley_measured_test {
 namespace {
 
 const std::string kFirst = "measpoint1=[\n1 .01 .01 5 6 .1 .2 .3 .36\n2 .02 .01 5.5 6.5 .7 1 2 2.24\n];\n";
@@ -43,4 +43,4 @@ TEST(BerkeleyMeasured, faults_are_named_at_their_place) {
   EXPECT_EQ(error_of(kFirst + "other"), "f:5:1: error: expected a measured point (measpoint1=[), found other text");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::berkeley_measured_test

@@ -6,7 +6,7 @@
 
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::berkeley_replay_test {
 namespace {
 
 /// One frame: the unit square shifted by (x, 0), a bolt along its base, a fixed and a measured point.
@@ -61,4 +61,4 @@ TEST(BerkeleyReplay, points_of_blocks_that_are_not_there_are_errors) {
   EXPECT_EQ(error_of(text).substr(0, 20), "f:16:7: error: expec");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::berkeley_replay_test

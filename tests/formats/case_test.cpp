@@ -11,7 +11,7 @@
 #include "tests/formats/dxf_samples.hpp"
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::case_test {
 namespace {
 
 /// A folder of its own for each test, gone with it.
@@ -91,4 +91,4 @@ TEST_F(CaseFiles, every_file_is_read_whatever_befalls_the_others) {
   EXPECT_TRUE(files.at(1).reading);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::case_test

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace keyblock::formats {
+namespace keyblock::formats::csv_test {
 namespace {
 
 std::string complaint(const std::string& text) {
@@ -118,4 +118,4 @@ TEST(Csv, faults_are_named_with_their_line) {
   EXPECT_EQ(complaint("value\nabc\n"), "a.csv:2:1: error: expected a number in column \"value\", found \"abc\"");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::csv_test

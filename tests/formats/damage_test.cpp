@@ -14,7 +14,7 @@
 #include "tests/support/mutated.hpp"
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::damage_test {
 namespace {
 
 const std::string kFolder = std::string(KEYBLOCK_SOURCE_DIR) + "/tests/malformed/";
@@ -37,7 +37,7 @@ std::vector<std::string> sound_files() {
       kDxfSample,
       "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 "
       "0 0 0 0 0 0 0\n30 0 0\n1.5\n",
-      testing::kTwoTrianglesFile,
+      support::kTwoTrianglesFile,
       "1 1 1 7\n1 0 0\n0 0 0\n1 1 3\n9 9 9\n1 0 0\n1 1 0\n1 0 1\n1 0 0\n0 0 0\n0 0 0\n0 0 0\n"
       "0 0 1 0 1 1 5 6 7\n0 0 0 0\n0 .1 .1 1\n",
       "measpoint1=[\n1 .1 .1 5 6 0 0 0 0\n];\n",
@@ -69,7 +69,7 @@ TEST(Damage, files_changed_at_random_are_read_or_refused) {
   std::mt19937 random(20010520);
   for (const std::string& text : sound_files())
     for (int i = 0; i < kMutationsAFile; ++i) {
-      const std::string changed = testing::mutated(text, random);
+      const std::string changed = support::mutated(text, random);
       ASSERT_NO_THROW(read_and_check(changed)) << changed;
     }
 }
@@ -82,7 +82,7 @@ TEST(Damage, specifications_of_joint_sets_changed_at_random_are_read_or_refused)
   ASSERT_NO_THROW(joint_scene_of(read_json({"f", sound})));
   std::mt19937 random(20010520);
   for (int i = 0; i < kMutationsAFile; ++i) {
-    const std::string changed = testing::mutated(sound, random);
+    const std::string changed = support::mutated(sound, random);
     try {
       joint_scene_of(read_json({"f", changed}));
     } catch (const InputError&) {
@@ -103,4 +103,4 @@ TEST(Damage, every_reader_stands_every_file_of_every_kind) {
     }
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::damage_test

@@ -8,7 +8,7 @@
 #include "formats/registry.hpp"
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::dda_analysis_test {
 namespace {
 
 const std::string kMaterials = "5 161 1e6 .25\n1 2 3\n4 5 6\n7 8 9\n10 11 12\n";
@@ -174,4 +174,4 @@ TEST(DdaAnalysis, time_rows_of_another_geometry_are_named_as_such) {
       "has, found those of 3 points");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::dda_analysis_test

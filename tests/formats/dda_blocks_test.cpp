@@ -7,7 +7,7 @@
 #include "formats/registry.hpp"
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::dda_blocks_test {
 namespace {
 
 /// Two unit squares side by side; the edge between them has joint material 2 (index from 0), the top of the
@@ -103,4 +103,4 @@ TEST(DdaBlocks, writing_without_blocks_is_a_fault_of_the_caller) {
   EXPECT_THROW(kDdaBlocks.write({}), std::invalid_argument);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::dda_blocks_test

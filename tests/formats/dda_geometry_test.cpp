@@ -10,7 +10,7 @@
 #include "tests/formats/reading.hpp"
 #include "tests/support/content_text.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::dda_geometry_test {
 namespace {
 
 const std::string kLines = "0 0 1 0 1\n1 0 1 1 2\n1 1 0 0 3\n";
@@ -87,7 +87,7 @@ TEST(DdaGeometry, bolts_of_every_variant_are_written_with_seven_numbers_and_read
     const Content content = read({"f", head + bolt + bolt + ".5 .1 .5 .1\n"}).content;
     const Reading again = read({"f", kDdaGeometry.write(content)});
     EXPECT_EQ(again.warnings, Warnings{}) << bolt;
-    EXPECT_EQ(keyblock::testing::content_text(again.content), keyblock::testing::content_text(content)) << bolt;
+    EXPECT_EQ(keyblock::support::content_text(again.content), keyblock::support::content_text(content)) << bolt;
   }
 }
 
@@ -127,4 +127,4 @@ TEST(DdaGeometry, counts_of_a_thousand_million_are_refused_at_the_count) {
             "\"1000000000\"");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::dda_geometry_test

@@ -8,7 +8,7 @@
 #include "formats/registry.hpp"
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::ddaml_test {
 namespace {
 
 const std::string kGeometry =
@@ -270,4 +270,4 @@ TEST(Ddaml, what_native_files_say_in_other_words_is_turned_into_those_of_ddaml) 
   EXPECT_THROW(kDdaml.write(content), std::invalid_argument);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::ddaml_test

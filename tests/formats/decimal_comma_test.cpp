@@ -4,7 +4,7 @@
 
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::decimal_comma_test {
 namespace {
 
 // Berkeley's analysis: controls, one block material, three joint materials.
@@ -62,4 +62,4 @@ TEST(DecimalComma, an_attribute_of_ddaml_with_one_is_no_smaller_number) {
   EXPECT_EQ(error_of("<DDA><Analysis><Gravaccel value=\"9,81\"/></Analysis></DDA>"), refusal("1:35", "9,81"));
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::decimal_comma_test

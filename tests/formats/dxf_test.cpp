@@ -16,7 +16,7 @@
 #include "tests/formats/dxf_samples.hpp"
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::dxf_test {
 namespace {
 
 std::string line(const std::string& layer, const std::string& more = "") {
@@ -316,4 +316,4 @@ TEST(Dxf, binary_files_of_drawing_programs_are_refused_by_name) {
   EXPECT_EQ(drawing_program_binary("AC10"), "");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::dxf_test

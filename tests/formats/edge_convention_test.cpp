@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::formats {
+namespace keyblock::formats::edge_convention_test {
 namespace {
 
 /// Squares left and right of x = 1 whose shared edge has material `on_start` at its first and `on_end` at its
@@ -42,4 +42,4 @@ TEST(EdgeConvention, moving_materials_to_the_arriving_edge_turns_each_loop_by_on
   EXPECT_EQ(moved[0].outer[0].joint_material, 7);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::edge_convention_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::formats {
+namespace keyblock::formats::joint_spec_test {
 namespace {
 
 const std::string kBox = "\"rectangle\": {\"width\": 20, \"height\": 10}";
@@ -93,4 +93,4 @@ TEST(JointSpec, faults_are_named_at_the_line_of_their_key) {
   EXPECT_NE(fault("\"rectangle\": 3"), "");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::joint_spec_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::formats {
+namespace keyblock::formats::json_text_test {
 namespace {
 
 Place place_of_last(const std::string& text) {
@@ -49,4 +49,4 @@ TEST(JsonText, faults_are_errors_at_their_place) {
   EXPECT_EQ(error_in(std::string(100000, '[')), "f:1:13: error: expected at most 12 levels of brackets, found another");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::json_text_test

@@ -12,7 +12,7 @@
 #include "formats/case_meanings.hpp"
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::keyblock_case_test {
 namespace {
 
 const std::string kSquare = R"({
@@ -241,4 +241,4 @@ TEST(KeyblockCase, a_weight_or_edge_node_ratio_that_is_absent_is_said) {
   EXPECT_EQ(names(drawing.warnings), (std::vector<std::string>{"default_edge_node_ratio"}));
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::keyblock_case_test

@@ -6,7 +6,7 @@
 
 #include "formats/registry.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::knowledge_test {
 
 TEST(Knowledge, every_sample_is_recognised_as_its_format_and_read) {
   for (const Format* format : all_formats()) {
@@ -23,4 +23,4 @@ TEST(Knowledge, every_sample_is_recognised_as_its_format_and_read) {
   }
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::knowledge_test

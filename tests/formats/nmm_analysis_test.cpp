@@ -11,7 +11,7 @@
 #include "tests/support/text_files.hpp"
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::nmm_analysis_test {
 namespace {
 
 const std::string kHead = "0.7\n10\n1\n1\n0.01\n0.1\n500\n";
@@ -24,8 +24,8 @@ const std::string kAmbiguous = "1 10 1 1 .01 .1 500\n0 0 0 2\n0 1 5 1 2 7\n.1 1 
 std::string read_beside(const std::string& geometry, const std::string& analysis) {
   const auto folder = std::filesystem::temp_directory_path() / "keyblock_nmm_analysis_test";
   std::filesystem::create_directories(folder);
-  keyblock::testing::write_text(folder / "geometry", geometry);
-  keyblock::testing::write_text(folder / "analysis", analysis);
+  keyblock::support::write_text(folder / "geometry", geometry);
+  keyblock::support::write_text(folder / "analysis", analysis);
   const auto files = read_files({(folder / "analysis").string(), (folder / "geometry").string()});
   std::filesystem::remove_all(folder);
   if (!files[0].choice) return files[0].error->sentence();
@@ -82,11 +82,11 @@ TEST(NmmAnalysis, geometry_beside_it_decides_between_two_dialects) {
 }
 
 TEST(NmmAnalysis, is_read_beside_its_cover_whichever_is_named_first) {
-  EXPECT_EQ(read_beside(keyblock::testing::kTwoTrianglesFile, kFile), "nmm-analysis");
-  EXPECT_EQ(read_beside(keyblock::testing::kTwoTrianglesFile, kHead + kMaterials + "1.5\n0 0 0\n"),
+  EXPECT_EQ(read_beside(keyblock::support::kTwoTrianglesFile, kFile), "nmm-analysis");
+  EXPECT_EQ(read_beside(keyblock::support::kTwoTrianglesFile, kHead + kMaterials + "1.5\n0 0 0\n"),
             "nmm-analysis: expected the loads of 1 loading points, as many as the geometry beside this file has, found "
             "those of 0");
-  EXPECT_EQ(read_beside(keyblock::testing::kTwoTrianglesFile, kHead + "2 -3\n0.1 0.5"),
+  EXPECT_EQ(read_beside(keyblock::support::kTwoTrianglesFile, kHead + "2 -3\n0.1 0.5"),
             "nmm-analysis: expected the force per unit area in y of block material 1 of 1, found end of file");
 }
 
@@ -103,4 +103,4 @@ TEST(NmmAnalysis, loads_of_another_cover_are_named_as_such) {
             "those of 1");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::nmm_analysis_test

@@ -9,11 +9,11 @@
 #include "tests/formats/reading.hpp"
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::nmm_cover_test {
 namespace {
 
-using testing::kTwoTrianglesFile;
-using testing::two_triangles;
+using support::kTwoTrianglesFile;
+using support::two_triangles;
 
 std::string with(const std::string& old_text, const std::string& new_text) {
   std::string text = kTwoTrianglesFile;
@@ -119,4 +119,4 @@ TEST(NmmCover, elements_turned_over_are_a_fault_of_the_problem) {
   EXPECT_EQ(check(pair({content})).errors.size(), 1u);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::nmm_cover_test

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace keyblock::formats {
+namespace keyblock::formats::numbers_test {
 
 TEST(Numbers, old_spellings_are_read) {
   EXPECT_EQ(parse_real("1.0D+03"), 1000.0);
@@ -25,4 +25,4 @@ TEST(Numbers, written_text_reads_back_the_same) {
     EXPECT_EQ(parse_real(format_real(value)), value);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::numbers_test

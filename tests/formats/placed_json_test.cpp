@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::formats {
+namespace keyblock::formats::placed_json_test {
 namespace {
 
 using Kind = PlacedJson::Kind;
@@ -55,4 +55,4 @@ TEST(PlacedJson, an_option_is_an_object) {
     EXPECT_THROW(json_of_option("--set", bad), InputError) << bad;
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::placed_json_test

@@ -13,7 +13,7 @@
 #include <random>
 #include <string>
 
-namespace keyblock::formats {
+namespace keyblock::formats::plain_real_test {
 namespace {
 
 /// Of a word with `before` and `behind` about it.
@@ -73,4 +73,4 @@ TEST(PlainReal, a_word_near_an_end_of_the_text_is_left_rather_than_read_beyond_i
   EXPECT_EQ(read_word("1.5", "1234 ", " 1234"), 1.5);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::plain_real_test

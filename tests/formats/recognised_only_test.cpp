@@ -7,7 +7,7 @@
 #include "formats/split.hpp"
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::recognised_only_test {
 namespace {
 
 using Fit = Recognition::Fit;
@@ -38,4 +38,4 @@ TEST(RecognisedOnly, both_are_refused_by_name) {
   EXPECT_NE(error_of("1 0.25 0.5 100").find(kDiskDda.title), std::string::npos);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::recognised_only_test

@@ -8,7 +8,7 @@
 
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::registry_test {
 namespace {
 
 std::string recognised(const std::string& text) {
@@ -69,4 +69,4 @@ TEST(Registry, missing_files_and_folders_are_input_errors) {
   EXPECT_THROW(load("/dev/zero"), InputError);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::registry_test

@@ -5,7 +5,7 @@
 #include "formats/registry.hpp"
 #include "tests/support/random_contents.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support::round_trip_test {
 namespace {
 
 constexpr int kContentsAFormat = 300;  // the program format_round_trips of tests/validate draws 10,000
@@ -36,4 +36,4 @@ TEST(RoundTrip, a_number_that_changes_on_the_way_is_found) {
   EXPECT_NE(round_trip_fault(kind, content), "");
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support::round_trip_test

@@ -18,7 +18,7 @@
 #include "tests/support/content_text.hpp"
 #include "tests/support/shared_folder.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::samples_test {
 namespace {
 
 class Samples : public ::testing::Test {
@@ -75,7 +75,7 @@ TEST_F(Samples, every_ddaml_sample_comes_back_from_its_text) {
     if (!entry.is_regular_file() || entry.path().stem() == "circleslope") continue;
     const Content content = read(load(entry.path())).content;
     const Content again = read({"f", kDdaml.write(content)}).content;
-    EXPECT_EQ(keyblock::testing::content_text(again), keyblock::testing::content_text(content)) << entry.path();
+    EXPECT_EQ(keyblock::support::content_text(again), keyblock::support::content_text(content)) << entry.path();
   }
 }
 
@@ -177,4 +177,4 @@ TEST_F(Samples, every_reference_run_is_read_without_error) {
   }
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::samples_test

@@ -8,7 +8,7 @@
 
 #include "formats/numbers.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::split_test {
 namespace {
 
 /// A text of words, separators of every kind and comments; `odd` in a hundred pieces are neither numbers nor white space.
@@ -87,4 +87,4 @@ TEST(Split, a_word_longer_than_a_block_is_one_word) {
   EXPECT_EQ(tokenise(source).numbers, (Numbers{1, 1 / 3., 2}));
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::split_test

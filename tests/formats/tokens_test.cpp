@@ -6,7 +6,7 @@
 
 #include "formats/split.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::tokens_test {
 namespace {
 
 Tokens tokens_of(const std::string& text) {
@@ -114,4 +114,4 @@ TEST(Cursor, unprintable_words_are_quoted_readably) {
             "f:1:1: error: expected a, found \"\\x01" + std::string(39, 'x') + "…\"");
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::tokens_test

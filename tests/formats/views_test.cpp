@@ -11,7 +11,7 @@
 #include "tests/formats/reading.hpp"
 #include "tests/support/random_contents.hpp"
 
-namespace keyblock::formats {
+namespace keyblock::formats::views_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -53,7 +53,7 @@ const std::vector<View> kViews{{&kVtk, left_out_by_vtk}, {&kCsv, left_out_by_csv
 TEST(Views, a_value_that_is_left_out_changes_nothing_and_has_its_place_in_a_case_file) {
   const Json schema = Json::parse(case_schema());
   int changes = 0;
-  for (const testing::ContentKind& kind : testing::content_kinds())
+  for (const support::ContentKind& kind : support::content_kinds())
     for (const View& view : kViews)
       for (std::uint64_t seed = 0; seed < 10; ++seed) {
         Dice dice(seed);
@@ -93,4 +93,4 @@ TEST(Views, all_frames_make_the_table_and_the_last_one_the_grid) {
   EXPECT_NE(kVtk.write(content).find(">0.25<"), std::string::npos);
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::views_test

@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-namespace keyblock::formats {
+namespace keyblock::formats::vtk_test {
 namespace {
 
 Frame square_with_hole_and_triangle() {
@@ -117,4 +117,4 @@ TEST(Vtk, a_field_has_displacement_and_stress_at_every_corner) {
   EXPECT_EQ(parsed.array("CellData", "stress_xx"), (std::vector<double>{1, 4}));
 }
 
-}  // namespace keyblock::formats
+}  // namespace keyblock::formats::vtk_test

@@ -13,7 +13,7 @@
 #include "tests/fuzz/meter.hpp"
 #include "tests/support/mutated.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 using namespace formats;
@@ -168,4 +168,4 @@ TEST_F(Bounds, what_fuzzing_once_found_is_stood_by_every_reader) {
       expect_within_limits(reader, load(entry.path().string()).text, entry.path().filename().string(), exercise);
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -11,7 +11,7 @@
 #include "formats/registry.hpp"
 #include "tests/fuzz/meter.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 using namespace formats;
@@ -98,4 +98,4 @@ std::string excess(const Cost& cost, std::size_t size, double slowdown) {
   return {};
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -8,7 +8,7 @@
 
 #include "formats/format.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// A reader under test: that of one format, or the choice by content followed by reading (`anything`).
 struct Reader {
@@ -42,4 +42,4 @@ Cost exercise(const Reader& reader, const std::string& text);
 /// Which limit the cost is above, in words; empty where it keeps both. `slowdown`: of an instrumented program.
 std::string excess(const Cost& cost, std::size_t size, double slowdown = 1);
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -23,13 +23,13 @@ using namespace keyblock;
 /// The sanitizers and the coverage counters slow a reader so much at most.
 constexpr double kSlowdown = 20;
 
-testing::Reader& reader_under_test() {
-  static testing::Reader reader;
+support::Reader& reader_under_test() {
+  static support::Reader reader;
   return reader;
 }
 
 void list_readers() {
-  for (const testing::Reader& reader : testing::all_readers()) fmt::print("{}\n", reader.name);
+  for (const support::Reader& reader : support::all_readers()) fmt::print("{}\n", reader.name);
 }
 
 void write_seeds(const std::filesystem::path& folder) {
@@ -50,8 +50,8 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     write_seeds((*argv)[2]);
     std::exit(0);
   }
-  reader_under_test() = testing::find_reader(word);
-  testing::count_xml();
+  reader_under_test() = support::find_reader(word);
+  support::count_xml();
   for (int i = 1; i < *argc; ++i) (*argv)[i] = (*argv)[i + 1];
   --*argc;
   return 0;
@@ -59,8 +59,8 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  const testing::Cost cost = testing::exercise(reader_under_test(), text);
-  if (const std::string words = testing::excess(cost, size, kSlowdown); !words.empty()) {
+  const support::Cost cost = support::exercise(reader_under_test(), text);
+  if (const std::string words = support::excess(cost, size, kSlowdown); !words.empty()) {
     fmt::print(stderr, "error: {}\n", words);
     std::abort();
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/long_contents.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 using formats::Content;
@@ -118,4 +118,4 @@ std::vector<LongContent> long_contents(std::size_t count) {
   return all;
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -7,7 +7,7 @@
 
 #include "formats/format.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 struct LongContent {
   std::string name;  ///< of the list that is long
@@ -17,4 +17,4 @@ struct LongContent {
 /// One a list, `count` items long.
 std::vector<LongContent> long_contents(std::size_t count);
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -10,7 +10,7 @@
 #include <new>
 #include <pugixml.hpp>
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 std::atomic<std::size_t> held = 0;
@@ -67,9 +67,9 @@ double processor_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support
 
-namespace kt = keyblock::testing;
+namespace kt = keyblock::support;
 
 void* operator new(std::size_t size) {
   return kt::or_throw(kt::allocate(size));

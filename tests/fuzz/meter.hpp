@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// Bytes held now, as the allocator rounds them; pugixml's too, once `count_xml` was called.
 std::size_t bytes_held();
@@ -19,4 +19,4 @@ void count_xml();
 /// Processor seconds of this program so far, all threads.
 double processor_seconds();
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace keyblock {
+namespace keyblock::polygon_test {
 namespace {
 
 // An L: the unit square's upper right quarter is missing.
@@ -67,4 +67,4 @@ TEST(Polygon, an_inner_point_avoids_the_holes) {
   EXPECT_FALSE(point_inside(std::vector<std::vector<Point>>{{{0, 0}, {1, 0}, {2, 0}}})) << "no area";
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::polygon_test

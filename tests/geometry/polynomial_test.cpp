@@ -9,7 +9,7 @@
 
 #include "geometry/quadrature.hpp"
 
-namespace keyblock {
+namespace keyblock::polynomial_test {
 namespace {
 
 // ∫ xⁱ yʲ over the triangle (0,0), (1,0), (0,1) = i! j! / (i + j + 2)!.
@@ -80,4 +80,4 @@ TEST(Quadrature, a_fan_over_a_notch_takes_back_what_lies_outside) {
   EXPECT_NEAR(x, 2.5, 1e-14);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::polynomial_test

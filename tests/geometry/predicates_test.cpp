@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace keyblock {
+namespace keyblock::predicates_test {
 namespace {
 
 constexpr double kUlpOfHalf = 0x1p-53;
@@ -74,4 +74,4 @@ TEST(Predicates, foot_of_a_point_is_a_station) {
   EXPECT_EQ(compare_stations(base, {{2, 5}, {2, 5}}, {{2, 0}, {2, 9}}), 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::predicates_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::segment_test {
 
 TEST(Segment, distance_counts_from_the_nearest_end_beyond_the_ends) {
   const Segment s{{0, 0}, {4, 0}};
@@ -32,4 +32,4 @@ TEST(Segment, meetings_are_told_apart) {
   EXPECT_EQ(meeting(s, {{3, 0}, {3, 2}}), Meeting::none);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::segment_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace keyblock {
+namespace keyblock::simplex_test {
 namespace {
 
 void expect_near(const Moments& a, const Moments& b, double tolerance) {
@@ -58,4 +58,4 @@ TEST(Simplex, a_triangle_about_its_centroid_has_no_first_moments) {
   EXPECT_NEAR(m.xy, 0, 1e-15);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::simplex_test

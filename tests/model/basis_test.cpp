@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::basis_test {
 
 TEST(AffineBasis, displacement_is_the_complete_first_order_field) {
   Unknowns d(6);
@@ -20,4 +20,4 @@ TEST(AffineBasis, strain_operator_picks_the_three_strains) {
   EXPECT_TRUE((affine_basis().strain() * d).isApprox(Eigen::Vector3d(0.01, 0.02, 0.04)));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::basis_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::body_load_test {
 namespace {
 
 BlockMaterial rock(double density, double unit_weight) {
@@ -60,4 +60,4 @@ TEST(BodyLoad, constant_and_tabulated_acceleration_add_up) {
   expect_weight(body_acceleration_at(settings, 0.5), {3, 0});
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::body_load_test

@@ -7,10 +7,10 @@
 #include "model/requirements.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::choose_basis_test {
 namespace {
 
-using testing::rectangle;
+using support::rectangle;
 
 Model four_blocks() {
   Blocks blocks;
@@ -18,7 +18,7 @@ Model four_blocks() {
   blocks.fixed_points = {{{0.1, 0.5}, 0, {}}, {{0.9, 0.5}, 0, {}},   // two places: held
                          {{2.5, 0.5}, 1, {}}, {{2.5, 0.5}, 1, {}},   // one place twice: may turn
                          {{4.1, 0.5}, 2, {}}, {{4.9, 0.5}, 2, {}}};  // driven
-  Analysis analysis = testing::plain_analysis(1, 1);
+  Analysis analysis = support::plain_analysis(1, 1);
   analysis.fixed_point_motions.resize(6);
   analysis.fixed_point_motions[5] = {{0, 1}, {{0, 0}, {1, 0}}, {}};
   return model_from_blocks(blocks, analysis);
@@ -53,4 +53,4 @@ TEST(ChooseBasis, the_plan_counts_the_unknowns_and_names_the_bases) {
   EXPECT_NE(needs.basis.find("fixed, none, for 1"), std::string::npos);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::choose_basis_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/continuum_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::cover_basis_test {
 namespace {
 
 Manifold plate() {
@@ -75,4 +75,4 @@ TEST(CoverBasis, gradients_are_those_of_the_values) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cover_basis_test

@@ -8,11 +8,11 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::from_blocks_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
+using support::plain_analysis;
+using support::rectangle;
 
 BlockPolygon square_with_hole() {
   BlockPolygon block = rectangle({0, 0}, {4, 4});
@@ -94,4 +94,4 @@ TEST(FromBlocks, strength_that_is_not_positive_is_no_limit) {
     EXPECT_TRUE(std::isinf(bolt.strength));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::from_blocks_test

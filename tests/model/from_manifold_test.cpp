@@ -9,12 +9,12 @@
 #include "cut/cut_cover.hpp"
 #include "tests/cut/drawings.hpp"
 
-namespace keyblock {
+namespace keyblock::from_manifold_test {
 namespace {
 
 // A square of 1 parted at x = 0.4 by a joint of material 2, on triangles.
 Manifold parted_square() {
-  Drawing drawing = drawing_of(rectangle({0, 0}, {1, 1}) + std::vector<Segment>{{{0.4, -0.1}, {0.4, 1.1}}}, 1e-4);
+  Drawing drawing = drawing_of(rectangle_sides({0, 0}, {1, 1}) + std::vector<Segment>{{{0.4, -0.1}, {0.4, 1.1}}}, 1e-4);
   for (JointLine& line : drawing.joints) line.joint_material = &line == &drawing.joints.back() ? 1 : 0;
   const Box box{{0, 0}, {1, 1}};
   return cut_cover(cut_bodies(drawing).graph, regular_triangles(box, centred_mesh(box, 2, MeshShape::equilateral)));
@@ -97,4 +97,4 @@ TEST(ModelFromManifold, points_carry_their_loads_and_the_scale_is_half_the_exten
   EXPECT_NEAR(model.mean_area * static_cast<double>(model.elements.size()), 1, 1e-12);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::from_manifold_test

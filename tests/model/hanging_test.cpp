@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::hanging_test {
 
 TEST(Hanging, an_affine_field_comes_back_wherever_the_centroid_lies) {
   const std::array<Point, 3> corners{Point{1, 2}, Point{4, 1.5}, Point{2, 5}};
@@ -24,4 +24,4 @@ TEST(Hanging, an_affine_field_comes_back_wherever_the_centroid_lies) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::hanging_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace keyblock {
+namespace keyblock::joint_strength_test {
 namespace {
 
 Model jointed() {
@@ -28,4 +28,4 @@ TEST(JointStrength, tangent_of_friction_cohesion_and_tension_take_the_factor) {
   EXPECT_EQ(with_joint_strength(jointed(), 0).joint_materials[0].friction_angle_deg, 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::joint_strength_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace keyblock {
+namespace keyblock::kinematics_test {
 namespace {
 
 Unknowns moved() {
@@ -59,4 +59,4 @@ TEST(Kinematics, rigid_and_fixed_points_keep_their_distances) {
   EXPECT_EQ(angle_of(fixed_basis(), Unknowns(0)), 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::kinematics_test

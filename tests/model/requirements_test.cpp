@@ -7,11 +7,11 @@
 #include "model/choose_basis.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::requirements_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
+using support::plain_analysis;
+using support::rectangle;
 
 Requirements needs_of(const Blocks& blocks, const Analysis& analysis) {
   return requirements(model_from_blocks(blocks, analysis), profile_settings("legacy", analysis));
@@ -93,4 +93,4 @@ TEST(Requirements, a_static_scene_of_the_standard_profile_has_neither_inertia_no
   EXPECT_TRUE(legacy.terms[0].reason.starts_with("static"));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::requirements_test

@@ -8,15 +8,15 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::state_test {
 namespace {
 
 /// b = 3, h = 1 at coordinates whose squares fill a double: ∫x² = b³h/12, ∫y² = bh³/12, ∫xy = 0 about the centroid.
 Placement far_placement(bool moments_about_origin) {
   const Point corner{300000001, 500000003};
-  const Analysis analysis = testing::plain_analysis(1e-3, 1);
+  const Analysis analysis = support::plain_analysis(1e-3, 1);
   const Model model =
-      model_from_blocks({{testing::rectangle(corner, corner + Point{3, 1})}, {}, {}, {}, {}, {}}, analysis);
+      model_from_blocks({{support::rectangle(corner, corner + Point{3, 1})}, {}, {}, {}, {}, {}}, analysis);
   Settings settings = profile_settings("legacy", analysis);
   settings.quirks.moments_about_origin = moments_about_origin;
   Table<VertexIndex, Point> vertices;
@@ -41,16 +41,16 @@ TEST(State, moments_about_the_origin_of_coordinates_lose_them) {
 }
 
 TEST(State, near_the_origin_the_quirk_changes_nothing_but_last_digits) {
-  const Analysis analysis = testing::plain_analysis(1e-3, 1);
-  const Model model = model_from_blocks({{testing::rectangle({1, 2}, {4, 3})}, {}, {}, {}, {}, {}}, analysis);
+  const Analysis analysis = support::plain_analysis(1e-3, 1);
+  const Model model = model_from_blocks({{support::rectangle({1, 2}, {4, 3})}, {}, {}, {}, {}, {}}, analysis);
   const State state = start_state(model, analysis.dialect, profile_settings("legacy", analysis));
   EXPECT_NEAR(state.elements[ElementIndex{0}].moments.xx, 27.0 / 12, 1e-13);
   EXPECT_NEAR(state.elements[ElementIndex{0}].moments.xy, 0, 1e-13);
 }
 
 TEST(State, operators_are_taken_about_the_centroid_of_the_element) {
-  const Analysis analysis = testing::plain_analysis(1e-3, 1);
-  const Model model = model_from_blocks({{testing::rectangle({1, 2}, {4, 3})}, {}, {}, {}, {}, {}}, analysis);
+  const Analysis analysis = support::plain_analysis(1e-3, 1);
+  const Model model = model_from_blocks({{support::rectangle({1, 2}, {4, 3})}, {}, {}, {}, {}, {}}, analysis);
   const State state = start_state(model, analysis.dialect, profile_settings("legacy", analysis));
   EXPECT_LT((basis_at(model, state, {0}, {4, 3}) - affine_basis().at({1.5, 0.5})).norm(), 1e-13);
 }
@@ -75,4 +75,4 @@ TEST(State, end_velocity_makes_the_mean_velocity_that_of_the_step) {
   EXPECT_EQ(end_velocity(element, state, settings, 0)[0], 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::state_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace keyblock {
+namespace keyblock::formula_test {
 namespace {
 
 constexpr std::array<std::string_view, 2> kPlace{"x", "y"};
@@ -76,4 +76,4 @@ TEST(Formula, a_value_that_is_not_finite_is_refused_where_it_is_asked_for) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::formula_test

@@ -6,7 +6,7 @@
 
 #include "problem/problem.hpp"
 
-namespace keyblock {
+namespace keyblock::ground_motion_test {
 namespace {
 
 Analysis analysis_with(std::vector<std::pair<double, double>> densities_and_weights) {
@@ -69,4 +69,4 @@ TEST(GroundMotion, a_checked_problem_has_it_in_its_analysis_once) {
   EXPECT_EQ(check(problem).errors.size(), 1U);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::ground_motion_test

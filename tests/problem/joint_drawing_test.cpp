@@ -7,7 +7,7 @@
 #include "cut/cut_blocks.hpp"
 #include "geometry/polygon.hpp"
 
-namespace keyblock {
+namespace keyblock::joint_drawing_test {
 namespace {
 
 const Outline kSquare{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
@@ -108,4 +108,4 @@ TEST(JointDrawing, tunnels_that_leave_the_outline_or_meet_are_refused) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::joint_drawing_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace keyblock {
+namespace keyblock::joint_sets_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -127,4 +127,4 @@ TEST(JointSets, more_traces_than_can_be_cut_are_refused) {
   EXPECT_THROW(traces(set, {}, 10), InputError);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::joint_sets_test

@@ -10,7 +10,7 @@
 
 #include "geometry/polygon.hpp"
 
-namespace keyblock {
+namespace keyblock::outline_test {
 namespace {
 
 using std::numbers::pi;
@@ -73,4 +73,4 @@ TEST(Outline, tunnels_that_cannot_be_are_refused) {
   EXPECT_THROW(outline_of(tunnel(TunnelShape::horseshoe, 4, 5.5)), InputError);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::outline_test

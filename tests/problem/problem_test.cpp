@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::problem_test {
 namespace {
 
 Drawing sound_drawing() {
@@ -151,4 +151,4 @@ TEST(Problem, a_bolt_of_negative_stiffness_is_an_error) {
   EXPECT_EQ(check({blocks, sound_analysis()}).errors.size(), 1U);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::problem_test

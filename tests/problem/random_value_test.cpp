@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace keyblock {
+namespace keyblock::random_value_test {
 namespace {
 
 constexpr int kDraws = 40000;
@@ -60,4 +60,4 @@ TEST(RandomValue, streams_follow_from_seed_and_number) {
   EXPECT_NE(first(1, 2), first(2, 1));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::random_value_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::time_curve_test {
 
 TEST(TimeCurve, is_linear_between_rows_and_held_outside) {
   const TimeCurve curve{{0, 2, 3}, {{0, 0}, {10, -4}, {0, 0}}, {}};
@@ -18,4 +18,4 @@ TEST(TimeCurve, empty_curve_is_zero) {
   EXPECT_EQ(TimeCurve{}.at(1), (Point{0, 0}));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::time_curve_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <pugixml.hpp>
 
-namespace keyblock::report {
+namespace keyblock::report::blocks_picture_test {
 namespace {
 
 BlockPolygon square(double x, double y, int material) {
@@ -57,4 +57,4 @@ TEST(BlocksPicture, no_block_a_far_origin_and_bad_coordinates_give_a_page) {
   EXPECT_EQ(count(picture, "nan"), 0U);
 }
 
-}  // namespace keyblock::report
+}  // namespace keyblock::report::blocks_picture_test

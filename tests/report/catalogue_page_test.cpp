@@ -9,7 +9,7 @@
 #include "report/thumbnail.hpp"
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock::report {
+namespace keyblock::report::catalogue_page_test {
 namespace {
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -58,11 +58,11 @@ TEST(CataloguePage, an_answer_is_told_with_its_length) {
 TEST(Thumbnail, draws_blocks_loops_and_lines_up_to_a_bound) {
   EXPECT_EQ(count(thumbnail(squares(3)), "<path"), 3U);
   EXPECT_EQ(count(thumbnail(squares(1000)), "<path"), kThumbnailShapes);
-  EXPECT_EQ(count(thumbnail(testing::two_triangles()), "M"), 2U);
+  EXPECT_EQ(count(thumbnail(support::two_triangles()), "M"), 2U);
   Drawing drawing;
   drawing.joints = {{{{0, 0}, {1, 0}}, 0, {}}, {{{0, 0}, {0, 1}}, 0, {}}};
   EXPECT_EQ(count(thumbnail(drawing), "<polyline"), 2U);
   EXPECT_TRUE(thumbnail(Blocks{}).starts_with("<svg"));
 }
 
-}  // namespace keyblock::report
+}  // namespace keyblock::report::catalogue_page_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::report {
+namespace keyblock::report::energy_picture_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
@@ -33,4 +33,4 @@ TEST(EnergyPicture, is_a_page_with_a_title_where_nothing_was_recorded) {
   EXPECT_TRUE(contains(energy_picture("empty", {}), "empty"));
 }
 
-}  // namespace keyblock::report
+}  // namespace keyblock::report::energy_picture_test

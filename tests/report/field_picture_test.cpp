@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::report {
+namespace keyblock::report::field_picture_test {
 namespace {
 
 /// A unit square whose upper edge moves right by 0.01, stress yy from -4 at the bottom to 1 on top.
@@ -50,4 +50,4 @@ TEST(FieldPicture, a_motion_is_never_drawn_smaller_than_it_is) {
   EXPECT_TRUE(contains(field_picture(picture), "displacement × 1<"));
 }
 
-}  // namespace keyblock::report
+}  // namespace keyblock::report::field_picture_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <pugixml.hpp>
 
-namespace keyblock::report {
+namespace keyblock::report::run_picture_test {
 namespace {
 
 Frame square_at(double x, double y, double time) {
@@ -78,4 +78,4 @@ TEST(RunPicture, the_same_run_gives_the_same_bytes) {
   EXPECT_EQ(run_picture(slide()), run_picture(slide()));
 }
 
-}  // namespace keyblock::report
+}  // namespace keyblock::report::run_picture_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <pugixml.hpp>
 
-namespace keyblock::report {
+namespace keyblock::report::svg_test {
 
 TEST(Svg, words_are_made_safe_and_control_characters_dropped) {
   SvgPage page(10, 10);
@@ -44,4 +44,4 @@ TEST(Svg, a_box_of_one_point_and_an_empty_box_still_map) {
   EXPECT_EQ(PageMap(Box{}, {0, 0}, {100, 100}).scale(), 100);
 }
 
-}  // namespace keyblock::report
+}  // namespace keyblock::report::svg_test

@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace keyblock::report {
+namespace keyblock::report::ticks_test {
 
 TEST(Ticks, round_down_gives_one_two_or_five_times_a_power_of_ten) {
   EXPECT_DOUBLE_EQ(round_down(0.3), 0.2);
@@ -39,4 +39,4 @@ TEST(Ticks, any_data_is_covered_by_few_ticks_with_different_labels) {
   }
 }
 
-}  // namespace keyblock::report
+}  // namespace keyblock::report::ticks_test

@@ -9,7 +9,7 @@
 #include "report/sweep_picture.hpp"
 #include "report/ticks.hpp"
 
-namespace keyblock::report {
+namespace keyblock::report::tradeoff_picture_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
@@ -54,4 +54,4 @@ TEST(SweepPicture, writes_errors_into_cells_and_crosses_those_that_failed) {
     EXPECT_TRUE(contains(svg, part)) << part;
 }
 
-}  // namespace keyblock::report
+}  // namespace keyblock::report::tradeoff_picture_test

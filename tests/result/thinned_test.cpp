@@ -8,7 +8,7 @@
 
 #include "run/checkpoint.hpp"
 
-namespace keyblock {
+namespace keyblock::thinned_test {
 namespace {
 
 struct Row {
@@ -75,4 +75,4 @@ TEST(Thinned, a_table_left_anywhere_and_restored_goes_on_to_the_same_rows) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::thinned_test

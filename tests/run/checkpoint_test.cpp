@@ -17,7 +17,7 @@
 #include "study/named_files.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::checkpoint_test {
 namespace {
 
 constexpr int kSteps = 24;
@@ -128,8 +128,8 @@ std::string refusal(const std::string& bytes) {
 }
 
 Scene falling_block(double width) {
-  return testing::legacy_scene({{testing::rectangle({0, 10}, {width, 11})}, {}, {}, {}, {}, {}},
-                               testing::plain_analysis(1e-3, 4));
+  return support::legacy_scene({{support::rectangle({0, 10}, {width, 11})}, {}, {}, {}, {}, {}},
+                               support::plain_analysis(1e-3, 4));
 }
 
 }  // namespace
@@ -231,8 +231,8 @@ TEST(Checkpoint, cut_off_changed_foreign_and_later_files_are_refused) {
 
 TEST(Checkpoint, a_state_of_another_model_is_refused_before_room_is_made_for_it) {
   const std::string bytes = left_at(falling_block(1), 2).second;
-  Blocks two{{testing::rectangle({0, 10}, {1, 11}), testing::rectangle({2, 10}, {3, 11})}, {}, {}, {}, {}, {}};
-  const Scene other = testing::legacy_scene(two, testing::plain_analysis(1e-3, 4));
+  Blocks two{{support::rectangle({0, 10}, {1, 11}), support::rectangle({2, 10}, {3, 11})}, {}, {}, {}, {}, {}};
+  const Scene other = support::legacy_scene(two, support::plain_analysis(1e-3, 4));
   try {
     gone_on(other, bytes);
     FAIL() << "taken";
@@ -255,4 +255,4 @@ TEST(Checkpoint, indices_and_counts_out_of_bounds_are_refused) {
   EXPECT_THROW(restoring.value("absent", many), InputError);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::checkpoint_test

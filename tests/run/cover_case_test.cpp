@@ -10,7 +10,7 @@
 #include "run/cover_settings.hpp"
 #include "system/sparse_solve.hpp"
 
-namespace keyblock {
+namespace keyblock::cover_case_test {
 namespace {
 
 BlockPolygon block_of(const std::vector<Point>& corners, int material = 0) {
@@ -208,4 +208,4 @@ TEST(CoverCase, a_force_and_a_spring_at_points_carry_each_other) {
   EXPECT_NEAR(step.balance.springs.force.y, 2, 1e-11);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cover_case_test

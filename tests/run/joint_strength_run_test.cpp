@@ -6,15 +6,15 @@
 #include "run/run.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::joint_strength_run_test {
 namespace {
 
 /// Way of a block down a slope of 30 degrees in half a second, friction angle 35 degrees in the file.
 double way_down(const char* profile, const char* factor) {
-  Analysis analysis = testing::plain_analysis(1e-3, 500);
+  Analysis analysis = support::plain_analysis(1e-3, 500);
   analysis.joint_materials[0].friction_angle_deg = 35;
   analysis.allowed_displacement_ratio = 0.01;
-  const Prepared prepared = prepare({testing::block_on_slope(testing::radians(30)), analysis}, profile,
+  const Prepared prepared = prepare({support::block_on_slope(support::radians(30)), analysis}, profile,
                                     {{"joint_strength_factor", factor}, {"start", "compatible"}});
   double way = 0;
   Observer observer;
@@ -24,8 +24,8 @@ double way_down(const char* profile, const char* factor) {
 }
 
 double expected_way(double factor) {
-  const double slope = testing::radians(30);
-  return 9.81 * (std::sin(slope) - factor * std::tan(testing::radians(35)) * std::cos(slope)) * 0.5 * 0.5 / 2;
+  const double slope = support::radians(30);
+  return 9.81 * (std::sin(slope) - factor * std::tan(support::radians(35)) * std::cos(slope)) * 0.5 * 0.5 / 2;
 }
 
 }  // namespace
@@ -39,8 +39,8 @@ TEST(JointStrengthRun, standard_slides_at_the_reduced_friction_and_holds_at_the_
 // The old program's friction lags a step behind while the block settles under its sudden weight: speed off by at most
 // g cos α f tan φ dt, as in legacy_cases/sliding_block.
 TEST(JointStrengthRun, legacy_slides_at_the_reduced_friction) {
-  const double lag = 9.81 * std::cos(testing::radians(30)) * 0.5 * std::tan(testing::radians(35)) * 1e-3 * 0.5;
+  const double lag = 9.81 * std::cos(support::radians(30)) * 0.5 * std::tan(support::radians(35)) * 1e-3 * 0.5;
   EXPECT_NEAR(way_down("legacy", "0.5"), expected_way(0.5), lag);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::joint_strength_run_test

@@ -11,11 +11,11 @@
 #include "tests/support/scenes.hpp"
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock {
+namespace keyblock::prepare_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
+using support::plain_analysis;
+using support::rectangle;
 
 Blocks one_block() {
   Blocks blocks;
@@ -135,7 +135,7 @@ TEST(Prepare, horizontal_body_forces_are_warned_of_beside_blocks) {
 }
 
 TEST(Prepare, a_cover_is_stepped_in_both_profiles) {
-  Cover cover = testing::two_triangles();
+  Cover cover = support::two_triangles();
   cover.place = {"cv01", 0, 0};
   EXPECT_TRUE(can_prepare({cover, analysis_of_file()}));
   for (const char* profile : {"legacy", "standard"}) {
@@ -191,4 +191,4 @@ TEST(Prepare, a_setting_that_the_chosen_dynamics_do_not_read_is_warned_of) {
   EXPECT_EQ(names(prepare(with_choices, "standard", {}).warnings), warned);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::prepare_test

@@ -8,10 +8,10 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::profile_test {
 
 TEST(Profile, penalty_is_the_factor_times_the_greatest_modulus_unless_the_file_gives_one) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  Analysis analysis = support::plain_analysis(1e-3, 1);
   analysis.penalty_factor = 40;
   EXPECT_EQ(profile_settings("legacy", analysis).contact_penalty, 40 * 5e9);
   analysis.contact_penalty = 7e8;
@@ -21,14 +21,14 @@ TEST(Profile, penalty_is_the_factor_times_the_greatest_modulus_unless_the_file_g
 }
 
 TEST(Profile, gravity_of_native_files_is_that_of_the_first_material) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  Analysis analysis = support::plain_analysis(1e-3, 1);
   analysis.gravity.reset();
   EXPECT_DOUBLE_EQ(-profile_settings("legacy", analysis).gravity.y, 9.81);
 }
 
 // Shi's dialects name start velocity and stress gradient apart and weigh each material by itself.
 TEST(Profile, quirks_of_berkeley_material_slots_are_off_in_shis_dialects) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  Analysis analysis = support::plain_analysis(1e-3, 1);
   EXPECT_TRUE(profile_settings("legacy", analysis).quirks.start_velocity_slots);
   EXPECT_TRUE(profile_settings("legacy", analysis).quirks.weight_of_first_material);
   for (const AnalysisDialect dialect : {AnalysisDialect::shi, AnalysisDialect::manifold}) {
@@ -39,7 +39,7 @@ TEST(Profile, quirks_of_berkeley_material_slots_are_off_in_shis_dialects) {
 }
 
 TEST(Profile, manifold_files_are_taken_at_their_word_for_step_and_stiffness) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  Analysis analysis = support::plain_analysis(1e-3, 1);
   analysis.dialect = AnalysisDialect::manifold;
   analysis.automatic_time_step = true;
   analysis.automatic_penalty = true;
@@ -50,11 +50,11 @@ TEST(Profile, manifold_files_are_taken_at_their_word_for_step_and_stiffness) {
 }
 
 TEST(Profile, a_name_that_is_none_is_refused) {
-  EXPECT_THROW(profile_settings("modern", testing::plain_analysis(1e-3, 1)), std::invalid_argument);
+  EXPECT_THROW(profile_settings("modern", support::plain_analysis(1e-3, 1)), std::invalid_argument);
 }
 
 TEST(Profile, draft_and_reference_take_the_time_of_the_file_in_other_steps) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1000);
+  Analysis analysis = support::plain_analysis(1e-3, 1000);
   const Settings standard = profile_settings("standard", analysis);
   const Settings draft = profile_settings("draft", analysis);
   const Settings reference = profile_settings("reference", analysis);
@@ -78,4 +78,4 @@ TEST(Profile, cases_know_draft_and_reference_as_standard) {
   EXPECT_THROW(rules_of("fast"), std::invalid_argument);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::profile_test

@@ -6,12 +6,12 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::record_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 Blocks frame_and_block() {
   BlockPolygon frame = rectangle({0, 0}, {4, 4});
@@ -103,4 +103,4 @@ TEST(Record, without_measured_points_the_centroid_of_every_element_is_followed) 
   EXPECT_EQ(row.points[1].element, 1);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::record_test

@@ -8,12 +8,12 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::run_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 /// One measured point, so that there is a row a step.
 Scene falling_block(int steps) {
@@ -109,4 +109,4 @@ TEST(Run, the_same_scene_gives_the_same_bits) {
   EXPECT_EQ(places(), places());
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::run_test

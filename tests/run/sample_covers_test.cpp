@@ -12,12 +12,12 @@
 #include "run/prepare.hpp"
 #include "tests/support/held_statics.hpp"
 
-namespace keyblock {
+namespace keyblock::sample_covers_test {
 namespace {
 
-using testing::displacement_of;
-using testing::held_statics;
-using testing::HeldStatics;
+using support::displacement_of;
+using support::held_statics;
+using support::HeldStatics;
 
 class SampleRuns : public ::testing::Test {
  protected:
@@ -91,4 +91,4 @@ TEST_F(SampleRuns, files_run_to_their_last_step) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::sample_covers_test

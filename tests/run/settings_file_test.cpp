@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::settings_file_test {
 namespace {
 
 std::string fault_of(const std::string& text) {
@@ -47,4 +47,4 @@ TEST(SettingsFile, faults_are_told_with_line_and_column) {
   EXPECT_TRUE(fault_of("steps =").starts_with("wish.settings:1:8: error: setting steps: expected a whole number"));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::settings_file_test

@@ -9,10 +9,10 @@
 #include "run/profile.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::settings_table_test {
 
 TEST(SettingsTable, every_setting_reads_back_what_it_shows) {
-  const Settings given = profile_settings("legacy", testing::plain_analysis(1e-3, 10));
+  const Settings given = profile_settings("legacy", support::plain_analysis(1e-3, 10));
   Settings copy;
   for (const SettingText& s : list(given)) set(copy, s.name, s.value);
   set(copy, "gravity.x", "1");
@@ -40,7 +40,7 @@ TEST(SettingsTable, wrong_names_and_values_are_refused) {
 }
 
 TEST(SettingsTable, materials_have_values_of_their_own_that_are_listed_where_given) {
-  Settings settings = profile_settings("standard", testing::plain_analysis(1e-3, 10));
+  Settings settings = profile_settings("standard", support::plain_analysis(1e-3, 10));
   const std::size_t rows = list(settings).size();
   set(settings, "restitution", "0.5");
   set(settings, "restitution.2", "0.25");
@@ -114,4 +114,4 @@ TEST(SettingsTable, choices_that_others_leave_unread_say_so) {
   for (const SettingText& s : list(Settings{})) EXPECT_FALSE(s.expected.empty()) << s.name;
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::settings_table_test

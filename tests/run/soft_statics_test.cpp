@@ -9,7 +9,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock {
+namespace keyblock::soft_statics_test {
 namespace {
 
 // A block on a block on a beam that two points hold: all on covers, so soft that the beam sags by a third of its height.
@@ -28,7 +28,7 @@ constexpr const char* kPile = R"({"keyblock": 1,
 )";
 
 double sag(const std::string& folder) {
-  const std::string table = testing::read_text(folder + "/points.csv");
+  const std::string table = support::read_text(folder + "/points.csv");
   const std::string last = table.substr(table.rfind('\n', table.size() - 2) + 1);
   std::size_t at = 0;
   for (int comma = 0; comma < 6; ++comma) at = last.find(',', at) + 1;  // step, time, point, x, y, dx, dy
@@ -38,23 +38,23 @@ double sag(const std::string& folder) {
 }  // namespace
 
 TEST(SoftStatics, an_equilibrium_lost_at_once_is_found_in_parts_of_the_load) {
-  const std::filesystem::path folder = testing::fresh_folder("soft_statics");
+  const std::filesystem::path folder = support::fresh_folder("soft_statics");
   const std::string file = (folder / "pile.json").string();
-  testing::write_text(file, kPile);
+  support::write_text(file, kPile);
   const std::string at_once = (folder / "at_once").string();
   const std::string in_parts = (folder / "in_parts").string();
-  const auto run = testing::run_keyblock({"run", file, "-o", at_once});
+  const auto run = support::run_keyblock({"run", file, "-o", at_once});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
-  EXPECT_EQ(testing::run_keyblock({"run", file, "--set", "load_steps=5", "-o", in_parts}).exit_code, 0);
+  EXPECT_EQ(support::run_keyblock({"run", file, "--set", "load_steps=5", "-o", in_parts}).exit_code, 0);
   EXPECT_LT(sag(at_once), -0.5);
   EXPECT_NEAR(sag(at_once) / sag(in_parts), 1, 1e-9);
 }
 
 // Two points at mid-height hold a beam: it hangs between them, the same to both sides, whether anything else is in the scene or not.
 TEST(SoftStatics, fixed_points_hold_a_body_on_covers_that_touches_nothing) {
-  const std::filesystem::path folder = testing::fresh_folder("held_beam");
+  const std::filesystem::path folder = support::fresh_folder("held_beam");
   const std::string file = (folder / "beam.json").string();
-  testing::write_text(file, R"({"keyblock": 1,
+  support::write_text(file, R"({"keyblock": 1,
  "blocks": {"blocks": [{"material": 1, "outer": [[0, 0, 1], [10, 0, 1], [10, 2, 1], [0, 2, 1]]}],
             "fixed_points": [[0.5, 1, 1], [9.5, 1, 1]], "measured_points": [[5, 1, 1]]},
  "covers": {"functions": "derived", "mesh": {"side": 0.6}},
@@ -63,7 +63,7 @@ TEST(SoftStatics, fixed_points_hold_a_body_on_covers_that_touches_nothing) {
               "block_materials": [
  {"density": 2000, "unit_weight": 19620, "youngs_modulus": 1e9, "poissons_ratio": 0.2}]}}
 )");
-  const auto run = testing::run_keyblock({"run", file, "-o", (folder / "out").string()});
+  const auto run = support::run_keyblock({"run", file, "-o", (folder / "out").string()});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   EXPECT_EQ(run.messages.find("without_effect"), std::string::npos) << run.messages;
   // Euler and Timoshenko for a beam on two supports, 5 q L⁴/384 E I + q L²/8 κ G A: 5.6 mm. The ends that stand out lift the middle
@@ -74,4 +74,4 @@ TEST(SoftStatics, fixed_points_hold_a_body_on_covers_that_touches_nothing) {
   EXPECT_NEAR(sag((folder / "out").string()) / -(bending + shear), 1, 0.1);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::soft_statics_test

@@ -6,11 +6,11 @@
 #include "run/run.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::standard_run_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
+using support::plain_analysis;
+using support::rectangle;
 
 Problem block_on_floor() {
   Blocks blocks;
@@ -55,4 +55,4 @@ TEST(StandardRun, steps_report_their_touches_and_that_both_are_closed) {
   run(prepare(block_on_floor(), "standard", {}).scene, 1, observer);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::standard_run_test

@@ -9,13 +9,13 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::advance_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::step_once;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
+using support::step_once;
 
 // A free block of mass m on one fixed point at its centroid: an undamped oscillator with k = m (Omega/dt)².
 struct Oscillator {
@@ -160,4 +160,4 @@ TEST(Advance, every_way_to_solve_makes_the_same_steps) {
   EXPECT_LT(distance(places[1], places[0]), 1e-9);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::advance_test

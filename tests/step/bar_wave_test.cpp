@@ -9,13 +9,13 @@
 
 #include "tests/support/cover_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::bar_wave_test {
 namespace {
 
-using testing::mixed_scene_of;
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::standard_settings;
+using support::mixed_scene_of;
+using support::plain_analysis;
+using support::rectangle;
+using support::standard_settings;
 
 // Row 2 of the benchmark: E 1e10 Pa, ν 0, ρ 2500 kg/m³; c = √(E/ρ).
 constexpr double kModulus = 1e10;
@@ -69,7 +69,7 @@ Scene bar(Bar kind, bool holds_right_end) {
     for (int i = 0; i < kLength; ++i) blocks.blocks.push_back(rectangle({1.0 * i, 0}, {i + 1.0, 1}));
   else
     blocks.blocks.push_back(rectangle({0, 0}, {kLength, 1}));
-  Scene scene = kind == Bar::of_blocks ? testing::standard_scene_of(blocks, analysis, settings)
+  Scene scene = kind == Bar::of_blocks ? support::standard_scene_of(blocks, analysis, settings)
                                        : mixed_scene_of(blocks, {0}, analysis, settings, 25, CoverFunctions::derived);
   // The corners of the left face, and of the right one.
   for (VertexIndex v : indices(scene.model.vertices)) {
@@ -110,7 +110,7 @@ Record watch(const Scene& scene, double from, double to, double until) {
     if (from <= start.elements[e].centroid.x && start.elements[e].centroid.x <= to) about.push_back(e);
   Record record;
   while (stepper.state().time < until) {
-    testing::run_to(stepper, stepper.state().time + kStep);
+    support::run_to(stepper, stepper.state().time + kStep);
     double area = 0;
     double way = 0;
     double stress = 0;
@@ -161,4 +161,4 @@ INSTANTIATE_TEST_SUITE_P(Bars, BarWave, ::testing::Values(Bar::of_blocks, Bar::o
                          [](const auto& bar) { return bar.param == Bar::of_blocks ? "of_blocks" : "on_covers"; });
 
 }  // namespace
-}  // namespace keyblock
+}  // namespace keyblock::bar_wave_test

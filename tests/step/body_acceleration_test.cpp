@@ -7,10 +7,10 @@
 #include "step/stepper.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::body_acceleration_test {
 namespace {
 
-using testing::plain_analysis;
+using support::plain_analysis;
 
 constexpr ElementIndex kBlock{0};
 
@@ -28,7 +28,7 @@ Travel second_of(const char* profile, BlockBasis basis, double dt, const BodyAcc
   settings.standard.basis = basis;
   settings.body_acceleration = acceleration;
   const Scene scene =
-      testing::standard_scene_of({{testing::rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
+      support::standard_scene_of({{support::rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
   const std::unique_ptr<Stepper> stepper = stepper_for(scene);
   while (stepper->state().time < 1 - dt / 2) {
     const auto made = stepper->advance();
@@ -80,4 +80,4 @@ TEST(GivenAcceleration, linear_acceleration_is_first_order_in_legacy) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::body_acceleration_test

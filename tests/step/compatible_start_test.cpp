@@ -6,14 +6,14 @@
 
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::compatible_start_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::radians;
-using testing::standard_scene_of;
-using testing::standard_settings;
-using testing::turned_rectangle;
+using support::plain_analysis;
+using support::radians;
+using support::standard_scene_of;
+using support::standard_settings;
+using support::turned_rectangle;
 
 constexpr double kWidth = 1;
 constexpr double kStep = 1e-3;
@@ -52,7 +52,7 @@ TEST(CompatibleStart, the_heel_of_a_toppling_column_on_springs_gives_it_no_spin)
     settings.standard.enforcement = Enforcement::penalty;
     StandardStepper stepper(standard_scene_of(column_on_slope(), analysis, settings));
     constexpr double kTime = 20 * kStep;
-    testing::run_to(stepper, kTime);
+    support::run_to(stepper, kTime);
     const double spin = stepper.state().elements[ElementIndex{1}].velocity[2];
     const double expected = -first_acceleration() * kTime;
     EXPECT_NEAR(spin, expected, 0.05 * std::abs(expected)) << "basis " << static_cast<int>(basis);
@@ -70,10 +70,10 @@ TEST(CompatibleStart, a_block_on_springs_stays_where_friction_just_holds_it) {
       Settings settings = standard_settings(analysis);
       settings.standard.basis = basis;
       settings.standard.enforcement = Enforcement::penalty;
-      StandardStepper stepper(standard_scene_of(testing::block_on_slope(radians(30)), analysis, settings));
+      StandardStepper stepper(standard_scene_of(support::block_on_slope(radians(30)), analysis, settings));
       const State start = stepper.state();
-      testing::run_to(stepper, 1);
-      EXPECT_LT(length(testing::travel(stepper, start, 1)), 1e-8) << "springs of " << penalty_factor << " E";
+      support::run_to(stepper, 1);
+      EXPECT_LT(length(support::travel(stepper, start, 1)), 1e-8) << "springs of " << penalty_factor << " E";
     }
   }
 }
@@ -91,4 +91,4 @@ TEST(CompatibleStart, the_start_is_reported) {
             "as the file has it");
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::compatible_start_test

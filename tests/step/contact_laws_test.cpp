@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::contact_laws_test {
 namespace {
 
 // Two points of one face, each half of c L = 100, with friction 0.5.
@@ -37,4 +37,4 @@ TEST(ContactLaws, a_face_beyond_its_strength_loses_all_its_bonds) {
   EXPECT_EQ(sheared({-100, 51, 0, 0}).size(), 2U);  // pulled: 100 − 0.5 · 100
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::contact_laws_test

@@ -10,16 +10,16 @@
 
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::controlled_step_test {
 namespace {
 
-using testing::block_on_slope;
-using testing::plain_analysis;
-using testing::radians;
-using testing::rectangle;
-using testing::run_to;
-using testing::standard_scene_of;
-using testing::standard_settings;
+using support::block_on_slope;
+using support::plain_analysis;
+using support::radians;
+using support::rectangle;
+using support::run_to;
+using support::standard_scene_of;
+using support::standard_settings;
 
 constexpr double kGravity = 9.81;
 constexpr std::array<StepControl, 2> kControls{StepControl::shi, StepControl::error};
@@ -43,7 +43,7 @@ double stopping_error(double tolerance) {
   const State start = stepper.state();
   const double deceleration = kGravity * (std::cos(a) * std::tan(radians(30)) - std::sin(a));
   run_to(stepper, 1.5);  // it stops after 1.02 s
-  return std::abs(dot(testing::travel(stepper, start, 1), {std::cos(a), -std::sin(a)}) - 9 / (2 * deceleration));
+  return std::abs(dot(support::travel(stepper, start, 1), {std::cos(a), -std::sin(a)}) - 9 / (2 * deceleration));
 }
 
 // A rigid square dropped by 0.4905 m with e = 0.5 meets the floor at √0.1 s and is `rebound` high at the end.
@@ -92,7 +92,7 @@ TEST(ControlledStep, a_sliding_block_follows_the_closed_form) {
       const State start = stepper.state();
       run_to(stepper, 1);
       const double expected = kGravity / 2 * (std::sin(a) - std::cos(a) * std::tan(radians(15)));
-      EXPECT_NEAR(dot(testing::travel(stepper, start, 1), {std::cos(a), -std::sin(a)}), expected, 1e-9) << dt;
+      EXPECT_NEAR(dot(support::travel(stepper, start, 1), {std::cos(a), -std::sin(a)}), expected, 1e-9) << dt;
     }
   }
 }
@@ -145,4 +145,4 @@ TEST(ControlledStep, parts_that_are_cut_no_further_are_counted) {
   EXPECT_EQ(std::get<StepReport>(made).dt, 0.025);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::controlled_step_test

@@ -8,17 +8,17 @@
 #include "tests/support/cover_scenes.hpp"
 #include "tests/support/ledger_runs.hpp"
 
-namespace keyblock {
+namespace keyblock::cover_contact_test {
 namespace {
 
-using testing::block_on_slope;
-using testing::ledger_of;
-using testing::mixed_scene_of;
-using testing::plain_analysis;
-using testing::radians;
-using testing::rectangle;
-using testing::run_to;
-using testing::standard_settings;
+using support::block_on_slope;
+using support::ledger_of;
+using support::mixed_scene_of;
+using support::plain_analysis;
+using support::radians;
+using support::rectangle;
+using support::run_to;
+using support::standard_settings;
 
 constexpr double kGravity = 9.81;
 constexpr double kDensity = 2500;
@@ -185,4 +185,4 @@ TEST(CoverContact, a_body_held_by_its_supports_is_a_wall_to_impacts) {
 }
 
 }  // namespace
-}  // namespace keyblock
+}  // namespace keyblock::cover_contact_test

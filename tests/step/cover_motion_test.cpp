@@ -13,7 +13,7 @@
 #include "tests/support/continuum_benchmarks.hpp"
 #include "tests/support/cover_modes.hpp"
 
-namespace keyblock {
+namespace keyblock::cover_motion_test {
 namespace {
 
 StepRule weighted(double force_weight, double dt) {
@@ -226,4 +226,4 @@ TEST(CoverMotion, a_thin_cantilever_bends_as_the_elastica) {
   EXPECT_NEAR(1 - five.x, 0.38763, 1e-3);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cover_motion_test

@@ -15,12 +15,12 @@
 #include "tests/support/scenes.hpp"
 #include "tests/support/shi_cover_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::cover_unknowns_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::shi_cover_scene;
-using testing::step_once;
+using support::plain_analysis;
+using support::shi_cover_scene;
+using support::step_once;
 
 Drawing drawing_of_lines(const std::vector<Segment>& lines) {
   Drawing drawing = drawing_of(lines, 1e-4);
@@ -43,7 +43,7 @@ double greatest_stress(const State& state) {
 }  // namespace
 
 TEST(CoverUnknowns, a_body_on_covers_falls_freely_without_stress) {
-  const Scene scene = shi_cover_scene(drawing_of_lines(rectangle({0, 0}, {1, 1})), 3, plain_analysis(0.01, 50));
+  const Scene scene = shi_cover_scene(drawing_of_lines(rectangle_sides({0, 0}, {1, 1})), 3, plain_analysis(0.01, 50));
   ASSERT_GT(scene.model.elements.size(), 20U);
   Stepping stepping = start(scene);
   const State before = stepping.state;
@@ -62,7 +62,7 @@ TEST(CoverUnknowns, the_start_velocity_of_a_material_turns_each_body_about_its_o
   analysis.dialect = AnalysisDialect::manifold;
   analysis.block_materials[0].initial_velocity = {3, -2, 0.5};
   const Scene scene = shi_cover_scene(
-      drawing_of_lines(rectangle({0, 0}, {2, 1}) + std::vector<Segment>{{{1, -0.1}, {1, 1.1}}}), 2, analysis);
+      drawing_of_lines(rectangle_sides({0, 0}, {2, 1}) + std::vector<Segment>{{{1, -0.1}, {1, 1.1}}}), 2, analysis);
   const Stepping stepping = start(scene);
   for (ElementIndex e : indices(scene.model.elements)) {
     const ElementState& now = stepping.state.elements[e];
@@ -77,11 +77,11 @@ TEST(CoverUnknowns, the_start_velocity_of_a_material_turns_each_body_about_its_o
 
 TEST(CoverUnknowns, one_long_static_step_is_the_static_solution_of_the_same_covers) {
   const Box box{{0, 0}, {4, 1}};
-  Drawing drawing = drawing_of_lines(rectangle(box.low, box.high));
+  Drawing drawing = drawing_of_lines(rectangle_sides(box.low, box.high));
   for (const Point held : {Point{0, 0}, Point{0, 1}}) drawing.fixed_lines.push_back({{held, held}, {}});
   drawing.loading_points.push_back({{4, 1}, {}});
   std::vector<Segment> sides;
-  for (const Segment& side : rectangle(box.low, box.high)) sides.push_back(side);
+  for (const Segment& side : rectangle_sides(box.low, box.high)) sides.push_back(side);
   const BodyCut bodies = cut_bodies(drawing);
   const Manifold manifold = cut_cover(bodies.graph, unstructured_mesh(box, {0.3, {}, 0.3}, sides));
   const ElementPoints points = points_in_elements(manifold, bodies.blocks.blocks);
@@ -119,7 +119,8 @@ TEST(CoverUnknowns, one_long_static_step_is_the_static_solution_of_the_same_cove
 }
 
 TEST(CoverUnknowns, the_lips_of_a_slit_in_one_body_do_not_pass_through_each_other) {
-  Drawing drawing = drawing_of_lines(rectangle({0, 0}, {2, 1}) + std::vector<Segment>{{{-0.01, 0.5}, {1.2, 0.5}}});
+  Drawing drawing =
+      drawing_of_lines(rectangle_sides({0, 0}, {2, 1}) + std::vector<Segment>{{{-0.01, 0.5}, {1.2, 0.5}}});
   drawing.fixed_lines.push_back({{{0, 0}, {0, 0}}, {}});
   drawing.fixed_lines.push_back({{{1, 0}, {1, 0}}, {}});
   drawing.fixed_lines.push_back({{{2, 0}, {2, 0}}, {}});
@@ -184,4 +185,4 @@ TEST(CoverUnknowns, a_block_on_covers_slides_down_a_smooth_slope_as_theory_says_
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cover_unknowns_test

@@ -8,11 +8,11 @@
 #include "step/stepper.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::damping_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
+using support::plain_analysis;
+using support::rectangle;
 
 constexpr ElementIndex kBlock{0};
 
@@ -31,7 +31,7 @@ double speed_left(const char* profile, BlockBasis basis, double mass_damping, do
   Settings settings = profile_settings(profile, analysis);
   settings.standard.basis = basis;
   settings.mass_damping = mass_damping;
-  const Scene scene = testing::standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
+  const Scene scene = support::standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
   const auto stepper = stepper_for(scene);
   step_to(*stepper, 1, dt);
   return end_velocity(stepper->state().elements[kBlock], stepper->state(), settings, 0)[0];
@@ -50,14 +50,14 @@ double stress_left(const Settings& choices, int steps_a_period) {
   analysis.gravity = 0;
   analysis.block_materials[0].poissons_ratio = 0;
   analysis.block_materials[0].initial_stress = {kStress, 0, 0};
-  Settings settings = testing::standard_settings(analysis);
+  Settings settings = support::standard_settings(analysis);
   settings.mass_damping = choices.mass_damping;
   settings.stiffness_damping = choices.stiffness_damping;
   settings.standard.strain_damping = StrainDamping::none;
   settings.standard.force_weight = 0.5;
-  const Scene scene = testing::standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
+  const Scene scene = support::standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
   StandardStepper stepper(scene);
-  testing::run_to(stepper, 1.3 * period);
+  support::run_to(stepper, 1.3 * period);
   return stepper.state().elements[kBlock].stress.xx / kStress;
 }
 
@@ -112,7 +112,7 @@ TEST(Damping, materials_are_damped_apart) {
     Settings settings = profile_settings(profile, analysis);
     settings.mass_damping.own[0] = 3;
     const Scene scene =
-        testing::standard_scene_of({{rectangle({0, 0}, {1, 1}), second}, {}, {}, {}, {}, {}}, analysis, settings);
+        support::standard_scene_of({{rectangle({0, 0}, {1, 1}), second}, {}, {}, {}, {}, {}}, analysis, settings);
     const auto stepper = stepper_for(scene);
     step_to(*stepper, 1, 0.01);
     const double decay = (1 - 0.015) / (1 + 0.015);
@@ -131,11 +131,11 @@ TEST(Damping, a_block_that_has_stopped_keeps_no_velocity) {
   Blocks blocks;
   blocks.blocks = {rectangle({-5, -1}, {5, 0}), rectangle({0, 0.02}, {1, 1.02})};
   blocks.fixed_points = {{{-4, -0.5}, 0, {}}, {{4, -0.5}, 0, {}}};
-  const Scene scene = testing::standard_scene_of(blocks, analysis, testing::standard_settings(analysis));
+  const Scene scene = support::standard_scene_of(blocks, analysis, support::standard_settings(analysis));
   StandardStepper stepper(scene);
-  testing::run_to(stepper, 200 * dt);
+  support::run_to(stepper, 200 * dt);
   const UnknownBlock v = stepper.state().elements[ElementIndex{1}].velocity;
   EXPECT_LT(v.cwiseAbs().maxCoeff(), 1e-9);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::damping_test

@@ -6,11 +6,11 @@
 
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::enforcement_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
+using support::plain_analysis;
+using support::rectangle;
 
 /// A held floor, two storeys of blocks side by side on it, and a lone block above.
 Model wall(int columns, int storeys) {
@@ -73,4 +73,4 @@ TEST(Enforcement, the_reason_of_the_decision_is_said) {
   EXPECT_EQ(why_enforcement(wall(5, 4), {}), "touching blocks stand in a ring");
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::enforcement_test

@@ -9,7 +9,7 @@
 
 #include "step/step_equations.hpp"
 
-namespace keyblock {
+namespace keyblock::integrator_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -135,4 +135,4 @@ TEST(Integrator, shi_is_a_newmark_step) {
     EXPECT_LE((amplification(weighted(0.5, 1), w) - amplification(newmark(0.5, 1), w)).norm(), 1e-13 * w * w + 1e-14);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::integrator_test

@@ -9,18 +9,18 @@
 
 #include "tests/support/ledger_runs.hpp"
 
-namespace keyblock {
+namespace keyblock::ledger_test {
 namespace {
 
-using testing::block_above_floor;
-using testing::block_on_slope;
-using testing::column_on_slope;
-using testing::ledger_of;
-using testing::plain_analysis;
-using testing::radians;
-using testing::rectangle;
-using testing::standard_scene_of;
-using testing::standard_settings;
+using support::block_above_floor;
+using support::block_on_slope;
+using support::column_on_slope;
+using support::ledger_of;
+using support::plain_analysis;
+using support::radians;
+using support::rectangle;
+using support::standard_scene_of;
+using support::standard_settings;
 
 constexpr double kGravity = 9.81;
 constexpr double kMass = 2500;       // of a square metre of plain_analysis
@@ -363,4 +363,4 @@ TEST(Ledger, no_books_are_kept_where_the_settings_say_so) {
   EXPECT_EQ(ledger_of(scene, 0.01).rows.back().stored.kinetic, 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::ledger_test

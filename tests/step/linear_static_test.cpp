@@ -9,7 +9,7 @@
 
 #include "tests/support/continuum_benchmarks.hpp"
 
-namespace keyblock {
+namespace keyblock::linear_static_test {
 namespace {
 
 /// u_i = a_i + G_i x + quadratic terms: constant strain where there are none.
@@ -196,4 +196,4 @@ TEST(LinearStatic, a_body_that_can_still_move_is_refused) {
   EXPECT_THROW(solve_static(continuum), NotPositiveDefinite);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::linear_static_test

@@ -5,13 +5,13 @@
 #include "step/stepper.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::material_choices_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::run_to;
-using testing::standard_scene_of;
+using support::plain_analysis;
+using support::rectangle;
+using support::run_to;
+using support::standard_scene_of;
 
 BlockPolygon with_joint(BlockPolygon block, int joint) {
   for (BlockVertex& corner : block.outer) corner.joint_material = joint;
@@ -63,7 +63,7 @@ TEST(MaterialChoices, each_joint_material_rebounds_by_its_own_restitution) {
   Analysis analysis = two_joints(1e-3);
   analysis.gravity = 0;
   analysis.block_materials[0].initial_velocity = {0, -1, 0};
-  Settings settings = testing::standard_settings(analysis);
+  Settings settings = support::standard_settings(analysis);
   settings.standard.basis = BlockBasis::rigid;
   settings.standard.restitution = 0.8;
   settings.standard.restitution.own[1] = 0.3;
@@ -77,7 +77,7 @@ TEST(MaterialChoices, each_joint_material_rebounds_by_its_own_restitution) {
 // A rigid block of weight W on two springs p sinks by W/2p; on multipliers it does not.
 TEST(MaterialChoices, joints_with_springs_give_and_joints_with_multipliers_do_not) {
   const Analysis analysis = two_joints(1e-3);
-  Settings settings = testing::standard_settings(analysis);
+  Settings settings = support::standard_settings(analysis);
   settings.standard.basis = BlockBasis::rigid;
   settings.standard.enforcement.own[1] = Enforcement::penalty;
   const Scene scene = standard_scene_of(two_pairs(0), analysis, settings);
@@ -87,4 +87,4 @@ TEST(MaterialChoices, joints_with_springs_give_and_joints_with_multipliers_do_no
   EXPECT_NEAR(stepper.state().elements[{3}].centroid.y, 0.5 - 24525 / (2 * settings.contact_penalty), 1e-12);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::material_choices_test

@@ -6,12 +6,12 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::open_close_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 /// A block on another. `settles` false: closing within w0 of distance and opening above minus w0, so that every
 /// judgement turns every contact over.
@@ -78,7 +78,7 @@ TEST(OpenClose, under_another_limit_than_eight_an_unfinished_step_is_accepted) {
   for (int limit : {5, 9}) {
     const Scene scene = two_blocks(false, limit);
     Stepping stepping = start(scene);
-    const StepReport report = testing::step_once(scene, stepping);
+    const StepReport report = support::step_once(scene, stepping);
     EXPECT_EQ(report.passes, 8) << limit;
     EXPECT_EQ(report.unsettled_contacts, 2) << limit;
     EXPECT_EQ(report.redos, 0) << limit;
@@ -107,4 +107,4 @@ TEST(OpenClose, a_system_that_cannot_be_solved_is_said_so) {
   EXPECT_NE(outcome.failure, "");
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::open_close_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock {
+namespace keyblock::penalty_test {
 
 // Legacy-rules 11.3: kn := max(kn w6/g3, kn/3), ten times that and a redo beyond 2.5 g3.
 TEST(Penalty, grows_with_penetration_and_falls_slowly) {
@@ -31,4 +31,4 @@ TEST(Penalty, misfit_is_that_of_the_closed_contacts) {
   EXPECT_EQ(misfit(contacts).opening, 3);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::penalty_test

@@ -9,13 +9,13 @@
 #include "contact/point_motion.hpp"
 #include "tests/support/cover_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::rigid_view_test {
 namespace {
 
-using testing::mixed_scene_of;
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::standard_settings;
+using support::mixed_scene_of;
+using support::plain_analysis;
+using support::rectangle;
+using support::standard_settings;
 
 // A slab of 3 m × 1 m on covers above a held floor that is a block.
 StandardScene slab_on_covers() {
@@ -72,4 +72,4 @@ TEST(RigidView, opposite_impulses_on_one_body_turn_it) {
   EXPECT_NEAR(ContactMatrix(rows, view.flexibility()).diagonal()[0] * mass, turn * turn / ((9 + 1) / 12.0), 1e-10);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::rigid_view_test

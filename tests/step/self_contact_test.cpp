@@ -8,12 +8,12 @@
 
 #include "tests/support/cover_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::self_contact_test {
 namespace {
 
-using testing::mixed_scene_of;
-using testing::plain_analysis;
-using testing::standard_settings;
+using support::mixed_scene_of;
+using support::plain_analysis;
+using support::standard_settings;
 
 constexpr double kModulus = 5e9;
 constexpr double kLength = 4;    // m, of a tine
@@ -61,7 +61,7 @@ struct Tips {
 
 Tips tips_of(const Scene& scene) {
   StandardStepper stepper(scene);
-  testing::run_to(stepper, 1e-3);
+  support::run_to(stepper, 1e-3);
   Tips tips;
   for (VertexIndex v : indices(scene.model.vertices)) {
     const Point p = scene.model.start_vertices[static_cast<std::size_t>(v.value)];
@@ -87,4 +87,4 @@ TEST(SelfContact, tines_that_meet_do_not_pass_through_each_other) {
 }
 
 }  // namespace
-}  // namespace keyblock
+}  // namespace keyblock::self_contact_test

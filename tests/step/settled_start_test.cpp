@@ -6,12 +6,12 @@
 
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::settled_start_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::standard_settings;
+using support::plain_analysis;
+using support::rectangle;
+using support::standard_settings;
 
 // Four squares of a metre on a floor; `points` hold the floor.
 StandardScene wall_on_floor(const std::vector<BlockPoint>& points) {
@@ -53,4 +53,4 @@ TEST(SettledStart, blocks_without_support_are_left_unloaded) {
   EXPECT_NEAR(on_floor(scene, made.motion), 0, 1e-6);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::settled_start_test

@@ -7,14 +7,14 @@
 #include "geometry/polygon.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::standard_free_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::run_to;
-using testing::standard_scene_of;
-using testing::standard_settings;
+using support::plain_analysis;
+using support::rectangle;
+using support::run_to;
+using support::standard_scene_of;
+using support::standard_settings;
 
 constexpr ElementIndex kBlock{0};
 
@@ -132,4 +132,4 @@ TEST(StandardFree, an_integrator_that_blows_up_is_a_failure) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::standard_free_test

@@ -11,14 +11,14 @@
 #include "step/touch_search.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::standard_impact_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::run_to;
-using testing::standard_scene_of;
-using testing::standard_settings;
+using support::plain_analysis;
+using support::rectangle;
+using support::run_to;
+using support::standard_scene_of;
+using support::standard_settings;
 
 constexpr std::array<BlockBasis, 2> kBases{BlockBasis::rigid, BlockBasis::affine};
 
@@ -107,7 +107,7 @@ TEST(StandardImpact, an_oblique_impact_keeps_momentum_and_makes_no_energy) {
   for (BlockBasis basis : kBases) {
     for (double dt : {1e-3, 1e-4}) {
       Blocks blocks;
-      blocks.blocks = {rectangle({0, 0}, {1, 1}), testing::turned_rectangle({1.2, -0.6}, {2.2, 0.4}, 0.3)};
+      blocks.blocks = {rectangle({0, 0}, {1, 1}), support::turned_rectangle({1.2, -0.6}, {2.2, 0.4}, 0.3)};
       blocks.blocks[1].material = 1;
       Analysis analysis = plain_analysis(dt, 1);
       analysis.gravity = 0;
@@ -233,4 +233,4 @@ TEST(StandardImpact, an_overlap_that_was_there_makes_no_velocity) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::standard_impact_test

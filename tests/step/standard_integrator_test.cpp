@@ -7,16 +7,16 @@
 
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::standard_integrator_test {
 namespace {
 
-using testing::block_on_slope;
-using testing::plain_analysis;
-using testing::radians;
-using testing::rectangle;
-using testing::run_to;
-using testing::standard_scene_of;
-using testing::standard_settings;
+using support::block_on_slope;
+using support::plain_analysis;
+using support::radians;
+using support::rectangle;
+using support::run_to;
+using support::standard_scene_of;
+using support::standard_settings;
 
 struct Method {
   const char* name;
@@ -104,7 +104,7 @@ TEST(StandardIntegrator, a_sliding_block_follows_the_closed_form_under_each) {
         StandardStepper stepper(scene);
         const State start = stepper.state();
         run_to(stepper, 1);
-        const double slip = dot(testing::travel(stepper, start, 1), {std::cos(a), -std::sin(a)});
+        const double slip = dot(support::travel(stepper, start, 1), {std::cos(a), -std::sin(a)});
         const double expected = 9.81 / 2 * (std::sin(a) - std::cos(a) * std::tan(radians(friction)));
         EXPECT_NEAR(slip, expected, 1e-10) << method.name << ", slope " << slope << ", friction " << friction;
         worst = std::max(worst, std::abs(slip - expected));
@@ -126,11 +126,11 @@ TEST(StandardIntegrator, a_block_that_stops_stays_under_each) {
     const State start = stepper.state();
     const double deceleration = 9.81 * (std::cos(a) * std::tan(radians(30)) - std::sin(a));
     run_to(stepper, 3 / deceleration + 0.2);
-    const double slip = dot(testing::travel(stepper, start, 1), {std::cos(a), -std::sin(a)});
+    const double slip = dot(support::travel(stepper, start, 1), {std::cos(a), -std::sin(a)});
     EXPECT_NEAR(slip, 9 / (2 * deceleration), deceleration * 1e-4) << method.name;
     const Unknowns& v = stepper.state().elements[ElementIndex{1}].velocity;
     EXPECT_LE(v.head<2>().norm(), 1e-3) << method.name;
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::standard_integrator_test

@@ -8,11 +8,11 @@
 #include "step/standard_stepper.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::standard_scene_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::rectangle;
+using support::plain_analysis;
+using support::rectangle;
 
 // A held floor and three squares on it, without friction.
 Problem three_squares() {
@@ -40,4 +40,4 @@ TEST(StandardScene, a_rigid_scene_without_friction_solves_three_unknowns_a_movin
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::standard_scene_test

@@ -7,15 +7,15 @@
 
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::standard_slide_test {
 namespace {
 
-using testing::block_on_slope;
-using testing::plain_analysis;
-using testing::radians;
-using testing::run_to;
-using testing::standard_scene_of;
-using testing::standard_settings;
+using support::block_on_slope;
+using support::plain_analysis;
+using support::radians;
+using support::run_to;
+using support::standard_scene_of;
+using support::standard_settings;
 
 constexpr double kGravity = 9.81;
 
@@ -78,7 +78,7 @@ double down_slope(Point p, double slope_deg) {
 }
 
 double slip(const StandardStepper& stepper, const State& start, double slope_deg) {
-  return down_slope(testing::travel(stepper, start, 1), slope_deg);
+  return down_slope(support::travel(stepper, start, 1), slope_deg);
 }
 
 Point velocity(const StandardStepper& stepper) {
@@ -205,7 +205,7 @@ TEST(StandardSlide, each_part_of_a_straight_side_has_its_own_friction) {
   ASSERT_EQ(base.size(), 4U);
   base.insert(base.begin() + 3, BlockVertex{turned(Point{10, 0}, -slope), 0});
   base[4].joint_material = 1;
-  blocks.blocks.push_back(testing::turned_rectangle({12, 0}, {13, 1}, -slope));
+  blocks.blocks.push_back(support::turned_rectangle({12, 0}, {13, 1}, -slope));
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.joint_materials = {JointMaterial{}, JointMaterial{}};
   analysis.joint_materials[1].friction_angle_deg = 40;
@@ -213,8 +213,8 @@ TEST(StandardSlide, each_part_of_a_straight_side_has_its_own_friction) {
   StandardStepper stepper(scene);
   const State start = stepper.state();
   run_to(stepper, 0.5);
-  EXPECT_NEAR(length(testing::travel(stepper, start, 1)), 0, 1e-6);
-  EXPECT_NEAR(length(testing::travel(stepper, start, 2)), 9.81 * std::sin(slope) / 2 * 0.25, 1e-6);
+  EXPECT_NEAR(length(support::travel(stepper, start, 1)), 0, 1e-6);
+  EXPECT_NEAR(length(support::travel(stepper, start, 2)), 9.81 * std::sin(slope) / 2 * 0.25, 1e-6);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::standard_slide_test

@@ -7,16 +7,16 @@
 
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::standard_stack_test {
 namespace {
 
-using testing::plain_analysis;
-using testing::radians;
-using testing::rectangle;
-using testing::run_to;
-using testing::standard_scene_of;
-using testing::standard_settings;
-using testing::turned_rectangle;
+using support::plain_analysis;
+using support::radians;
+using support::rectangle;
+using support::run_to;
+using support::standard_scene_of;
+using support::standard_settings;
+using support::turned_rectangle;
 
 constexpr double kGravity = 9.81;
 
@@ -156,15 +156,15 @@ TEST(StandardStack, a_box_at_the_foot_of_a_hill_stays_there) {
       0, {{{-1, -2}, 0}, {{10, -2}, 0}, {{10, 0}, 0}, {{3, 0}, 0}, {{2, 1}, 0}, {{1, 0}, 0}, {{-1, 0}, 0}}, {}};
   for (const double left : {-0.8, 0.0, 3.0, 5.0, 8.5}) {
     Blocks blocks;
-    blocks.blocks = {hill, testing::rectangle({left, 0}, {left + 0.9, 1})};
+    blocks.blocks = {hill, support::rectangle({left, 0}, {left + 0.9, 1})};
     blocks.fixed_points = {{{0, -1}, 0, {}}, {{8, -1}, 0, {}}};
-    const Analysis analysis = testing::plain_analysis(1e-3, 1);
-    const Scene scene = testing::standard_scene_of(blocks, analysis, testing::standard_settings(analysis));
+    const Analysis analysis = support::plain_analysis(1e-3, 1);
+    const Scene scene = support::standard_scene_of(blocks, analysis, support::standard_settings(analysis));
     StandardStepper stepper(scene);
     const State start = stepper.state();
-    testing::run_to(stepper, 0.1);
-    EXPECT_NEAR(testing::travel(stepper, start, 1).y, 0, 1e-6) << "left " << left;
+    support::run_to(stepper, 0.1);
+    EXPECT_NEAR(support::travel(stepper, start, 1).y, 0, 1e-6) << "left " << left;
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::standard_stack_test

@@ -11,15 +11,15 @@
 #include "step/equilibrium.hpp"
 #include "tests/support/cover_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::static_step_test {
 namespace {
 
-using testing::block_on_slope;
-using testing::plain_analysis;
-using testing::radians;
-using testing::rectangle;
-using testing::standard_scene_of;
-using testing::standard_settings;
+using support::block_on_slope;
+using support::plain_analysis;
+using support::radians;
+using support::rectangle;
+using support::standard_scene_of;
+using support::standard_settings;
 
 constexpr double kGravity = 9.81;
 constexpr std::array<MotionRule, 2> kRules{MotionRule::equilibrium, MotionRule::relaxation};
@@ -124,7 +124,7 @@ TEST(StaticStep, a_block_held_by_friction_alone_rests) {
         EXPECT_NEAR(normal / (2500 * kGravity * std::cos(radians(20))), 1, 1e-7) << name_of(rule);
         EXPECT_NEAR(tangential / (2500 * kGravity * std::sin(radians(20))), 1, 1e-7) << name_of(rule);
         // Settlement under its own weight is of the order W/E and W/p, 5e-6 m; a slip would have no bound.
-        EXPECT_LE(length(testing::travel(stepper, stepper.unloaded(), 1)), 2e-5) << name_of(rule);
+        EXPECT_LE(length(support::travel(stepper, stepper.unloaded(), 1)), 2e-5) << name_of(rule);
       }
     }
   }
@@ -155,7 +155,7 @@ TEST(StaticStep, a_column_beyond_its_limit_is_named_and_one_within_stands) {
     for (double ratio : {0.9, 1.1}) {
       Blocks blocks = block_on_slope(slope);
       const double h = 1 / (ratio * std::tan(slope));
-      blocks.blocks[1] = testing::turned_rectangle({8, 0}, {9, h}, -slope);
+      blocks.blocks[1] = support::turned_rectangle({8, 0}, {9, h}, -slope);
       Analysis analysis = plain_analysis(1e-3, 1);
       analysis.velocity_carry_over = 0;
       analysis.joint_materials[0].friction_angle_deg = 50;
@@ -263,7 +263,7 @@ TEST(StaticStep, a_held_strip_on_covers_bends_further_than_its_size) {
     settings.standard.motion = rule;
     Blocks blocks;
     blocks.blocks = {rectangle({0, 0}, {1, height})};
-    Scene scene = testing::mixed_scene_of(blocks, {0}, analysis, settings, 24, CoverFunctions::derived);
+    Scene scene = support::mixed_scene_of(blocks, {0}, analysis, settings, 24, CoverFunctions::derived);
     const double force = -5 * analysis.block_materials[0].youngs_modulus * height * height * height / 12;
     for (VertexIndex v : indices(scene.model.vertices)) {
       const Point p = scene.model.start_vertices[static_cast<std::size_t>(v.value)];
@@ -282,4 +282,4 @@ TEST(StaticStep, a_held_strip_on_covers_bends_further_than_its_size) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::static_step_test

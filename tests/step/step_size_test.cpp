@@ -8,13 +8,13 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::step_size_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::step_once;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
+using support::step_once;
 
 Blocks one_block() {
   return {{rectangle({0, 0}, {2, 2})}, {}, {}, {}, {}, {}};
@@ -90,4 +90,4 @@ TEST(StepSize, a_solution_out_of_balance_is_a_failure) {
   EXPECT_NE(reason.find("out of balance"), std::string::npos) << reason;
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::step_size_test

@@ -8,12 +8,12 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::update_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 /// 2 × 1 about (11, 20.5), E = 5e9, nu = 0.25.
 Scene one_block() {
@@ -117,4 +117,4 @@ TEST(Update, velocity_of_the_last_step_takes_the_given_step_size) {
   EXPECT_NEAR(state.elements[ElementIndex{0}].velocity[0], 17, 1e-12);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::update_test

@@ -7,14 +7,14 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::batch_answers_test {
 namespace {
 
 using report::CatalogueAnswer;
-using testing::write_text;
+using support::write_text;
 
 std::filesystem::path run_folder(const std::string& name, const std::string& record, const std::string& history) {
-  const std::filesystem::path folder = testing::fresh_folder("answers_" + name);
+  const std::filesystem::path folder = support::fresh_folder("answers_" + name);
   write_text(folder / "run.json", record);
   write_text(folder / "history.csv", history);
   return folder;
@@ -92,4 +92,4 @@ TEST(BatchAnswers, only_whole_answers_differ) {
   EXPECT_EQ(difference_of({first, last}), std::nullopt);
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::batch_answers_test

@@ -6,7 +6,7 @@
 
 #include "formats/csv.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::batch_catalogue_test {
 namespace {
 
 report::CatalogueRow full_row() {
@@ -69,4 +69,4 @@ TEST(BatchCatalogue, the_json_has_every_row_without_its_picture) {
   EXPECT_FALSE(json["jobs"][0].contains("thumbnail"));
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::batch_catalogue_test

@@ -7,7 +7,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::batch_check_test {
 namespace {
 
 // A triangle held at a point, and one block material.
@@ -16,9 +16,9 @@ const std::string kControls = "1\n10\n1\n1\n0.01\n0.1\n2 20 1e6 0.2\n0 0 0\n0 0 
 
 class BatchCheck : public ::testing::Test {
  protected:
-  BatchCheck() : root_(testing::fresh_folder("batch_check")) {
-    testing::write_text(root_ / "a.geo", kLines);
-    testing::write_text(root_ / "a.ana", kControls);
+  BatchCheck() : root_(support::fresh_folder("batch_check")) {
+    support::write_text(root_ / "a.geo", kLines);
+    support::write_text(root_ / "a.ana", kControls);
   }
 
   report::CatalogueRow check(CheckDepth depth = CheckDepth::plan) const {
@@ -42,7 +42,7 @@ TEST_F(BatchCheck, a_sound_job_has_its_counts_and_a_picture) {
 }
 
 TEST_F(BatchCheck, a_fault_is_told_under_the_path_of_the_archive_with_what_is_known) {
-  testing::write_text(root_ / "a.ana", "1\n10\n1\nx\n");
+  support::write_text(root_ / "a.ana", "1\n10\n1\nx\n");
   const report::CatalogueRow row = check();
   EXPECT_EQ(row.outcome, "failed");
   EXPECT_TRUE(row.message.starts_with("a.ana:4:1: error: expected")) << row.message;
@@ -50,7 +50,7 @@ TEST_F(BatchCheck, a_fault_is_told_under_the_path_of_the_archive_with_what_is_kn
 }
 
 TEST_F(BatchCheck, the_first_warning_is_the_message_of_a_job_that_goes) {
-  testing::write_text(root_ / "a.ana", kControls + "and a note\n");
+  support::write_text(root_ / "a.ana", kControls + "and a note\n");
   const report::CatalogueRow row = check();
   EXPECT_EQ(row.outcome, "warnings");
   EXPECT_EQ(row.warnings, 1);
@@ -61,8 +61,8 @@ TEST_F(BatchCheck, files_fit_together_where_they_can_be_read_so_and_count_the_sa
   const BatchFile geometry{"a.geo", FileRole::geometry, "dda-geometry", std::nullopt};
   const BatchFile analysis{"a.ana", FileRole::analysis, "dda-analysis-berkeley", std::nullopt};
   EXPECT_TRUE(fit_together(root_, geometry, analysis));
-  testing::write_text(root_ / "a.geo", "x");
+  support::write_text(root_ / "a.geo", "x");
   EXPECT_FALSE(fit_together(root_, geometry, analysis));
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::batch_check_test

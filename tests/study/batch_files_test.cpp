@@ -12,16 +12,16 @@
 #include "tests/support/text_files.hpp"
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::batch_files_test {
 
 namespace fs = std::filesystem;
 
 TEST(BatchFiles, all_but_hidden_ones_and_those_of_the_results_are_found_in_order) {
-  const fs::path root = testing::fresh_folder("batch_files");
+  const fs::path root = support::fresh_folder("batch_files");
   for (const char* folder : {"b", "out/jobs", ".git", "old/jobs"}) fs::create_directories(root / folder);
   for (const char* file : {"z", "b/a", "out/jobs/x", ".git/config", ".hidden", "old/jobs/y"})
-    testing::write_text(root / file, "");
-  testing::write_text(root / "old/journal.jsonl", journal_head("check"));
+    support::write_text(root / file, "");
+  support::write_text(root / "old/journal.jsonl", journal_head("check"));
   fs::create_directory_symlink(root, root / "b" / "round");
   fs::create_symlink(root / "gone", root / "b" / "dead");
   fs::create_symlink(root / "z", root / "b" / "same");
@@ -51,7 +51,7 @@ TEST(BatchFiles, a_name_counts_only_where_no_format_fits) {
   EXPECT_EQ(look_at({"f", "# Notes\n"}, "README.md").role, FileRole::foreign);
   EXPECT_EQ(look_at({"f", "{\"about\": \"a slope\"}"}, "case.json").role, FileRole::foreign);
   EXPECT_EQ(look_at({"f", "# Notes\n"}, "slope.geo").role, FileRole::unreadable);
-  EXPECT_EQ(look_at({"f", testing::kTwoTrianglesFile}, "cover.txt").role, FileRole::geometry);
+  EXPECT_EQ(look_at({"f", support::kTwoTrianglesFile}, "cover.txt").role, FileRole::geometry);
 }
 
 TEST(BatchFiles, a_garbled_case_is_not_taken_for_another_file) {
@@ -62,20 +62,20 @@ TEST(BatchFiles, a_garbled_case_is_not_taken_for_another_file) {
 }
 
 TEST(BatchFiles, names_that_are_no_utf_8_are_escaped_and_found_again) {
-  const fs::path root = testing::fresh_folder("batch_escapes");
+  const fs::path root = support::fresh_folder("batch_escapes");
   const std::vector<std::string> raw{"50%", "50%25", "B\xF6schung", "B\xC3\xB6schung", "\xED\xA0\x80", "\xC0\xAF"};
-  for (const std::string& name : raw) testing::write_text(root / name, name);
+  for (const std::string& name : raw) support::write_text(root / name, name);
   const std::vector<std::string> names = files_below(root, {}).files;
   EXPECT_EQ(names,
             (std::vector<std::string>{"%C0%AF", "%ED%A0%80", "50%25", "50%2525", "B%F6schung", "B\xC3\xB6schung"}));
   std::vector<std::string> found;
-  for (const std::string& name : names) found.push_back(testing::read_text(place_of(root, name)));
+  for (const std::string& name : names) found.push_back(support::read_text(place_of(root, name)));
   EXPECT_TRUE(std::ranges::is_permutation(found, raw));
 }
 
 TEST(BatchFiles, counts_of_a_cover_are_those_its_analysis_must_have) {
-  const BatchFile file = look_at({"f", testing::kTwoTrianglesFile}, "cv");
+  const BatchFile file = look_at({"f", support::kTwoTrianglesFile}, "cv");
   EXPECT_EQ(file.counts, (FitCounts{true, 1, 2, 1}));
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::batch_files_test

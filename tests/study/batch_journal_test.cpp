@@ -7,7 +7,7 @@
 #include "formats/csv.hpp"
 #include "study/batch_catalogue.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::batch_journal_test {
 namespace {
 
 report::CatalogueRow some_row(const std::string& name) {
@@ -74,4 +74,4 @@ TEST(BatchCatalogue, the_table_reads_back_cell_by_cell) {
   EXPECT_EQ(cell("difference"), "0.001");
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::batch_journal_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::study {
+namespace keyblock::study::batch_pairs_test {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -124,4 +124,4 @@ TEST(BatchPairs, whole_cases_and_side_files_are_jobs_of_their_own) {
   EXPECT_EQ(jobs[2].paired_by, "other file");
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::batch_pairs_test

@@ -6,7 +6,7 @@
 
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::berkeley_faults_test {
 namespace {
 
 formats::FileReading file_of(const std::string& text) {
@@ -104,4 +104,4 @@ TEST(BerkeleyFaults, files_that_the_program_does_not_read_stay) {
   EXPECT_EQ(new_warnings(file), (std::vector<std::string>{"not_of_berkeley"}));
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::berkeley_faults_test

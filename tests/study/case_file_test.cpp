@@ -10,14 +10,14 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::case_file_test {
 namespace {
 
 namespace fs = std::filesystem;
 
 CaseFolder folder_with(const std::string& json) {
-  const fs::path folder = testing::fresh_folder("case_file");
-  testing::write_text(folder / "case.json", json);
+  const fs::path folder = support::fresh_folder("case_file");
+  support::write_text(folder / "case.json", json);
   return {folder, "case_file", true, false};
 }
 
@@ -38,7 +38,7 @@ bool contains(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST(CaseFile, without_one_nothing_is_set) {
-  const CaseFile file = read_case_file({testing::fresh_folder("no_case_file"), "none", true, false});
+  const CaseFile file = read_case_file({support::fresh_folder("no_case_file"), "none", true, false});
   EXPECT_FALSE(file.is_slow);
   EXPECT_TRUE(file.variants.empty());
   EXPECT_TRUE(file.overrides("legacy").empty());
@@ -60,13 +60,13 @@ TEST(CaseFile, settings_of_both_profiles_come_before_those_of_one_and_these_befo
 TEST(CaseFile, variants_can_be_shared_by_naming_a_file_of_them) {
   const CaseFolder folder = folder_with(R"({"variants": [
       "shared.json", {"name": "own", "profile": "legacy", "set": {}}]})");
-  testing::write_text(folder.folder / "shared.json", R"([{"name": "a", "profile": "standard", "set": {}},
+  support::write_text(folder.folder / "shared.json", R"([{"name": "a", "profile": "standard", "set": {}},
                                                           {"name": "b", "profile": "standard", "set": {}}])");
   const CaseFile file = read_case_file(folder);
   ASSERT_EQ(file.variants.size(), 3U);
   EXPECT_EQ(file.variants[0].name, "a");
   EXPECT_EQ(file.variants[2].name, "own");
-  testing::write_text(folder.folder / "shared.json", R"([{"name": "a"}])");
+  support::write_text(folder.folder / "shared.json", R"([{"name": "a"}])");
   EXPECT_THROW(read_case_file(folder), InputError);
 }
 
@@ -96,4 +96,4 @@ TEST(CaseFile, keys_and_values_that_are_none_are_refused_by_name) {
   }
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::case_file_test

@@ -8,11 +8,11 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::cases_test {
 
 namespace fs = std::filesystem;
-using testing::fresh_folder;
-using testing::write_text;
+using support::fresh_folder;
+using support::write_text;
 
 TEST(CaseFolders, are_found_below_a_path_in_order_of_their_names) {
   const fs::path root = fresh_folder("case_folders");
@@ -37,4 +37,4 @@ TEST(CaseFolders, a_path_without_any_is_refused) {
   EXPECT_THROW(find_cases({fresh_folder("no_cases") + "/none"}), InputError);
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::cases_test

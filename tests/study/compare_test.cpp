@@ -12,16 +12,16 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::compare_test {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Free fall (400 steps of 5 ms) with the given rows for expected values.
 CaseFolder free_fall(const std::string& rows) {
-  const fs::path folder = fs::path(testing::fresh_folder("compare")) / "released";
+  const fs::path folder = fs::path(support::fresh_folder("compare")) / "released";
   fs::copy(KEYBLOCK_SOURCE_DIR "/legacy_cases/free_fall/released", folder);
-  testing::write_text(folder / "expected.csv", rows);
+  support::write_text(folder / "expected.csv", rows);
   return find_cases({folder.string()}).front();
 }
 
@@ -32,7 +32,7 @@ ComparedCase compared(const std::string& rows) {
 /// Both profiles and all variants; `rows` end with whose value is judged.
 CaseComparison judged(const std::string& rows, const std::string& case_file) {
   const CaseFolder folder = free_fall("quantity,block,time,value,tolerance,tolerance_reason,source,judged\n" + rows);
-  testing::write_text(folder.folder / "case.json", case_file);
+  support::write_text(folder.folder / "case.json", case_file);
   return compare_in(folder, {"legacy", "standard"});
 }
 
@@ -153,8 +153,8 @@ TEST(Compare, settings_of_the_case_file_are_those_of_the_run) {
 TEST(Compare, a_file_that_a_setting_names_is_looked_for_in_the_case_folder) {
   const CaseFolder folder =
       free_fall("quantity,block,time,value,tolerance,tolerance_reason,source\ndy,2,1,-4.405,1e-9,r,s\n");
-  testing::write_text(folder.folder / "case.json", R"({"set": {"both": {"body_acceleration_file": "lift.csv"}}})");
-  testing::write_text(folder.folder / "lift.csv", "time,ax,ay\n0,0,1\n5,0,1\n");
+  support::write_text(folder.folder / "case.json", R"({"set": {"both": {"body_acceleration_file": "lift.csv"}}})");
+  support::write_text(folder.folder / "lift.csv", "time,ax,ay\n0,0,1\n5,0,1\n");
   EXPECT_TRUE(compare_in(folder, {"legacy", "standard"}).holds());
   fs::remove(folder.folder / "lift.csv");
   EXPECT_THROW(compare_in(folder, {"legacy"}), InputError);
@@ -188,7 +188,7 @@ TEST(Compare, a_variant_with_a_setting_that_is_none_leaves_the_other_runs) {
 TEST(Compare, variants_of_a_profile_that_is_not_asked_for_are_not_run) {
   const CaseFolder folder =
       free_fall("quantity,block,time,value,tolerance,tolerance_reason,source\ndy,2,1,-4.905,1e-9,r,s\n");
-  testing::write_text(folder.folder / "case.json",
+  support::write_text(folder.folder / "case.json",
                       R"({"variants": [{"name": "n", "profile": "standard", "set": {}}]})");
   EXPECT_TRUE(compare_in(folder, {"legacy"}).variants.empty());
   EXPECT_EQ(compare_in(folder, {"standard"}).variants.size(), 1U);
@@ -213,4 +213,4 @@ TEST(Compare, a_scene_that_cannot_be_run_misses_only_where_it_is_judged) {
   EXPECT_FALSE(none.plain[1].holds());
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::compare_test

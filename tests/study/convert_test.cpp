@@ -21,7 +21,7 @@
 #include "tests/support/random_contents.hpp"
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::convert_test {
 namespace {
 
 using formats::Content;
@@ -130,7 +130,7 @@ std::map<std::string, ExpectedLosses> expected_losses() {
   return table;
 }
 
-formats::FileReading written_and_read(const testing::ContentKind& kind, const Content& content) {
+formats::FileReading written_and_read(const support::ContentKind& kind, const Content& content) {
   formats::FileReading file = file_of(*kind.format, content);
   file.reading = kind.format->read(file.source, kind.hint(content));
   return file;
@@ -162,7 +162,7 @@ std::vector<std::string> items(const std::vector<Loss>& losses) {
 TEST(Convert, what_is_lost_between_any_two_formats_is_what_the_target_cannot_hold_and_the_rest_comes_back_equal) {
   std::map<std::string, ExpectedLosses> table = expected_losses();
   int compared = 0, derived = 0;
-  for (const testing::ContentKind& kind : testing::content_kinds())
+  for (const support::ContentKind& kind : support::content_kinds())
     for (const Target& target : targets()) {
       const std::string pair = fmt::format("{} > {}", kind.format->name, target.name);
       ASSERT_TRUE(table.contains(pair)) << pair;
@@ -199,7 +199,7 @@ TEST(Convert, what_is_lost_between_any_two_formats_is_what_the_target_cannot_hol
 }
 
 TEST(Convert, each_format_into_itself_loses_nothing) {
-  for (const testing::ContentKind& kind : testing::content_kinds())
+  for (const support::ContentKind& kind : support::content_kinds())
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       Dice dice(seed);
       const Content content = kind.draw(dice);
@@ -210,7 +210,7 @@ TEST(Convert, each_format_into_itself_loses_nothing) {
 }
 
 TEST(Convert, everything_fits_the_case_file) {
-  for (const testing::ContentKind& kind : testing::content_kinds()) {
+  for (const support::ContentKind& kind : support::content_kinds()) {
     Dice dice(7);
     EXPECT_EQ(items(converted(kind.draw(dice), *find_target("keyblock-case")).losses), std::vector<std::string>{});
   }
@@ -235,14 +235,14 @@ TEST(Convert, replays_and_measured_points_fit_the_case_file) {
     ASSERT_EQ(content.frames.size() + content.tracks.size(), 2U);
     const Conversion conversion = convert({file}, *find_target("keyblock-case"), Faults::none);
     EXPECT_EQ(conversion.losses, std::vector<Loss>{});
-    EXPECT_EQ(testing::content_text(read_back(conversion)), testing::content_text(content));
+    EXPECT_EQ(support::content_text(read_back(conversion)), support::content_text(content));
   }
   EXPECT_NEAR(formats::read(replay).content.frames.at(1).elements.at(0).displacement.x, 0.5, 1e-15);
 }
 
 TEST(Convert, a_format_without_results_says_that_they_are_lost) {
   Dice dice(3);
-  Content content = testing::content_kinds().front().draw(dice);
+  Content content = support::content_kinds().front().draw(dice);
   content.tracks.resize(1);
   content.frames.resize(3);
   for (Frame& frame : content.frames) frame.elements.emplace_back().loops = {{{0, 0}, {1, 0}, {0, 1}}};
@@ -266,7 +266,7 @@ TEST(Convert, comments_are_kept_with_the_bytes_or_named) {
 
 TEST(Convert, a_case_in_millimetres_becomes_a_drawing_in_millimetres) {
   Dice dice(1);
-  Content content = testing::content_kinds().front().draw(dice);
+  Content content = support::content_kinds().front().draw(dice);
   ASSERT_TRUE(content.drawing);
   content.units = Units{"mm", "t", "s"};
   const Conversion conversion = converted(content, *find_target("dxf"));
@@ -371,7 +371,7 @@ TEST(Convert, a_curve_without_its_point_is_a_loss) {
     return content;
   };
   Content cover, lines;
-  cover.cover = testing::two_triangles();
+  cover.cover = support::two_triangles();
   lines.drawing.emplace().edge_node_ratio = 0.001;
   for (const Segment& line : {Segment{{0, 0}, {2, 0}}, Segment{{2, 0}, {1, 2}}, Segment{{1, 2}, {0, 0}}})
     lines.drawing->joints.push_back({line, 0, {}});
@@ -466,4 +466,4 @@ TEST(Convert, what_does_not_fit_between_geometry_and_analysis_is_said) {
   EXPECT_EQ(names, (std::vector<std::string>{"joint_material_clamped", "surplus_load_curves"}));
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::convert_test

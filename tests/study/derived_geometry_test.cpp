@@ -10,7 +10,7 @@
 #include "geometry/polygon.hpp"
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::derived_geometry_test {
 namespace {
 
 using formats::Content;
@@ -68,7 +68,7 @@ TEST(DerivedGeometry, what_cutting_leaves_out_is_said) {
 }
 
 TEST(DerivedGeometry, the_loops_of_a_cover_are_its_blocks) {
-  const Derivation derived = as_blocks(cover_of(testing::two_triangles())).value();
+  const Derivation derived = as_blocks(cover_of(support::two_triangles())).value();
   EXPECT_EQ(derived.from, "cover");
   EXPECT_EQ(derived.warnings, Warnings{});
   const Blocks& blocks = *derived.content.blocks;
@@ -82,7 +82,7 @@ TEST(DerivedGeometry, the_loops_of_a_cover_are_its_blocks) {
 
 // Left out, it would hand its load to the next point.
 TEST(DerivedGeometry, a_loading_point_outside_the_loops_is_refused) {
-  Cover cover = testing::two_triangles();
+  Cover cover = support::two_triangles();
   cover.loading_points.insert(cover.loading_points.begin(), {{5, 5}, 0, {"a.cv", 3, 1}});
   try {
     as_blocks(cover_of(cover));
@@ -95,7 +95,7 @@ TEST(DerivedGeometry, a_loading_point_outside_the_loops_is_refused) {
 }
 
 TEST(DerivedGeometry, other_points_outside_the_loops_are_left_out_with_a_warning) {
-  Cover cover = testing::two_triangles();
+  Cover cover = support::two_triangles();
   cover.fixed_points.insert(cover.fixed_points.begin(), {{5, 5}, 0, {}});
   const Derivation derived = as_blocks(cover_of(cover)).value();
   EXPECT_EQ(derived.content.blocks->fixed_points.size(), 1U);
@@ -103,4 +103,4 @@ TEST(DerivedGeometry, other_points_outside_the_loops_are_left_out_with_a_warning
   EXPECT_EQ(derived.warnings[0].name, "point_outside_blocks");
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::derived_geometry_test

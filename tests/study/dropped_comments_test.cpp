@@ -9,7 +9,7 @@
 #include "formats/dxf.hpp"
 #include "formats/keyblock_case.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::dropped_comments_test {
 namespace {
 
 std::string told(const formats::Format& format, const std::string& text) {
@@ -35,4 +35,4 @@ TEST(DroppedComments, are_counted_as_each_format_has_them) {
   EXPECT_EQ(told(formats::kDxf, "  0\nSECTION # 1\n"), "");
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::dropped_comments_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace keyblock::study {
+namespace keyblock::study::extrapolation_test {
 namespace {
 
 /// (3, -4) + h^p (1, 2) at h = 0.2, 0.1, 0.05.
@@ -72,4 +72,4 @@ TEST(Extrapolation, distances_are_relative_but_to_nothing) {
   EXPECT_DOUBLE_EQ(relative_distance({3, 4}, {0, 0}), 5 / std::sqrt(2.0));
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::extrapolation_test

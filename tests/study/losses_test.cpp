@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::study {
+namespace keyblock::study::losses_test {
 namespace {
 
 using formats::Content;
@@ -85,4 +85,4 @@ TEST(Losses, a_view_loses_the_items_it_leaves_out) {
                                                {"frames", 1, "3 items → the last 1"}}));
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::losses_test

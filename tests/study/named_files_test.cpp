@@ -10,11 +10,11 @@
 #include "tests/support/scenes.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::named_files_test {
 namespace {
 
 Problem one_block() {
-  return {Blocks{{testing::rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, testing::plain_analysis(1e-3, 1)};
+  return {Blocks{{support::rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, support::plain_analysis(1e-3, 1)};
 }
 
 }  // namespace
@@ -22,7 +22,7 @@ Problem one_block() {
 TEST(NamedFiles, the_table_is_read_from_the_folder_and_becomes_the_curve_of_the_run) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "named_files";
   std::filesystem::create_directories(folder);
-  testing::write_text(folder / "shake.csv", "time,ax,ay\n0,0,0\n2,4,0\n");
+  support::write_text(folder / "shake.csv", "time,ax,ay\n0,0,0\n2,4,0\n");
   const std::vector<Override> overrides{{"body_acceleration_file", "shake.csv"}};
   for (const char* profile : {"legacy", "standard"}) {
     const Prepared prepared = prepare(with_named_files(one_block(), overrides, folder), profile, overrides);
@@ -34,8 +34,8 @@ TEST(NamedFiles, the_table_is_read_from_the_folder_and_becomes_the_curve_of_the_
 TEST(NamedFiles, a_case_file_names_the_table_from_its_own_folder_and_the_command_line_overrules_it) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "named_by_case";
   std::filesystem::create_directories(folder);
-  testing::write_text(folder / "shake.csv", "time,ax,ay\n0,0,0\n2,4,0\n");
-  testing::write_text(folder / "other.csv", "time,ax,ay\n0,0,0\n2,8,0\n");
+  support::write_text(folder / "shake.csv", "time,ax,ay\n0,0,0\n2,4,0\n");
+  support::write_text(folder / "other.csv", "time,ax,ay\n0,0,0\n2,8,0\n");
   Problem problem = one_block();
   problem.choices.settings = {{"body_acceleration_file", "shake.csv"}};
   problem.choices.setting_places = {{(folder / "case.json").string(), 1, 1}};
@@ -56,4 +56,4 @@ TEST(NamedFiles, a_missing_file_is_an_input_error_and_a_name_that_was_not_read_i
   EXPECT_THROW(prepare(one_block(), "legacy", overrides), std::invalid_argument);
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::named_files_test

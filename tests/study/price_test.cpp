@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace keyblock::study {
+namespace keyblock::study::price_test {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -54,4 +54,4 @@ TEST(Price, both_have_to_be_met) {
   EXPECT_EQ(choice_for(kMarket, {1.5, 1e-2}), std::nullopt);
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::price_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace keyblock::study {
+namespace keyblock::study::quantities_test {
 namespace {
 
 /// A block of mass 3 and moment of inertia 2 at (1, 2), one of mass 1 at (5, 6), and a point; areas 4 and 2.
@@ -107,4 +107,4 @@ TEST(Quantities, a_step_that_was_cut_or_left_a_contact_undecided_did_not_converg
   EXPECT_EQ(run.converged_share(), 0.5);
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::quantities_test

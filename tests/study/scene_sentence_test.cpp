@@ -6,7 +6,7 @@
 
 #include "tests/support/two_triangles.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::scene_sentence_test {
 namespace {
 
 Analysis analysis() {
@@ -28,7 +28,7 @@ Analysis analysis() {
 }  // namespace
 
 TEST(SceneSentence, pieces_are_elements_that_share_covers) {
-  Cover cover = testing::two_triangles();
+  Cover cover = support::two_triangles();
   EXPECT_EQ(
       scene_sentence(cover, analysis()),
       "static, 5 steps of 0.2; 2 pieces, 1 of them held, of 2 elements on 6 covers; 1 point load of up to 5; E 10, "
@@ -59,4 +59,4 @@ TEST(SceneSentence, values_that_differ_are_told_as_a_range) {
   EXPECT_TRUE(scene_sentence(blocks, many).starts_with("damped, velocities times 0.95 a step, 5 steps"));
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::scene_sentence_test

@@ -13,22 +13,22 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::trace_test {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// The free fall trace, with one of its tables changed line by line: `keep` says which lines stay.
 TraceDifference follow_with(const std::string& table, const std::function<bool(const std::string&)>& keep) {
-  const fs::path folder = fs::path(testing::fresh_folder("trace")) / "freefall_dt5ms";
+  const fs::path folder = fs::path(support::fresh_folder("trace")) / "freefall_dt5ms";
   fs::copy(KEYBLOCK_SOURCE_DIR "/legacy_cases/reference_traces/freefall_dt5ms", folder);
-  std::istringstream lines(testing::read_text(folder / table));
+  std::istringstream lines(support::read_text(folder / table));
   std::string header;
   std::getline(lines, header);
   std::string kept = header + "\n";
   for (std::string line; std::getline(lines, line);)
     if (keep(line)) kept += line + "\n";
-  testing::write_text(folder / table, kept);
+  support::write_text(folder / table, kept);
   return follow_trace(find_cases({folder.string()}).front());
 }
 
@@ -106,4 +106,4 @@ TEST(FollowTrace, a_polygon_table_that_lacks_a_block_does_not_hold) {
   EXPECT_FALSE(follow_with("cut_blocks.csv", [](const std::string& line) { return begins_with(line, "1,"); }).holds());
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::trace_test

@@ -10,7 +10,7 @@
 
 #include "study/run_design.hpp"
 
-namespace keyblock::study {
+namespace keyblock::study::tradeoff_test {
 namespace {
 
 const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
@@ -169,4 +169,4 @@ TEST(Tradeoff, the_map_has_every_penalty_with_every_step) {
   EXPECT_EQ(value_of(plans[1], "steps"), "");
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock::study::tradeoff_test

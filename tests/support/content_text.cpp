@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 class Lister {
@@ -173,4 +173,4 @@ std::string content_text(const formats::Content& content) {
   return lister.text_;
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -6,9 +6,9 @@
 
 #include "formats/format.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// One line a record, reals to the last bit.
 std::string content_text(const formats::Content& content);
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

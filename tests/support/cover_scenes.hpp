@@ -9,7 +9,7 @@
 #include "model/join.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// A mesh of the given half rows, turned by 10 degrees: nothing is aligned.
 inline TriangleMesh turned_mesh(const BodyGraph& graph, int half_rows) {
@@ -39,4 +39,4 @@ inline Scene mixed_scene_of(const Blocks& blocks, const std::vector<int>& meshed
   return scene_of(with_bases(std::move(model), settings.standard.basis), settings, analysis.dialect);
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

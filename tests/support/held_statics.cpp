@@ -19,7 +19,7 @@
 #include "terms/initial_stress.hpp"
 #include "terms/point_load.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 System of_terms(const Scene& scene, const State& state, const std::vector<Term>& terms) {
@@ -113,4 +113,4 @@ HeldStatics held_statics(Scene scene, double spring) {
   return result;
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -7,7 +7,7 @@
 #include "contact/judge.hpp"
 #include "step/advance.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// Linear about the start; bodies held in fewer than two points, and all contact, are left out.
 struct HeldStatics {
@@ -30,4 +30,4 @@ HeldStatics held_statics(Scene scene, double spring);
 /// Displacement of a carried point by `increments`.
 Point displacement_of(const Scene& scene, const Increments& increments, const CarriedPoint& point);
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

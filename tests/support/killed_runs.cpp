@@ -12,7 +12,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 namespace fs = std::filesystem;
 
@@ -85,4 +85,4 @@ KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, u
   return result;
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// Every file below a folder with its bytes; the timings of run.json are left out.
 std::map<std::string, std::string> contents(const std::string& folder);
@@ -23,4 +23,4 @@ struct KilledRuns {
 /// run; every third is killed once more on the way. The dice are those of `seed`.
 KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, unsigned seed);
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -5,7 +5,7 @@
 #include "result/ledger.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// All rows of a run to `time`; a step that fails throws.
 inline Ledger ledger_of(const Scene& scene, double time) {
@@ -34,4 +34,4 @@ inline Blocks block_above_floor(double gap) {
   return blocks;
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -11,7 +11,7 @@
 #include "tests/support/two_triangles.hpp"
 #include "tests/validate/dice.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ MixedArchive write_mixed_archive(const fs::path& root, std::size_t count, double
   return writer.made;
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

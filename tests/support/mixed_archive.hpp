@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 struct MixedArchive {
   std::set<std::string> broken;    ///< paths below the root of files that no longer say what they should
@@ -20,4 +20,4 @@ struct MixedArchive {
 MixedArchive write_mixed_archive(const std::filesystem::path& root, std::size_t count, double broken_share,
                                  std::uint64_t seed);
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 std::size_t below(std::size_t limit, std::mt19937& random) {
@@ -49,4 +49,4 @@ std::string stretched(const std::string& text, std::size_t size, std::mt19937& r
   return longer + text.substr(at);
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -14,7 +14,7 @@
 
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 namespace fs = std::filesystem;
 
@@ -101,4 +101,4 @@ ProgramRun kill_keyblock(const std::vector<std::string>& arguments, const std::s
   });
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 struct ProgramRun {
   int exit_code = -1;    ///< 128 + signal if it was killed
@@ -30,4 +30,4 @@ ProgramRun kill_keyblock(const std::vector<std::string>& arguments, const std::s
 /// A fresh empty folder below the system's temporary one.
 std::string fresh_folder(const std::string& name);
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -21,7 +21,7 @@
 #include "formats/registry.hpp"
 #include "tests/support/content_text.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 namespace {
 
 using formats::Content;
@@ -490,4 +490,4 @@ std::string round_trip_fault(const ContentKind& kind, const Content& content) {
   }
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -8,7 +8,7 @@
 #include "formats/format.hpp"
 #include "tests/validate/dice.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// A format to write with, what it may hold, and what a reader must be told to read it.
 struct ContentKind {
@@ -23,4 +23,4 @@ std::vector<ContentKind> content_kinds();
 /// Writes, reads and writes again; empty where content and text came back the same, else what differs.
 std::string round_trip_fault(const ContentKind& kind, const formats::Content& content);
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -6,7 +6,7 @@
 #include "run/profile.hpp"
 #include "step/advance.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 inline BlockPolygon rectangle(Point low, Point high) {
   return {0, {{low, 0}, {{high.x, low.y}, 0}, {high, 0}, {{low.x, high.y}, 0}}, {}};
@@ -41,4 +41,4 @@ inline StepReport step_once(const Scene& scene, Stepping& stepping) {
   return std::get<StepReport>(advance(scene, stepping));
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -13,7 +13,7 @@
 #include "run/profile.hpp"
 #include "step/advance.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 inline Manifold shi_cut(const BodyCut& bodies, int half_rows) {
   Box box;
@@ -33,4 +33,4 @@ inline Scene shi_cover_scene(const Drawing& drawing, int half_rows, const Analys
   return shi_cover_scene(manifold, points_in_elements(manifold, bodies.blocks.blocks), analysis);
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

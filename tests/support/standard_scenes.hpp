@@ -10,7 +10,7 @@
 #include "step/standard_stepper.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 inline double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
@@ -54,4 +54,4 @@ inline Point travel(const StandardStepper& stepper, const State& start, int e) {
   return stepper.state().elements[ElementIndex{e}].centroid - start.elements[ElementIndex{e}].centroid;
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 inline std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -18,4 +18,4 @@ inline void write_text(const std::filesystem::path& file, const std::string& tex
   std::ofstream(file, std::ios::binary) << text;
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

@@ -6,7 +6,7 @@
 
 #include "problem/cover.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// The square is cut along its diagonal (joint material 2, counted from 1), so each half hangs on its own three covers
 /// of the same two mathematical triangles. The upper half stands first among the slots, the lower first among the
@@ -35,4 +35,4 @@ inline const std::string kTwoTrianglesFile =
     "1 3\n5 7\n"
     "5 1\n6 1\n7 2\n5 1\n1 2\n2 1\n3 1\n1 2\n";
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

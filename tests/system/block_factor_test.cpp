@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <random>
 
-namespace keyblock {
+namespace keyblock::block_factor_test {
 namespace {
 
 // A wall of `columns` × `rows` blocks, each coupled with the next to the right and above.
@@ -134,4 +134,4 @@ TEST(BlockFactor, serves_again_once_it_is_cleared) {
   for (const double x : first) EXPECT_DOUBLE_EQ(x, 0.5);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::block_factor_test

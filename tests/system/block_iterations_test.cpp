@@ -8,7 +8,7 @@
 
 #include "system/solve.hpp"
 
-namespace keyblock {
+namespace keyblock::block_iterations_test {
 namespace {
 
 using Block = BlockMatrix::Block;
@@ -148,4 +148,4 @@ TEST(Solver, solves_what_is_regular_but_not_positive) {
   EXPECT_LT(solution->residual, 1e-15);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::block_iterations_test

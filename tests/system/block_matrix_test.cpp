@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace keyblock {
+namespace keyblock::block_matrix_test {
 namespace {
 
 using Block = BlockMatrix::Block;
@@ -78,4 +78,4 @@ TEST(BlockMatrix, room_made_beforehand_holds_zeros_and_what_is_added) {
   EXPECT_EQ(matrix.row(2).front().column, 2);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::block_matrix_test

@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-namespace keyblock {
+namespace keyblock::solve_test {
 namespace {
 
 System random_chain(int count) {
@@ -64,4 +64,4 @@ TEST(Solve, system_with_nan_is_refused) {
   EXPECT_FALSE(Solver().solve(system));
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::solve_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace keyblock {
+namespace keyblock::sparse_solve_test {
 namespace {
 
 constexpr std::array<int, 2> kFirst{2, 0};
@@ -72,4 +72,4 @@ TEST(SparseSolve, a_semidefinite_matrix_is_solved_where_it_carries_the_load) {
   EXPECT_NEAR(solution.x(4) - solution.x(2), 4, 1e-4);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::sparse_solve_test

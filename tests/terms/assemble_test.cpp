@@ -6,12 +6,12 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::assemble_test {
 namespace {
 
-using testing::kBlock;
-using testing::legacy_scene;
-using testing::plain_analysis;
+using support::kBlock;
+using support::legacy_scene;
+using support::plain_analysis;
 
 }  // namespace
 
@@ -28,11 +28,11 @@ TEST(Assemble, is_the_sum_of_its_terms) {
   const State state = start(scene).state;
   const StepContext context{scene.model, state, scene.settings, 1e-3};
   const System whole = assemble(scene.terms, context);
-  System sum = testing::system_of_one_block();
+  System sum = support::system_of_one_block();
   for (Term term : scene.terms) term(context, sum);
   EXPECT_EQ(whole.load, sum.load);
   EXPECT_EQ(whole.matrix.row(0)[0].block, sum.matrix.row(0)[0].block);
   EXPECT_NEAR(whole.load[1], -9.81 * 5000, 1e-8);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::assemble_test

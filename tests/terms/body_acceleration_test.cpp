@@ -6,16 +6,16 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::body_acceleration_test {
 
 TEST(BodyAcceleration, is_mass_times_the_acceleration_at_the_end_of_the_step) {
-  Scene scene = testing::legacy_scene(testing::kBlock, testing::plain_analysis(1e-3, 1));
+  Scene scene = support::legacy_scene(support::kBlock, support::plain_analysis(1e-3, 1));
   scene.settings.body_acceleration.curve = {{0, 0.5}, {{0, 0}, {3, -1}}, {}};
-  System system = testing::system_of_one_block();
+  System system = support::system_of_one_block();
   add_body_acceleration({scene.model, start(scene).state, scene.settings, 0.25}, system);
   EXPECT_NEAR(system.load[0], 2500 * 2 * 1.5, 1e-9);
   EXPECT_NEAR(system.load[1], 2500 * 2 * -0.5, 1e-9);
   EXPECT_EQ(system.load.tail<4>().norm(), 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::body_acceleration_test

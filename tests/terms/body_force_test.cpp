@@ -6,12 +6,12 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::body_force_test {
 namespace {
 
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
 
 /// Two blocks of area 2 and 3; the second of a material with its own density and unit weight.
 Scene two_materials() {
@@ -54,4 +54,4 @@ TEST(BodyForce, acts_at_the_centroid_and_turns_nothing) {
   EXPECT_EQ(load.segment<4>(2).norm(), 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::body_force_test

@@ -6,15 +6,15 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::bolt_test {
 namespace {
 
-using testing::kBlock;
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::rectangle;
-using testing::step_once;
-using testing::system_of_one_block;
+using support::kBlock;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::rectangle;
+using support::step_once;
+using support::system_of_one_block;
 
 /// 2 × 1 about (11, 20.5) and about (15, 20.5), far from touching, with one bolt from corner to corner.
 Blocks two_blocks(double stiffness, double pretension) {
@@ -106,4 +106,4 @@ TEST(Bolt, pretension_pulls_two_free_blocks_together) {
   EXPECT_DOUBLE_EQ(stepping.state.bolts[0].force, kForce);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::bolt_test

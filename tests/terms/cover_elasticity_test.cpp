@@ -13,7 +13,7 @@
 #include "terms/cover_stiffness.hpp"
 #include "tests/support/continuum_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::cover_elasticity_test {
 namespace {
 
 /// The plate of nmm-01 with initial stress, on a mesh turned by 10°.
@@ -203,4 +203,4 @@ TEST(CoverElasticity, a_uniform_stress_turns_with_the_body) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cover_elasticity_test

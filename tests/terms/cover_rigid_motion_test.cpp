@@ -8,7 +8,7 @@
 #include "terms/cover_inertia.hpp"
 #include "tests/support/continuum_scenes.hpp"
 
-namespace keyblock {
+namespace keyblock::cover_rigid_motion_test {
 namespace {
 
 constexpr double kDensity = 2500;
@@ -65,4 +65,4 @@ TEST(CoverRigidMotion, weight_works_on_the_shift_of_the_centre) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::cover_rigid_motion_test

@@ -6,16 +6,16 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::damping_test {
 
 // 2 × 1 block: mass 5000, ∫ρx² = 2500·2/3; plane stress with ν = 0, S E = 1e10.
 TEST(DampingTerm, is_mass_and_stiffness_by_their_factors_over_the_step) {
-  Analysis analysis = testing::plain_analysis(1e-3, 1);
+  Analysis analysis = support::plain_analysis(1e-3, 1);
   analysis.block_materials[0].poissons_ratio = 0;
-  Scene scene = testing::legacy_scene(testing::kBlock, analysis);
+  Scene scene = support::legacy_scene(support::kBlock, analysis);
   scene.settings.mass_damping.own[0] = 3;
   scene.settings.stiffness_damping.common = 1e-4;
-  System system = testing::system_of_one_block();
+  System system = support::system_of_one_block();
   add_damping({scene.model, start(scene).state, scene.settings, 0.5}, system);
   const auto& c = system.matrix.row(0)[0].block;
   EXPECT_NEAR(c(0, 0), 3 * 5000 / 0.5, 1e-8);
@@ -23,4 +23,4 @@ TEST(DampingTerm, is_mass_and_stiffness_by_their_factors_over_the_step) {
   EXPECT_EQ(system.load.norm(), 0);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::damping_test

@@ -6,13 +6,13 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::elastic_test {
 namespace {
 
-using testing::kBlock;
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::system_of_one_block;
+using support::kBlock;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::system_of_one_block;
 
 }  // namespace
 
@@ -46,4 +46,4 @@ TEST(Elastic, plane_strain_quirk_is_a_factor) {
   EXPECT_NEAR(with.matrix.row(0)[0].block(3, 3) / right, 1.25 / 0.75, 1e-14);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::elastic_test

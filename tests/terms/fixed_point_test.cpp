@@ -6,13 +6,13 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::fixed_point_test {
 namespace {
 
-using testing::kBlock;
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::system_of_one_block;
+using support::kBlock;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::system_of_one_block;
 
 }  // namespace
 
@@ -42,4 +42,4 @@ TEST(FixedPoint, is_driven_along_its_motion_at_the_end_of_the_step) {
   EXPECT_NEAR(system.load[2] / ((4 - 1) * 100 * 5e9), 1, 1e-12);  // lever 1 about the centroid
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::fixed_point_test

@@ -6,13 +6,13 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::inertia_test {
 namespace {
 
-using testing::kBlock;
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::system_of_one_block;
+using support::kBlock;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::system_of_one_block;
 
 }  // namespace
 
@@ -45,4 +45,4 @@ TEST(Inertia, carries_the_velocity_over_by_its_share) {
   }
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::inertia_test

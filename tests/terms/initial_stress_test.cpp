@@ -6,13 +6,13 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::initial_stress_test {
 namespace {
 
-using testing::kBlock;
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::system_of_one_block;
+using support::kBlock;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::system_of_one_block;
 
 }  // namespace
 
@@ -37,4 +37,4 @@ TEST(InitialStress, acts_on_the_current_area) {
   EXPECT_EQ(system.load[3], -7);
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::initial_stress_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace keyblock::testing {
+namespace keyblock::support {
 
 /// 2 × 1 about (11, 20.5).
 inline const Blocks kBlock{{rectangle({10, 20}, {12, 21})}, {}, {}, {}, {}, {}};
@@ -13,4 +13,4 @@ inline System system_of_one_block() {
   return System({6});
 }
 
-}  // namespace keyblock::testing
+}  // namespace keyblock::support

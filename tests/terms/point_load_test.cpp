@@ -6,13 +6,13 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock {
+namespace keyblock::point_load_test {
 namespace {
 
-using testing::kBlock;
-using testing::legacy_scene;
-using testing::plain_analysis;
-using testing::system_of_one_block;
+using support::kBlock;
+using support::legacy_scene;
+using support::plain_analysis;
+using support::system_of_one_block;
 
 }  // namespace
 
@@ -29,4 +29,4 @@ TEST(PointLoad, acts_at_the_point_with_the_value_at_the_end_of_the_step) {
   EXPECT_NEAR(system.load[2], 4 * 1, 1e-12);  // lever 1 about the centroid
 }
 
-}  // namespace keyblock
+}  // namespace keyblock::point_load_test

@@ -8,7 +8,7 @@
 
 int main(int argc, char** argv) {
   using namespace keyblock;
-  using namespace keyblock::testing;
+  using namespace keyblock::support;
   CLI::App app("Round trips of generated contents through every format that is written");
   int count = 10000;
   app.add_option("--count", count, "contents a format")->check(CLI::PositiveNumber);

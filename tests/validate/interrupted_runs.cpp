@@ -19,7 +19,7 @@ struct Case {
 }  // namespace
 
 int main() {
-  using keyblock::testing::KilledRuns;
+  using keyblock::support::KilledRuns;
   const std::vector<Case> cases{
       {"stack/five_blocks/five_blocks", ".geo", {}},
       {"toppling_column/falls/falls", ".geo", {}},
@@ -34,7 +34,7 @@ int main() {
     for (const char* profile : {"legacy", "standard"}) {
       std::vector<std::string> arguments{stem + one.geometry, stem + ".ana", "--profile", profile};
       arguments.insert(arguments.end(), one.options.begin(), one.options.end());
-      const KilledRuns runs = keyblock::testing::killed_runs(arguments, kMoments, kSeed);
+      const KilledRuns runs = keyblock::support::killed_runs(arguments, kMoments, kSeed);
       all_sound = all_sound && runs.differs.empty() && runs.resumed > 0;
       fmt::print("{:50} {:10} {:6} {:8} {:6}  {}\n", one.name, profile, runs.killed, runs.resumed, runs.killed_twice,
                  !runs.differs.empty() ? "DIFFER: " + runs.differs

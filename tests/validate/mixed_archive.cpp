@@ -15,7 +15,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using keyblock::testing::read_text;
+using keyblock::support::read_text;
 
 constexpr double kMostSeconds = 60;
 
@@ -37,7 +37,7 @@ bool are_same(const fs::path& a, const fs::path& b) {
 }
 
 /// Failed jobs that hold no broken file, and broken files whose job did not fail.
-std::pair<int, int> misjudged(const fs::path& catalogue, const keyblock::testing::MixedArchive& made) {
+std::pair<int, int> misjudged(const fs::path& catalogue, const keyblock::support::MixedArchive& made) {
   std::pair<int, int> counts{0, 0};
   for (const auto& job : nlohmann::json::parse(read_text(catalogue))["jobs"]) {
     int broken = 0;
@@ -56,7 +56,7 @@ std::pair<int, int> misjudged(const fs::path& catalogue, const keyblock::testing
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace keyblock::testing;
+  using namespace keyblock::support;
   CLI::App app("A mixed archive, checked by a batch");
   std::size_t count = 1000;
   double broken_share = 0.05;
