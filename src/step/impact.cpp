@@ -3,8 +3,10 @@
 #include "step/impact.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "contact/friction_newton.hpp"
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
 #include "model/material_choices.hpp"
@@ -17,6 +19,11 @@ namespace {
 // Overlap of this share of block size is round-off of a position; linearised passes get there in two or three.
 constexpr double kNoOverlap = 1e-14;
 constexpr int kMostPasses = 10;
+// Overlaps of more touches than the first figure may lock each other, and no push takes them all away. Where none is found, each
+// touch yields this share of what its blocks do; passes end where the deepest overlap does not fall to the last figure.
+constexpr std::size_t kMany = 50;
+constexpr double kYield = 1e-2;
+constexpr double kGain = 0.5;
 // Impulses are settled at this share of the largest momentum.
 constexpr double kImpulseTolerance = 1e-13;
 // In assemblies the goal may be out of reach; a residual this much larger still counts.
@@ -81,6 +88,18 @@ Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size
   return times;
 }
 
+Eigen::VectorXd push(const FrictionalProblem& problem) {
+  return solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
+}
+
+Eigen::VectorXd push_of_many(FrictionalProblem& problem) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.w.rows());
+  const FrictionalSolution exact = newton(problem, none);
+  if (exact.converged) return exact.forces;
+  for (Eigen::Index i = 0; i < none.size(); ++i) problem.w.add_to_diagonal(i, kYield * problem.w.diagonal()[i]);
+  return newton(problem, none).forces;
+}
+
 }  // namespace
 
 UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts,
@@ -90,11 +109,15 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
   for (std::size_t i = 0; i < all.size(); ++i)
     least[i] = i < impacts.size() ? all[i].rest_gap : std::min(least[i], 0.0);
   const double tolerable = kNoOverlap * size_of(scene);
+  const bool may_lock = all.size() > kMany;
   const RigidView view(scene, q);
+  double before = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < kMostPasses; ++pass) {
     std::vector<double> room = gaps_of(scene, q, all);
     for (std::size_t i = 0; i < all.size(); ++i) room[i] -= least[i];
-    if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable; })) break;
+    const double deepest = -std::ranges::min(room);
+    if (deepest <= tolerable || (may_lock && deepest > kGain * before)) break;
+    before = deepest;
     const ContactRows rows = view.rows(rows_with_points(scene, q, all));
     FrictionalProblem problem{ContactMatrix(rows, view.flexibility()), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
     problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
@@ -102,8 +125,7 @@ UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const
     for (std::size_t i = 0; i < all.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
     problem.goal = tolerable / problem.w.diagonal().maxCoeff();
     problem.acceptable = kLooser * problem.goal;
-    const Eigen::VectorXd push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
-    q = plus(q, 1, view.answer(rows, push));
+    q = plus(q, 1, view.answer(rows, may_lock ? push_of_many(problem) : push(problem)));
   }
   return q;
 }

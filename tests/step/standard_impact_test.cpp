@@ -41,6 +41,41 @@ double rebound(BlockBasis basis, Enforcement enforcement, double restitution, do
   return stepper.state().elements[ElementIndex{1}].velocity[1];
 }
 
+// Blocks side by side, pressed into each other, the first of them held: a wall behind the last one leaves them no room.
+struct Row {
+  Scene drawn;
+  StandardScene scene;
+  Motion motion;
+  Touches touches;
+
+  explicit Row(bool has_wall) : drawn(drawn_row(has_wall)), scene(standard_scene(drawn.model, drawn.settings)) {
+    motion = start_motion(scene);
+    const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v);
+    touches = touches_of(scene, motion, scales, 1e-3).touches;
+  }
+
+  static Scene drawn_row(bool has_wall) {
+    constexpr int kBlocks = 40;
+    constexpr double kWidth = 1 - 1e-6;  // of the room of a block
+    Blocks blocks;
+    for (int i = 0; i < kBlocks; ++i) blocks.blocks.push_back(rectangle({i * kWidth, 0}, {i * kWidth + 1, 1}));
+    const auto hold = [&](int block) {
+      for (const double y : {0.2, 0.8}) blocks.fixed_points.push_back({{block * kWidth + 0.5, y}, block, {}});
+    };
+    hold(0);
+    if (has_wall) hold(kBlocks - 1);
+    const Analysis analysis = plain_analysis(1e-3, 1);
+    return standard_scene_of(blocks, analysis, standard_settings(analysis));
+  }
+
+  double deepest(const UnknownsTable& q) const {
+    const auto vertices = vertices_at(scene.model, scene.reference, q);
+    double least = 0;
+    for (const Touch& touch : touches) least = std::min(least, gap_of(touch, vertices));
+    return -least;
+  }
+};
+
 }  // namespace
 
 // dda-11 by the impact law: e is reproduced wherever in the step the floor is met. Tc is that of two springs of 10 E.
@@ -231,6 +266,20 @@ TEST(StandardImpact, an_overlap_that_was_there_makes_no_velocity) {
                 start - 2e-5);  // nor does it sink, but for springs
     }
   }
+}
+
+TEST(StandardImpact, overlaps_of_many_touches_go_where_there_is_room) {
+  const Row row(false);
+  ASSERT_GT(row.touches.size(), 50);
+  EXPECT_NEAR(row.deepest(row.motion.q), 1e-6, 1e-12);
+  EXPECT_LE(row.deepest(without_overlap(row.scene, row.motion.q, row.touches, {})), 1e-10);
+}
+
+// No push takes them away: what was sought once, by a thousand times the work of the step, was not there.
+TEST(StandardImpact, overlaps_that_lock_each_other_stay_as_deep_as_they_are) {
+  const Row row(true);
+  const UnknownsTable q = without_overlap(row.scene, row.motion.q, row.touches, {});
+  EXPECT_NEAR(row.deepest(q), 1e-6, 1e-7);
 }
 
 }  // namespace keyblock::standard_impact_test
