@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/loop.hpp"
 #include "contact/line.hpp"
 
 namespace keyblock {
@@ -121,7 +122,7 @@ class Judge {
 Contacts judge(Contacts contacts, const Model& model, const State& state, const Increments& increments,
                const ContactRules& rules, double penalty) {
   const Judge judge_one(model, state, increments, rules, penalty);
-  for (Contact& contact : contacts) judge_one(contact);
+  for_each_entry(contacts.size(), [&](std::size_t i) { judge_one(contacts[i]); });
   return contacts;
 }
 

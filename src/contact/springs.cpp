@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "base/loop.hpp"
 #include "contact/line.hpp"
 
 namespace keyblock {
 namespace {
+
+// Springs that are made by several threads before they are added one by one: a megabyte of them.
+constexpr std::size_t kMadeAtOnce = 2048;
 
 // The elements of a contact and the operators of its three points: i carries P1, j carries the line.
 struct Ends {
@@ -87,17 +92,37 @@ void add_product(const SpringPair::Columns& a, const SpringPair::Columns& b, Blo
   }
 }
 
-void add_springs(const SpringPair& springs, const Ends& ends, System& system) {
+struct ContactSprings {
+  int i;
+  int j;
+  SpringPair springs;
+};
+
+// Nothing of an open contact.
+std::optional<ContactSprings> springs_of(const Contact& contact, const Model& model, const State& state,
+                                         const ContactRules& rules, double penalty) {
+  if (contact.is_open()) return std::nullopt;
+  const Line line = line_of(state, contact.active());
+  const Ends ends = ends_of(contact.active(), line, model, state);
+  ContactSprings made{ends.i, ends.j, SpringPair(ends)};
+  made.springs.set(0, normal_spring(line, ends), penalty);
+  if (contact.state == ContactState::locked)
+    made.springs.set(1, shear_spring(line, ends, contact.ratio), penalty / rules.shear_ratio);
+  return made;
+}
+
+void add(const ContactSprings& contact, System& system) {
+  const auto& [i, j, springs] = contact;
   const SpringPair::Columns scaled_i = springs.on_i * springs.stiffness.asDiagonal();
   const SpringPair::Columns scaled_j = springs.on_j * springs.stiffness.asDiagonal();
-  add_product(scaled_i, springs.on_i, system.matrix.block(ends.i, ends.i));
-  add_product(scaled_j, springs.on_j, system.matrix.block(ends.j, ends.j));
-  if (ends.i < ends.j)
-    add_product(scaled_i, springs.on_j, system.matrix.block(ends.i, ends.j));
+  add_product(scaled_i, springs.on_i, system.matrix.block(i, i));
+  add_product(scaled_j, springs.on_j, system.matrix.block(j, j));
+  if (i < j)
+    add_product(scaled_i, springs.on_j, system.matrix.block(i, j));
   else
-    add_product(scaled_j, springs.on_i, system.matrix.block(ends.j, ends.i));
-  system.load_of(ends.i) -= scaled_i * springs.stretch;
-  system.load_of(ends.j) -= scaled_j * springs.stretch;
+    add_product(scaled_j, springs.on_i, system.matrix.block(j, i));
+  system.load_of(i) -= scaled_i * springs.stretch;
+  system.load_of(j) -= scaled_j * springs.stretch;
 }
 
 double friction_force(const Contact& contact, const JointMaterial& joint) {
@@ -110,15 +135,13 @@ double friction_force(const Contact& contact, const JointMaterial& joint) {
 
 void add_springs(const Contacts& contacts, const Model& model, const State& state, const ContactRules& rules,
                  double penalty, System& system) {
-  for (const Contact& contact : contacts) {
-    if (contact.is_open()) continue;
-    const Line line = line_of(state, contact.active());
-    const Ends ends = ends_of(contact.active(), line, model, state);
-    SpringPair springs(ends);
-    springs.set(0, normal_spring(line, ends), penalty);
-    if (contact.state == ContactState::locked)
-      springs.set(1, shear_spring(line, ends, contact.ratio), penalty / rules.shear_ratio);
-    add_springs(springs, ends, system);
+  std::vector<std::optional<ContactSprings>> made(std::min(contacts.size(), kMadeAtOnce));
+  for (std::size_t begin = 0; begin < contacts.size(); begin += made.size()) {
+    const std::size_t count = std::min(made.size(), contacts.size() - begin);
+    for_each_entry(count,
+                   [&](std::size_t k) { made[k] = springs_of(contacts[begin + k], model, state, rules, penalty); });
+    for (std::size_t k = 0; k < count; ++k)
+      if (made[k]) add(*made[k], system);
   }
 }
 

@@ -70,7 +70,9 @@ double step_size(const Scene& scene, const Stepping& stepping) {
 BlockMatrix::Pairs coupled_elements(const Model& model, const Contacts& contacts) {
   BlockMatrix::Pairs pairs;
   const auto couple = [&](ElementIndex a, ElementIndex b) {
-    if (a != b) pairs.push_back(std::minmax(a.value, b.value));
+    if (a == b) return;
+    const std::pair<int, int> pair = std::minmax(a.value, b.value);
+    if (pairs.empty() || pairs.back() != pair) pairs.push_back(pair);  // contacts of a pair come one after another
   };
   for (const Contact& contact : contacts)
     couple(model.vertices[contact.first.vertex].element, model.vertices[contact.first.start].element);

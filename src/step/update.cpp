@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/update.hpp"
 
+#include "base/loop.hpp"
 #include "model/hanging.hpp"
 #include "model/material_stress.hpp"
 #include "step/motion.hpp"
@@ -64,8 +65,10 @@ State update(const Model& model, State state, const Settings& settings, const In
              const std::vector<Point>& node_steps) {
   const State before = state;
   const Mover mover(model, before, increments, settings.rotation);
-  for (VertexIndex v : indices(model.vertices))
+  for_each_entry(model.vertices.size(), [&](std::size_t i) {
+    const VertexIndex v{static_cast<int>(i)};
     state.vertices[v] = before.vertices[v] + mover(model.vertices[v].element, before.vertices[v]);
+  });
   move(state.fixed_points, model.fixed_points, mover);
   move(state.loading_points, model.loading_points, mover);
   move(state.measured_points, model.measured_points, mover);
@@ -74,7 +77,8 @@ State update(const Model& model, State state, const Settings& settings, const In
     state.nodes[i].position = before.nodes[i].position + node_steps[i];
     state.nodes[i].last_step = node_steps[i];
   }
-  for (ElementIndex e : indices(model.elements)) {
+  for_each_entry(model.elements.size(), [&](std::size_t i) {
+    const ElementIndex e{static_cast<int>(i)};
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);
     ElementState& now = state.elements[e];
@@ -85,7 +89,7 @@ State update(const Model& model, State state, const Settings& settings, const In
     const Placement placement = place(model, state.vertices, e, settings);
     now.centroid = placement.centroid;
     now.moments = placement.moments;
-  }
+  });
   if (!settings.quirks.velocity_from_coming_step)
     state = with_velocity_of_last_step(model, std::move(state), settings, dt);
   state.time += dt;

@@ -145,21 +145,26 @@ class KernelOf : public BlockIterations::Kernel {
     std::partial_sum(left.begin(), left.end(), left.begin());
     std::vector<std::pair<int, const BlockMatrix::Block*>> below(at(left.back()));
     std::vector<int> next(left.begin(), left.end() - 1);
-    rows_.reserve(at(count), at(2 * matrix.entry_count() - count));
+    rows_.begin.reserve(at(count) + 1);
+    rows_.columns.reserve(at(2 * matrix.entry_count() - count));
     for (int i = 0; i < count; ++i) {
       sizes_.push_back(matrix.size(i));
       first_rows_.push_back(matrix.first_row(i));
-      for (int k = left[at(i)]; k < left[at(i) + 1]; ++k)
-        rows_.add(below[at(k)].first, padded(below[at(k)].second->transpose()));
+      for (int k = left[at(i)]; k < left[at(i) + 1]; ++k) rows_.columns.push_back(below[at(k)].first);
       for (const auto& [column, block] : matrix.row(i)) {
-        rows_.add(column, padded(block));
-        if (column == i)
-          rows_.blocks.back().square().diagonal().tail(N - block.rows()).setOnes();
-        else
-          below[at(next[at(column)]++)] = {i, &block};
+        rows_.columns.push_back(column);
+        if (column != i) below[at(next[at(column)]++)] = {i, &block};
       }
       rows_.end_row();
     }
+    rows_.blocks.resize(rows_.columns.size());
+    for_each_entry(at(count), [&](std::size_t i) {
+      std::size_t place = at(rows_.begin[i]);
+      for (int k = left[i]; k < left[i + 1]; ++k) rows_.blocks[place++] = padded(below[at(k)].second->transpose());
+      const std::size_t diagonal = place;
+      for (const auto& entry : matrix.row(static_cast<int>(i))) rows_.blocks[place++] = padded(entry.block);
+      rows_.blocks[diagonal].square().diagonal().tail(N - sizes_[i]).setOnes();
+    });
     unknowns_ = matrix.row_count();
   }
 

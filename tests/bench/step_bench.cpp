@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <functional>
@@ -81,6 +82,16 @@ const std::map<int, double>& berkeley_bricks() {
   static const std::map<int, double> seconds = {
       {10, 0.002141}, {20, 0.015570}, {30, 0.093216}, {50, 0.825403}, {70, 3.165920}};
   return seconds;
+}
+
+// Least time of a pass, s a block: memory and arithmetic that one core of the machine of Keyblock's performance study can give, for
+// a factor or for iterations, whichever is less (1 / (4 passes × steps a second × blocks)). Between its three sizes by powers.
+double bound_of_pass(double blocks) {
+  constexpr std::array<std::pair<double, double>, 3> kBounds{{{1e3, 3.5e-6}, {1e4, 1e-5}, {1e5, 2.27e-5}}};
+  const std::size_t i = blocks < kBounds[1].first ? 0 : 1;
+  const auto [small, least] = kBounds[i];
+  const auto [large, most] = kBounds[i + 1];
+  return least * std::pow(std::max(blocks, kBounds[0].first) / small, std::log(most / least) / std::log(large / small));
 }
 
 // Parts of a step of the old rules, each made again from where the run stands; seconds.
@@ -189,6 +200,7 @@ Json measured(const Layout& layout, int side, const std::string& profile) {
   row["passes"] = static_cast<double>(passes) / steps;
   row["contacts"] = last.contacts;
   row["us_per_block_and_pass"] = 1e6 * seconds / count / std::max(1.0, static_cast<double>(passes) / steps);
+  row["over_bound"] = 1e-6 * row["us_per_block_and_pass"].get<double>() / bound_of_pass(count);
   row["kilobytes_per_block"] = 1e3 * (megabytes_in_use() - before) / count;
   if (const auto* standard = dynamic_cast<const StandardStepper*>(stepper.get()))
     row["parts"] = parts_of_standard(*standard);
@@ -217,10 +229,10 @@ void print(const Json& row, const Json& smaller) {
   const int side = row["side"].get<int>();
   if (row["layout"] == "brick" && berkeley_bricks().contains(side))
     ratio = fmt::format("{:.1f}", berkeley_bricks().at(side) / number("step"));
-  fmt::print("{:>8} {:>9} {:>8} {:>9.0f} {:>9.2f} {:>11.3f} {:>7.1f} {:>9.2f} {:>9.1f} {:>8} {:>10}\n",
+  fmt::print("{:>8} {:>9} {:>8} {:>9.0f} {:>9.2f} {:>11.3f} {:>7.1f} {:>9.2f} {:>6.1f} {:>9.1f} {:>8} {:>10}\n",
              row["layout"].get<std::string>(), row["profile"].get<std::string>(), row["blocks"].get<int>(),
              number("contacts"), number("start"), 1e3 * number("step"), number("passes"),
-             number("us_per_block_and_pass"), number("kilobytes_per_block"), growth, ratio);
+             number("us_per_block_and_pass"), number("over_bound"), number("kilobytes_per_block"), growth, ratio);
   if (row.contains("parts")) {
     std::string text = "          ";
     for (const auto& [name, value] : row["parts"].items())
@@ -281,8 +293,9 @@ int main(int argc, char** argv) {
   set_loop_threads(threads);
   keep_freed_memory();
   Json kept{{"steps", Json::array()}, {"parts_of_legacy", Json::array()}, {"search", Json::array()}};
-  fmt::print("{:>8} {:>9} {:>8} {:>9} {:>9} {:>11} {:>7} {:>9} {:>9} {:>8} {:>10}\n", "layout", "profile", "blocks",
-             "contacts", "start s", "step ms", "passes", "us/b/pass", "kB/block", "growth", "Berkeley/");
+  fmt::print("{:>8} {:>9} {:>8} {:>9} {:>9} {:>11} {:>7} {:>9} {:>6} {:>9} {:>8} {:>10}\n", "layout", "profile",
+             "blocks", "contacts", "start s", "step ms", "passes", "us/b/pass", "/bound", "kB/block", "growth",
+             "Berkeley/");
   bool failed = false;
   for (const std::string& profile : profiles) {
     for (const Layout& layout : layouts()) {
