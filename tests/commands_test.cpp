@@ -261,6 +261,17 @@ TEST(Commands, a_motion_of_the_ground_beside_a_case_moves_its_blocks) {
   EXPECT_NEAR(formats::csv_real(table, table.rows.back(), formats::csv_column(table, "dy1 [L]")), -19.62, 1e-9);
 }
 
+TEST(Commands, a_case_folder_runs_with_what_its_case_file_sets) {
+  const std::string folder = fresh_folder("case_folder");
+  const std::string arch = kCases + "masonry_arch/quake_thin_falls";
+  const ProgramRun run = run_keyblock({"run", arch, "-o", folder + "/a", "--set", "steps=2"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const auto settings = nlohmann::json::parse(read_text(folder + "/a/run.json"))["settings"];
+  EXPECT_EQ(settings["body_acceleration.x"], 1.549868315056432) << "of case.json";
+  EXPECT_EQ(settings["steps"], 2) << "of the command line";
+  EXPECT_EQ(run_keyblock({"run", kCases + "masonry_arch", "-o", folder + "/b"}).exit_code, 3) << "several cases";
+}
+
 TEST(Commands, a_cut_block_file_runs_like_its_drawing) {
   const std::string folder = fresh_folder("cut");
   const std::string blocks = folder + "/slide.blk";

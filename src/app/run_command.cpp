@@ -26,6 +26,7 @@
 #include "run/settings_file.hpp"
 #include "run/settings_guide.hpp"
 #include "run/settings_table.hpp"
+#include "study/case_file.hpp"
 #include "study/named_files.hpp"
 
 namespace keyblock {
@@ -304,17 +305,37 @@ ExitCode resume_run(const RunOptions& options) {
   return run_asked(again, &request, &saved);
 }
 
+// What a setting of a file in `folder` says, seen from here.
+std::string beside(const std::filesystem::path& folder, const std::string& name, const std::string& value) {
+  return name == "body_acceleration_file" && !value.empty() ? (folder / value).string() : value;
+}
+
+// The files of a case folder, with what its case file sets for the profile below all that is asked. A file that a value names is
+// taken from the folder.
+RunOptions with_case_folder(RunOptions options) {
+  if (options.files.size() != 1 || !std::filesystem::is_directory(options.files.front())) return options;
+  const study::CaseFolder folder = study::the_case_in(options.files.front());
+  const study::CaseFile file = study::read_case_file(folder);
+  options.files = folder.inputs();
+  const std::string profile = profile_of(formats::load_case(options.files).problem, options.profile);
+  if (const auto reason = file.not_run.find(rules_of(profile)); reason != file.not_run.end())
+    throw UsageError(fmt::format("run: the case file says of profile {}: {}", profile, reason->second));
+  std::vector<std::string> sets;
+  for (const auto& [name, value] : file.overrides(profile))
+    sets.push_back(fmt::format("{}={}", name, beside(folder.folder, name, value)));
+  options.sets.insert(options.sets.begin(), sets.begin(), sets.end());
+  return options;
+}
+
 // The file's settings come first: those of the command line overrule them. A file that a value names is taken from beside it.
 RunOptions with_settings_file(RunOptions options) {
   if (options.settings_file.empty()) return options;
   const SettingsFile file = read_settings(options.settings_file, formats::load(options.settings_file).text);
   if (options.profile.empty()) options.profile = file.profile;
   std::vector<std::string> sets;
-  for (const auto& [name, value] : file.settings) {
-    const bool is_file = name == "body_acceleration_file" && !value.empty();
-    const std::filesystem::path beside = std::filesystem::path(options.settings_file).parent_path() / value;
-    sets.push_back(fmt::format("{}={}", name, is_file ? beside.string() : value));
-  }
+  const std::filesystem::path folder = std::filesystem::path(options.settings_file).parent_path();
+  for (const auto& [name, value] : file.settings)
+    sets.push_back(fmt::format("{}={}", name, beside(folder, name, value)));
   options.sets.insert(options.sets.begin(), sets.begin(), sets.end());
   return options;
 }
@@ -322,17 +343,18 @@ RunOptions with_settings_file(RunOptions options) {
 ExitCode run_files(const RunOptions& options) {
   if (options.list_settings) return list_settings();
   if (!options.resume.empty()) return resume_run(options);
-  if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file");
+  if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file, or a case folder");
   if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
-  return run_asked(with_settings_file(options), nullptr, nullptr);
+  return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr);
 }
 
 }  // namespace
 
 Action configure_run(CLI::App& options) {
   const auto chosen = std::make_shared<RunOptions>();
-  CLI::Option* files =
-      options.add_option("files", chosen->files, "geometry (or blocks) and analysis file, or one DDAML file with both");
+  CLI::Option* files = options.add_option("files", chosen->files,
+                                          "geometry (or blocks) and analysis file, one file with both, or a case "
+                                          "folder (legacy_cases/…) with its own settings");
   CLI::Option* profile = options
                              .add_option("--profile", chosen->profile,
                                          "preset of all choices (default: standard, or what a case file says)")

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/cases.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/error.hpp"
@@ -52,6 +54,13 @@ std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths) {
                        "expected a case (expected.csv, or steps.csv with blocks.csv), found none below it");
   }
   return cases;
+}
+
+CaseFolder the_case_in(const std::string& path) {
+  const std::vector<CaseFolder> folders = find_cases({path});
+  if (folders.size() != 1)
+    throw InputError({path, 0, 0}, fmt::format("expected one case, found {} below it", folders.size()));
+  return folders.front();
 }
 
 }  // namespace keyblock::study

@@ -189,10 +189,7 @@ StudyCase study_case(const std::vector<std::string>& paths) {
     chosen.name = fs::path(paths.front()).stem().string();
     return chosen;
   }
-  const std::vector<CaseFolder> folders = find_cases(paths);
-  if (folders.size() != 1)
-    throw InputError({paths.front(), 0, 0}, fmt::format("expected one case, found {} below it", folders.size()));
-  const CaseFolder& folder = folders.front();
+  const CaseFolder folder = the_case_in(paths.front());
   const fs::path whole = fs::absolute(folder.folder).lexically_normal();
   chosen.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names as "coarse"
   chosen.folder = folder.folder;
