@@ -62,8 +62,8 @@ build: packages ## the program build/keyblock and its tests
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(JOBS)
 
-debug: packages ## the same with assertions and debug information, in build-debug
-	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug
+debug: packages ## the same with assertions and debug information, each file compiled by itself, in build-debug
+	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug -DKEYBLOCK_BATCHES=OFF
 	cmake --build build-debug --parallel $(JOBS)
 
 # Debug keeps the assertions; -O1 because unoptimised Eigen is ten times slower.
@@ -84,12 +84,13 @@ format: ## lay out every source by .clang-format
 	@$(call install_missing,clang-format)
 	clang-format -i $(SOURCES)
 
-tidy: build ## clang-tidy over every source, by .clang-tidy
+tidy: packages ## clang-tidy over every source, by .clang-tidy
 	@$(call install_missing,clang-tidy)
-	clang-tidy --quiet -p build $(filter %.cpp,$(SOURCES))
+	cmake -S . -B build-tidy -G Ninja -DCMAKE_BUILD_TYPE=Release -DKEYBLOCK_BATCHES=OFF
+	clang-tidy --quiet -p build-tidy $(filter %.cpp,$(SOURCES))
 
 clean: ## remove what was built and written
-	rm -rf build build-debug build-sanitize build-fuzz out
+	rm -rf build build-debug build-sanitize build-fuzz build-tidy out
 
 packages:
 	@$(call install_missing,$(PACKAGES))

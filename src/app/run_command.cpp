@@ -317,9 +317,10 @@ RunOptions with_case_folder(RunOptions options) {
   const study::CaseFolder folder = study::the_case_in(options.files.front());
   const study::CaseFile file = study::read_case_file(folder);
   options.files = folder.inputs();
-  const std::string profile = profile_of(formats::load_case(options.files).problem, options.profile);
+  const std::string profile =
+      options.profile.empty() ? profile_of(formats::load_case(options.files).problem, {}) : options.profile;
   if (const auto reason = file.not_run.find(rules_of(profile)); reason != file.not_run.end())
-    throw UsageError(fmt::format("run: the case file says of profile {}: {}", profile, reason->second));
+    throw UsageError(fmt::format("run: {} says of profile {}: {}", file.path, profile, reason->second));
   std::vector<std::string> sets;
   for (const auto& [name, value] : file.overrides(profile))
     sets.push_back(fmt::format("{}={}", name, beside(folder.folder, name, value)));

@@ -49,7 +49,8 @@ Json counts_json(const Prepared& prepared, const StepTotals& totals) {
                  {"passes", totals.passes},
                  {"redone_attempts", totals.redos},
                  {"fallback_solves", totals.fallbacks},
-                 {"unresolved_parts", totals.unresolved_parts}};
+                 {"unresolved_parts", totals.unresolved_parts},
+                 {"locked_overlaps", totals.locked_overlaps}};
   if (totals.steps > 0) {
     counts["least_dt"] = totals.least_dt;
     counts["greatest_dt"] = totals.greatest_dt;

@@ -104,6 +104,12 @@ StepWatch::StepWatch(const Prepared& prepared) {
              "for, as in {} of {} steps",
              s.step, s.unresolved_parts, concerned, steps);
        }},
+      {"overlaps_locked", [](const StepReport& s) { return s.locked_overlaps > 0; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: overlaps left at impacts, because other contacts are in the way: {}; as in {} of {} steps",
+             s.step, s.locked_overlaps, concerned, steps);
+       }},
   };
   seen_.resize(kinds_.size());
 }

@@ -12,8 +12,8 @@
 namespace keyblock {
 namespace {
 
-// Springs that are made by several threads before they are added one by one: a megabyte of them.
-constexpr std::size_t kMadeAtOnce = 2048;
+// Springs that are made by up to 16 threads before they are added one by one: a megabyte of them.
+constexpr std::size_t kMadeAtOnce = 16 * kLoopRange;
 
 // The elements of a contact and the operators of its three points: i carries P1, j carries the line.
 struct Ends {

@@ -125,6 +125,7 @@ void describe(Archive& a, StepTotals& totals) {
   a.value("fallbacks", totals.fallbacks);
   a.value("passes", totals.passes);
   a.value("unresolved_parts", totals.unresolved_parts);
+  a.value("locked_overlaps", totals.locked_overlaps);
   a.value("greatest_penetration", totals.greatest_penetration);
   a.value("greatest_displacement_ratio", totals.greatest_displacement_ratio);
   a.value("greatest_residual", totals.greatest_residual);
@@ -147,6 +148,7 @@ void describe(Archive& a, StepReport& report) {
   a.value("greatest_penetration", report.greatest_penetration);
   a.value("residual", report.residual);
   a.value("unresolved_parts", report.unresolved_parts);
+  a.value("locked_overlaps", report.locked_overlaps);
   a.value("unsettled_contacts", report.unsettled_contacts);
 }
 

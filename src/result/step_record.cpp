@@ -13,6 +13,7 @@ void StepTotals::add(const StepReport& step) {
   fallbacks += step.fallbacks;
   passes += static_cast<std::size_t>(step.passes);
   unresolved_parts += step.unresolved_parts;
+  locked_overlaps += step.locked_overlaps;
   greatest_penetration = std::max(greatest_penetration, step.greatest_penetration);
   greatest_displacement_ratio = std::max(greatest_displacement_ratio, step.displacement_ratio);
   greatest_residual = std::max(greatest_residual, step.residual);

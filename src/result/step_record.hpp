@@ -19,6 +19,7 @@ struct StepTotals {
   int fallbacks = 0;
   std::size_t passes = 0;
   int unresolved_parts = 0;
+  int locked_overlaps = 0;
   double greatest_penetration = 0;
   double greatest_displacement_ratio = 0;
   double greatest_residual = 0;

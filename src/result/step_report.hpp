@@ -21,6 +21,7 @@ struct StepReport {
   /// load on a block.
   double residual = 0;
   int unresolved_parts = 0;    ///< made at the least size, with a greater error or displacement than wanted
+  int locked_overlaps = 0;     ///< of impacts, left because other touches are in the way (dynamics `standard`)
   int unsettled_contacts = 0;  ///< contacts that still opened or closed in the last pass (accepted by choice)
 };
 

@@ -3,7 +3,7 @@
 #include "step/impact.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
 #include <utility>
 
 #include "contact/friction_newton.hpp"
@@ -19,11 +19,11 @@ namespace {
 // Overlap of this share of block size is round-off of a position; linearised passes get there in two or three.
 constexpr double kNoOverlap = 1e-14;
 constexpr int kMostPasses = 10;
-// Overlaps of more touches than the first figure may lock each other, and no push takes them all away. Where none is found, each
-// touch yields this share of what its blocks do; passes end where the deepest overlap does not fall to the last figure.
-constexpr std::size_t kMany = 50;
+// Overlaps may lock each other, so that no push takes them all away. Which do is found with touches that yield this share of what
+// their blocks do, so soft that there is always a push: where it leaves more than the second share of an overlap, it is taken
+// for locked. A pair with room keeps a hundredth, a chain of ten a tenth.
 constexpr double kYield = 1e-2;
-constexpr double kGain = 0.5;
+constexpr double kLocked = 0.1;
 // Impulses are settled at this share of the largest momentum.
 constexpr double kImpulseTolerance = 1e-13;
 // In assemblies the goal may be out of reach; a residual this much larger still counts.
@@ -88,46 +88,86 @@ Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size
   return times;
 }
 
-Eigen::VectorXd push(const FrictionalProblem& problem) {
-  return solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
-}
+// Pushes touches apart that overlap more than they may; those that lock each other may from then on.
+class Separation {
+ public:
+  Separation(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed)
+      : scene_(scene),
+        touches_(joined(impacts, closed)),
+        view_(scene, q),
+        tolerable_(kNoOverlap * size_of(scene)),
+        least_(gaps_of(scene, q, touches_)) {
+    result_.q = std::move(q);
+    for (std::size_t i = 0; i < touches_.size(); ++i)
+      least_[i] = i < impacts.size() ? touches_[i].rest_gap : std::min(least_[i], 0.0);
+  }
 
-Eigen::VectorXd push_of_many(FrictionalProblem& problem) {
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.w.rows());
-  const FrictionalSolution exact = newton(problem, none);
-  if (exact.converged) return exact.forces;
-  for (Eigen::Index i = 0; i < none.size(); ++i) problem.w.add_to_diagonal(i, kYield * problem.w.diagonal()[i]);
-  return newton(problem, none).forces;
-}
+  Separated run() {
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      const std::vector<double> room = room_at(result_.q);
+      if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
+      const ContactRows rows = view_.rows(rows_with_points(scene_, result_.q, touches_));
+      FrictionalProblem problem = problem_of(rows, room);
+      const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+      result_.solves += push.solves;
+      if (push.converged)
+        result_.q = plus(result_.q, 1, view_.answer(rows, push.forces));
+      else
+        leave_locked(rows, room, std::move(problem));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<double> room_at(const UnknownsTable& q) const {
+    std::vector<double> room = gaps_of(scene_, q, touches_);
+    for (std::size_t i = 0; i < room.size(); ++i) room[i] -= least_[i];
+    return room;
+  }
+
+  FrictionalProblem problem_of(const ContactRows& rows, const std::vector<double>& room) const {
+    FrictionalProblem problem{
+        ContactMatrix(rows, view_.flexibility()), {}, std::vector<ForceLaw>(room.size()), 0, 0, {}};
+    problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
+    problem.b = Eigen::VectorXd::Zero(problem.w.rows());
+    for (std::size_t i = 0; i < room.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
+    problem.goal = tolerable_ / problem.w.diagonal().maxCoeff();
+    problem.acceptable = kLooser * problem.goal;
+    return problem;
+  }
+
+  // Those whose overlap a soft push would not take away stay as they are; where that are none, all.
+  void leave_locked(const ContactRows& rows, const std::vector<double>& room, FrictionalProblem problem) {
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      problem.w.add_to_diagonal(n, kYield * problem.w.diagonal()[n]);
+    }
+    const FrictionalSolution soft = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+    result_.solves += soft.solves;
+    const std::vector<double> left = room_at(plus(result_.q, 1, view_.answer(rows, soft.forces)));
+    std::vector<std::size_t> overlapping;
+    for (std::size_t i = 0; i < touches_.size(); ++i)
+      if (room[i] < -tolerable_) overlapping.push_back(i);
+    std::vector<std::size_t> locked;
+    std::ranges::copy_if(overlapping, std::back_inserter(locked),
+                         [&](std::size_t i) { return left[i] < kLocked * room[i]; });
+    if (locked.empty()) locked = overlapping;
+    for (const std::size_t i : locked) least_[i] += room[i];
+    result_.locked += static_cast<int>(locked.size());
+  }
+
+  const StandardScene& scene_;
+  Touches touches_;
+  RigidView view_;
+  double tolerable_;
+  std::vector<double> least_;  ///< gap that a touch must have
+  Separated result_;
+};
 
 }  // namespace
 
-UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts,
-                              const Touches& closed) {
-  const Touches all = joined(impacts, closed);
-  std::vector<double> least = gaps_of(scene, q, all);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    least[i] = i < impacts.size() ? all[i].rest_gap : std::min(least[i], 0.0);
-  const double tolerable = kNoOverlap * size_of(scene);
-  const bool may_lock = all.size() > kMany;
-  const RigidView view(scene, q);
-  double before = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < kMostPasses; ++pass) {
-    std::vector<double> room = gaps_of(scene, q, all);
-    for (std::size_t i = 0; i < all.size(); ++i) room[i] -= least[i];
-    const double deepest = -std::ranges::min(room);
-    if (deepest <= tolerable || (may_lock && deepest > kGain * before)) break;
-    before = deepest;
-    const ContactRows rows = view.rows(rows_with_points(scene, q, all));
-    FrictionalProblem problem{ContactMatrix(rows, view.flexibility()), {}, std::vector<ForceLaw>(all.size()), 0, 0, {}};
-    problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-    problem.b = Eigen::VectorXd::Zero(problem.w.rows());
-    for (std::size_t i = 0; i < all.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
-    problem.goal = tolerable / problem.w.diagonal().maxCoeff();
-    problem.acceptable = kLooser * problem.goal;
-    q = plus(q, 1, view.answer(rows, may_lock ? push_of_many(problem) : push(problem)));
-  }
-  return q;
+Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed) {
+  return Separation(scene, std::move(q), impacts, closed).run();
 }
 
 UnknownsTable rigid_part(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v) {

@@ -19,10 +19,16 @@ struct Jump {
   UnknownsTable v;
 };
 
-/// Moves blocks along the gap rows with the rigid inverse mass until no `impact` is beyond its rest gap and no `closed` touch
-/// deeper than it was.
-UnknownsTable without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts,
-                              const Touches& closed);
+/// Positions after overlaps were pushed out.
+struct Separated {
+  UnknownsTable q;
+  int locked = 0;  ///< overlaps left as they were, because others are in the way
+  int solves = 0;  ///< linear systems factorised
+};
+
+/// Moves blocks along the gap rows with the rigid inverse mass until no `impact` is beyond its rest gap, but for those that lock
+/// each other, and no `closed` touch deeper than it was.
+Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed);
 
 /// Newton's law with restitution e and Coulomb's cone on the impulses (Moreau 1988), where and when the surfaces met:
 ///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + M_rigid⁻¹ Gᵀ p,  q⁺ = q + M_rigid⁻¹ Gᵀ (since ∘ p).

@@ -164,7 +164,9 @@ class Attempt {
     std::erase_if(others, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
     Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, meetings, others);
     step_.motion.v = std::move(jump.v);
-    step_.motion.q = without_overlap(scene_, std::move(jump.q), parts_.impacts, others);
+    Separated separated = without_overlap(scene_, std::move(jump.q), parts_.impacts, others);
+    step_.motion.q = std::move(separated.q);
+    step_.locked_overlaps += separated.locked;
   }
 
   // The trapezoidal rule turns the rate of a strain over in each step that is too long to follow it, and the contacts of a block
@@ -262,6 +264,7 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
   second.solves += first.solves + whole.solves;
   second.fallbacks += first.fallbacks + whole.fallbacks;
   second.halvings += first.halvings + 1;
+  second.locked_overlaps += first.locked_overlaps;
   second.account += first.account;
   second.residual = std::max(first.residual, second.residual);
   second.least = std::min(first.least, second.least);

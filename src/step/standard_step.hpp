@@ -11,9 +11,10 @@ struct StandardStep {
   Motion motion;
   StepAccount account;  ///< zero where no books are kept
   int solves = 0;
-  int fallbacks = 0;  ///< solutions that needed sweeps
-  int halvings = 0;   ///< attempts thrown away
-  double least = 0;   ///< smallest part made of a step in time
+  int fallbacks = 0;        ///< solutions that needed sweeps
+  int halvings = 0;         ///< attempts thrown away
+  int locked_overlaps = 0;  ///< of impacts, left because other touches are in the way
+  double least = 0;         ///< smallest part made of a step in time
   double residual = 0;
   bool converged = true;
   Touches touches;                     ///< all that were reckoned with

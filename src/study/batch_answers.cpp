@@ -14,7 +14,7 @@
 namespace keyblock::study {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using report::CatalogueAnswer;
 
 Json read_json(const std::filesystem::path& file) {
@@ -47,12 +47,10 @@ void add_displacement(CatalogueAnswer& answer, const std::filesystem::path& file
 void add_measures(CatalogueAnswer& answer, const Json& record) {
   if (!record.contains("extremes") || answer.steps == 0) return;
   const Json& extremes = record.at("extremes");
-  report::CatalogueMeasures measures{extremes.at("greatest_displacement").at("value"),
-                                     extremes.at("least_principal_stress").at("value"),
-                                     extremes.at("greatest_principal_stress").at("value"),
-                                     record.at("counts").at("most_contacts"),
-                                     record.value("is_static", record.contains("equilibrium")),
-                                     std::nullopt};
+  report::CatalogueMeasures measures{
+      extremes.at("greatest_displacement").at("value"),          extremes.at("least_principal_stress").at("value"),
+      extremes.at("greatest_principal_stress").at("value"),      record.at("counts").at("most_contacts"),
+      record.value("is_static", record.contains("equilibrium")), std::nullopt};
   if (record.contains("equilibrium") && !record.at("equilibrium").at("share").is_null())
     measures.equilibrium_share = record.at("equilibrium").at("share").get<double>();
   answer.measures = measures;

@@ -58,7 +58,8 @@ std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths) {
 
 CaseFolder the_case_in(const std::string& path) {
   const std::vector<CaseFolder> folders = find_cases({path});
-  if (folders.size() != 1)
+  const bool is_case = fs::equivalent(folders.front().folder, path);  // below it may lie results of its runs
+  if (folders.size() != 1 && !is_case)
     throw InputError({path, 0, 0}, fmt::format("expected one case, found {} below it", folders.size()));
   return folders.front();
 }

@@ -22,7 +22,7 @@ struct CaseFolder {
 /// Cases at or below each path, sorted by name. Throws InputError for a path without any.
 std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths);
 
-/// The one case at or below a path. Throws InputError where there are more, or none.
+/// The case at a path, or the one below it. Throws InputError where there are more, or none.
 CaseFolder the_case_in(const std::string& path);
 
 }  // namespace keyblock::study

@@ -13,7 +13,7 @@ namespace {
 
 // Their own weight strains them by 2e-10 at most.
 constexpr double kStrained = 1e-9;
-constexpr double kRoundOff = 1e-14;  // of a square metre
+constexpr double kRoundOffOfSlivers = 1e-14;  // of a square metre
 
 // (0,0), (1,0), (0.5, height) lying on a floor.
 Extremes lying_triangle(double height) {
@@ -65,7 +65,7 @@ Extremes cut_strip(double distance) {
   const Run run = run_strip(distance, 0);
   const std::size_t upper = std::max<std::size_t>(1, run.last.elements.size()) - 1;
   return {{"ext-05", variant + "makes 20 steps", 1, run.is_sound() ? 1.0 : 0.0, 0, run.trouble},
-          {"ext-05", variant + "area of all blocks", 1, run.drawn_area, kRoundOff, {}},
+          {"ext-05", variant + "area of all blocks", 1, run.drawn_area, kRoundOffOfSlivers, {}},
           {"ext-05", variant + "sinking of the upper block", 0, length(run.travel(upper)), 1e-9, {}}};
 }
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::formats::body_acceleration_test {
+namespace keyblock::formats::formats_body_acceleration_test {
 namespace {
 
 std::string complaint(const std::string& text) {
@@ -33,4 +33,4 @@ TEST(BodyAccelerationTable, faults_are_named_with_line_and_column) {
   EXPECT_EQ(complaint("time,ax,ay\n"), "shake.csv: error: expected a row time,ax,ay below the header, found none");
 }
 
-}  // namespace keyblock::formats::body_acceleration_test
+}  // namespace keyblock::formats::formats_body_acceleration_test

@@ -6,7 +6,7 @@
 
 #include "tests/formats/reading.hpp"
 
-namespace keyblock::formats::motion_test {
+namespace keyblock::formats::formats_motion_test {
 namespace {
 
 const std::string kShake = "some quake, E-W, in g\n10 0.02 (8F9.6)\n 0 .1 .2 .3 .4 .5 .6 .7\n .8 -.9\n";
@@ -51,4 +51,4 @@ TEST(Motion, other_files_of_numbers_are_not_taken_for_motions) {
   EXPECT_EQ(recognise({"f", "1 3 1\n1\n1\n"}).format->name, "dda-analysis-berkeley");
 }
 
-}  // namespace keyblock::formats::motion_test
+}  // namespace keyblock::formats::formats_motion_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::elastic_test {
+namespace keyblock::material_elastic_test {
 namespace {
 
 constexpr double kE = 8e9;
@@ -40,4 +40,4 @@ TEST(ElasticModulus, shear_is_the_same_in_both) {
   EXPECT_DOUBLE_EQ(plane_strain_modulus(rock())(2, 2), kE / 2.6);
 }
 
-}  // namespace keyblock::elastic_test
+}  // namespace keyblock::material_elastic_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::extremes_test {
+namespace keyblock::result_extremes_test {
 namespace {
 
 ElementFrame triangle(Point shift, Stress stress) {
@@ -53,4 +53,4 @@ TEST(Extremes, pressure_on_all_sides_has_no_tension) {
   EXPECT_EQ(extremes_of({}, {}).displacement, 0);
 }
 
-}  // namespace keyblock::extremes_test
+}  // namespace keyblock::result_extremes_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace keyblock::ledger_test {
+namespace keyblock::result_ledger_test {
 namespace {
 
 // 100 J of gravity released: 60 kinetic, 40 lost to friction.
@@ -49,4 +49,4 @@ TEST(LedgerSums, a_scene_at_rest_closes) {
   EXPECT_EQ(sums_of({{}, {{}, {}}}).energy_closure(), 0);
 }
 
-}  // namespace keyblock::ledger_test
+}  // namespace keyblock::result_ledger_test

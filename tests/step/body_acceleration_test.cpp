@@ -7,7 +7,7 @@
 #include "step/stepper.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock::body_acceleration_test {
+namespace keyblock::step_body_acceleration_test {
 namespace {
 
 using support::plain_analysis;
@@ -80,4 +80,4 @@ TEST(GivenAcceleration, linear_acceleration_is_first_order_in_legacy) {
   }
 }
 
-}  // namespace keyblock::body_acceleration_test
+}  // namespace keyblock::step_body_acceleration_test

@@ -8,7 +8,7 @@
 #include "step/stepper.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock::damping_test {
+namespace keyblock::step_damping_test {
 namespace {
 
 using support::plain_analysis;
@@ -138,4 +138,4 @@ TEST(Damping, a_block_that_has_stopped_keeps_no_velocity) {
   EXPECT_LT(v.cwiseAbs().maxCoeff(), 1e-9);
 }
 
-}  // namespace keyblock::damping_test
+}  // namespace keyblock::step_damping_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/ledger_runs.hpp"
 
-namespace keyblock::ledger_test {
+namespace keyblock::step_ledger_test {
 namespace {
 
 using support::block_above_floor;
@@ -363,4 +363,4 @@ TEST(Ledger, no_books_are_kept_where_the_settings_say_so) {
   EXPECT_EQ(ledger_of(scene, 0.01).rows.back().stored.kinetic, 0);
 }
 
-}  // namespace keyblock::ledger_test
+}  // namespace keyblock::step_ledger_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace keyblock::motion_test {
+namespace keyblock::step_motion_test {
 
 // dda-14: uncorrected rotation scales every length by sqrt(1 + r²) a step; the exact rotation keeps it.
 TEST(Motion, first_order_rotation_expands_and_exact_rotation_does_not) {
@@ -17,4 +17,4 @@ TEST(Motion, first_order_rotation_expands_and_exact_rotation_does_not) {
   EXPECT_NEAR(length(arm + displacement(affine_basis(), turn, arm, Rotation::exact)), 5, 1e-14);
 }
 
-}  // namespace keyblock::motion_test
+}  // namespace keyblock::step_motion_test

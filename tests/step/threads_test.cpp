@@ -6,7 +6,7 @@
 #include "step/standard_stepper.hpp"
 #include "tests/bench/bench_scenes.hpp"
 
-namespace keyblock::threads_test {
+namespace keyblock::step_threads_test {
 namespace {
 
 class Threads : public ::testing::TestWithParam<const char*> {
@@ -32,4 +32,4 @@ TEST_P(Threads, make_the_same_motion_to_the_last_bit) {
 INSTANTIATE_TEST_SUITE_P(Profiles, Threads, ::testing::Values("legacy", "standard"));
 
 }  // namespace
-}  // namespace keyblock::threads_test
+}  // namespace keyblock::step_threads_test

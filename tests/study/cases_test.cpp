@@ -8,7 +8,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study::cases_test {
+namespace keyblock::study::study_cases_test {
 
 namespace fs = std::filesystem;
 using support::fresh_folder;
@@ -37,4 +37,4 @@ TEST(CaseFolders, a_path_without_any_is_refused) {
   EXPECT_THROW(find_cases({fresh_folder("no_cases") + "/none"}), InputError);
 }
 
-}  // namespace keyblock::study::cases_test
+}  // namespace keyblock::study::study_cases_test

@@ -6,7 +6,7 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock::body_acceleration_test {
+namespace keyblock::terms_body_acceleration_test {
 
 TEST(BodyAcceleration, is_mass_times_the_acceleration_at_the_end_of_the_step) {
   Scene scene = support::legacy_scene(support::kBlock, support::plain_analysis(1e-3, 1));
@@ -18,4 +18,4 @@ TEST(BodyAcceleration, is_mass_times_the_acceleration_at_the_end_of_the_step) {
   EXPECT_EQ(system.load.tail<4>().norm(), 0);
 }
 
-}  // namespace keyblock::body_acceleration_test
+}  // namespace keyblock::terms_body_acceleration_test

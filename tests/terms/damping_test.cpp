@@ -6,7 +6,7 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock::damping_test {
+namespace keyblock::terms_damping_test {
 
 // 2 × 1 block: mass 5000, ∫ρx² = 2500·2/3; plane stress with ν = 0, S E = 1e10.
 TEST(DampingTerm, is_mass_and_stiffness_by_their_factors_over_the_step) {
@@ -23,4 +23,4 @@ TEST(DampingTerm, is_mass_and_stiffness_by_their_factors_over_the_step) {
   EXPECT_EQ(system.load.norm(), 0);
 }
 
-}  // namespace keyblock::damping_test
+}  // namespace keyblock::terms_damping_test

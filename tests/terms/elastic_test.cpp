@@ -6,7 +6,7 @@
 
 #include "tests/terms/one_block.hpp"
 
-namespace keyblock::elastic_test {
+namespace keyblock::terms_elastic_test {
 namespace {
 
 using support::kBlock;
@@ -46,4 +46,4 @@ TEST(Elastic, plane_strain_quirk_is_a_factor) {
   EXPECT_NEAR(with.matrix.row(0)[0].block(3, 3) / right, 1.25 / 0.75, 1e-14);
 }
 
-}  // namespace keyblock::elastic_test
+}  // namespace keyblock::terms_elastic_test
