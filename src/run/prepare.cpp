@@ -202,9 +202,10 @@ void require_sound(const Settings& settings, const Analysis& analysis) {
 // The profile with the choices of the file and the overrides on it.
 Settings settings_of(const Analysis& analysis, const std::string& profile, const RunChoices& choices,
                      const std::vector<Override>& overrides) {
-  Settings settings = profile_settings(profile, analysis);
-  set_as_in_file(settings, choices);
-  for (const auto& [name, value] : overrides) set(settings, name, value);
+  Settings settings = profile_settings(profile, analysis, [&](Settings& changed) {
+    set_as_in_file(changed, choices);
+    for (const auto& [name, value] : overrides) set(changed, name, value);
+  });
   if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
   try {
     require_sound(settings, analysis);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace keyblock {
 namespace {
@@ -86,24 +87,20 @@ Settings with_steps(Settings settings, double factor) {
 
 // Steps of `standard` stay accurate when they are long, while rigid blocks save little and lose what they are asked for. Twice
 // and no more: in dense contact longer steps take many more passes (legacy_cases/fronts).
-Settings draft(const Analysis& analysis) {
-  return with_steps(standard(analysis), 2);
-}
-
-Settings reference(const Analysis& analysis) {
-  return with_steps(standard(analysis), 0.25);
-}
+constexpr double kDraft = 2;
+constexpr double kReference = 0.25;
 
 struct Profile {
   const char* name;
   Settings (*settings)(const Analysis&);
   const char* rules;  ///< the profile that cases know it as
+  double step;        ///< over that of the file, or of who overrides it
 };
 
-constexpr std::array<Profile, 4> kProfiles{{{"legacy", legacy, "legacy"},
-                                            {"draft", draft, "standard"},
-                                            {"standard", standard, "standard"},
-                                            {"reference", reference, "standard"}}};
+constexpr std::array<Profile, 4> kProfiles{{{"legacy", legacy, "legacy", 1},
+                                            {"draft", standard, "standard", kDraft},
+                                            {"standard", standard, "standard", 1},
+                                            {"reference", standard, "standard", kReference}}};
 
 const Profile& named(const std::string& name) {
   const auto profile = std::ranges::find(kProfiles, name, [](const Profile& p) { return std::string(p.name); });
@@ -127,8 +124,12 @@ std::string rules_of(const std::string& name) {
   return named(name).rules;
 }
 
-Settings profile_settings(const std::string& name, const Analysis& analysis) {
-  return named(name).settings(analysis);
+Settings profile_settings(const std::string& name, const Analysis& analysis,
+                          const std::function<void(Settings&)>& changes) {
+  const Profile& profile = named(name);
+  Settings settings = profile.settings(analysis);
+  if (changes) changes(settings);
+  return profile.step == 1 ? settings : with_steps(std::move(settings), profile.step);
 }
 
 }  // namespace keyblock

@@ -76,7 +76,9 @@ std::string settings_guide() {
     for (const Column& column : columns) table += fmt::format("{:15} ", column.value(row));
     table += fmt::format("{:9} {}: {}\n", word_for(setting.dynamics), setting.meaning, setting.expected);
   }
-  return table + "(file): taken from the analysis file. \"read by\": the dynamics that read it.\n";
+  return table +
+         "(file): taken from the analysis file; of its step, or that of --set, draft takes twice and reference a "
+         "quarter, over the same time. \"read by\": the dynamics that read it.\n";
 }
 
 }  // namespace keyblock

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "tests/support/scenes.hpp"
 
@@ -69,6 +70,20 @@ TEST(Profile, draft_and_reference_take_the_time_of_the_file_in_other_steps) {
   analysis.velocity_carry_over = 0;  // statics: no time to be divided
   EXPECT_EQ(profile_settings("draft", analysis).step_count, 3);
   EXPECT_EQ(profile_settings("reference", analysis).step_count, 3);
+}
+
+TEST(Profile, draft_and_reference_take_their_share_of_steps_that_are_set_too) {
+  const Analysis analysis = support::plain_analysis(1e-3, 1000);
+  const auto set_both = [](Settings& settings) {
+    settings.step_count = 100;
+    settings.time_step = 0.01;
+  };
+  EXPECT_EQ(profile_settings("standard", analysis, set_both).step_count, 100);
+  for (const auto& [name, steps] : {std::pair{"draft", 50}, {"reference", 400}}) {
+    const Settings settings = profile_settings(name, analysis, set_both);
+    EXPECT_EQ(settings.step_count, steps);
+    EXPECT_DOUBLE_EQ(settings.step_count * settings.time_step, 1);
+  }
 }
 
 TEST(Profile, cases_know_draft_and_reference_as_standard) {
