@@ -67,6 +67,7 @@ class Relaxation {
     made.solves += result_.solves;
     made.fallbacks += result_.fallbacks;
     made.halvings += result_.halvings;
+    made.locked_overlaps += result_.locked_overlaps;
     result_ = std::move(made);
     if (!result_.converged) return;
     add_work(from);

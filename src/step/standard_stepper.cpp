@@ -107,6 +107,7 @@ StandardStep joined(const StandardStep& earlier, StandardStep later) {
   later.solves += earlier.solves;
   later.fallbacks += earlier.fallbacks;
   later.halvings += earlier.halvings;
+  later.locked_overlaps += earlier.locked_overlaps;
   return later;
 }
 

@@ -58,8 +58,11 @@ std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths) {
 
 CaseFolder the_case_in(const std::string& path) {
   const std::vector<CaseFolder> folders = find_cases({path});
-  const bool is_case = fs::equivalent(folders.front().folder, path);  // below it may lie results of its runs
-  if (folders.size() != 1 && !is_case)
+  // Below a case may lie results of its runs.
+  const auto itself =
+      std::ranges::find_if(folders, [&](const CaseFolder& folder) { return fs::equivalent(folder.folder, path); });
+  if (itself != folders.end()) return *itself;
+  if (folders.size() != 1)
     throw InputError({path, 0, 0}, fmt::format("expected one case, found {} below it", folders.size()));
   return folders.front();
 }

@@ -32,6 +32,18 @@ TEST(CaseFolders, are_found_below_a_path_in_order_of_their_names) {
   EXPECT_EQ(cases[2].inputs().front(), (root / "b" / "two" / "two.geo").string());
 }
 
+TEST(CaseFolders, the_case_at_a_path_is_taken_whatever_results_lie_in_it) {
+  const fs::path root = fresh_folder("case_with_results");
+  for (const char* name : {"z/a", "y"}) fs::create_directories(root / name);
+  for (const char* name : {"z/expected.csv", "z/a/steps.csv", "z/a/blocks.csv", "y/expected.csv"})
+    write_text(root / name, "");
+  EXPECT_EQ(the_case_in((root / "z").string()).folder.filename(), "z");
+  EXPECT_EQ(the_case_in((root / "z" / "").string()).folder.filename(), "z");
+  EXPECT_THROW(the_case_in(root.string()), InputError) << "several";
+  fs::remove_all(root / "z");
+  EXPECT_EQ(the_case_in(root.string()).folder.filename(), "y") << "the one below";
+}
+
 TEST(CaseFolders, a_path_without_any_is_refused) {
   EXPECT_THROW(find_cases({fresh_folder("no_cases")}), InputError);
   EXPECT_THROW(find_cases({fresh_folder("no_cases") + "/none"}), InputError);
