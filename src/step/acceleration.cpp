@@ -52,14 +52,15 @@ UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& mo
   Eigen::VectorXd forces(static_cast<Eigen::Index>(rows.size()));
   forces << forces_of(motion), ties.remembered();
   const UnknownsTable loads = loads_at(scene, motion.q, time);
-  UnknownsTable a = answer(rows, mass_flexibility(scene), forces);
+  const Flexibility inverse = mass_flexibility(scene);
+  UnknownsTable a = answer(rows, inverse, forces);
   if (scene.covers)
     a.covers += scene.covers->mass_inverse()->times(loads.covers - scene.covers->elastic_force(motion.q.covers) -
                                                     scene.covers->damping_force(motion.v.covers));
   for (ElementIndex e : indices(a)) {
     const Body& body = scene.bodies[e];
-    a[e] += body.mass_inverse *
-            (loads[e] + body.initial_stress - body.stiffness * motion.q[e] - body.damping * motion.v[e]);
+    a[e] += inverse.blocks[e] *
+            (loads[e] + body.initial_stress - body.stiffness * motion.q[e] - body.damping_force(motion.v[e]));
   }
   return a;
 }

@@ -44,7 +44,7 @@ class Settling {
       : scene_(scene),
         motion_(std::move(motion)),
         loads_(loads_at(scene, motion_.q, 0)),
-        rigid_(every(scene.bodies, &Body::rigid_mass_inverse)) {
+        rigid_(rigid_mass_inverses(scene.bodies)) {
     const ContactRows of_bolts = bolt_rows(scene.model, scene.reference, motion_.q);
     if (!of_bolts.empty()) loads_ = plus(loads_, 1, answer(of_bolts, {identities()}, pretensions()));
     const Scales scales = scales_of(scene_, loads_, motion_.q, motion_.v);
@@ -246,11 +246,13 @@ class Settling {
   }
 
   void remember() {
+    std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       if (normal(i) == 0) continue;
       const ContactLaw law = contact_law(scene_, motion_.bonds, touches_[i]);
-      motion_.closed.add(touches_[i], memory_of(law, normal(i), forces_[tangential(i)]));
+      closed.push_back({touches_[i], memory_of(law, normal(i), forces_[tangential(i)])});
     }
+    motion_.closed = ClosedContacts(std::move(closed));
     motion_.ties.point_forces = forces_.tail(static_cast<Eigen::Index>(2 * scene_.held.size()));
   }
 

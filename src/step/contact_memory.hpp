@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -26,23 +28,33 @@ struct ContactMemory {
   }
 };
 
+struct ClosedContact {
+  Touch touch;
+  ContactMemory memory;
+};
+
 /// Closed contacts by the name of their touch. Where the line of reference has passed from one of two facing edges to the
 /// other, the touch at the same end of the stretch inherits: gap and slip keep their signs.
 class ClosedContacts {
  public:
-  void add(const Touch& touch, const ContactMemory& memory);
+  ClosedContacts() = default;
+  /// In any order. Of several on one touch the last one counts, of several on one facing that of the last touch by name.
+  explicit ClosedContacts(std::vector<ClosedContact> contacts);
 
   /// None for a contact that was open.
   const ContactMemory* of(const Touch& touch) const;
 
+  /// Those of the touches whose `vertex` is this one.
+  std::span<const ClosedContact> at(VertexIndex vertex) const;
+
   std::size_t size() const { return by_touch_.size(); }
-  const std::map<Touch, ContactMemory>& all() const { return by_touch_; }
+  const std::vector<ClosedContact>& all() const { return by_touch_; }
 
  private:
   friend void describe(Archive& archive, ClosedContacts& contacts, VertexIndex vertices);
 
-  std::map<Touch, ContactMemory> by_touch_;
-  std::map<Facing, ContactMemory> by_facing_;
+  std::vector<ClosedContact> by_touch_;   ///< sorted
+  std::vector<std::uint32_t> by_facing_;  ///< places above of those that have a facing, sorted by it
 };
 
 /// Saves or restores; every index lies below `vertices`.

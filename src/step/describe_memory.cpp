@@ -100,14 +100,11 @@ void describe(Archive& a, Stepping& stepping) {
 }
 
 void describe(Archive& a, ClosedContacts& contacts, VertexIndex vertices) {
-  a.map("by_touch", contacts.by_touch_, [&](Touch& touch, ContactMemory& memory) {
-    describe(a, touch, vertices);
-    describe(a, memory);
+  a.list("contacts", contacts.by_touch_, [&](ClosedContact& contact) {
+    describe(a, contact.touch, vertices);
+    describe(a, contact.memory);
   });
-  a.map("by_facing", contacts.by_facing_, [&](Facing& facing, ContactMemory& memory) {
-    describe(a, facing, vertices);
-    describe(a, memory);
-  });
+  if (a.is_restoring()) contacts = ClosedContacts(std::move(contacts.by_touch_));
 }
 
 void describe(Archive& a, Motion& motion, VertexIndex vertices) {

@@ -99,7 +99,7 @@ EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
     const Unknowns dq = trail.smooth.q[e] - trail.start.q[e];
     flow.external += (trail.loads[e] - body.weight).dot(dq);
     flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
-    flow.damping += dq.dot(body.damping * sum_of(rule.damping, dq, trail.start, e));
+    flow.damping += dq.dot(body.damping_force(sum_of(rule.damping, dq, trail.start, e)));
     flow.algorithmic += inertia_loss(body, trail, e) + (rule.stiffness - 0.5) * dq.dot(body.stiffness * dq);
   }
   if (scene.covers) add_covers(*scene.covers, trail, flow);

@@ -9,7 +9,7 @@ namespace keyblock {
 RigidView::RigidView(const StandardScene& scene, const UnknownsTable& q)
     : scene_(scene),
       element_count_(static_cast<int>(scene.bodies.size())),
-      flexibility_{every(scene.bodies, &Body::rigid_mass_inverse)} {
+      flexibility_{rigid_mass_inverses(scene.bodies)} {
   if (!scene.covers) return;
   covers_ = scene.covers->rigid(q.covers);
   for (const Eigen::Matrix3d& inverse : covers_->inverse()) flexibility_.blocks.push_back(inverse);

@@ -69,12 +69,13 @@ class Settling {
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
     motion_.ties = std::move(made.ties);
-    motion_.closed = {};
+    std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       if (made.forces[n] != 0 || made.laws[i].is_bonded)
-        motion_.closed.add(touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1]));
+        closed.push_back({touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1])});
     }
+    motion_.closed = ClosedContacts(std::move(closed));
   }
 
   double heaviest() const {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/loop.hpp"
 #include "model/body_load.hpp"
 #include "model/material_stress.hpp"
 #include "step/integrator.hpp"
@@ -33,7 +34,7 @@ double slowest_frequency(const Body& body) {
   const Eigen::Index strains = body.mass.rows() - kRigidUnknowns;
   if (strains <= 0) return 0;
   const Eigen::MatrixXd coupling = body.mass.bottomLeftCorner(strains, kRigidUnknowns);
-  const Eigen::MatrixXd rigid = body.rigid_mass_inverse.topLeftCorner(kRigidUnknowns, kRigidUnknowns);
+  const Eigen::MatrixXd rigid = body.mass.topLeftCorner<kRigidUnknowns, kRigidUnknowns>().inverse();
   const Eigen::MatrixXd mass = body.mass.bottomRightCorner(strains, strains) - coupling * rigid * coupling.transpose();
   const Eigen::MatrixXd stiffness = body.stiffness.bottomRightCorner(strains, strains);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass, Eigen::EigenvaluesOnly);
@@ -48,10 +49,9 @@ double least_stiffness_damping(const Body& body, const Settings& settings) {
   return std::max(0.0, kDampingOverPeriod / body.slowest_frequency - by_rule);
 }
 
-UnknownBlock damping_of(const Body& body, const Settings& settings, int material) {
+double stiffness_damping(const Body& body, const Settings& settings, int material) {
   const std::optional<double> given = settings.stiffness_damping.of(material);
-  const double of_stiffness = given ? *given : least_stiffness_damping(body, settings);
-  return settings.mass_damping.of(material) * body.mass + of_stiffness * body.stiffness;
+  return given ? *given : least_stiffness_damping(body, settings);
 }
 
 Eigen::Vector3d vector_of(const Stress& stress) {
@@ -66,9 +66,6 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
   Body body;
   body.area = moments.area;
   body.mass = mass_matrix(basis, moments, material.density);
-  body.mass_inverse = body.mass;
-  if (body.mass.rows() > 0) body.mass_inverse = body.mass.inverse();
-  body.rigid_mass_inverse = rigid_inverse(body.mass);
   const StrainOperator strain = basis.strain();
   body.stiffness = moments.area * (strain.transpose() * modulus_of(material, settings.plane) * strain);
   body.initial_stress =
@@ -76,7 +73,8 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
       (strain.transpose() * vector_of(start_stress(material, material.stress_gradient, reference.centroids[e].y)));
   body.weight = basis.constant.transpose() * (moments.area * weight_per_area(material, settings));
   body.slowest_frequency = slowest_frequency(body);
-  body.damping = damping_of(body, settings, element.material);
+  body.mass_damping = settings.mass_damping.of(element.material);
+  body.stiffness_damping = stiffness_damping(body, settings, element.material);
   for (VertexIndex v : element.vertices()) body.size = std::max(body.size, length(reference.offsets[v]));
   return body;
 }
@@ -85,13 +83,25 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
 
 Bodies bodies_of(const Model& model, const Reference& reference, const Settings& settings) {
   Bodies bodies;
+  bodies.reserve(model.elements.size());
   for (ElementIndex e : indices(model.elements)) bodies.push_back(body_of(model, reference, settings, e));
   return bodies;
 }
 
-Table<ElementIndex, UnknownBlock> every(const Bodies& bodies, UnknownBlock Body::*matrix) {
+Table<ElementIndex, UnknownBlock> mass_inverses(const Bodies& bodies) {
+  Table<ElementIndex, UnknownBlock> all(bodies.size());
+  for_each_entry(bodies.size(), [&](std::size_t i) {
+    const ElementIndex e{static_cast<int>(i)};
+    const UnknownBlock& mass = bodies[e].mass;
+    all[e] = mass.rows() > 0 ? UnknownBlock(mass.inverse()) : mass;
+  });
+  return all;
+}
+
+Table<ElementIndex, UnknownBlock> rigid_mass_inverses(const Bodies& bodies) {
   Table<ElementIndex, UnknownBlock> all;
-  for (const Body& body : bodies) all.push_back(body.*matrix);
+  all.reserve(bodies.size());
+  for (const Body& body : bodies) all.push_back(rigid_inverse(body.mass));
   return all;
 }
 

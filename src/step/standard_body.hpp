@@ -14,23 +14,30 @@ inline constexpr int kRigidUnknowns = 3;
 /// frame (terms of order ω² ε are left out).
 struct Body {
   UnknownBlock mass;
-  UnknownBlock mass_inverse;
-  UnknownBlock rigid_mass_inverse;  ///< of translation and rotation alone; zero in strain rows and columns
   UnknownBlock stiffness;
-  UnknownBlock damping;     ///< a M + b K
-  Unknowns initial_stress;  ///< force that the stress at the start exerts on the unknowns
+  double mass_damping = 0;       ///< a of the damping a M + b K, 1 / time
+  double stiffness_damping = 0;  ///< b, time
+  Unknowns initial_stress;       ///< force that the stress at the start exerts on the unknowns
   Unknowns weight;
   double size = 0;  ///< largest distance of a vertex from the centroid
   double area = 0;
   double slowest_frequency = 0;  ///< ω₁ of the strain modes of the free block, 1 / time; 0 without strains
+
+  /// (a M + b K) v.
+  Unknowns damping_force(const Unknowns& v) const {
+    return mass_damping * (mass * v) + stiffness_damping * (stiffness * v);
+  }
 };
 
 using Bodies = Table<ElementIndex, Body>;
 
 Bodies bodies_of(const Model& model, const Reference& reference, const Settings& settings);
 
-/// One of the matrices, for all bodies.
-Table<ElementIndex, UnknownBlock> every(const Bodies& bodies, UnknownBlock Body::*matrix);
+/// M⁻¹ of each body.
+Table<ElementIndex, UnknownBlock> mass_inverses(const Bodies& bodies);
+
+/// The same of translation and rotation alone; zero in strain rows and columns.
+Table<ElementIndex, UnknownBlock> rigid_mass_inverses(const Bodies& bodies);
 
 /// Stress in the block frame under the strain of q.
 Stress block_stress(const Model& model, ElementIndex element, const Reference& reference, const Settings& settings,

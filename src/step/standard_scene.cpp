@@ -131,7 +131,7 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
 }
 
 Flexibility mass_flexibility(const StandardScene& scene) {
-  return {every(scene.bodies, &Body::mass_inverse), scene.covers ? scene.covers->mass_inverse() : nullptr};
+  return {mass_inverses(scene.bodies), scene.covers ? scene.covers->mass_inverse() : nullptr};
 }
 
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,

@@ -218,26 +218,22 @@ class Attempt {
     return {touch, std::min(dt_, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
   }
 
+  // Springs that stop an impact have their force at the middle of the step; at its end they have that of the gap.
   void remember() {
+    const bool springs_stop = scene_.settings.standard.impact == ImpactLaw::springs;
+    Table<VertexIndex, Point> end;
+    if (springs_stop) end = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       if (!is_closed(i)) continue;
-      const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
-      step_.motion.closed.add(parts_.smooth[i], memory_of(smooth_.laws[i], normal(i), tangential));
-    }
-    if (scene_.settings.standard.impact == ImpactLaw::springs) remember_springs();
-  }
-
-  // Springs that stop an impact have their force at the middle of the step; at its end they have that of the gap.
-  void remember_springs() {
-    const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
-    for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       const ContactLaw& law = smooth_.laws[i];
-      if (!is_closed(i) || law.normal_compliance == 0) continue;
-      ContactMemory memory = *step_.motion.closed.of(parts_.smooth[i]);
-      memory.normal_at_end =
-          std::max(law.force.least, (law.rest_gap - gap_of(parts_.smooth[i], vertices)) / law.normal_compliance);
-      step_.motion.closed.add(parts_.smooth[i], memory);
+      const Touch& touch = parts_.smooth[i];
+      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)]);
+      if (springs_stop && law.normal_compliance > 0)
+        memory.normal_at_end = std::max(law.force.least, (law.rest_gap - gap_of(touch, end)) / law.normal_compliance);
+      closed.push_back({touch, memory});
     }
+    step_.motion.closed = ClosedContacts(std::move(closed));
   }
 
   const StandardScene& scene_;

@@ -150,6 +150,7 @@ ElementState element_state(const StandardScene& scene, const Motion& motion, con
 State state_of(const StandardScene& scene, const Motion& motion) {
   State state;
   state.vertices = vertices_at(scene.model, scene.reference, motion.q);
+  state.elements.reserve(scene.model.elements.size());
   for (ElementIndex e : indices(scene.model.elements))
     state.elements.push_back(element_state(scene, motion, state.vertices, e));
   state.fixed_points = carried(scene, motion, scene.model.fixed_points);

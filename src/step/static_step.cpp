@@ -193,23 +193,23 @@ class StaticSolve {
     now_.q = made.q;
     now_.bonds = made.bonds;
     now_.ties = made.ties;
-    closed_ = {};
+    std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const bool holds = std::abs(made.forces[n]) > least_force || made.laws[i].is_bonded;
-      if (holds) closed_.add(touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1]));
+      if (holds) closed.push_back({touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1])});
     }
+    closed_ = ClosedContacts(closed);
     if (one_closed()) {
       slip_start_ = now_;
       slip_start_.closed = closed_;
     }
     now_.v = plus(now_.q, -1, slip_start_.q);
-    now_.closed = {};
-    for (auto [touch, memory] : closed_.all()) {
+    for (auto& [touch, memory] : closed) {
       const ContactMemory* known = slip_start_.closed.of(touch);
       memory.stretch = known ? known->stretch : 0;
-      now_.closed.add(touch, memory);
     }
+    now_.closed = ClosedContacts(std::move(closed));
   }
 
   double work_of_mass(const UnknownsTable& a, const UnknownsTable& b) const {
@@ -222,8 +222,8 @@ class StaticSolve {
   bool one_closed() const {
     const auto then = vertices_at(scene_.model, scene_.reference, slip_start_.q);
     return std::ranges::any_of(closed_.all(), [&](const auto& entry) {
-      const double size = scene_.bodies[scene_.model.vertices[entry.first.vertex].element].size;
-      return gap_of(entry.first, then) > kClosedThen * size;
+      const double size = scene_.bodies[scene_.model.vertices[entry.touch.vertex].element].size;
+      return gap_of(entry.touch, then) > kClosedThen * size;
     });
   }
 

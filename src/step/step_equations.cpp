@@ -19,10 +19,12 @@ UnknownBlock inverse_of(const UnknownBlock& a) {
 }  // namespace
 
 StepEquations step_equations(const Body& body, const BodyMotion& start, const Unknowns& load, const StepRule& rule) {
-  const UnknownBlock a =
-      rule.inertia.increment * body.mass + rule.stiffness * body.stiffness + rule.damping.increment * body.damping;
-  const Unknowns r = load + body.initial_stress - body.stiffness * start.q - body.damping * known(rule.damping, start) -
-                     body.mass * known(rule.inertia, start);
+  const double inertia = rule.inertia.increment + rule.damping.increment * body.mass_damping;
+  const double stiffness = rule.stiffness + rule.damping.increment * body.stiffness_damping;
+  const UnknownBlock a = inertia * body.mass + stiffness * body.stiffness;
+  const Unknowns damped = known(rule.damping, start);
+  const Unknowns r = load + body.initial_stress - body.stiffness * (start.q + body.stiffness_damping * damped) -
+                     body.mass * (known(rule.inertia, start) + body.mass_damping * damped);
   StepEquations equations{a, a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
   if (a.rows() > 0) {
     const double missing =

@@ -133,10 +133,10 @@ namespace {
 // block that slides on over the joint of two bases goes on as deep as it was, and nothing is gained by it.
 double handed_on(const Motion& start, const Touch& touch, const Touches& present,
                  const Table<VertexIndex, Point>& vertices) {
+  if (touch.kind != TouchKind::corner) return 0;
   const Point normal = normal_of(touch, vertices);
-  for (const auto& [other, memory] : start.closed.all()) {
-    const bool is_same_corner = other.vertex == touch.vertex && other.kind == TouchKind::corner;
-    if (!is_same_corner || touch.kind != TouchKind::corner || std::ranges::count(present, other) > 0) continue;
+  for (const auto& [other, memory] : start.closed.at(touch.vertex)) {
+    if (other.kind != TouchKind::corner || std::ranges::count(present, other) > 0) continue;
     if (dot(normal, normal_of(other, vertices)) > kSameLine) return memory.normal_compliance * memory.normal_at_end;
   }
   return 0;

@@ -45,7 +45,6 @@ Body oscillator(double omega_dt) {
   Body body;
   body.mass = UnknownBlock::Identity(1, 1);
   body.stiffness = UnknownBlock::Constant(1, 1, omega_dt * omega_dt / (kStep * kStep));
-  body.damping = UnknownBlock::Zero(1, 1);
   body.initial_stress = one(0);
   return body;
 }
