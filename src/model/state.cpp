@@ -33,6 +33,13 @@ Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, E
   return {origin + Point{x, y}, {sum.area, 0, 0, sum.xx - x * sum.x, sum.yy - y * sum.y, sum.xy - x * sum.y}};
 }
 
+StartPlaces places_of(const State& state) {
+  StartPlaces places{state.vertices, {}};
+  places.elements.reserve(state.elements.size());
+  for (const ElementState& element : state.elements) places.elements.push_back({element.centroid, element.moments});
+  return places;
+}
+
 std::string impossible(const State& state) {
   for (ElementIndex e : indices(state.elements)) {
     const ElementState& now = state.elements[e];

@@ -67,6 +67,13 @@ struct Placement {
 Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, ElementIndex element,
                 const Settings& settings);
 
+/// Where everything lay before any load: displacements are counted from there.
+struct StartPlaces {
+  Table<VertexIndex, Point> vertices;
+  Table<ElementIndex, Placement> elements;
+};
+StartPlaces places_of(const State& state);
+
 /// Which element is as no step may leave it, without area or not finite, in one clause; empty if none is.
 std::string impossible(const State& state);
 

@@ -66,7 +66,7 @@ std::vector<int> bodies_of(const Model& model) {
 
 }  // namespace
 
-Frame frame_of(const Model& model, const State& state, const State& start, const Settings& settings) {
+Frame frame_of(const Model& model, const State& state, const StartPlaces& start, const Settings& settings) {
   Frame frame{state.step, state.time, {}, {}, {}, {}, {}, outlines_of(model, state)};
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
@@ -98,7 +98,7 @@ Frame frame_of(const Model& model, const State& state, const State& start, const
   return frame;
 }
 
-HistoryRow history_row(const Model& model, const State& state, const State& start) {
+HistoryRow history_row(const Model& model, const State& state, const StartPlaces& start) {
   HistoryRow row{state.step, state.time, points_of(model.measured_points, state.measured_points, state), {}};
   for (const BoltState& bolt : state.bolts) row.bolt_forces.push_back(bolt.force);
   if (!row.points.empty()) return row;
@@ -116,7 +116,7 @@ void put_point_stress(std::vector<PointFrame>& measured, const Model& model, con
 
 FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const State& state = stepper.state();
-  const State& start = stepper.unloaded();
+  const StartPlaces& start = stepper.unloaded();
   FieldFrame field{state.step, state.time, {}};
   if (model.nodes.empty()) return field;
   const std::vector<int> bodies = bodies_of(model);

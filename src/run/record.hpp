@@ -10,11 +10,10 @@
 
 namespace keyblock {
 
-/// `start` is the state before the first step: displacements are counted from there.
-Frame frame_of(const Model& model, const State& state, const State& start, const Settings& settings);
+Frame frame_of(const Model& model, const State& state, const StartPlaces& start, const Settings& settings);
 
 /// The measured points, or the centroids where nothing is measured.
-HistoryRow history_row(const Model& model, const State& state, const State& start);
+HistoryRow history_row(const Model& model, const State& state, const StartPlaces& start);
 
 /// Gives the measured points of a frame or a row the stress of where they lie in their elements.
 void put_point_stress(std::vector<PointFrame>& measured, const Model& model, const Stepper& stepper);

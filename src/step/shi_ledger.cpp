@@ -20,7 +20,7 @@ double strain_energy(const BlockMaterial& material, Plane plane, const ElementSt
 
 }  // namespace
 
-LedgerRow stored_row(const Model& model, const Settings& settings, const State& state, const State& unloaded) {
+LedgerRow stored_row(const Model& model, const Settings& settings, const State& state, const StartPlaces& unloaded) {
   const Point centre = stored_scope(unloaded).centre;
   LedgerRow row;
   row.step = state.step;
@@ -29,7 +29,7 @@ LedgerRow stored_row(const Model& model, const Settings& settings, const State& 
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);
     const ElementState& now = state.elements[e];
-    const ElementState& first = unloaded.elements[e];
+    const Placement& first = unloaded.elements[e];
     const Point moved = now.centroid - first.centroid;
     row.stored.strain += strain_energy(material, settings.plane, now);
     row.stored.gravity -=
@@ -47,9 +47,9 @@ LedgerRow stored_row(const Model& model, const Settings& settings, const State& 
   return row;
 }
 
-LedgerScope stored_scope(const State& unloaded) {
+LedgerScope stored_scope(const StartPlaces& unloaded) {
   Point sum;
-  for (const ElementState& element : unloaded.elements) sum = sum + element.centroid;
+  for (const Placement& element : unloaded.elements) sum = sum + element.centroid;
   return {false, true, (1 / static_cast<double>(unloaded.elements.size())) * sum};
 }
 

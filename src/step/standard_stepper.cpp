@@ -169,7 +169,7 @@ State state_of(const StandardScene& scene, const Motion& motion) {
 StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(scene.model, scene.settings)) {
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
-  unloaded_ = state_of(scene_, start_motion(scene_));
+  unloaded_ = places_of(state_of(scene_, start_motion(scene_)));
   First first = first_motion(scene_);
   start_report_ = std::move(first.report);
   start_failure_ = std::move(first.failure);
@@ -181,7 +181,7 @@ StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(sce
 
 StandardStepper::StandardStepper(const Scene& scene, Archive& saved)
     : scene_(standard_scene(scene.model, scene.settings)), motion_(start_motion(scene_)) {
-  unloaded_ = state_of(scene_, motion_);
+  unloaded_ = places_of(state_of(scene_, motion_));
   describe(saved);
 }
 

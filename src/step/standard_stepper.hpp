@@ -15,7 +15,7 @@ class StandardStepper : public Stepper {
   StandardStepper(const Scene& scene, Archive& saved);
 
   const State& state() const override { return state_; }
-  const State& unloaded() const override { return unloaded_; }
+  const StartPlaces& unloaded() const override { return unloaded_; }
   Stress stress_at(ElementIndex e, Point start) const override;
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return ledger_; }
@@ -41,7 +41,7 @@ class StandardStepper : public Stepper {
   double next_part_ = 0;  ///< size of the first part of the coming step, under step control; 0: not chosen yet
   StartReport start_report_;
   std::string start_failure_;  ///< said by the first step; empty for a start that was found
-  State unloaded_;
+  StartPlaces unloaded_;
   State state_;
   LedgerRow ledger_;
 };

@@ -11,11 +11,12 @@ namespace {
 
 class ShiStepper : public Stepper {
  public:
-  explicit ShiStepper(const Scene& scene) : scene_(scene), stepping_(start(scene)), unloaded_(stepping_.state) {}
+  explicit ShiStepper(const Scene& scene)
+      : scene_(scene), stepping_(start(scene)), unloaded_(places_of(stepping_.state)) {}
   ShiStepper(const Scene& scene, Archive& saved) : ShiStepper(scene) { describe(saved, stepping_); }
 
   const State& state() const override { return stepping_.state; }
-  const State& unloaded() const override { return unloaded_; }
+  const StartPlaces& unloaded() const override { return unloaded_; }
   std::variant<StepReport, StepFailure> advance() override { return keyblock::advance(scene_, stepping_); }
   LedgerRow ledger() const override { return stored_row(scene_.model, scene_.settings, state(), unloaded_); }
   LedgerScope ledger_scope() const override { return stored_scope(unloaded_); }
@@ -24,7 +25,7 @@ class ShiStepper : public Stepper {
  private:
   const Scene& scene_;
   Stepping stepping_;
-  State unloaded_;
+  StartPlaces unloaded_;
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ class Stepper {
   /// At the end of the last accepted step.
   virtual const State& state() const = 0;
   /// Before any load: displacements are counted from here.
-  virtual const State& unloaded() const = 0;
+  virtual const StartPlaces& unloaded() const = 0;
   /// At the point of an element that lay at `start` before any load: on covers there, else that of the element.
   virtual Stress stress_at(ElementIndex e, Point) const { return state().elements[e].stress; }
   virtual StartReport start_report() const { return {}; }

@@ -38,7 +38,7 @@ State moved(const State& first) {
 TEST(Record, loops_of_a_frame_are_the_outer_one_and_then_the_holes) {
   const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
-  const Frame frame = frame_of(scene.model, first, first, scene.settings);
+  const Frame frame = frame_of(scene.model, first, places_of(first), scene.settings);
   ASSERT_EQ(frame.elements.size(), 2U);
   ASSERT_EQ(frame.elements[0].loops.size(), 2U);
   EXPECT_EQ(frame.elements[0].loops[0], (std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
@@ -50,7 +50,7 @@ TEST(Record, loops_of_a_frame_are_the_outer_one_and_then_the_holes) {
 TEST(Record, a_frame_counts_displacement_from_the_start_and_shows_the_end_velocity) {
   const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
-  const Frame frame = frame_of(scene.model, moved(first), first, scene.settings);
+  const Frame frame = frame_of(scene.model, moved(first), places_of(first), scene.settings);
   EXPECT_EQ(frame.step, 1);
   EXPECT_EQ(frame.time, 0.1);
   EXPECT_EQ(frame.elements[0].displacement, (Point{0, 0}));
@@ -67,7 +67,7 @@ TEST(Record, a_frame_counts_displacement_from_the_start_and_shows_the_end_veloci
 TEST(Record, mass_and_moment_of_inertia_are_those_of_the_start) {
   const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
-  const Frame frame = frame_of(scene.model, moved(first), first, scene.settings);
+  const Frame frame = frame_of(scene.model, moved(first), places_of(first), scene.settings);
   const double density = scene.model.block_materials[0].density;
   EXPECT_NEAR(frame.elements[1].mass, density * 2, 1e-12 * density);
   EXPECT_NEAR(frame.elements[1].moment_of_inertia, density * 2 * 5 / 12, 1e-11 * density);
@@ -81,13 +81,13 @@ TEST(Record, followed_are_the_measured_points_with_the_number_of_their_element) 
   const State first = start(scene).state;
   State state = moved(first);
   state.measured_points[0] = {{11.5, 0.75}, {0.5, -0.25}};
-  const HistoryRow row = history_row(scene.model, state, first);
+  const HistoryRow row = history_row(scene.model, state, places_of(first));
   EXPECT_EQ(row.step, 1);
   ASSERT_EQ(row.points.size(), 1U);
   EXPECT_EQ(row.points[0].position, (Point{11.5, 0.75}));
   EXPECT_EQ(row.points[0].displacement, (Point{0.5, -0.25}));
   EXPECT_EQ(row.points[0].element, 1);
-  const Frame frame = frame_of(scene.model, state, first, scene.settings);
+  const Frame frame = frame_of(scene.model, state, places_of(first), scene.settings);
   ASSERT_EQ(frame.fixed_points.size(), 1U);
   EXPECT_EQ(frame.fixed_points[0].position, (Point{0.5, 0.5}));
   EXPECT_TRUE(frame.loading_points.empty());
@@ -96,7 +96,7 @@ TEST(Record, followed_are_the_measured_points_with_the_number_of_their_element) 
 TEST(Record, without_measured_points_the_centroid_of_every_element_is_followed) {
   const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
-  const HistoryRow row = history_row(scene.model, moved(first), first);
+  const HistoryRow row = history_row(scene.model, moved(first), places_of(first));
   ASSERT_EQ(row.points.size(), 2U);
   EXPECT_EQ(row.points[1].position, (Point{11.5, 0.25}));
   EXPECT_NEAR(row.points[1].displacement.y, -0.25, 1e-13);

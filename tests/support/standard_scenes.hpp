@@ -50,7 +50,8 @@ inline void run_to(StandardStepper& stepper, double time) {
 }
 
 /// How far the centroid of element `e` has come since the first step began.
-inline Point travel(const StandardStepper& stepper, const State& start, int e) {
+template <class Start>  // a state, or the places before any load
+Point travel(const StandardStepper& stepper, const Start& start, int e) {
   return stepper.state().elements[ElementIndex{e}].centroid - start.elements[ElementIndex{e}].centroid;
 }
 
