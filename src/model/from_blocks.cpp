@@ -78,6 +78,9 @@ Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {
   for (BlockMaterial& material : model.block_materials) material.horizontal_force = 0;
   model.joint_materials = analysis.joint_materials;
   for (const BlockPolygon& block : blocks.blocks) add_block(model, block);
+  model.elements.shrink_to_fit();
+  model.vertices.shrink_to_fit();
+  model.start_vertices.shrink_to_fit();
   model.fixed_points = carried(blocks.fixed_points, analysis.fixed_point_motions);
   model.loading_points = carried(blocks.loading_points, analysis.point_loads);
   model.measured_points = carried(blocks.measured_points, {});
@@ -90,6 +93,7 @@ Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {
 State start_state(const Model& model, AnalysisDialect dialect, const Settings& settings) {
   State state;
   state.vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
+  state.elements.reserve(model.elements.size());
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);

@@ -30,6 +30,9 @@ Reference reference_of(const Model& model, const Settings& settings) {
   Reference reference;
   Table<VertexIndex, Point> vertices;
   vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
+  reference.centroids.reserve(model.elements.size());
+  reference.moments.reserve(model.elements.size());
+  reference.offsets.reserve(model.vertices.size());
   for (ElementIndex e : indices(model.elements)) {
     const Placement placement = place(model, vertices, e, settings);
     reference.centroids.push_back(placement.centroid);

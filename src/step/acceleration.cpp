@@ -60,7 +60,7 @@ UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& mo
   for (ElementIndex e : indices(a)) {
     const Body& body = scene.bodies[e];
     a[e] += inverse.blocks[e] *
-            (loads[e] + body.initial_stress - body.stiffness * motion.q[e] - body.damping_force(motion.v[e]));
+            (loads[e] + body.initial_stress - body.elastic_force(motion.q[e]) - body.damping_force(motion.v[e]));
   }
   return a;
 }

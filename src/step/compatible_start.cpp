@@ -132,10 +132,10 @@ class Settling {
     UnknownsTable increments;
     for (ElementIndex e : indices(scene_.bodies)) {
       const Body& body = scene_.bodies[e];
-      const UnknownBlock a = body.stiffness + body.mass * (scene_.normal_stiffness() / (kLong * heaviest_));
+      const UnknownBlock a = body.sum_of(scene_.normal_stiffness() / (kLong * heaviest_), 1);
       flexibility.push_back(a.rows() > 0 ? UnknownBlock(a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()))) : a);
       const Unknowns unbalanced =
-          loads_[e] + body.initial_stress - body.stiffness * motion_.q[e] - body.mass * acceleration_[e];
+          loads_[e] + body.initial_stress - body.elastic_force(motion_.q[e]) - body.mass * acceleration_[e];
       increments.push_back(flexibility[e] * unbalanced);
     }
     FrictionalProblem problem{
@@ -166,11 +166,10 @@ class Settling {
     UnknownsTable forces = plus(loads_, 1, answer(rows_, {identities()}, forces_));
     for (ElementIndex e : indices(forces)) {
       const Body& body = scene_.bodies[e];
-      const Eigen::Index strains = body.mass.rows() - kRigidUnknowns;
-      if (strains <= 0) continue;
+      const Eigen::Index strains = body.strain_count();
+      if (strains == 0) continue;
       forces[e] += body.initial_stress - body.mass * acceleration_[e];
-      const Eigen::MatrixXd stiffness = body.stiffness.bottomRightCorner(strains, strains);
-      motion_.q[e].tail(strains) = stiffness.inverse() * forces[e].tail(strains);
+      motion_.q[e].tail(strains) = body.stiffness.inverse() * forces[e].tail(strains);
     }
   }
 

@@ -20,13 +20,12 @@ double half_square(const UnknownBlock& matrix, const Unknowns& x) {
 
 // ½ A σᵀ D⁻¹ σ, written in unknowns: a force f of the initial stress makes ½ (q − K⁻¹f)ᵀ K (q − K⁻¹f).
 double strain_energy(const Body& body, const Unknowns& q) {
-  const Eigen::Index strains = body.stiffness.rows() - kRigidUnknowns;
-  if (strains <= 0) return 0;
-  const double without_initial = half_square(body.stiffness, q);
+  const Eigen::Index strains = body.strain_count();
+  if (strains == 0) return 0;
+  const double without_initial = q.dot(body.elastic_force(q)) / 2;
   if (body.initial_stress.isZero(0)) return without_initial;
   const Unknowns force = body.initial_stress.tail(strains);
-  const Eigen::MatrixXd stiffness = body.stiffness.bottomRightCorner(strains, strains);
-  return without_initial - body.initial_stress.dot(q) + force.dot(stiffness.llt().solve(force)) / 2;
+  return without_initial - body.initial_stress.dot(q) + force.dot(body.stiffness.llt().solve(force)) / 2;
 }
 
 double spring_energy(const Motion& motion) {
@@ -100,7 +99,7 @@ EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
     flow.external += (trail.loads[e] - body.weight).dot(dq);
     flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
     flow.damping += dq.dot(body.damping_force(sum_of(rule.damping, dq, trail.start, e)));
-    flow.algorithmic += inertia_loss(body, trail, e) + (rule.stiffness - 0.5) * dq.dot(body.stiffness * dq);
+    flow.algorithmic += inertia_loss(body, trail, e) + (rule.stiffness - 0.5) * dq.dot(body.elastic_force(dq));
   }
   if (scene.covers) add_covers(*scene.covers, trail, flow);
   return flow;

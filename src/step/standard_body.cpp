@@ -31,18 +31,18 @@ UnknownBlock rigid_inverse(const UnknownBlock& mass) {
 
 // ω₁ of the strain modes, rigid part free: K x = ω² (M_εε − M_εr M_rr⁻¹ M_rε) x.
 double slowest_frequency(const Body& body) {
-  const Eigen::Index strains = body.mass.rows() - kRigidUnknowns;
-  if (strains <= 0) return 0;
+  const Eigen::Index strains = body.strain_count();
+  if (strains == 0) return 0;
   const Eigen::MatrixXd coupling = body.mass.bottomLeftCorner(strains, kRigidUnknowns);
   const Eigen::MatrixXd rigid = body.mass.topLeftCorner<kRigidUnknowns, kRigidUnknowns>().inverse();
   const Eigen::MatrixXd mass = body.mass.bottomRightCorner(strains, strains) - coupling * rigid * coupling.transpose();
-  const Eigen::MatrixXd stiffness = body.stiffness.bottomRightCorner(strains, strains);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass, Eigen::EigenvaluesOnly);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(body.stiffness), mass,
+                                                                        Eigen::EigenvaluesOnly);
   return std::sqrt(modes.eigenvalues().minCoeff());
 }
 
 double least_stiffness_damping(const Body& body, const Settings& settings) {
-  if (settings.standard.strain_damping == StrainDamping::none || body.mass.rows() <= kRigidUnknowns) return 0;
+  if (settings.standard.strain_damping == StrainDamping::none || body.strain_count() == 0) return 0;
   // Parts of a step may be as small as they like, and are not damped by their rule.
   const bool constant = settings.step_control == StepControl::constant;
   const double by_rule = constant ? damping_of_rule(settings.standard, settings.time_step) : 0;
@@ -67,7 +67,9 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
   body.area = moments.area;
   body.mass = mass_matrix(basis, moments, material.density);
   const StrainOperator strain = basis.strain();
-  body.stiffness = moments.area * (strain.transpose() * modulus_of(material, settings.plane) * strain);
+  const Eigen::Index strains = std::max<Eigen::Index>(0, body.mass.rows() - kRigidUnknowns);
+  const auto of_strains = strain.rightCols(strains);
+  body.stiffness = moments.area * (of_strains.transpose() * modulus_of(material, settings.plane) * of_strains);
   body.initial_stress =
       -moments.area *
       (strain.transpose() * vector_of(start_stress(material, material.stress_gradient, reference.centroids[e].y)));

@@ -59,6 +59,8 @@ StandardScene standard_scene(Model model, Settings settings) {
   scene.settings = with_enforcement_decided(std::move(settings), scene.model);
   scene.reference = reference_of(scene.model, scene.settings);
   scene.bodies = bodies_of(scene.model, scene.reference, scene.settings);
+  scene.pieces.reserve(scene.model.elements.size());
+  scene.with_faces.reserve(scene.model.elements.size());
   for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
   for (ElementIndex e : indices(scene.pieces))
     if (!scene.pieces[e].empty()) scene.with_faces.push_back(e);
@@ -90,6 +92,7 @@ std::string unsupported(const StandardScene& scene) {
 
 Motion start_motion(const StandardScene& scene) {
   Motion motion;
+  for (UnknownsTable* table : {&motion.q, &motion.v, &motion.a}) table->reserve(scene.model.elements.size());
   for (const Element& element : scene.model.elements) {
     const int count = element.basis->unknown_count();
     motion.q.push_back(Unknowns::Zero(count));
@@ -109,6 +112,7 @@ Motion start_motion(const StandardScene& scene) {
 
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time) {
   UnknownsTable loads;
+  loads.reserve(scene.bodies.size());
   for (const Body& body : scene.bodies) loads.push_back(body.weight);
   if (scene.covers) loads.covers = scene.covers->weight();
   if (has_body_acceleration(scene.settings)) {

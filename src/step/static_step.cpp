@@ -102,8 +102,8 @@ class StaticSolve {
       lightest = std::min(lightest, body.mass(0, 0));
       heaviest = std::max(heaviest, body.mass(0, 0));
       all_strain = all_strain && body.slowest_frequency > 0;
-      if (body.stiffness(last, last) > 0)
-        slowest = std::min(slowest, std::sqrt(body.stiffness(last, last) / body.mass(last, last)));
+      if (body.strain_count() > 0)
+        slowest = std::min(slowest, std::sqrt(body.stiffness.diagonal().tail<1>()[0] / body.mass(last, last)));
       if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
     }
     if (scene_.covers) {

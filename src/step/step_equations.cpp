@@ -21,9 +21,9 @@ UnknownBlock inverse_of(const UnknownBlock& a) {
 StepEquations step_equations(const Body& body, const BodyMotion& start, const Unknowns& load, const StepRule& rule) {
   const double inertia = rule.inertia.increment + rule.damping.increment * body.mass_damping;
   const double stiffness = rule.stiffness + rule.damping.increment * body.stiffness_damping;
-  const UnknownBlock a = inertia * body.mass + stiffness * body.stiffness;
+  const UnknownBlock a = body.sum_of(inertia, stiffness);
   const Unknowns damped = known(rule.damping, start);
-  const Unknowns r = load + body.initial_stress - body.stiffness * (start.q + body.stiffness_damping * damped) -
+  const Unknowns r = load + body.initial_stress - body.elastic_force(start.q + body.stiffness_damping * damped) -
                      body.mass * (known(rule.inertia, start) + body.mass_damping * damped);
   StepEquations equations{a, a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
   if (a.rows() > 0) {
