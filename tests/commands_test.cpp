@@ -323,7 +323,8 @@ TEST(Commands, compare_goes_on_after_a_case_that_cannot_be_read) {
   support::write_text(folder + "/case.json", R"({"set": {"both": {"time_stop": "1"}}})");
   const ProgramRun both = run_keyblock({"compare", folder, kFall});
   EXPECT_EQ(both.exit_code, 1);
-  EXPECT_TRUE(contains(both.messages, "case.json: error: there is no setting \"time_stop\"")) << both.messages;
+  EXPECT_TRUE(contains(both.messages, "case.json: error: key set.both.time_stop: there is no setting"))
+      << both.messages;
   EXPECT_TRUE(contains(both.output, "speed of block 2")) << both.output;
 }
 

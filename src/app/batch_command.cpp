@@ -13,6 +13,7 @@
 #include <mutex>
 #include <thread>
 
+#include "app/above_zero.hpp"
 #include "app/batch_archive.hpp"
 #include "app/batch_work.hpp"
 #include "app/command.hpp"
@@ -252,13 +253,13 @@ Action configure_batch(CLI::App& app) {
   app.add_option(
          "--time-limit", options->limits.cpu_seconds,
          "seconds of processor time for the check of a job and for each process of --run and --convert (default: none)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   app.add_option("--memory-limit", options->limits.memory_mebibytes,
                  "MiB of address space for each of them (default: none)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   app.add_option("--largest-file", options->largest_mebibytes, "larger files, in MiB, are named, not read")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   app.add_option("--row", options->row_files)->group("");  // not for people: in no help text
   app.add_flag("--resume", options->is_resumed, "go on with the batch in OUT; jobs whose files changed are done again");
   app.add_flag("--force", options->may_overwrite, "begin the batch in OUT again");

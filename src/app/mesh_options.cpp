@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/above_zero.hpp"
 #include "app/usage_error.hpp"
 
 namespace keyblock {
@@ -17,7 +18,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
                    ->check(CLI::Range(1, kMostHalfRows));
   auto* side = app.add_option("--mesh-side", options.plan.side,
                               "the same with an unstructured mesh of sides no longer than this")
-                   ->check(CLI::PositiveNumber)
+                   ->check(above_zero())
                    ->excludes(rows);
   app.add_option("--mesh-refine", options.refined,
                  "X Y SIDE: near this point sides no longer than this, growing with the distance; may be repeated")

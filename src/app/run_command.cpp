@@ -4,13 +4,12 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/cover_run.hpp"
 #include "app/progress.hpp"
@@ -18,6 +17,7 @@
 #include "app/run_report.hpp"
 #include "app/run_warnings.hpp"
 #include "app/saved_run.hpp"
+#include "app/stop_request.hpp"
 #include "app/study_options.hpp"
 #include "app/usage_error.hpp"
 #include "base/sha256.hpp"
@@ -37,12 +37,6 @@ constexpr int kMostFrames = 100;
 
 // What an interruption may cost, unless asked otherwise.
 constexpr double kCheckpointSeconds = 30;
-
-std::atomic<int> stop_signal = 0;  // the one that asked to stop
-
-extern "C" void ask_to_stop(int signal) {
-  stop_signal = signal;
-}
 
 struct RunOptions {
   std::vector<std::string> files;
@@ -118,10 +112,6 @@ void print_hint(const Settings& settings) {
     spdlog::info(
         "the rules of the old program are followed; where its step size changes, "
         "--set quirk.velocity_from_coming_step=off often lets a run go on");
-}
-
-bool is_at_time_limit() {
-  return stop_signal == SIGXCPU;
 }
 
 void print_summary(const Prepared& prepared, const RunRecord& record, const std::string& folder) {
@@ -235,10 +225,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
   if (stepper) spdlog::info("going on after step {}", stepper->state().step);
   if (saved && !stepper) spdlog::info("the run ended before its first checkpoint: it begins again");
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
-  std::signal(SIGHUP, ask_to_stop);
-  std::signal(SIGXCPU, ask_to_stop);
+  listen_for_stops();
   CheckpointClock clock(options.checkpoint_every);
   bool stops = false;
   const Observer observer{[&](const Frame& frame) { folder.add(frame); },
@@ -250,7 +237,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
                             progress.show(report);
                           },
                           [&](const HistoryRow& row) { history.rows.push_back(row); },
-                          [&] { return stops = stop_signal != 0; },
+                          [&] { return stops = stop_signal() != 0; },
                           [&](const LedgerRow& row) {
                             record.ledger_sums.add(row);
                             record.ledger.add(row);
@@ -372,7 +359,7 @@ Action configure_run(CLI::App& options) {
           .add_option("--record-every", chosen->record_every,
                       fmt::format("a frame every so many steps (default: the file's save interval, at most {} frames)",
                                   kMostFrames))
-          ->check(CLI::PositiveNumber);
+          ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
   options.add_flag("--json", chosen->as_json, "print run.json on standard output");
@@ -381,7 +368,7 @@ Action configure_run(CLI::App& options) {
       .add_option("--checkpoint-every", chosen->checkpoint_every,
                   "seconds between checkpoints in the folder (default: 30); 0: none but at the start and where the run "
                   "is stopped")
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_above());
   CLI::Option* resume = options.add_option(
       "--resume", chosen->resume,
       "folder of an interrupted run, which goes on from its checkpoint, or begins again before its first");

@@ -29,7 +29,7 @@ const char* word_for(RunEnd end) {
   return "";
 }
 
-Json settings_json(const Settings& settings) {
+Json all_settings_json(const Settings& settings) {
   Json all = Json::object();
   for (const SettingText& setting : list(settings))
     all[setting.name] = setting.is_number ? Json::parse(setting.value) : Json(setting.value);
@@ -183,7 +183,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"extremes", json_of(record.extremes)},
       {"start", start_json(record.outcome.start)},
       {"inputs", inputs_json(record.inputs)},
-      {"settings", settings_json(prepared.scene.settings)},
+      {"settings", all_settings_json(prepared.scene.settings)},
       {"requirements", requirements_json(prepared.requirements)},
       {"counts", counts_json(prepared, record.totals)},
       {"warnings", warnings_json(record.warnings)},

@@ -5,13 +5,16 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <thread>
 
+#include "app/above_zero.hpp"
 #include "app/files.hpp"
+#include "app/stop_request.hpp"
 #include "app/usage_error.hpp"
 #include "run/profile.hpp"
 
@@ -27,6 +30,10 @@ double load_average() {
 }
 
 }  // namespace
+
+study::RunLimits StudyOptions::limits() const {
+  return {repeat, limit, [] { return stop_signal() != 0; }};
+}
 
 void add_study_options(CLI::App& options, StudyOptions& chosen) {
   options.add_option("case", chosen.paths, "one case folder (legacy_cases/…), or the files of a case")->required();
@@ -44,7 +51,7 @@ void add_study_options(CLI::App& options, StudyOptions& chosen) {
   options.add_option("--repeat", chosen.repeat, "time each run so often, and take the best (default: 1)")
       ->check(CLI::Range(1, 1000));
   options.add_option("--limit", chosen.limit, "seconds of processor time a run may take (default: 60)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   options.add_option("--picture", chosen.picture, "write a picture (SVG)");
   options.add_flag("--json", chosen.as_json, "print the table as JSON");
   options.add_flag("--force", chosen.force, "overwrite files");
@@ -87,6 +94,13 @@ void tell_run(const study::MeasuredRun& run, std::size_t done, std::size_t of) {
     spdlog::info("{} of {}: {}, {:.3g} s", done, of, run.plan.name, run.seconds);
   else
     spdlog::info("{} of {}: {}, {}: {}", done, of, run.plan.name, name_of(run.end), run.reason);
+}
+
+ExitCode stopped_with(const study::Tradeoff& result) {
+  const auto made = std::ranges::count(result.runs, study::MeasuredEnd::finished, &study::MeasuredRun::end);
+  spdlog::warn("stopped {}; {} of {} runs were made (--limit SECONDS bounds each)",
+               is_at_time_limit() ? "at the limit of processor time" : "by request", made, result.runs.size());
+  return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
 }
 
 std::string machine_words() {

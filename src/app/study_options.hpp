@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/exit_code.hpp"
 #include "study/measured_run.hpp"
 #include "study/tradeoff.hpp"
 
@@ -24,7 +25,7 @@ struct StudyOptions {
   bool as_json = false;
   bool force = false;
 
-  study::RunLimits limits() const { return {repeat, limit}; }
+  study::RunLimits limits() const;
 };
 
 void add_study_options(CLI::App& options, StudyOptions& chosen);
@@ -41,6 +42,9 @@ void require_writable(const std::string& file, bool force);
 
 /// On the standard error, run by run.
 void tell_run(const study::MeasuredRun& run, std::size_t done, std::size_t of);
+
+/// What a study that was asked to stop says and returns.
+ExitCode stopped_with(const study::Tradeoff& result);
 
 /// "2 processors, load 1.7": processor time, too, grows where others share caches and memory.
 std::string machine_words();

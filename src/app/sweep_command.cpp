@@ -6,8 +6,10 @@
 #include <cmath>
 #include <memory>
 
+#include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/files.hpp"
+#include "app/stop_request.hpp"
 #include "app/study_options.hpp"
 #include "app/usage_error.hpp"
 #include "base/loop.hpp"
@@ -48,6 +50,7 @@ struct Map {
   // A run may end and yet not reach what is compared.
   std::string verdict(std::size_t row, std::size_t column) const {
     const MeasuredRun& made = run(row, column);
+    if (result.reference.values.empty()) return name_of(made.end);  // stopped before there was one
     return made.end == MeasuredEnd::finished && !std::isfinite(error(row, column)) ? "not reached" : name_of(made.end);
   }
   std::string cell(std::size_t row, std::size_t column) const {
@@ -151,6 +154,7 @@ ExitCode run_sweep(const SweepOptions& options) {
     fmt::print("{}\n", json_of(map).dump(1, ' ', false, Json::error_handler_t::replace));
   else
     fmt::print("{}", table_of(map));
+  if (result.is_stopped) return stopped_with(result);
   const bool has_results = std::ranges::any_of(
       result.runs, [&](const MeasuredRun& run) { return std::isfinite(error_of(run, result.reference)); });
   return has_results ? ExitCode::ok : ExitCode::numerical_failure;
@@ -163,13 +167,14 @@ Action configure_sweep(CLI::App& options) {
   add_study_options(options, *chosen);
   options.add_option("--penalties", chosen->penalties, "factors on the contact stiffness (default: 100 10 1 0.1 0.01)")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   options.add_option("--steps", chosen->steps, "factors on the step (default: 4 2 1 0.5 0.25)")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   options.add_option("--table", chosen->table, "write the map as a table (CSV)");
   return [chosen] {
     set_loop_threads(1);  // prices are processor time
+    listen_for_stops();
     return run_sweep(*chosen);
   };
 }

@@ -10,8 +10,10 @@
 #include <memory>
 #include <numeric>
 
+#include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/files.hpp"
+#include "app/stop_request.hpp"
 #include "app/study_options.hpp"
 #include "app/usage_error.hpp"
 #include "base/counted.hpp"
@@ -95,8 +97,9 @@ std::string table_of(const Tradeoff& result) {
                     run.seconds, error_text(result, i), std::isfinite(over) ? fmt::format("{:.2f}", over) : "-",
                     is_on_front(result, i)                    ? "*"
                     : over <= study::kTimingNoise             ? "~"
-                    : run.end == study::MeasuredEnd::finished ? ""
-                                                              : fmt::format("{}: {}", name_of(run.end), run.reason));
+                    : run.end != study::MeasuredEnd::finished ? fmt::format("{}: {}", name_of(run.end), run.reason)
+                    : std::isfinite(result.prices[i].error)   ? ""
+                                                              : "ends before all expected values are reached");
   }
   return table +
          fmt::format("  {}; the least of the timings counts; * on the front, ~ within a tenth\n", machine_words());
@@ -214,7 +217,8 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
     }
   }();
   const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run);
-  const auto choice = options.has_wish() ? study::choice_for(result.prices, wish) : std::nullopt;
+  const bool chooses = options.has_wish() && !result.is_stopped;
+  const auto choice = chooses ? study::choice_for(result.prices, wish) : std::nullopt;
   if (!options.picture.empty()) write_file(options.picture, picture_of(result));
   if (choice) {
     const MeasuredRun& run = result.runs[*choice];
@@ -231,10 +235,10 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   if (choice)
     spdlog::info("chosen for {}: \"{}\"; keyblock run … --settings-file {}", wish_words(wish),
                  result.runs[*choice].plan.name, file);
-  if (options.has_wish() && !choice)
-    spdlog::error("no run meets {}; {}", wish_words(wish), nearest_words(result, wish));
+  if (chooses && !choice) spdlog::error("no run meets {}; {}", wish_words(wish), nearest_words(result, wish));
+  if (result.is_stopped) return stopped_with(result);
   if (result.front.empty()) return ExitCode::numerical_failure;
-  return options.has_wish() && !choice ? ExitCode::check_failed : ExitCode::ok;
+  return chooses && !choice ? ExitCode::check_failed : ExitCode::ok;
 }
 
 }  // namespace
@@ -247,14 +251,14 @@ Action configure_tradeoff(CLI::App& options) {
                   "only these choices: basis, step, enforcement, penalty, tolerance, integrator, functions, mesh")
       ->delimiter(',');
   options.add_flag("--full", chosen->is_full, "all combinations, not only single choices and the usual pairs");
-  options.add_option("--most", chosen->most, "runs of --full at most (default: 200)")->check(CLI::PositiveNumber);
+  options.add_option("--most", chosen->most, "runs of --full at most (default: 200)")->check(above_zero());
   options.add_option("--budget", chosen->budget, "pick the most accurate run within this time: 10s, 500ms, 2min");
-  options.add_option("--error", chosen->error, "pick the cheapest run within this error, as 1e-3")
-      ->check(CLI::PositiveNumber);
+  options.add_option("--error", chosen->error, "pick the cheapest run within this error, as 1e-3")->check(above_zero());
   options.add_option("-o,--output", chosen->output,
                      "file for the settings picked, for run --settings-file (default: CASE.settings)");
   return [chosen] {
     set_loop_threads(1);  // prices are processor time
+    listen_for_stops();
     return run_tradeoff(*chosen);
   };
 }

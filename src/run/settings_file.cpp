@@ -31,16 +31,6 @@ Word word_of(const std::string& line, std::size_t begin, std::size_t end) {
   return {line.substr(first, last - first + 1), static_cast<int>(first) + 1};
 }
 
-void try_setting(const std::string& name, const std::string& value) {
-  if (name == "functions" || name == "contact" || name.starts_with("mesh.")) {
-    CoverPlan plan;
-    set(plan, name, value);
-  } else {
-    Settings settings;
-    set(settings, name, value);
-  }
-}
-
 bool is_known(const std::string& name) {
   if (name == "functions" || name == "contact" || name.starts_with("mesh.")) return true;
   const Settings settings;
@@ -50,6 +40,16 @@ bool is_known(const std::string& name) {
 }
 
 }  // namespace
+
+void require_setting(const std::string& name, const std::string& value) {
+  if (name == "functions" || name == "contact" || name.starts_with("mesh.")) {
+    CoverPlan plan;
+    set(plan, name, value);
+  } else {
+    Settings settings;
+    set(settings, name, value);
+  }
+}
 
 SettingsFile read_settings(const std::string& file_name, const std::string& text) {
   SettingsFile file;
@@ -78,13 +78,10 @@ SettingsFile read_settings(const std::string& file_name, const std::string& text
       file.profile = value.text;
       continue;
     }
-    if (!is_known(name.text))
-      refuse(name, fmt::format("expected the name of a setting (`keyblock run --settings` lists them), found \"{}\"",
-                               name.text));
     try {
-      try_setting(name.text, value.text);
+      require_setting(name.text, value.text);
     } catch (const std::invalid_argument& error) {
-      refuse(value, error.what());
+      refuse(is_known(name.text) ? value : name, error.what());
     }
     file.settings.emplace_back(name.text, value.text);
   }

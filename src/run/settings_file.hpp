@@ -21,6 +21,10 @@ struct SettingsFile {
 /// none, or a value that its setting does not take.
 SettingsFile read_settings(const std::string& name, const std::string& text);
 
+/// Tries a setting by itself, of blocks or of the mesh of bodies on covers. Throws std::invalid_argument for a name that is none,
+/// or a value that its setting does not take.
+void require_setting(const std::string& name, const std::string& value);
+
 /// The file's text, headed by `comment` (one line or several).
 std::string settings_text(const SettingsFile& file, const std::string& comment);
 

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "base/nearest.hpp"
 #include "run/setting_row.hpp"
 
 namespace keyblock {
@@ -305,6 +306,13 @@ const char* noun(Materials materials) {
   return materials == Materials::of_blocks ? "block" : "joint";
 }
 
+std::string no_such_setting(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SettingRow& row : table()) names.push_back(row.name);
+  return fmt::format("there is no setting \"{}\"{} (`keyblock run --settings` lists them)", name,
+                     nearest_words(name, names));
+}
+
 }  // namespace
 
 std::vector<SettingText> list(const Settings& settings) {
@@ -328,8 +336,7 @@ std::vector<SettingText> list(const Settings& settings) {
 void set(Settings& settings, const std::string& name, const std::string& value) {
   if (const SettingRow* row = find_row(name)) return row->read(settings, value);
   const auto [row, material] = material_setting(name);
-  if (row == nullptr)
-    throw std::invalid_argument(fmt::format("there is no setting \"{}\"; `keyblock run --settings` lists them", name));
+  if (row == nullptr) throw std::invalid_argument(no_such_setting(name));
   row->per_material->read(settings, material, name, value);
 }
 

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "formats/registry.hpp"
 #include "run/profile.hpp"
+#include "run/settings_file.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -53,14 +55,24 @@ struct Node {
   }
 };
 
-Override override_of(const Node& node, const std::string& name) {
-  return {name, node.json.is_number() ? node.json.dump() : node.text()};
-}
-
 std::vector<Override> overrides_of(const Node& object) {
   object.require_object();
   std::vector<Override> overrides;
-  for (const auto& [name, value] : object.json.items()) overrides.push_back(override_of(object.at(name), name));
+  for (const auto& [name, value] : object.json.items())
+    overrides.emplace_back(name, value.is_number() ? value.dump() : object.at(name).text());
+  return overrides;
+}
+
+// A wrong one is told here, with its key. One of a variant is told when that is run: it leaves the other runs.
+std::vector<Override> checked(const Node& object) {
+  std::vector<Override> overrides = overrides_of(object);
+  for (const auto& [name, value] : overrides) {
+    try {
+      require_setting(name, value);
+    } catch (const std::invalid_argument& error) {
+      throw InputError({object.file, 0, 0}, fmt::format("key {}.{}: {}", object.key, name, error.what()));
+    }
+  }
   return overrides;
 }
 
@@ -75,7 +87,7 @@ std::map<std::string, std::vector<Override>> sets_of(const Node& set) {
   std::map<std::string, std::vector<Override>> sets;
   for (const std::string& profile : rule_names())
     for (const std::string& key : {std::string("both"), profile})
-      if (set.json.contains(key)) append(sets[profile], overrides_of(set.at(key)));
+      if (set.json.contains(key)) append(sets[profile], checked(set.at(key)));
   return sets;
 }
 

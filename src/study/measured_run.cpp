@@ -84,13 +84,17 @@ class Reading {
   RunSoFar so_far_;
 };
 
-void run_blocks(const StudyCase& chosen, const Scene& scene, double limit, MeasuredRun& measured) {
+void run_blocks(const StudyCase& chosen, const Scene& scene, const RunLimits& limits, MeasuredRun& measured) {
   Reading reading(chosen);
   const double begin = cpu_seconds();
   Observer observer;
   observer.on_step = [&](const StepReport& report) { reading.add(report); };
   observer.on_frame = [&](const Frame& frame) { reading.add(frame, scene.settings.time_step); };
-  observer.wants_stop = [&] { return cpu_seconds() - begin > limit; };
+  bool is_asked = false;
+  observer.wants_stop = [&] {
+    is_asked = limits.wants_stop();
+    return is_asked || cpu_seconds() - begin > limits.cpu_seconds;
+  };
   const RunOutcome outcome = run(scene, frame_interval(chosen.expected, scene.settings), observer);
   measured.seconds = cpu_seconds() - begin;
   measured.steps = outcome.steps;
@@ -98,9 +102,10 @@ void run_blocks(const StudyCase& chosen, const Scene& scene, double limit, Measu
     measured.end = MeasuredEnd::failed;
     measured.reason = outcome.reason;
   } else if (outcome.end == RunEnd::stopped) {
-    measured.end = MeasuredEnd::over_limit;
-    measured.reason = fmt::format("{:.3g} s of processor time reached at step {} of {}", limit, outcome.steps,
-                                  scene.settings.step_count);
+    const std::string at = fmt::format("at step {} of {}", outcome.steps, scene.settings.step_count);
+    measured.end = is_asked ? MeasuredEnd::stopped : MeasuredEnd::over_limit;
+    measured.reason =
+        is_asked ? "by request " + at : fmt::format("{:.3g} s of processor time reached {}", limits.cpu_seconds, at);
   }
   measured.values = reading.numbers();
 }
@@ -165,7 +170,7 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   require_there(chosen, model.measured_points.size(), model.elements.size());
   require_points(chosen, problem, model.measured_points.size());
   measured.unknowns = prepared.requirements.unknowns;
-  best_of(limits, measured, [&] { run_blocks(chosen, prepared.scene, limits.cpu_seconds, measured); });
+  best_of(limits, measured, [&] { run_blocks(chosen, prepared.scene, limits, measured); });
 }
 
 void tell(MeasuredRun& measured, MeasuredEnd end, const std::string& reason) {
@@ -200,7 +205,7 @@ StudyCase study_case(const std::vector<std::string>& paths) {
 }
 
 std::string name_of(MeasuredEnd end) {
-  constexpr std::array<const char*, 4> kNames{"finished", "failed", "refused", "over limit"};
+  constexpr std::array<const char*, 5> kNames{"finished", "failed", "refused", "over limit", "stopped"};
   return kNames.at(static_cast<std::size_t>(end));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,10 @@ struct RunPlan {
 struct RunLimits {
   int repeat = 1;           ///< the best of so many
   double cpu_seconds = 60;  ///< of one run; bodies on covers that are solved at once are not interrupted
+  std::function<bool()> wants_stop = [] { return false; };  ///< ends the run at hand, and all runs after it
 };
 
-enum class MeasuredEnd { finished, failed, refused, over_limit };
+enum class MeasuredEnd { finished, failed, refused, over_limit, stopped };
 
 struct MeasuredRun {
   RunPlan plan;

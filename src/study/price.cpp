@@ -39,13 +39,19 @@ double over_front(const std::vector<Price>& prices, std::size_t which) {
 }
 
 std::optional<std::size_t> choice_for(const std::vector<Price>& prices, const Wish& wish) {
+  const auto meets = [&](std::size_t i) {
+    return !(wish.budget && prices[i].seconds > *wish.budget) && !(wish.error && prices[i].error > *wish.error);
+  };
   std::optional<std::size_t> chosen;
   for (const std::size_t i : pareto_front(prices)) {
-    if (wish.budget && prices[i].seconds > *wish.budget) continue;
-    if (wish.error && prices[i].error > *wish.error) continue;
+    if (!meets(i)) continue;
     chosen = i;
     if (wish.error) break;
   }
+  if (!chosen) return chosen;
+  const double error = wish.error ? *wish.error : prices[*chosen].error;
+  for (std::size_t i = 0; i < *chosen; ++i)
+    if (meets(i) && prices[i].error <= error && prices[i].seconds <= kTimingNoise * prices[*chosen].seconds) return i;
   return chosen;
 }
 

@@ -30,7 +30,8 @@ struct Wish {
   std::optional<double> error;
 };
 
-/// The cheapest run within the error, or, where only a budget is given, the most accurate within it; nothing where none is.
+/// The cheapest run within the error, or, where only a budget is given, the most accurate within it; nothing where none is. Of
+/// runs that cost the same but for the noise of timing the first given: an equal run is not chosen for its luck.
 std::optional<std::size_t> choice_for(const std::vector<Price>& prices, const Wish& wish);
 
 }  // namespace keyblock::study

@@ -28,13 +28,22 @@ bool is_known_to_be_over(const std::vector<MeasuredRun>& runs, const RunPlan& pl
   return coarser->end == MeasuredEnd::over_limit || coarser->seconds * plan.growth > limits.cpu_seconds;
 }
 
-MeasuredRun left_out(const RunPlan& plan, const RunLimits& limits) {
+MeasuredRun not_run(const RunPlan& plan, MeasuredEnd end, const std::string& reason) {
   MeasuredRun run;
   run.plan = plan;
-  run.end = MeasuredEnd::over_limit;
-  run.reason =
-      fmt::format("not run: by the cost of {} it would take more than {:.3g} s", plan.coarser, limits.cpu_seconds);
+  run.end = end;
+  run.reason = reason;
   return run;
+}
+
+MeasuredRun left_out(const RunPlan& plan, const RunLimits& limits) {
+  return not_run(
+      plan, MeasuredEnd::over_limit,
+      fmt::format("not run: by the cost of {} it would take more than {:.3g} s", plan.coarser, limits.cpu_seconds));
+}
+
+bool was_stopped(const MeasuredRun& run) {
+  return run.end == MeasuredEnd::stopped;
 }
 
 Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vector<RunPlan>& limit_from) {
@@ -44,6 +53,12 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
   std::array<std::vector<double>, 3> values;
   for (std::size_t i = 0; i < 3; ++i) {
     const MeasuredRun* run = named(runs, limit_from[i].name);
+    if (was_stopped(*run)) {
+      Reference none;
+      none.words =
+          fmt::format("no errors: stopped before the end of \"{}\", which they are measured against", run->plan.name);
+      return none;
+    }
     if (run->end != MeasuredEnd::finished)
       throw std::runtime_error(
           fmt::format("no reference: the run \"{}\" {}: {}", run->plan.name, name_of(run->end), run->reason));
@@ -118,10 +133,15 @@ Tradeoff tradeoff(const StudyCase& chosen, const std::vector<RunPlan>& plans, co
     for (const RunPlan& plan : limit_from)
       if (std::ranges::find(all, plan.name, &RunPlan::name) == all.end()) all.push_back(plan);
   for (const RunPlan& plan : all) {
+    if (limits.wants_stop()) {
+      result.runs.push_back(not_run(plan, MeasuredEnd::stopped, "not run"));
+      continue;
+    }
     const bool is_over = is_known_to_be_over(result.runs, plan, limits);
     result.runs.push_back(is_over ? left_out(plan, limits) : measured_run(chosen, plan, limits));
     on_run(result.runs.back(), result.runs.size(), all.size());
   }
+  result.is_stopped = std::ranges::any_of(result.runs, was_stopped);
   result.reference = chosen.expected.empty() ? limit_reference(result.runs, limit_from)
                                              : expected_reference(chosen.expected, "standard");
   const double least = std::max(kLeastError, result.reference.uncertainty);

@@ -33,14 +33,15 @@ struct Tradeoff {
   std::vector<MeasuredRun> runs;
   std::vector<Price> prices;       ///< of the runs, errors no less than what can be told apart
   std::vector<std::size_t> front;  ///< cheapest first
+  bool is_stopped = false;         ///< before all runs were made
 };
 
 /// Told of every run: how many are done, of how many.
 using OnRun = std::function<void(const MeasuredRun&, std::size_t done, std::size_t of)>;
 
 /// Runs the plans, and before them those of `limit_from`, coarsest first, where the case expects no values; what both hold is run
-/// once. A plan that refines another is left out where that one shows it to be over the limit. Throws std::runtime_error where
-/// the refined runs give no limit.
+/// once. A plan that refines another is left out where that one shows it to be over the limit, and all are once a stop is asked
+/// for. Throws std::runtime_error where the refined runs give no limit.
 Tradeoff tradeoff(const StudyCase& chosen, const std::vector<RunPlan>& plans, const std::vector<RunPlan>& limit_from,
                   const RunLimits& limits, const OnRun& on_run);
 

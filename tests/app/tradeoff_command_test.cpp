@@ -32,6 +32,15 @@ std::vector<std::string> keys_of(const Json& json) {
 
 }  // namespace
 
+TEST(TradeoffCommand, refuses_numbers_that_are_none_in_plain_words) {
+  for (const auto& [option, value] :
+       {std::pair{"--error", "0"}, {"--error", "-1"}, {"--error", "x"}, {"--limit", "inf"}}) {
+    const ProgramRun run = run_keyblock({"tradeoff", kFall, option, value});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(contains(run.messages, std::string("expected a number above 0, found \"") + value)) << run.messages;
+  }
+}
+
 TEST(TradeoffCommand, picks_settings_that_run_takes) {
   const std::string folder = fresh_folder("tradeoff");
   const std::string file = folder + "/wish.settings";

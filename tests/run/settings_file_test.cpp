@@ -39,7 +39,8 @@ TEST(SettingsFile, faults_are_told_with_line_and_column) {
             "wish.settings:1:11: error: expected a profile, one of legacy, draft, standard, reference, found \"fast\"");
   EXPECT_EQ(fault_of("steps = 2\nsteps = 3\n"),
             "wish.settings:2:1: error: expected each name once, found \"steps\" again");
-  EXPECT_TRUE(fault_of(" bases = rigid\n").starts_with("wish.settings:1:2: error: expected the name of a setting"));
+  EXPECT_TRUE(fault_of(" bases = rigid\n")
+                  .starts_with("wish.settings:1:2: error: there is no setting \"bases\"; did you mean \"basis\"?"));
   EXPECT_EQ(fault_of("basis =  soft\n"),
             "wish.settings:1:10: error: setting basis: expected one of rigid, affine, found \"soft\"");
   EXPECT_TRUE(

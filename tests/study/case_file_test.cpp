@@ -88,6 +88,10 @@ TEST(CaseFile, keys_and_values_that_are_none_are_refused_by_name) {
         {R"({"variants": {}})", "variants: expected a list"},
         {R"({"slow": "yes"})", "slow: expected true or false"},
         {R"({"set": {"both": {"steps": true}}})", "set.both.steps: expected text"},
+        {R"({"set": {"both": {"linear_metod": "factor"}}})",
+         "key set.both.linear_metod: there is no setting \"linear_metod\"; did you mean \"linear_method\"?"},
+        {R"({"set": {"legacy": {"linear_method": "fast"}}})",
+         "key set.legacy.linear_method: setting linear_method: exp"},
         {R"({"legacy": "skipped"})", "legacy: expected \"not run: REASON\""},
         {R"([])", "(top): expected an object"},
         {R"({"slow": true)", "expected JSON"}}) {

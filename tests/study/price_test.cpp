@@ -49,6 +49,16 @@ TEST(Price, an_error_is_met_by_the_cheapest_within_it) {
   EXPECT_EQ(choice_for(kMarket, {{}, 1e-5}), std::nullopt);
 }
 
+// Equal runs but for the noise of timing: the luck of one is no reason to choose it.
+TEST(Price, of_runs_that_cost_the_same_but_for_noise_the_first_is_chosen) {
+  const std::vector<Price> twins{{1.05, 1e-3}, {1, 1e-3}, {1.2, 1e-3}, {0.99, 2e-3}};
+  EXPECT_EQ(choice_for(twins, {{}, 1e-2}), 0U);
+  EXPECT_EQ(choice_for(twins, {{}, 1e-3}), 0U);
+  EXPECT_EQ(choice_for(twins, {2.0, {}}), 0U);
+  EXPECT_EQ(choice_for(twins, {1.02, {}}), 1U);
+  EXPECT_EQ(choice_for({{1.2, 1e-3}, {1, 1e-3}}, {{}, 1e-2}), 1U);
+}
+
 TEST(Price, both_have_to_be_met) {
   EXPECT_EQ(choice_for(kMarket, {4.0, 1e-2}), 4U);
   EXPECT_EQ(choice_for(kMarket, {1.5, 1e-2}), std::nullopt);

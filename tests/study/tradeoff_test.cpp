@@ -148,6 +148,43 @@ TEST(Tradeoff, runs_over_the_limit_are_ended_and_finer_ones_left_out) {
   EXPECT_TRUE(result.front.empty());
 }
 
+TEST(Tradeoff, a_stop_ends_the_run_at_hand_and_all_after_it_and_keeps_those_before) {
+  const StudyCase fall = study_case({kCases + "free_fall/released"});
+  const std::vector<RunPlan> plans = usual_design(fall, "standard", {"step"});
+  ASSERT_GT(plans.size(), 4U);
+  std::size_t made = 0;
+  RunLimits limits;
+  limits.wants_stop = [&] { return made >= 2; };
+  std::size_t told = 0;
+  const Tradeoff result = tradeoff(fall, plans, {}, limits, [&](const MeasuredRun&, std::size_t done, std::size_t) {
+    made = done;
+    ++told;
+  });
+  EXPECT_TRUE(result.is_stopped);
+  EXPECT_EQ(told, 2U);
+  ASSERT_EQ(result.runs.size(), plans.size());
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    EXPECT_EQ(result.runs[i].plan.name, plans[i].name);
+    EXPECT_EQ(result.runs[i].end, i < 2 ? MeasuredEnd::finished : MeasuredEnd::stopped) << i;
+  }
+  EXPECT_FALSE(result.front.empty());
+}
+
+TEST(Tradeoff, without_the_runs_that_errors_are_measured_against_a_stop_leaves_costs_alone) {
+  StudyCase fall = study_case({kCases + "free_fall/released"});
+  fall.expected.clear();
+  const std::vector<RunPlan> plans = usual_design(fall, "standard", {"step"});
+  std::size_t made = 0;
+  RunLimits limits;
+  limits.wants_stop = [&] { return made >= 1; };
+  const Tradeoff result = tradeoff(fall, plans, refinements(fall, "standard", 4), limits,
+                                   [&](const MeasuredRun&, std::size_t done, std::size_t) { made = done; });
+  EXPECT_TRUE(result.is_stopped);
+  EXPECT_TRUE(result.front.empty());
+  EXPECT_TRUE(result.reference.words.starts_with("no errors: stopped before the end of")) << result.reference.words;
+  EXPECT_TRUE(std::isinf(error_of(result.runs.front(), result.reference)));
+}
+
 TEST(Tradeoff, settings_that_do_not_fit_are_refused_and_the_others_go_on) {
   StudyCase chosen = study_case({kCases + "sliding_block/a30_p20"});
   const std::vector<RunPlan> plans{

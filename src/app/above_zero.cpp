@@ -1,0 +1,32 @@
+// The library's own checks print the bounds of a double.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/above_zero.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+CLI::Validator check(const std::string& expected, bool takes_zero) {
+  return {[=](std::string& text) {
+            double number = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
+            if (is_number && (number > 0 || (takes_zero && number == 0))) return std::string();
+            return fmt::format("expected {}, found \"{}\"", expected, text);
+          },
+          ""};
+}
+
+}  // namespace
+
+CLI::Validator above_zero() {
+  return check("a number above 0", false);
+}
+
+CLI::Validator zero_or_above() {
+  return check("0 or a number above it", true);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,33 @@
+// Distances by hand.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/nearest.hpp"
+
+#include <gtest/gtest.h>
+
+namespace keyblock::nearest_test {
+namespace {
+
+TEST(Nearest, counts_letters_put_in_taken_out_exchanged_and_swapped) {
+  EXPECT_EQ(edit_distance("", ""), 0U);
+  EXPECT_EQ(edit_distance("", "abc"), 3U);
+  EXPECT_EQ(edit_distance("penalty", "penalty"), 0U);
+  EXPECT_EQ(edit_distance("penaly", "penalty"), 1U);
+  EXPECT_EQ(edit_distance("pennalty", "penalty"), 1U);
+  EXPECT_EQ(edit_distance("penalti", "penalty"), 1U);
+  EXPECT_EQ(edit_distance("pealnty", "penalty"), 2U);
+  EXPECT_EQ(edit_distance("penatly", "penalty"), 1U);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
+}
+
+TEST(Nearest, names_what_is_near_and_nothing_that_is_far) {
+  const std::vector<std::string> names{"linear_method", "contact_penalty", "steps"};
+  EXPECT_EQ(nearest("linear_metod", names), "linear_method");
+  EXPECT_EQ(nearest("contact_penalti", names), "contact_penalty");
+  EXPECT_EQ(nearest("step", names), "steps");
+  EXPECT_EQ(nearest("colour", names), "");
+  EXPECT_EQ(nearest("", names), "");
+  EXPECT_EQ(nearest("ab", {"cd", "ef"}), "");
+}
+
+}  // namespace
+}  // namespace keyblock::nearest_test
