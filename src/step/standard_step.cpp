@@ -14,6 +14,7 @@
 #include "step/integrator.hpp"
 #include "step/ledger.hpp"
 #include "step/smooth_solve.hpp"
+#include "step/stiff_springs.hpp"
 #include "step/touch_search.hpp"
 
 namespace keyblock {
@@ -97,7 +98,7 @@ class Attempt {
     if (!step_.converged) return std::move(step_);
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
-    step_.motion.v = without_turning_over(closed);
+    step_.motion.v = with_stiff_springs_at_ease(without_turning_over(closed));
     step_.motion.a = smooth_.a;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.ties = smooth_.ties;
@@ -185,6 +186,15 @@ class Attempt {
         if (speed_of(mean, body.size) < kTurnedOver * straining(smooth_.v[e], body.size)) v[e] = mean;
       }
     return v;
+  }
+
+  UnknownsTable with_stiff_springs_at_ease(UnknownsTable v) const {
+    const bool springs_stop = scene_.settings.standard.impact == ImpactLaw::springs;
+    if (!scene_.has_springs() || springs_stop || rule_.carries_acceleration()) return v;
+    std::vector<bool> closed(parts_.smooth.size());
+    for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = is_closed(i);
+    return keyblock::with_stiff_springs_at_ease({scene_, start_, smooth_, parts_.smooth, closed, dt_, least_force_},
+                                                std::move(v));
   }
 
   // Of the centroid or, by turning and straining, of a point as far from it as a vertex may be: the greatest.
