@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -24,6 +25,10 @@ constexpr int kMostRounds = 30;
 constexpr double kProgress = 0.5;
 // Active sets of one round; a cycle is found long before.
 constexpr int kMostSets = 60;
+// Sets one after another whose residuals differ by less than the second figure: what still changes are touches that nothing presses,
+// open or closed alike.
+constexpr int kIdleSets = 4;
+constexpr double kSame = 1e-3;
 // Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the residual
 // that it starts with.
 constexpr double kInner = 0.3;
@@ -57,7 +62,7 @@ class Newton {
     for (int round = 0; round < kMostRounds && !is_solved(); ++round) {
       const double before = solution_.residual;
       if (!settle({weights_, tried_.forces})) break;
-      if (solution_.converged && solution_.residual > kProgress * before) break;
+      if ((solution_.converged || is_idle_) && solution_.residual > kProgress * before) break;
     }
   }
 
@@ -67,7 +72,10 @@ class Newton {
     std::set<std::vector<Grip>> visited;
     std::vector<Grip> grips = natural_map(problem_, tried_, proximal).grips;
     bool is_loose = true;
+    int idle = 0;
+    is_idle_ = false;
     for (int i = 0; i < kMostSets; ++i) {
+      const double before = tried_residual_;
       visited.insert(grips);
       factorise(grips);
       const double left = is_loose && system_->iterates() ? kForcing * tried_residual_ : 0;
@@ -76,8 +84,10 @@ class Newton {
       tried_ = tried(problem_, *std::move(forces));
       keep_best();
       if (is_solved()) return true;
+      idle = std::abs(tried_residual_ - before) <= kSame * before ? idle + 1 : 0;
+      is_idle_ = idle >= kIdleSets && !(is_loose && system_->iterates());
       const std::vector<Grip> next = natural_map(problem_, tried_, proximal).grips;
-      if (next == grips) return true;
+      if (next == grips || is_idle_) return true;
       if (visited.contains(next) && is_loose && system_->iterates()) {
         is_loose = false;  // it may be errors that go round
         visited.clear();
@@ -128,6 +138,7 @@ class Newton {
   Eigen::VectorXd weights_;      ///< of the proximal term
   Tried tried_;                  ///< forces of the last active set
   double tried_residual_ = 0;    ///< their residual
+  bool is_idle_ = false;         ///< the last round ended with sets that came to the same
   std::optional<ActiveForces> system_;
   std::vector<Grip> factorised_;
 };

@@ -44,7 +44,7 @@ constexpr double kBroken = 1e-11;
 class SmoothSolve {
  public:
   SmoothSolve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const Touches& touches,
-              const ForceTolerance& tolerance, double time, double dt, const StepRule& rule)
+              const ForceTolerance& tolerance, double time, double dt, const StepRule& rule, const SmoothMotion* before)
       : scene_(scene),
         start_(start),
         touches_(touches),
@@ -56,12 +56,12 @@ class SmoothSolve {
         ties_(scene, start, time, dt) {
     prepare_blocks(loads);
     if (scene.covers) prepare_covers(loads.covers);
-    increments_ = is_linear() ? free_ : steady();
+    increments_ = is_linear() ? free_ : before ? plus(before->q, -1, start.q) : steady();
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) size_ = std::max(size_, body.size);
     if (scene.covers) size_ = std::max(size_, scene.covers->size());
     remember_contacts();
-    result_.forces = remembered_forces();
+    result_.forces = before ? forces_of(*before) : remembered_forces();
   }
 
   SmoothMotion run() {
@@ -277,6 +277,15 @@ class SmoothSolve {
     return forces;
   }
 
+  // Ties come last in both.
+  Eigen::VectorXd forces_of(const SmoothMotion& before) const {
+    const auto known = static_cast<Eigen::Index>(2 * before.laws.size());
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_tie() + before.forces.size() - known);
+    forces.head(known) = before.forces.head(known);
+    forces.tail(before.forces.size() - known) = before.forces.tail(before.forces.size() - known);
+    return forces;
+  }
+
   // Relative to block size; rotation and strain are relative as they are.
   double greatest_change(const UnknownsTable& a, const UnknownsTable& b) const {
     double greatest = 0;
@@ -321,8 +330,8 @@ class SmoothSolve {
 
 SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
                           const Touches& touches, const ForceTolerance& tolerance, double time, double dt,
-                          const StepRule& rule) {
-  return SmoothSolve(scene, start, loads, touches, tolerance, time, dt, rule).run();
+                          const StepRule& rule, const SmoothMotion* before) {
+  return SmoothSolve(scene, start, loads, touches, tolerance, time, dt, rule, before).run();
 }
 
 }  // namespace keyblock

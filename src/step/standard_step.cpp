@@ -122,7 +122,9 @@ class Attempt {
         least_force_, std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
     for (int search = 0; search < kMostSearches; ++search) {
       parts_ = split(scene_, start_, found_.touches, slow_speed(scales_, start_.v, dt_));
-      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_);
+      const SmoothMotion before = std::move(smooth_);
+      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_,
+                             search > 0 ? &before : nullptr);
       step_.solves += smooth_.solves;
       step_.fallbacks += smooth_.sweeps > 0 ? 1 : 0;
       if (!smooth_.converged) return;

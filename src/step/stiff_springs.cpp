@@ -15,7 +15,8 @@ namespace {
 // its end has done so: one that grows from rest has half.
 constexpr double kFollowed = 2;
 constexpr double kTurnedOver = 0.4;
-// What the dashpots may leave, over the impulse of the least force in the step.
+// What may be turned over, and what the dashpots may leave, over the impulse of the least force in the step: the forces change by
+// twice as much.
 constexpr double kLeft = 0.1;
 constexpr double kLooser = 1e4;
 
@@ -37,7 +38,8 @@ class Ease {
     for (std::size_t k = 0; k < stiff.size(); ++k) {
       const auto n = static_cast<Eigen::Index>(2 * k);
       const bool did = std::abs(means[n]) < kTurnedOver * std::abs(at_end[n]);
-      one_turned_over = one_turned_over || (did && lighter(stiff[k]) * std::abs(at_end[n]) > s_.least_force * s_.dt);
+      one_turned_over =
+          one_turned_over || (did && lighter(stiff[k]) * std::abs(at_end[n]) > kLeft * s_.least_force * s_.dt);
     }
     if (!one_turned_over) return v;
     const Flexibility flexibility = mass_flexibility(s_.scene);
