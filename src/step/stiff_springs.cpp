@@ -15,6 +15,9 @@ namespace {
 // its end has done so: one that grows from rest has half.
 constexpr double kFollowed = 2;
 constexpr double kTurnedOver = 0.4;
+// Of the springs whose rates matter at the end, the share that has turned over from which on it is no accident of what moves: on
+// walls that ring it is above 0.7, on walls that move below 0.15.
+constexpr double kMany = 0.25;
 // What may be turned over, and what the dashpots may leave, over the impulse of the least force in the step: the forces change by
 // twice as much.
 constexpr double kLeft = 0.1;
@@ -28,36 +31,46 @@ class Ease {
     const std::vector<std::size_t> stiff = stiff_ones();
     if (stiff.empty()) return v;
     const ContactRows& rows = s_.smooth.rows;
-    ContactRows of_stiff;
-    for (const std::size_t i : stiff) of_stiff.insert(of_stiff.end(), {rows[2 * i], rows[2 * i + 1]});
     UnknownsTable way = plus(s_.smooth.q, -1, s_.start.q);
     way *= 1 / s_.dt;
-    const Eigen::VectorXd at_end = rates(of_stiff, v);
-    const Eigen::VectorXd means = rates(of_stiff, way);
-    bool one_turned_over = false;
-    for (std::size_t k = 0; k < stiff.size(); ++k) {
-      const auto n = static_cast<Eigen::Index>(2 * k);
-      const bool did = std::abs(means[n]) < kTurnedOver * std::abs(at_end[n]);
-      one_turned_over =
-          one_turned_over || (did && lighter(stiff[k]) * std::abs(at_end[n]) > kLeft * s_.least_force * s_.dt);
+    const Eigen::VectorXd at_end = rates(rows, v);
+    const Eigen::VectorXd means = rates(rows, way);
+    std::size_t moving = 0;
+    std::size_t turned_over = 0;
+    for (const std::size_t i : stiff) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      if (lighter(i) * std::abs(at_end[n]) <= kLeft * s_.least_force * s_.dt) continue;
+      ++moving;
+      if (std::abs(means[n]) < kTurnedOver * std::abs(at_end[n])) ++turned_over;
     }
-    if (!one_turned_over) return v;
-    const Flexibility flexibility = mass_flexibility(s_.scene);
-    const double goal = kLeft * s_.least_force * s_.dt;
-    FrictionalProblem problem{ContactMatrix(of_stiff, flexibility),
-                              at_end - means,
-                              std::vector<ForceLaw>(stiff.size(), kTie),
-                              goal,
-                              kLooser * goal,
-                              {}};
-    for (std::size_t k = 0; k < stiff.size(); ++k)
-      problem.w.add_to_diagonal(static_cast<Eigen::Index>(2 * k), 1 / dashpot(stiff[k]));
-    problem.proximal = Eigen::VectorXd::Zero(problem.b.size());  // dashpots make the impulses unique
-    const FrictionalSolution made = newton(problem, Eigen::VectorXd::Zero(problem.b.size()));
-    return made.converged ? plus(v, 1, answer(of_stiff, flexibility, made.forces)) : v;
+    if (turned_over == 0 || static_cast<double>(turned_over) < kMany * static_cast<double>(moving)) return v;
+    return plus(v, 1, by_dashpots(stiff, at_end - means));
   }
 
  private:
+  // What the dashpots of these springs add to the velocities; `over`: rates of all touches over what they are to be. None where
+  // no impulses are found.
+  UnknownsTable by_dashpots(const std::vector<std::size_t>& stiff, const Eigen::VectorXd& over) const {
+    const auto size = static_cast<Eigen::Index>(2 * stiff.size());
+    const double goal = kLeft * s_.least_force * s_.dt;
+    ContactRows rows;
+    rows.reserve(2 * stiff.size());
+    Eigen::VectorXd b(size);
+    for (const std::size_t i : stiff)
+      for (const std::size_t row : {2 * i, 2 * i + 1}) {
+        b[static_cast<Eigen::Index>(rows.size())] = over[static_cast<Eigen::Index>(row)];
+        rows.push_back(s_.smooth.rows[row]);
+      }
+    const Flexibility flexibility = mass_flexibility(s_.scene);
+    FrictionalProblem problem{
+        ContactMatrix(rows, flexibility), b, std::vector<ForceLaw>(stiff.size(), kTie), goal, kLooser * goal, {}};
+    for (std::size_t k = 0; k < stiff.size(); ++k)
+      problem.w.add_to_diagonal(static_cast<Eigen::Index>(2 * k), 1 / dashpot(stiff[k]));
+    problem.proximal = Eigen::VectorXd::Zero(size);  // dashpots make the impulses unique
+    const FrictionalSolution made = newton(problem, Eigen::VectorXd::Zero(size));
+    return answer(rows, flexibility, made.converged ? made.forces : Eigen::VectorXd::Zero(size));
+  }
+
   double dashpot(std::size_t i) const { return s_.dt * s_.dt / s_.smooth.laws[i].normal_compliance; }
 
   // Mass of the lighter body at a touch; infinite between two that are fixed.

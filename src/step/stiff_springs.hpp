@@ -19,8 +19,8 @@ struct StiffSprings {
 
 /// v without what stiff springs have turned over. With ω dt > 2, ω² = Σp / m of a block, the trapezoidal rule gives the gap of a closed spring
 /// at the end of each step the rate that it had before with the other sign (amplification (4 − ω² dt²)/(4 + ω² dt²)): the block
-/// stays where it is, and the force of the spring rises and falls by 2 m |v| / dt from step to step without end. Where a spring has done so
-/// by more than a tenth of the least force, all closed ones that are stiff act once more as dashpots C = p dt² from the mean rates ḡ of
+/// stays where it is, and the force of the spring rises and falls by 2 m |v| / dt from step to step without end. Where a quarter of the springs
+/// whose rates matter have done so, all closed ones that are stiff act once more as dashpots C = p dt² from the mean rates ḡ of
 /// the step:
 ///     (M + Gᵀ C G) v' = M v + Gᵀ C ḡ,
 /// which leaves 1 / (1 + C / m) of what was turned over; rates that a spring did follow, and those along the faces, stay as they
