@@ -4,8 +4,8 @@
 
 namespace keyblock {
 
-/// From here on the signals that ask a program to end (SIGINT, SIGTERM, SIGHUP, SIGXCPU) are only remembered; a second
-/// SIGINT ends it.
+/// From here on the signals that ask a program to end (SIGINT, SIGTERM, SIGHUP, SIGXCPU) are only remembered; a SIGINT
+/// that comes seconds after another ends it.
 void listen_for_stops();
 
 /// The last of them; 0: none came.

@@ -97,8 +97,9 @@ void tell_run(const study::MeasuredRun& run, std::size_t done, std::size_t of) {
 }
 
 ExitCode stopped_with(const study::Tradeoff& result) {
-  const auto made = std::ranges::count(result.runs, study::MeasuredEnd::finished, &study::MeasuredRun::end);
-  spdlog::warn("stopped {}; {} of {} runs were made (--limit SECONDS bounds each)",
+  const auto made = std::ranges::count_if(
+      result.runs, [](const study::MeasuredRun& run) { return run.end != study::MeasuredEnd::stopped; });
+  spdlog::warn("stopped {}; {} of {} runs were made",
                is_at_time_limit() ? "at the limit of processor time" : "by request", made, result.runs.size());
   return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
 }

@@ -91,6 +91,7 @@ std::string table_of(const Tradeoff& result) {
                   result.reference.words, "run", width, "steps", "unknowns", "CPU s", "error", "over front");
   for (const std::size_t i : by_cost(result)) {
     const MeasuredRun& run = result.runs[i];
+    if (run.end == study::MeasuredEnd::stopped && run.timings == 0) continue;  // there is nothing to show
     const double over = over_front(result.prices, i);
     table +=
         fmt::format("  {:{}} {:>8} {:>9} {:>10.3g} {:>9} {:>10}  {}\n", run.plan.name, width, run.steps, run.unknowns,
@@ -98,8 +99,9 @@ std::string table_of(const Tradeoff& result) {
                     is_on_front(result, i)                    ? "*"
                     : over <= study::kTimingNoise             ? "~"
                     : run.end != study::MeasuredEnd::finished ? fmt::format("{}: {}", name_of(run.end), run.reason)
-                    : std::isfinite(result.prices[i].error)   ? ""
-                                                              : "ends before all expected values are reached");
+                    : std::isfinite(result.prices[i].error) || result.reference.values.empty()
+                        ? ""
+                        : "ends before all expected values are reached");
   }
   return table +
          fmt::format("  {}; the least of the timings counts; * on the front, ~ within a tenth\n", machine_words());
@@ -189,7 +191,7 @@ Json json_of(const Tradeoff& result, const study::StudyCase& chosen, const study
 }
 
 // Who comes nearest, where nobody meets the wish.
-std::string nearest_words(const Tradeoff& result, const study::Wish& wish) {
+std::string words_of_nearest(const Tradeoff& result, const study::Wish& wish) {
   if (result.front.empty()) return "no run gave a result";
   const std::size_t best = result.front.back();
   const std::size_t cheapest = result.front.front();
@@ -235,7 +237,8 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   if (choice)
     spdlog::info("chosen for {}: \"{}\"; keyblock run … --settings-file {}", wish_words(wish),
                  result.runs[*choice].plan.name, file);
-  if (chooses && !choice) spdlog::error("no run meets {}; {}", wish_words(wish), nearest_words(result, wish));
+  if (chooses && !choice) spdlog::error("no run meets {}; {}", wish_words(wish), words_of_nearest(result, wish));
+  if (result.is_stopped && options.has_wish()) spdlog::warn("no settings were picked");
   if (result.is_stopped) return stopped_with(result);
   if (result.front.empty()) return ExitCode::numerical_failure;
   return chooses && !choice ? ExitCode::check_failed : ExitCode::ok;

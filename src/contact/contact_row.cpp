@@ -33,6 +33,7 @@ UnknownsTable answer_of_blocks(const ContactRows& rows, const Table<ElementIndex
   for (ElementIndex e : indices(blocks)) sum.push_back(Unknowns::Zero(blocks[e].rows()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double f = forces[static_cast<Eigen::Index>(i)];
+    if (f == 0) continue;  // open
     sum[rows[i].vertex_element] += f * rows[i].of_vertex.transpose();
     sum[rows[i].edge_element] += f * rows[i].of_edge.transpose();
   }

@@ -25,8 +25,8 @@ constexpr int kMostRounds = 30;
 constexpr double kProgress = 0.5;
 // Active sets of one round; a cycle is found long before.
 constexpr int kMostSets = 60;
-// Sets one after another whose residuals differ by less than the second figure: what still changes are touches that nothing presses,
-// open or closed alike.
+// Sets one after another whose residuals differ by less than the second figure end a round: what still changes is smaller than the
+// residual, as are the forces of touches that open and close without end where nothing presses them.
 constexpr int kIdleSets = 4;
 constexpr double kSame = 1e-3;
 // Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the residual
@@ -91,6 +91,7 @@ class Newton {
       if (visited.contains(next) && is_loose && system_->iterates()) {
         is_loose = false;  // it may be errors that go round
         visited.clear();
+        idle = 0;
       } else if (visited.contains(next)) {
         name_undecided(grips, next);
         return false;

@@ -3,6 +3,7 @@
 #include "step/smooth_solve.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -279,6 +280,7 @@ class SmoothSolve {
 
   // Ties come last in both.
   Eigen::VectorXd forces_of(const SmoothMotion& before) const {
+    assert(before.laws.size() <= touches_.size());
     const auto known = static_cast<Eigen::Index>(2 * before.laws.size());
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_tie() + before.forces.size() - known);
     forces.head(known) = before.forces.head(known);

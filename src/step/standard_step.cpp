@@ -36,13 +36,6 @@ constexpr double kMomentumAcceptable = 1e-9;
 // impact meet within round-off.
 constexpr double kMeeting = 1e-10;
 
-// A step that is longer than this over the frequency of an oscillation does not follow it: the rate at the end of a step of
-// the trapezoidal rule has the sign of the one before up to here (amplification (4 − ω²dt²)/(4 + ω²dt²)).
-constexpr double kFollowed = 2;
-// A velocity whose mean over the step is a smaller share of the rate of strain at its end than this has turned over with it; a
-// rate that grows from rest has half.
-constexpr double kTurnedOver = 0.4;
-
 // A body does not jump apart from itself: rigid motions leave such a touch as it is.
 bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
   return scene.covers && scene.covers->are_one_body(scene.model.vertices[touch.vertex].element,
@@ -98,12 +91,13 @@ class Attempt {
     if (!step_.converged) return std::move(step_);
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
-    step_.motion.v = with_stiff_springs_at_ease(without_turning_over(closed));
+    step_.motion.v = without_turning_over(closed);
     step_.motion.a = smooth_.a;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.ties = smooth_.ties;
     step_.motion.v =
         with_held_velocities(scene_, smooth_.q, std::move(step_.motion.v), without_springs(scene_, closed), time_, dt_);
+    step_.motion.v = with_springs_eased(std::move(step_.motion.v));
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
@@ -190,13 +184,14 @@ class Attempt {
     return v;
   }
 
-  UnknownsTable with_stiff_springs_at_ease(UnknownsTable v) const {
-    const bool springs_stop = scene_.settings.standard.impact == ImpactLaw::springs;
-    if (!scene_.has_springs() || springs_stop || rule_.carries_acceleration()) return v;
+  // Not of springs that are to throw bodies back, nor in relaxation, which stops bodies where their energy falls.
+  UnknownsTable with_springs_eased(UnknownsTable v) const {
+    const StandardChoices& choices = scene_.settings.standard;
+    const bool is_asked = choices.impact != ImpactLaw::springs && choices.motion == MotionRule::dynamic;
+    if (!is_asked || !scene_.has_springs() || rule_.carries_acceleration()) return v;
     std::vector<bool> closed(parts_.smooth.size());
     for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = is_closed(i);
-    return keyblock::with_stiff_springs_at_ease({scene_, start_, smooth_, parts_.smooth, closed, dt_, least_force_},
-                                                std::move(v));
+    return eased({scene_, start_, smooth_, parts_.smooth, closed, dt_, least_force_}, std::move(v));
   }
 
   // Of the centroid or, by turning and straining, of a point as far from it as a vertex may be: the greatest.

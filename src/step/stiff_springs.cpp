@@ -5,19 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "contact/friction_newton.hpp"
+#include "step/step_ties.hpp"
 
 namespace keyblock {
 namespace {
 
-// ω dt of a spring from which on its rate turns over; a rate whose mean over the step is a smaller share than this of that at
-// its end has done so: one that grows from rest has half.
-constexpr double kFollowed = 2;
-constexpr double kTurnedOver = 0.4;
 // Of the springs whose rates matter at the end, the share that has turned over from which on it is no accident of what moves: on
 // walls that ring it is above 0.7, on walls that move below 0.15.
-constexpr double kMany = 0.25;
+constexpr double kShareTurnedOver = 0.25;
 // What may be turned over, and what the dashpots may leave, over the impulse of the least force in the step: the forces change by
 // twice as much.
 constexpr double kLeft = 0.1;
@@ -30,45 +28,73 @@ class Ease {
   UnknownsTable of(UnknownsTable v) const {
     const std::vector<std::size_t> stiff = stiff_ones();
     if (stiff.empty()) return v;
-    const ContactRows& rows = s_.smooth.rows;
     UnknownsTable way = plus(s_.smooth.q, -1, s_.start.q);
     way *= 1 / s_.dt;
+    const Eigen::VectorXd means = normal_rates(s_.smooth.rows, stiff, way);
+    // Rows at the end cost more than a look along those of the middle, which see rates of blocks that turn as well.
+    if (!ring(turned_over(stiff, means, normal_rates(s_.smooth.rows, stiff, v)))) return v;
+    Touches touches;
+    for (const std::size_t i : stiff) touches.push_back(s_.touches[i]);
+    for (std::size_t i = 0; i < s_.touches.size(); ++i)
+      if (s_.closed[i] && s_.smooth.laws[i].normal_compliance == 0) touches.push_back(s_.touches[i]);
+    const ContactRows rows = rows_with_points(s_.scene, s_.smooth.q, touches);
     const Eigen::VectorXd at_end = rates(rows, v);
-    const Eigen::VectorXd means = rates(rows, way);
-    std::size_t moving = 0;
-    std::size_t turned_over = 0;
-    for (const std::size_t i : stiff) {
-      const auto n = static_cast<Eigen::Index>(2 * i);
-      if (lighter(i) * std::abs(at_end[n]) <= kLeft * s_.least_force * s_.dt) continue;
-      ++moving;
-      if (std::abs(means[n]) < kTurnedOver * std::abs(at_end[n])) ++turned_over;
+    std::vector<std::size_t> first(stiff.size());
+    std::iota(first.begin(), first.end(), std::size_t{0});
+    const Turned turned = turned_over(stiff, means, normal_rates(rows, first, v));
+    if (!ring(turned)) return v;
+    const double goal = kLeft * s_.least_force * s_.dt;
+    const Flexibility flexibility = mass_flexibility(s_.scene);
+    FrictionalProblem problem{ContactMatrix(rows, flexibility),
+                              Eigen::VectorXd::Zero(at_end.size()),
+                              std::vector<ForceLaw>(touches.size(), kTie),
+                              goal,
+                              kLooser * goal,
+                              {}};
+    problem.laws.insert(problem.laws.end(), s_.scene.held.size(), kHeld);
+    for (std::size_t k = 0; k < stiff.size(); ++k) {
+      const auto n = static_cast<Eigen::Index>(2 * k);
+      problem.w.add_to_diagonal(n, 1 / dashpot(stiff[k]));
+      if (turned.which[k]) problem.b[n] = at_end[n] - means[static_cast<Eigen::Index>(k)];
     }
-    if (turned_over == 0 || static_cast<double>(turned_over) < kMany * static_cast<double>(moving)) return v;
-    return plus(v, 1, by_dashpots(stiff, at_end - means));
+    problem.proximal = Eigen::VectorXd::Zero(at_end.size());  // dashpots make their impulses unique
+    const FrictionalSolution made = newton(problem, Eigen::VectorXd::Zero(at_end.size()));
+    return made.converged ? plus(v, 1, answer(rows, flexibility, made.forces)) : v;
   }
 
  private:
-  // What the dashpots of these springs add to the velocities; `over`: rates of all touches over what they are to be. None where
-  // no impulses are found.
-  UnknownsTable by_dashpots(const std::vector<std::size_t>& stiff, const Eigen::VectorXd& over) const {
-    const auto size = static_cast<Eigen::Index>(2 * stiff.size());
-    const double goal = kLeft * s_.least_force * s_.dt;
-    ContactRows rows;
-    rows.reserve(2 * stiff.size());
-    Eigen::VectorXd b(size);
-    for (const std::size_t i : stiff)
-      for (const std::size_t row : {2 * i, 2 * i + 1}) {
-        b[static_cast<Eigen::Index>(rows.size())] = over[static_cast<Eigen::Index>(row)];
-        rows.push_back(s_.smooth.rows[row]);
-      }
-    const Flexibility flexibility = mass_flexibility(s_.scene);
-    FrictionalProblem problem{
-        ContactMatrix(rows, flexibility), b, std::vector<ForceLaw>(stiff.size(), kTie), goal, kLooser * goal, {}};
-    for (std::size_t k = 0; k < stiff.size(); ++k)
-      problem.w.add_to_diagonal(static_cast<Eigen::Index>(2 * k), 1 / dashpot(stiff[k]));
-    problem.proximal = Eigen::VectorXd::Zero(size);  // dashpots make the impulses unique
-    const FrictionalSolution made = newton(problem, Eigen::VectorXd::Zero(size));
-    return answer(rows, flexibility, made.converged ? made.forces : Eigen::VectorXd::Zero(size));
+  struct Turned {
+    std::vector<bool> which;  ///< of the stiff springs
+    std::size_t count = 0;
+    std::size_t moving = 0;  ///< those whose rate matters
+  };
+
+  static Eigen::VectorXd normal_rates(const ContactRows& rows, const std::vector<std::size_t>& touches,
+                                      const UnknownsTable& v) {
+    const Eigen::VectorXd all = rates(rows, v);
+    Eigen::VectorXd normal(static_cast<Eigen::Index>(touches.size()));
+    for (std::size_t k = 0; k < touches.size(); ++k)
+      normal[static_cast<Eigen::Index>(k)] = all[static_cast<Eigen::Index>(2 * touches[k])];
+    return normal;
+  }
+
+  Turned turned_over(const std::vector<std::size_t>& stiff, const Eigen::VectorXd& means,
+                     const Eigen::VectorXd& at_end) const {
+    Turned turned{std::vector<bool>(stiff.size())};
+    for (std::size_t k = 0; k < stiff.size(); ++k) {
+      const double rate = std::abs(at_end[static_cast<Eigen::Index>(k)]);
+      if (lighter(stiff[k]) * rate <= kLeft * s_.least_force * s_.dt) continue;
+      ++turned.moving;
+      if (std::abs(means[static_cast<Eigen::Index>(k)]) >= kTurnedOver * rate) continue;
+      turned.which[k] = true;
+      ++turned.count;
+    }
+    return turned;
+  }
+
+  static bool ring(const Turned& turned) {
+    return turned.count > 0 &&
+           static_cast<double>(turned.count) >= kShareTurnedOver * static_cast<double>(turned.moving);
   }
 
   double dashpot(std::size_t i) const { return s_.dt * s_.dt / s_.smooth.laws[i].normal_compliance; }
@@ -114,7 +140,7 @@ class Ease {
 
 }  // namespace
 
-UnknownsTable with_stiff_springs_at_ease(const StiffSprings& springs, UnknownsTable v) {
+UnknownsTable eased(const StiffSprings& springs, UnknownsTable v) {
   return Ease(springs).of(std::move(v));
 }
 

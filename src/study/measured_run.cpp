@@ -128,11 +128,15 @@ void best_of(const RunLimits& limits, MeasuredRun& measured, const Run& run) {
   double sum = 0;
   double best = std::numeric_limits<double>::max();
   do {
-    run();
+    MeasuredRun again = measured;
+    run(again);
+    const bool is_lost = again.end == MeasuredEnd::stopped && measured.timings > 0;
+    if (is_lost) break;  // the timings before it stand
+    measured = std::move(again);
     ++measured.timings;
     sum += measured.seconds;
     best = std::min(best, measured.seconds);
-  } while (measured.end == MeasuredEnd::finished && measured.timings < kMostTimings &&
+  } while (measured.end == MeasuredEnd::finished && measured.timings < kMostTimings && !limits.wants_stop() &&
            (measured.timings < limits.repeat || sum < kLeastTimed));
   measured.seconds = best;
 }
@@ -162,7 +166,8 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
     require_there(chosen, start.measured_points.size(), start.elements.size());
     require_points(chosen, problem, start.measured_points.size());
     measured.unknowns = cover_case.counts().unknowns;
-    best_of(limits, measured, [&] { run_on_covers(chosen, cover_case, problem.analysis->time_step, measured); });
+    best_of(limits, measured,
+            [&](MeasuredRun& run) { run_on_covers(chosen, cover_case, problem.analysis->time_step, run); });
     return;
   }
   const Prepared prepared = prepare(problem, plan.profile, left);
@@ -170,7 +175,7 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   require_there(chosen, model.measured_points.size(), model.elements.size());
   require_points(chosen, problem, model.measured_points.size());
   measured.unknowns = prepared.requirements.unknowns;
-  best_of(limits, measured, [&] { run_blocks(chosen, prepared.scene, limits, measured); });
+  best_of(limits, measured, [&](MeasuredRun& run) { run_blocks(chosen, prepared.scene, limits, run); });
 }
 
 void tell(MeasuredRun& measured, MeasuredEnd end, const std::string& reason) {

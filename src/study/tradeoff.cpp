@@ -53,10 +53,10 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
   std::array<std::vector<double>, 3> values;
   for (std::size_t i = 0; i < 3; ++i) {
     const MeasuredRun* run = named(runs, limit_from[i].name);
-    if (was_stopped(*run)) {
+    if (was_stopped(*run) || run->end == MeasuredEnd::over_limit) {
       Reference none;
-      none.words =
-          fmt::format("no errors: stopped before the end of \"{}\", which they are measured against", run->plan.name);
+      none.words = fmt::format("no errors: {} before the end of \"{}\", which they are measured against",
+                               was_stopped(*run) ? "stopped" : "at the limit of a run's time", run->plan.name);
       return none;
     }
     if (run->end != MeasuredEnd::finished)

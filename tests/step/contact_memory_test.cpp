@@ -1,0 +1,61 @@
+// Closed contacts are found by their touch, else by the facing of their twin.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/contact_memory.hpp"
+
+#include <gtest/gtest.h>
+
+namespace keyblock::contact_memory_test {
+namespace {
+
+Touch touch(int vertex, int start, Facing facing = {}) {
+  Touch made{{vertex}, {start}, {start + 1}};
+  made.facing = facing;
+  return made;
+}
+
+ContactMemory force(double normal) {
+  ContactMemory memory;
+  memory.normal = normal;
+  return memory;
+}
+
+const Facing kFacing{{10}, {20}, 1};
+
+}  // namespace
+
+TEST(ClosedContacts, are_found_in_whatever_order_they_came) {
+  const ClosedContacts closed({{touch(7, 3), force(1)}, {touch(2, 9), force(2)}, {touch(7, 1), force(3)}});
+  ASSERT_EQ(closed.size(), 3U);
+  EXPECT_EQ(closed.of(touch(7, 3))->normal, 1);
+  EXPECT_EQ(closed.of(touch(2, 9))->normal, 2);
+  EXPECT_EQ(closed.of(touch(7, 1))->normal, 3);
+  EXPECT_EQ(closed.of(touch(7, 2)), nullptr);
+  EXPECT_EQ(closed.at({7}).size(), 2U);
+  EXPECT_EQ(closed.at({7})[0].memory.normal, 3);
+  EXPECT_TRUE(closed.at({5}).empty());
+}
+
+TEST(ClosedContacts, the_last_of_equal_touches_counts) {
+  const ClosedContacts closed({{touch(1, 2), force(1)}, {touch(4, 2), force(5)}, {touch(1, 2), force(9)}});
+  ASSERT_EQ(closed.size(), 2U);
+  EXPECT_EQ(closed.of(touch(1, 2))->normal, 9);
+}
+
+TEST(ClosedContacts, a_twin_on_the_other_edge_of_a_facing_inherits) {
+  const ClosedContacts closed({{touch(1, 2, kFacing), force(4)}, {touch(3, 6), force(8)}});
+  EXPECT_EQ(closed.of(touch(5, 9, kFacing))->normal, 4);
+  EXPECT_EQ(closed.of(touch(5, 9, {{10}, {20}, 2})), nullptr);
+  EXPECT_EQ(closed.of(touch(5, 9)), nullptr);
+  const ClosedContacts two({{touch(8, 2, kFacing), force(6)}, {touch(1, 2, kFacing), force(4)}});
+  EXPECT_EQ(two.of(touch(5, 9, kFacing))->normal, 6);  // that of the last touch by name
+  EXPECT_EQ(two.of(touch(1, 2, kFacing))->normal, 4);
+}
+
+TEST(ClosedContacts, none_are_none) {
+  const ClosedContacts none;
+  EXPECT_EQ(none.size(), 0U);
+  EXPECT_EQ(none.of(touch(1, 2, kFacing)), nullptr);
+  EXPECT_TRUE(none.at({1}).empty());
+}
+
+}  // namespace keyblock::contact_memory_test
