@@ -14,8 +14,8 @@ namespace keyblock {
 namespace {
 
 // Of the springs whose rates matter at the end, the share that has turned over from which on it is no accident of what moves: on
-// walls that ring it is above 0.7, on walls that move below 0.15.
-constexpr double kShareTurnedOver = 0.25;
+// walls that ring it is 0.7 to 1, on walls that move below 0.15, on a slope that slides below 0.6.
+constexpr double kShareTurnedOver = 0.6;
 // What may be turned over, and what the dashpots may leave, over the impulse of the least force in the step: the forces change by
 // twice as much.
 constexpr double kLeft = 0.1;

@@ -26,7 +26,7 @@ struct StiffSprings {
 
 /// v without what stiff springs have turned over. With ω dt > 2, ω² = Σp / m of a block, the trapezoidal rule gives the gap of
 /// a closed spring at the end of each step the rate that it had before with the other sign: the block stays where it is, and
-/// the force of the spring rises and falls by 2 m |v| / dt from step to step without end. Where a quarter of the springs whose
+/// the force of the spring rises and falls by 2 m |v| / dt from step to step without end. Where most of the springs whose
 /// rates matter have done so, all closed ones that are stiff act once more, as dashpots C = p dt² along the normals at the end of
 /// the step,
 ///     (M + Gᵀ C G) v' = M v + Gᵀ C r,
