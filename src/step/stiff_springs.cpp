@@ -1,4 +1,4 @@
-// Looks at the rates of all closed springs, and solves only where one has turned over.
+// Looks at the rates of all closed springs, and solves only where most of those that matter have turned over.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/stiff_springs.hpp"
 
