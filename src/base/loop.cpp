@@ -17,6 +17,7 @@ namespace {
 
 // Fewer ranges than this are done by the caller alone: waking threads would take as long.
 constexpr std::size_t kWorthWaking = 4;
+constexpr std::size_t kLightWorthWaking = 32;
 
 struct Threads {
   explicit Threads(int wanted)
@@ -49,12 +50,13 @@ int loop_threads() {
   return threads().count;
 }
 
-void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work) {
+void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work,
+                Work weight) {
   const std::size_t ranges = range_count(count);
   const auto one = [&](std::size_t range) {
     work(range, range * kLoopRange, std::min(count, (range + 1) * kLoopRange));
   };
-  if (ranges < kWorthWaking || loop_threads() == 1) {
+  if (ranges < (weight == Work::light ? kLightWorthWaking : kWorthWaking) || loop_threads() == 1) {
     for (std::size_t range = 0; range < ranges; ++range) one(range);
     return;
   }

@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "base/index.hpp"
+
 namespace keyblock {
 
 /// Threads that loops may use from here on; 0: as many as there are processors. Set once, by the program.
@@ -21,30 +23,46 @@ inline std::size_t range_count(std::size_t count) {
   return (count + kLoopRange - 1) / kLoopRange;
 }
 
+/// What one entry takes: from tens of nanoseconds up, or as much as a few additions. Few light ranges are not worth waking threads.
+enum class Work { heavy, light };
+
 /// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. An exception is thrown again
 /// when all are done, that of the lowest range. `base/parallel` is for whole jobs instead: files, runs.
-void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work);
+void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work,
+                Work weight = Work::heavy);
 
 /// Does `work(i)` for 0 … count − 1, which must not depend on each other.
-template <class Work>
-void for_each_entry(std::size_t count, const Work& work) {
-  for_ranges(count, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) work(i);
-  });
+template <class Each>
+void for_each_entry(std::size_t count, const Each& each, Work weight = Work::heavy) {
+  for_ranges(
+      count,
+      [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) each(i);
+      },
+      weight);
+}
+
+/// The same for the indices of a table.
+template <class I, class T, class Each>
+void for_each_index(const Table<I, T>& table, const Each& each) {
+  for_each_entry(table.size(), [&](std::size_t i) { each(I{static_cast<int>(i)}); });
 }
 
 /// Several sums over `term(i)`, an array of `N` each, with one order of addition.
 template <std::size_t N, class Term>
-std::array<double, N> sums_over(std::size_t count, const Term& term) {
+std::array<double, N> sums_over(std::size_t count, const Term& term, Work weight = Work::heavy) {
   std::vector<std::array<double, N>> parts(range_count(count));
-  for_ranges(count, [&](std::size_t range, std::size_t begin, std::size_t end) {
-    std::array<double, N> sum{};
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::array<double, N> one = term(i);
-      for (std::size_t k = 0; k < N; ++k) sum[k] += one[k];
-    }
-    parts[range] = sum;
-  });
+  for_ranges(
+      count,
+      [&](std::size_t range, std::size_t begin, std::size_t end) {
+        std::array<double, N> sum{};
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::array<double, N> one = term(i);
+          for (std::size_t k = 0; k < N; ++k) sum[k] += one[k];
+        }
+        parts[range] = sum;
+      },
+      weight);
   std::array<double, N> all{};
   for (const std::array<double, N>& part : parts)
     for (std::size_t k = 0; k < N; ++k) all[k] += part[k];

@@ -9,18 +9,14 @@
 #include "contact/box_tree.hpp"
 
 namespace keyblock {
-namespace {
 
-Box box_of(const Model& model, const State& state, ElementIndex e) {
-  const Element& element = model.elements[e];
-  Box box{state.vertices[element.first_vertex], state.vertices[element.first_vertex]};
-  for (VertexIndex v : element.vertices()) {
-    const Point p = state.vertices[v];
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
+Box box_of(const Model& model, const State& state, ElementIndex element) {
+  Box box;
+  for (VertexIndex v : model.elements[element].vertices()) box.add(state.vertices[v]);
   return box;
 }
+
+namespace {
 
 bool touch(const Box& a, const Box& b, double distance) {
   return a.low.x - distance <= b.high.x && b.low.x <= a.high.x + distance && a.low.y - distance <= b.high.y &&

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/box.hpp"
 #include "model/state.hpp"
 
 namespace keyblock {
@@ -14,6 +15,9 @@ struct ElementPair {
 
   auto operator<=>(const ElementPair&) const = default;
 };
+
+/// Of the vertices of an element as they lie now.
+Box box_of(const Model& model, const State& state, ElementIndex element);
 
 /// Pairs whose bounding boxes touch when one is grown by `distance`, ascending; the order does not depend on
 /// the search.

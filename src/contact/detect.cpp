@@ -21,6 +21,9 @@ constexpr double kConvexBelow = 180.0001;
 // (legacy-rules 3).
 constexpr double kBerkeleyDirectionOffset = 1e-7;
 
+// A box that is tested before distances are is larger than the search distance by this factor.
+constexpr double kReach = 1.001;
+
 // Share of the overlap angle within which two opposed directions count as tied (legacy-rules 3,
 // vertex-vertex).
 constexpr double kTieShare = 0.3;
@@ -63,14 +66,28 @@ class Detector {
     return leaving;
   }
 
+  // Only vertices in reach of the other element's box can come near to its edges and its vertices.
   void meet(const ElementPair& pair) {
     const auto& [a, b] = pair;
     const bool hang_together = share_a_cover(model_.elements[a], model_.elements[b]);
+    const Box reach_a = reach(a);
+    const Box reach_b = reach(b);
     for (VertexIndex i : model_.elements[a].vertices()) {
       if (!next(i)) continue;
-      for (VertexIndex j : model_.elements[b].vertices())
-        if (next(j) && !(hang_together && follow_each_other(i, j))) meet(i, j);
+      const bool i_is_near = reach_b.holds(at(i));
+      for (VertexIndex j : model_.elements[b].vertices()) {
+        const bool j_is_near = reach_a.holds(at(j));
+        if (!i_is_near && !j_is_near) continue;
+        if (next(j) && !(hang_together && follow_each_other(i, j))) meet(i, i_is_near, j, j_is_near);
+      }
     }
+  }
+
+  // The box of an element and the search distance around it, and a little for rounding.
+  Box reach(ElementIndex e) const {
+    const double margin = kReach * rules_.search_distance;
+    const Box box = box_of(model_, state_, e);
+    return {box.low - Point{margin, margin}, box.high + Point{margin, margin}};
   }
 
   Point at(VertexIndex v) const { return state_.vertices[v]; }
@@ -88,10 +105,10 @@ class Detector {
   Wedge wedge(VertexIndex v) const { return {leaving(v), one_turn(leaving(previous(v)) - 180)}; }
   bool is_convex(VertexIndex v) const { return wedge(v).angle() < kConvexBelow; }
 
-  void meet(VertexIndex i, VertexIndex j) {
+  void meet(VertexIndex i, bool i_is_near, VertexIndex j, bool j_is_near) {
     if (distance(at(i), at(j)) > rules_.search_distance) {
-      if (near_edge(i, j)) vertex_edge(i, j);
-      if (near_edge(j, i)) vertex_edge(j, i);
+      if (i_is_near && near_edge(i, j)) vertex_edge(i, j);
+      if (j_is_near && near_edge(j, i)) vertex_edge(j, i);
     } else if (is_convex(i) && is_convex(j)) {
       vertex_vertex(i, j);
     } else if (is_convex(i)) {

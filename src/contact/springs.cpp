@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 #include "base/loop.hpp"
 #include "contact/line.hpp"
@@ -12,117 +12,167 @@
 namespace keyblock {
 namespace {
 
-// Springs that are made by up to 16 threads before they are added one by one: a megabyte of them.
-constexpr std::size_t kMadeAtOnce = 16 * kLoopRange;
-
-// The elements of a contact and the operators of its three points: i carries P1, j carries the line.
-struct Ends {
-  int i;
-  int j;
-  DisplacementOperator t1;  // of element i at P1
-  DisplacementOperator t2;  // of element j at P2 and P3
-  DisplacementOperator t3;
-};
-
-Ends ends_of(const Triple& triple, const Line& line, const Model& model, const State& state) {
-  const ElementIndex i = model.vertices[triple.vertex].element;
-  const ElementIndex j = model.vertices[triple.start].element;
-  return {i.value, j.value, basis_at(model, state, i, line.p1), basis_at(model, state, j, line.p2),
-          basis_at(model, state, j, line.p3)};
-}
+// Pairs of elements whose springs are summed by up to four threads before they are added one by one: a megabyte of sums.
+constexpr std::size_t kMadeAtOnce = 4 * kLoopRange;
 
 Eigen::Vector2d vector(Point p) {
   return {p.x, p.y};
 }
 
-// One spring: a length whose change is  on_i·D_i + on_j·D_j, and which is `stretch` at the start of the step.
-struct Spring {
-  Unknowns on_i;
-  Unknowns on_j;
-  double stretch;
+// The two springs of a contact, normal and shear a column each: lengths whose changes are the sums of `at_k` · u(P_k), and which
+// are `stretch` at the start of the step. P1 is of one element, the line P2 P3 of the other.
+struct SpringPair {
+  Eigen::Matrix2d at1 = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d at2 = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d at3 = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d stretch = Eigen::Vector2d::Zero();
+  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();
 };
 
 // e, g, d of legacy-rules 8: change of the distance of P1 from the line (line length not differentiated).
-Spring normal_spring(const Line& l, const Ends& ends) {
+void set_normal(const Line& l, double penalty, SpringPair& springs) {
   const double size = l.size();
-  const Point e{(l.p2.y - l.p3.y) / size, (l.p3.x - l.p2.x) / size};
-  const Point g2{(l.p3.y - l.p1.y) / size, (l.p1.x - l.p3.x) / size};
-  const Point g3{(l.p1.y - l.p2.y) / size, (l.p2.x - l.p1.x) / size};
-  return {ends.t1.transpose() * vector(e), ends.t2.transpose() * vector(g2) + ends.t3.transpose() * vector(g3),
-          l.distance()};
+  springs.at1.col(0) << (l.p2.y - l.p3.y) / size, (l.p3.x - l.p2.x) / size;
+  springs.at2.col(0) << (l.p3.y - l.p1.y) / size, (l.p1.x - l.p3.x) / size;
+  springs.at3.col(0) << (l.p1.y - l.p2.y) / size, (l.p2.x - l.p1.x) / size;
+  springs.stretch[0] = l.distance();
+  springs.stiffness[0] = penalty;
 }
 
 // es, gs, s of legacy-rules 8: change of the way of P1 along the line, from the contact point P0 at `ratio`.
-Spring shear_spring(const Line& l, const Ends& ends, double ratio) {
+void set_shear(const Line& l, double ratio, double penalty, SpringPair& springs) {
   const double size = l.size();
   const Point along = l.along();
   const Point from_p0 = l.p1 - l.at(ratio);
-  const Point g2 = (-1 / size) * ((1 - ratio) * along + from_p0);
-  const Point g3 = (1 / size) * (from_p0 - ratio * along);
-  return {ends.t1.transpose() * vector(1 / size * along),
-          ends.t2.transpose() * vector(g2) + ends.t3.transpose() * vector(g3), dot(from_p0, along) / size};
+  springs.at1.col(1) = vector(1 / size * along);
+  springs.at2.col(1) = vector((-1 / size) * ((1 - ratio) * along + from_p0));
+  springs.at3.col(1) = vector((1 / size) * (from_p0 - ratio * along));
+  springs.stretch[1] = dot(from_p0, along) / size;
+  springs.stiffness[1] = penalty;
 }
 
-// Of both springs of a contact: a column each.
-struct SpringPair {
-  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostUnknowns, 2>;
-  Columns on_i;
-  Columns on_j;
-  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();
-  Eigen::Vector2d stretch = Eigen::Vector2d::Zero();
-
-  explicit SpringPair(const Ends& ends)
-      : on_i(Columns::Zero(ends.t1.cols(), 2)), on_j(Columns::Zero(ends.t2.cols(), 2)) {}
-  void set(Eigen::Index column, const Spring& spring, double p) {
-    on_i.col(column) = spring.on_i;
-    on_j.col(column) = spring.on_j;
-    stiffness[column] = p;
-    stretch[column] = spring.stretch;
-  }
-};
-
-// sum += a bᵀ. Blocks of six are what nearly all are.
-void add_product(const SpringPair::Columns& a, const SpringPair::Columns& b, BlockMatrix::Block& sum) {
-  if (a.rows() == kMostUnknowns && b.rows() == kMostUnknowns) {
-    using Six = Eigen::Matrix<double, kMostUnknowns, 2>;
-    Eigen::Map<Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>>(sum.data()).noalias() +=
-        Eigen::Map<const Six>(a.data()) * Eigen::Map<const Six>(b.data()).transpose();
-  } else {
-    sum.noalias() += a * b.transpose();
-  }
-}
-
-struct ContactSprings {
-  int i;
-  int j;
+SpringPair springs_of(const Contact& contact, const Line& line, const ContactRules& rules, double penalty) {
   SpringPair springs;
-};
-
-// Nothing of an open contact.
-std::optional<ContactSprings> springs_of(const Contact& contact, const Model& model, const State& state,
-                                         const ContactRules& rules, double penalty) {
-  if (contact.is_open()) return std::nullopt;
-  const Line line = line_of(state, contact.active());
-  const Ends ends = ends_of(contact.active(), line, model, state);
-  ContactSprings made{ends.i, ends.j, SpringPair(ends)};
-  made.springs.set(0, normal_spring(line, ends), penalty);
-  if (contact.state == ContactState::locked)
-    made.springs.set(1, shear_spring(line, ends, contact.ratio), penalty / rules.shear_ratio);
-  return made;
+  set_normal(line, penalty, springs);
+  if (contact.state == ContactState::locked) set_shear(line, contact.ratio, penalty / rules.shear_ratio, springs);
+  return springs;
 }
 
-void add(const ContactSprings& contact, System& system) {
-  const auto& [i, j, springs] = contact;
-  const SpringPair::Columns scaled_i = springs.on_i * springs.stiffness.asDiagonal();
-  const SpringPair::Columns scaled_j = springs.on_j * springs.stiffness.asDiagonal();
-  add_product(scaled_i, springs.on_i, system.matrix.block(i, i));
-  add_product(scaled_j, springs.on_j, system.matrix.block(j, j));
-  if (i < j)
-    add_product(scaled_i, springs.on_j, system.matrix.block(i, j));
+// Contacts that follow each other and are of the same two elements, `low` before `high` or the same.
+struct Run {
+  std::size_t begin;
+  std::size_t end;
+  ElementIndex low;
+  ElementIndex high;
+};
+
+std::vector<Run> runs_of(const Contacts& contacts, const Model& model) {
+  std::vector<Run> runs;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts[c].is_open()) continue;
+    const Triple& triple = contacts[c].active();
+    const auto& [low, high] = std::minmax(model.vertices[triple.vertex].element, model.vertices[triple.start].element);
+    if (runs.empty() || runs.back().low != low || runs.back().high != high)
+      runs.push_back({c, c + 1, low, high});
+    else
+      runs.back().end = c + 1;
+  }
+  return runs;
+}
+
+// The submatrices of all springs of a run.
+struct RunSums {
+  UnknownBlock low;
+  UnknownBlock high;
+  UnknownBlock between;  ///< row of `low`, column of `high`
+  Unknowns load_low;
+  Unknowns load_high;
+};
+
+class SpringSums {
+ public:
+  SpringSums(const Contacts& contacts, const Model& model, const State& state, const ContactRules& rules,
+             double penalty)
+      : contacts_(contacts), model_(model), state_(state), rules_(rules), penalty_(penalty) {}
+
+  void operator()(const Run& run, RunSums& sums) const {
+    const int low = basis(run.low).unknown_count();
+    const int high = basis(run.high).unknown_count();
+    sums.low.setZero(low, low);
+    sums.high.setZero(high, high);
+    sums.between.setZero(low, high);
+    sums.load_low.setZero(low);
+    sums.load_high.setZero(high);
+    const bool are_six = low == kMostUnknowns && high == kMostUnknowns;
+    for (std::size_t c = run.begin; c < run.end; ++c) {
+      if (contacts_[c].is_open()) continue;
+      if (are_six)
+        add<kMostUnknowns>(contacts_[c], run, sums);
+      else
+        add<Eigen::Dynamic>(contacts_[c], run, sums);
+    }
+  }
+
+ private:
+  const Basis& basis(ElementIndex e) const { return *model_.elements[e].basis; }
+
+  // Springs of blocks of six unknowns, which nearly all are, are summed by operators of fixed size.
+  template <int N>
+  using Pair = Eigen::Matrix<double, N, 2, Eigen::ColMajor, kMostUnknowns, 2>;
+
+  template <int N>
+  Pair<N> forces(ElementIndex e, Point p, const Eigen::Matrix2d& pair) const {
+    return basis(e).forces<N>(p - state_.elements[e].centroid, pair);
+  }
+
+  template <int N>
+  void add(const Contact& contact, const Run& run, RunSums& sums) const {
+    const Triple& triple = contact.active();
+    const Line line = line_of(state_, triple);
+    const SpringPair springs = springs_of(contact, line, rules_, penalty_);
+    const ElementIndex i = model_.vertices[triple.vertex].element;
+    const ElementIndex j = model_.vertices[triple.start].element;
+    const Pair<N> on_i = forces<N>(i, line.p1, springs.at1);
+    const Pair<N> on_j = forces<N>(j, line.p2, springs.at2) + forces<N>(j, line.p3, springs.at3);
+    const Pair<N>& on_low = i == run.low ? on_i : on_j;
+    const Pair<N>& on_high = i == run.low ? on_j : on_i;
+    const Pair<N> scaled_low = on_low * springs.stiffness.asDiagonal();
+    const Pair<N> scaled_high = on_high * springs.stiffness.asDiagonal();
+    block<N>(sums.low).noalias() += scaled_low * on_low.transpose();
+    block<N>(sums.high).noalias() += scaled_high * on_high.transpose();
+    block<N>(sums.between).noalias() += scaled_low * on_high.transpose();
+    sums.load_low -= scaled_low * springs.stretch;
+    sums.load_high -= scaled_high * springs.stretch;
+  }
+
+  template <int N>
+  static auto block(UnknownBlock& sum) {
+    return Eigen::Map<Eigen::Matrix<double, N, N>>(sum.data(), sum.rows(), sum.cols());
+  }
+
+  const Contacts& contacts_;
+  const Model& model_;
+  const State& state_;
+  const ContactRules& rules_;
+  double penalty_;
+};
+
+void add(const UnknownBlock& from, UnknownBlock& to) {
+  using Six = Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>;
+  if (from.size() == Six::SizeAtCompileTime)
+    Eigen::Map<Six>(to.data()) += Eigen::Map<const Six>(from.data());
   else
-    add_product(scaled_j, springs.on_i, system.matrix.block(j, i));
-  system.load_of(i) -= scaled_i * springs.stretch;
-  system.load_of(j) -= scaled_j * springs.stretch;
+    to += from;
+}
+
+void add(const Run& run, const RunSums& sums, System& system) {
+  const int low = run.low.value;
+  const int high = run.high.value;
+  add(sums.low, system.matrix.block(low, low));
+  add(sums.high, system.matrix.block(high, high));
+  add(sums.between, system.matrix.block(low, high));
+  system.load_of(low) += sums.load_low;
+  system.load_of(high) += sums.load_high;
 }
 
 double friction_force(const Contact& contact, const JointMaterial& joint) {
@@ -135,13 +185,13 @@ double friction_force(const Contact& contact, const JointMaterial& joint) {
 
 void add_springs(const Contacts& contacts, const Model& model, const State& state, const ContactRules& rules,
                  double penalty, System& system) {
-  std::vector<std::optional<ContactSprings>> made(std::min(contacts.size(), kMadeAtOnce));
-  for (std::size_t begin = 0; begin < contacts.size(); begin += made.size()) {
-    const std::size_t count = std::min(made.size(), contacts.size() - begin);
-    for_each_entry(count,
-                   [&](std::size_t k) { made[k] = springs_of(contacts[begin + k], model, state, rules, penalty); });
-    for (std::size_t k = 0; k < count; ++k)
-      if (made[k]) add(*made[k], system);
+  const SpringSums sum(contacts, model, state, rules, penalty);
+  const std::vector<Run> runs = runs_of(contacts, model);
+  std::vector<RunSums> made(std::min(runs.size(), kMadeAtOnce));
+  for (std::size_t begin = 0; begin < runs.size(); begin += made.size()) {
+    const std::size_t count = std::min(made.size(), runs.size() - begin);
+    for_each_entry(count, [&](std::size_t k) { sum(runs[begin + k], made[k]); });
+    for (std::size_t k = 0; k < count; ++k) add(runs[begin + k], made[k], system);
   }
 }
 
@@ -151,12 +201,16 @@ void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const
     const Contact& contact = contacts[c];
     if (!acts[c] || contact.state != ContactState::sliding) continue;
     const Line line = line_of(state, contact.first);
-    const Ends ends = ends_of(contact.first, line, model, state);
+    const ElementIndex i = model.vertices[contact.first.vertex].element;
+    const ElementIndex j = model.vertices[contact.first.start].element;
     const JointMaterial& joint = model.joint_at(contact.first.start);
     const double force = friction_force(contact, joint) * sign(contact.slip);
     const Eigen::Vector2d along = force / line.size() * vector(line.along());
-    system.load_of(ends.i) -= ends.t1.transpose() * along;
-    system.load_of(ends.j) += ((1 - contact.ratio) * ends.t2 + contact.ratio * ends.t3).transpose() * along;
+    system.load_of(i.value) -= basis_at(model, state, i, line.p1).transpose() * along;
+    system.load_of(j.value) +=
+        ((1 - contact.ratio) * basis_at(model, state, j, line.p2) + contact.ratio * basis_at(model, state, j, line.p3))
+            .transpose() *
+        along;
   }
 }
 

@@ -3,13 +3,26 @@
 #include "model/basis.hpp"
 
 namespace keyblock {
+namespace {
+
+using Six = Eigen::Matrix<double, 2, kMostUnknowns>;
+
+// T of six unknowns, which nearly all elements have: of fixed size it costs a fraction.
+Six six_at(const Basis& basis, Point offset) {
+  using Part = Eigen::Map<const Six>;
+  return Part(basis.constant.data()) + offset.x * Part(basis.per_x.data()) + offset.y * Part(basis.per_y.data());
+}
+
+}  // namespace
 
 DisplacementOperator Basis::at(Point offset) const {
   return constant + offset.x * per_x + offset.y * per_y;
 }
 
 Point Basis::displacement(const Unknowns& d, Point offset) const {
-  const Eigen::Vector2d u = at(offset) * d;
+  const Eigen::Vector2d u = unknown_count() == kMostUnknowns
+                                ? Eigen::Vector2d(six_at(*this, offset) * d.head<kMostUnknowns>())
+                                : Eigen::Vector2d(at(offset) * d);
   return {u.x(), u.y()};
 }
 

@@ -36,6 +36,17 @@ struct Basis {
   /// u = T d at `offset` from the centroid.
   Point displacement(const Unknowns& d, Point offset) const;
 
+  /// Tᵀ F, n × 2: what each of two forces (columns of F, 2 × 2) at `offset` from the centroid is on the unknowns. `N`: how many
+  /// unknowns there are, where that is known.
+  template <int N = Eigen::Dynamic>
+  auto forces(Point offset, const Eigen::Matrix2d& pair) const {
+    using Part = Eigen::Map<const Eigen::Matrix<double, 2, N, Eigen::ColMajor, 2, kMostUnknowns>>;
+    const auto part = [&](const DisplacementOperator& all) { return Part(all.data(), 2, all.cols()); };
+    const Eigen::Matrix<double, 2, N, Eigen::ColMajor, 2, kMostUnknowns> t =
+        part(constant) + offset.x * part(per_x) + offset.y * part(per_y);
+    return Eigen::Matrix<double, N, 2, Eigen::ColMajor, kMostUnknowns, 2>(t.transpose() * pair);
+  }
+
   /// B, 3 × n: engineering strain (ex, ey, gxy) = B d.
   StrainOperator strain() const;
 };

@@ -40,9 +40,10 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
   const CoverUnknowns covers(model, state);
   SystemKind kind{stiffness_over_inertia(without_contact.matrix, penalty), covers.steady(state, dt)};
   const int bound = settings.quirks.fixed_pass_bound ? kBerkeleyPassBound : settings.pass_limit;
+  System system({});
   while (outcome.passes < bound) {
     ++outcome.passes;
-    System system = without_contact;
+    system = without_contact;
     add_springs(outcome.contacts, model, state, rules, penalty, system);
     add_friction(outcome.contacts, friction_acts(outcome.contacts, attempt, outcome.passes), model, state, system);
     const std::optional<Solution> solution = covers.solve(system, kind, solver);

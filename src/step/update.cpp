@@ -99,11 +99,11 @@ State update(const Model& model, State state, const Settings& settings, const In
 }
 
 State with_velocity_of_last_step(const Model& model, State state, const Settings& settings, double dt) {
-  for (ElementIndex e : indices(model.elements)) {
+  for_each_index(model.elements, [&](ElementIndex e) {
     ElementState& now = state.elements[e];
     const double carry_over = settings.velocity_carry_over.of(model.elements[e].material);
     now.velocity = 2 / dt * now.last_step - carry_over * now.velocity;
-  }
+  });
   const std::vector<double> carry_overs = carry_overs_of_nodes(model, settings);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     NodeState& node = state.nodes[i];

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_iterations.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -28,6 +28,12 @@ class BlockIterations::Kernel {
 
 namespace {
 
+// A correction in single precision ends here, and the residual is formed anew in double.
+constexpr double kOfSingle = 1e-5;
+// Where a correction gains less than this the numbers of the matrix give no more.
+constexpr double kLeastGain = 0.5;
+// Where they give no more, a residual that is this little short of the goal is taken.
+constexpr double kShortOfGoal = 10;
 constexpr float kFirstShift = 1e-3F;
 constexpr float kLastShift = 1;  // a diagonal raised by half and still no factor: the matrix is not positive definite
 
@@ -54,7 +60,80 @@ struct Rows {
     columns.push_back(column);
     blocks.push_back(block);
   }
+  int diagonal(int i) const {
+    const auto first = columns.begin();
+    return static_cast<int>(std::lower_bound(first + begin[at(i)], first + begin[at(i) + 1], i) - first);
+  }
+  // Row i of A x.
+  PaddedVector<N, Real> times(int i, const std::vector<PaddedVector<N, Real>>& x) const {
+    PaddedVector<N, Real> sum;
+    for (int e = begin[at(i)]; e < begin[at(i) + 1]; ++e) sum.add(1, blocks[at(e)] * x[at(columns[at(e)])]);
+    return sum;
+  }
 };
+
+// Entries over `scale`, blocks that are smaller filled up with ones on the diagonal.
+template <int N, class Real, class Block>
+Padded<N, Real> padded(const Block& block, double scale) {
+  Padded<N, Real> all;
+  if (block.rows() == N && block.cols() == N)
+    all.square() = (block.template topLeftCorner<N, N>() / scale).template cast<Real>();
+  else
+    all.square().topLeftCorner(block.rows(), block.cols()) = (block / scale).template cast<Real>();
+  return all;
+}
+
+// The matrix with both of its halves, over `scale`.
+template <int N, class Real>
+Rows<N, Real> full_rows(const BlockMatrix& matrix, double scale) {
+  Rows<N, Real> rows;
+  const int count = matrix.block_count();
+  // Blocks left of the diagonal, row by row: those of earlier rows that reach there, which come in ascending order.
+  std::vector<int> left(at(count) + 1, 0);
+  for (int i = 0; i < count; ++i)
+    for (const auto& entry : matrix.row(i))
+      if (entry.column != i) ++left[at(entry.column) + 1];
+  std::partial_sum(left.begin(), left.end(), left.begin());
+  std::vector<std::pair<int, const BlockMatrix::Block*>> below(at(left.back()));
+  std::vector<int> next(left.begin(), left.end() - 1);
+  rows.begin.reserve(at(count) + 1);
+  rows.columns.reserve(at(2 * matrix.entry_count() - count));
+  for (int i = 0; i < count; ++i) {
+    for (int k = left[at(i)]; k < left[at(i) + 1]; ++k) rows.columns.push_back(below[at(k)].first);
+    for (const auto& [column, block] : matrix.row(i)) {
+      rows.columns.push_back(column);
+      if (column != i) below[at(next[at(column)]++)] = {i, &block};
+    }
+    rows.end_row();
+  }
+  rows.blocks.resize(rows.columns.size());
+  for_each_entry(at(count), [&](std::size_t i) {
+    std::size_t place = at(rows.begin[i]);
+    for (int k = left[i]; k < left[i + 1]; ++k)
+      rows.blocks[place++] = padded<N, Real>(below[at(k)].second->transpose(), scale);
+    const std::size_t diagonal = place;
+    for (const auto& entry : matrix.row(static_cast<int>(i)))
+      rows.blocks[place++] = padded<N, Real>(entry.block, scale);
+    rows.blocks[diagonal].square().diagonal().tail(N - matrix.size(static_cast<int>(i))).setOnes();
+  });
+  return rows;
+}
+
+template <int N, class Real>
+std::vector<PaddedVector<N, Real>> with_padding(const BlockMatrix& matrix, const Eigen::VectorXd& x) {
+  std::vector<PaddedVector<N, Real>> all(at(matrix.block_count()));
+  for (int i = 0; i < matrix.block_count(); ++i)
+    all[at(i)].vector().head(matrix.size(i)) = x.segment(matrix.first_row(i), matrix.size(i)).template cast<Real>();
+  return all;
+}
+
+template <int N, class Real>
+Eigen::VectorXd without_padding(const BlockMatrix& matrix, const std::vector<PaddedVector<N, Real>>& all) {
+  Eigen::VectorXd x(matrix.row_count());
+  for (int i = 0; i < matrix.block_count(); ++i)
+    x.segment(matrix.first_row(i), matrix.size(i)) = all[at(i)].vector().head(matrix.size(i)).template cast<double>();
+  return x;
+}
 
 // In single precision: it need not be exact, and is read twice in each iteration.
 template <int N>
@@ -94,25 +173,31 @@ class IncompleteFactor {
       }
       factor.lower_.end_row();
       for (int e = first; e < entry; ++e) places[at(a.columns[at(e)])] = -1;
-      const Eigen::LLT<typename Square::Square> cholesky(pivot.square());
-      if (cholesky.info() != Eigen::Success) return std::nullopt;
-      Square inverse;
-      inverse.square() = cholesky.solve(Square::Square::Identity());
-      factor.inverse_pivots_.push_back(inverse);
+      const std::optional<Square> inverse = inverse_of(pivot);
+      if (!inverse) return std::nullopt;
+      factor.inverse_pivots_.push_back(*inverse);
     }
     return factor;
   }
 
-  // z becomes (L D Lᵀ)⁻¹ z.
-  void solve(std::vector<Vector>& z) const {
+  // z becomes (L D Lᵀ)⁻¹ r; returns r · z.
+  double solve(const std::vector<Vector>& r, std::vector<Vector>& z) const {
     const int count = lower_.count();
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
+      Vector sum = r[at(i)];
       for (int e = lower_.begin[at(i)]; e < lower_.begin[at(i) + 1]; ++e)
-        z[at(i)].add(-1, lower_.blocks[at(e)] * z[at(lower_.columns[at(e)])]);
+        sum.add(-1, lower_.blocks[at(e)] * z[at(lower_.columns[at(e)])]);
+      z[at(i)] = sum;
+    }
     for (int i = count - 1; i >= 0; --i) z[at(i)] = inverse_pivots_[at(i)] * z[at(i)];
-    for (int i = count - 1; i >= 0; --i)
+    double product = 0;
+    for (int i = count - 1; i >= 0; --i) {
+      const Vector own = z[at(i)];
+      product += static_cast<double>(dot(r[at(i)], own));
       for (int e = lower_.begin[at(i)]; e < lower_.begin[at(i) + 1]; ++e)
-        z[at(lower_.columns[at(e)])].add(-1, upper_[at(e)] * z[at(i)]);
+        z[at(lower_.columns[at(e)])].add(-1, upper_[at(e)] * own);
+    }
+    return product;
   }
 
  private:
@@ -123,6 +208,39 @@ class IncompleteFactor {
     upper_.push_back(transposed);
   }
 
+  // Of a symmetric block, by its Cholesky factor; nothing where it is not positive definite.
+  static std::optional<Square> inverse_of(const Square& block) {
+    float l[N][N] = {};  // the factor, 1 / l_ii on its diagonal
+    float m[N][N] = {};  // its inverse
+    for (int j = 0; j < N; ++j) {
+      float pivot = block.entry(j, j);
+      for (int k = 0; k < j; ++k) pivot -= l[j][k] * l[j][k];
+      if (!(pivot > 0)) return std::nullopt;
+      l[j][j] = 1 / std::sqrt(pivot);
+      for (int i = j + 1; i < N; ++i) {
+        float sum = block.entry(i, j);
+        for (int k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
+        l[i][j] = sum * l[j][j];
+      }
+    }
+    for (int j = 0; j < N; ++j) {
+      m[j][j] = l[j][j];
+      for (int i = j + 1; i < N; ++i) {
+        float sum = 0;
+        for (int k = j; k < i; ++k) sum -= l[i][k] * m[k][j];
+        m[i][j] = sum * l[i][i];
+      }
+    }
+    Square inverse;
+    for (int j = 0; j < N; ++j)
+      for (int i = 0; i < N; ++i) {
+        float sum = 0;
+        for (int k = std::max(i, j); k < N; ++k) sum += m[k][i] * m[k][j];
+        inverse.square()(i, j) = sum;
+      }
+    return inverse;
+  }
+
   Rows<N, float> lower_;
   std::vector<Square> upper_;  ///< the blocks of `lower_`, transposed
   std::vector<Square> inverse_pivots_;
@@ -131,177 +249,141 @@ class IncompleteFactor {
 template <int N>
 class KernelOf : public BlockIterations::Kernel {
  public:
-  using Square = Padded<N>;
-  using Vector = PaddedVector<N>;
-  using Vectors = std::vector<Vector>;
+  explicit KernelOf(const BlockMatrix& matrix) : matrix_(matrix) {}
 
-  explicit KernelOf(const BlockMatrix& matrix) {
-    const int count = matrix.block_count();
-    // Blocks left of the diagonal, row by row: those of earlier rows that reach there, which come in ascending order.
-    std::vector<int> left(at(count) + 1, 0);
-    for (int i = 0; i < count; ++i)
-      for (const auto& entry : matrix.row(i))
-        if (entry.column != i) ++left[at(entry.column) + 1];
-    std::partial_sum(left.begin(), left.end(), left.begin());
-    std::vector<std::pair<int, const BlockMatrix::Block*>> below(at(left.back()));
-    std::vector<int> next(left.begin(), left.end() - 1);
-    rows_.begin.reserve(at(count) + 1);
-    rows_.columns.reserve(at(2 * matrix.entry_count() - count));
-    for (int i = 0; i < count; ++i) {
-      sizes_.push_back(matrix.size(i));
-      first_rows_.push_back(matrix.first_row(i));
-      for (int k = left[at(i)]; k < left[at(i) + 1]; ++k) rows_.columns.push_back(below[at(k)].first);
-      for (const auto& [column, block] : matrix.row(i)) {
-        rows_.columns.push_back(column);
-        if (column != i) below[at(next[at(column)]++)] = {i, &block};
-      }
-      rows_.end_row();
-    }
-    rows_.blocks.resize(rows_.columns.size());
-    for_each_entry(at(count), [&](std::size_t i) {
-      std::size_t place = at(rows_.begin[i]);
-      for (int k = left[i]; k < left[i + 1]; ++k) rows_.blocks[place++] = padded(below[at(k)].second->transpose());
-      const std::size_t diagonal = place;
-      for (const auto& entry : matrix.row(static_cast<int>(i))) rows_.blocks[place++] = padded(entry.block);
-      rows_.blocks[diagonal].square().diagonal().tail(N - sizes_[i]).setOnes();
-    });
-    unknowns_ = matrix.row_count();
-  }
-
+  // Corrections A y = b − A x, one after another: directions and residuals in single precision, which halves what an iteration
+  // reads, and each new residual from x in double. Directions go on from one correction to the next, so that none is lost.
   IterationResult conjugate_gradients(const Eigen::VectorXd& b, const Eigen::VectorXd& start,
                                       const IterationLimits& limits) const override {
-    IterationResult result{start, 0, false};
-    const std::optional<IncompleteFactor<N>> factor = incomplete_factor();
+    IterationResult result{start, 0, 0, false};
+    // Over the greatest entry: the range of single precision is not that of double.
+    double scale = 0;
+    for (int i = 0; i < matrix_.block_count(); ++i)
+      if (matrix_.size(i) > 0) scale = std::max(scale, matrix_.row(i).front().block.diagonal().cwiseAbs().maxCoeff());
+    if (!(scale > 0)) return result;
+    const Rows<N, float> rows = full_rows<N, float>(matrix_, scale);
+    const std::optional<IncompleteFactor<N>> factor = incomplete_factor(rows);
     if (!factor) return result;
-    const std::size_t count = sizes_.size();
-    Vectors x = with_padding(start);
-    Vectors r = with_padding(b);
-    const double goal = limits.residual * norm(r);
-    Vectors q(count);
-    multiply(x, q);
-    for_each_entry(count, [&](std::size_t i) { r[i].add(-1, q[i]); });
-    std::vector<PaddedVector<N, float>> z(count);
-    Vectors p(count);
-    double before = 0;
-    for (double left = norm(r); !(result.converged = left <= goal) && result.iterations < limits.count;) {
-      // Of unit size: no number leaves the range of single precision.
-      for_each_entry(count, [&](std::size_t i) { z[i].vector() = (r[i].vector() / left).template cast<float>(); });
-      factor->solve(z);
-      const auto [now] = sums_over<1>(count, [&](std::size_t i) {
-        return std::array{left * r[i].vector().dot(z[i].vector().template cast<double>())};
-      });
-      const double beta = before > 0 ? now / before : 0;
-      before = now;
-      for_each_entry(count, [&](std::size_t i) {
-        p[i].vector() = left * z[i].vector().template cast<double>() + beta * p[i].vector();
-      });
-      multiply(p, q);
-      const double alpha = now / sums_over<1>(count, [&](std::size_t i) { return std::array{dot(p[i], q[i])}; })[0];
-      if (!std::isfinite(alpha)) break;
-      for_each_entry(count, [&](std::size_t i) {
-        x[i].add(alpha, p[i]);
-        r[i].add(-alpha, q[i]);
-      });
-      left = norm(r);
-      ++result.iterations;
+    const double size = b.norm();
+    const double goal = limits.residual * size;
+    Search search(at(matrix_.block_count()));
+    double before = std::numeric_limits<double>::infinity();
+    while (true) {
+      const Eigen::VectorXd rest = b - matrix_ * result.x;
+      const double left = rest.norm();
+      result.residual = size > 0 ? left / size : left;
+      const bool gains = left <= kLeastGain * before;
+      result.converged = left <= (gains ? goal : kShortOfGoal * goal);
+      if (result.converged || !gains || result.iterations >= limits.count) return result;
+      search.rescale(before / left);
+      const int most = limits.count - result.iterations;
+      result.iterations += search.correct(rows, *factor, with_padding<N, float>(matrix_, rest / left),
+                                          std::max(goal / left, kOfSingle), most);
+      result.x += left / scale * without_padding(matrix_, search.correction());
+      before = left;
     }
-    result.x = without_padding(x);
-    return result;
   }
 
   IterationResult over_relaxation(const Eigen::VectorXd& b, const Eigen::VectorXd& start, double omega,
                                   const IterationLimits& limits) const override {
-    IterationResult result{start, 0, false};
-    std::vector<Square> inverse(sizes_.size());
-    for (int i = 0; i < rows_.count(); ++i) inverse[at(i)].square() = rows_.blocks[at(diagonal(i))].square().inverse();
-    Vectors x = with_padding(start);
-    const Vectors right = with_padding(b);
-    const double goal = limits.residual * norm(right);
-    Vectors product(x.size());
+    IterationResult result{start, 0, 0, false};
+    const Rows<N, double> rows = full_rows<N, double>(matrix_, 1);
+    std::vector<Padded<N>> inverse(at(rows.count()));
+    for (int i = 0; i < rows.count(); ++i)
+      inverse[at(i)].square() = rows.blocks[at(rows.diagonal(i))].square().inverse();
+    auto x = with_padding<N, double>(matrix_, start);
+    const auto right = with_padding<N, double>(matrix_, b);
+    const double size = b.norm();
     const auto residual = [&] {
-      multiply(x, product);
-      for (std::size_t i = 0; i < product.size(); ++i) product[i].add(-1, right[i]);
-      return norm(product);
+      double sum = 0;
+      for (int i = 0; i < rows.count(); ++i) {
+        PaddedVector<N> r = rows.times(i, x);
+        r.add(-1, right[at(i)]);
+        sum += dot(r, r);
+      }
+      return size > 0 ? std::sqrt(sum) / size : std::sqrt(sum);
     };
-    while (!(result.converged = residual() <= goal) && result.iterations < limits.count) {
-      for (int i = 0; i < rows_.count(); ++i) {
-        Vector r = right[at(i)];
-        r.add(-1, times(i, x));
+    while (!(result.converged = (result.residual = residual()) <= limits.residual) &&
+           result.iterations < limits.count) {
+      for (int i = 0; i < rows.count(); ++i) {
+        PaddedVector<N> r = right[at(i)];
+        r.add(-1, rows.times(i, x));
         x[at(i)].add(omega, inverse[at(i)] * r);
       }
       ++result.iterations;
     }
-    result.x = without_padding(x);
+    result.x = without_padding(matrix_, x);
     return result;
   }
 
  private:
-  template <class Block>
-  static Square padded(const Block& block) {
-    Square all;
-    if (block.rows() == N && block.cols() == N)
-      all.square() = block;
-    else
-      all.square().topLeftCorner(block.rows(), block.cols()) = block;
-    return all;
-  }
+  // Directions and residuals of one correction after another.
+  class Search {
+   public:
+    using Vector = PaddedVector<N, float>;
 
-  std::optional<IncompleteFactor<N>> incomplete_factor() const {
-    Rows<N, float> single;
-    single.begin = rows_.begin;
-    single.columns = rows_.columns;
-    single.blocks.resize(rows_.blocks.size());
-    // Over the greatest entry, which is on a diagonal: the range of single precision is not that of double.
-    double greatest = 0;
-    for (int i = 0; i < rows_.count(); ++i)
-      greatest = std::max(greatest, rows_.blocks[at(diagonal(i))].square().diagonal().cwiseAbs().maxCoeff());
-    if (!(greatest > 0)) return std::nullopt;
-    for_each_entry(single.blocks.size(), [&](std::size_t k) {
-      single.blocks[k].square() = (rows_.blocks[k].square() / greatest).template cast<float>();
-    });
-    std::optional<IncompleteFactor<N>> factor = IncompleteFactor<N>::of(single, 0);
+    explicit Search(std::size_t count) : y_(count), z_(count), p_(count), q_(count) {}
+
+    // The unit of the residual changes: it is so many times as small.
+    void rescale(double factor) {
+      if (squared_ == 0) return;
+      squared_ *= factor * factor;
+      for_each_entry(
+          p_.size(), [&](std::size_t i) { p_[i].vector() *= static_cast<float>(factor); }, Work::light);
+    }
+
+    // Solves for the unit residual r until that is at most `target`. Returns how many iterations it took.
+    int correct(const Rows<N, float>& a, const IncompleteFactor<N>& factor, std::vector<Vector> r, double target,
+                int most) {
+      std::ranges::fill(y_, Vector{});
+      int iterations = 0;
+      for (double left = 1; left > target && iterations < most; ++iterations) {
+        const double squared = factor.solve(r, z_);
+        const auto beta = static_cast<float>(squared_ > 0 ? squared / squared_ : 0);
+        squared_ = squared;
+        for_each_entry(
+            p_.size(),
+            [&](std::size_t i) {
+              z_[i].add(beta, p_[i]);
+              p_[i] = z_[i];
+            },
+            Work::light);
+        const auto [curvature] = sums_over<1>(p_.size(), [&](std::size_t i) {
+          q_[i] = a.times(static_cast<int>(i), p_);
+          return std::array{static_cast<double>(dot(p_[i], q_[i]))};
+        });
+        const auto alpha = static_cast<float>(squared / curvature);
+        if (!std::isfinite(alpha)) break;
+        const auto [rest] = sums_over<1>(
+            p_.size(),
+            [&](std::size_t i) {
+              y_[i].add(alpha, p_[i]);
+              r[i].add(-alpha, q_[i]);
+              return std::array{static_cast<double>(dot(r[i], r[i]))};
+            },
+            Work::light);
+        left = std::sqrt(rest);
+      }
+      return iterations;
+    }
+    const std::vector<Vector>& correction() const { return y_; }
+
+   private:
+    std::vector<Vector> y_;
+    std::vector<Vector> z_;
+    std::vector<Vector> p_;
+    std::vector<Vector> q_;
+    double squared_ = 0;  ///< r · z of the last iteration; 0 before the first
+  };
+
+  static std::optional<IncompleteFactor<N>> incomplete_factor(const Rows<N, float>& rows) {
+    std::optional<IncompleteFactor<N>> factor = IncompleteFactor<N>::of(rows, 0);
     for (float shift = kFirstShift; !factor && shift <= kLastShift; shift *= 2)
-      factor = IncompleteFactor<N>::of(single, shift);
+      factor = IncompleteFactor<N>::of(rows, shift);
     return factor;
   }
 
-  int diagonal(int i) const {
-    const auto begin = rows_.columns.begin();
-    return static_cast<int>(std::lower_bound(begin + rows_.begin[at(i)], begin + rows_.begin[at(i) + 1], i) - begin);
-  }
-
-  // Row i of A x.
-  Vector times(int i, const Vectors& x) const {
-    Vector sum;
-    for (int e = rows_.begin[at(i)]; e < rows_.begin[at(i) + 1]; ++e)
-      sum.add(1, rows_.blocks[at(e)] * x[at(rows_.columns[at(e)])]);
-    return sum;
-  }
-  void multiply(const Vectors& x, Vectors& y) const {
-    for_each_entry(x.size(), [&](std::size_t i) { y[i] = times(static_cast<int>(i), x); });
-  }
-
-  static double norm(const Vectors& x) {
-    return std::sqrt(sums_over<1>(x.size(), [&](std::size_t i) { return std::array{dot(x[i], x[i])}; })[0]);
-  }
-
-  Vectors with_padding(const Eigen::VectorXd& x) const {
-    Vectors all(sizes_.size());
-    for_each_entry(all.size(),
-                   [&](std::size_t i) { all[i].vector().head(sizes_[i]) = x.segment(first_rows_[i], sizes_[i]); });
-    return all;
-  }
-  Eigen::VectorXd without_padding(const Vectors& all) const {
-    Eigen::VectorXd x(unknowns_);
-    for_each_entry(all.size(),
-                   [&](std::size_t i) { x.segment(first_rows_[i], sizes_[i]) = all[i].vector().head(sizes_[i]); });
-    return x;
-  }
-
-  Rows<N, double> rows_;
-  std::vector<int> sizes_;
-  std::vector<int> first_rows_;
-  int unknowns_ = 0;
+  const BlockMatrix& matrix_;
 };
 
 }  // namespace

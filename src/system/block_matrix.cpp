@@ -27,6 +27,7 @@ BlockMatrix::BlockMatrix(std::vector<int> sizes, const Pairs& coupled)
 
 BlockMatrix::Block& BlockMatrix::block(int i, int j) {
   const auto row = static_cast<std::size_t>(i);
+  if (i == j) return entries_[begins_[row]].block;
   const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(begins_[row + 1]);
   auto entry = std::lower_bound(entries_.begin() + static_cast<std::ptrdiff_t>(begins_[row]), end, j,
                                 [](const Entry& e, int column) { return e.column < column; });
@@ -44,14 +45,36 @@ void BlockMatrix::add(int i, int j, const Block& addend) {
     block(j, i) += addend.transpose();
 }
 
+namespace {
+
+// Adds to y what the blocks of row i give, N × N all of them.
+template <int N>
+void add_row(const BlockMatrix& a, int i, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  using Square = Eigen::Map<const Eigen::Matrix<double, N, N>>;
+  const Eigen::Matrix<double, N, 1> xi = x.segment<N>(a.first_row(i));
+  Eigen::Matrix<double, N, 1> sum = y.segment<N>(a.first_row(i));
+  for (const auto& [j, block] : a.row(i)) {
+    const Square square(block.data());
+    sum.noalias() += square * x.segment<N>(a.first_row(j));
+    if (j != i) y.segment<N>(a.first_row(j)).noalias() += square.transpose() * xi;
+  }
+  y.segment<N>(a.first_row(i)) = sum;
+}
+
+void add_row_of_any_size(const BlockMatrix& a, int i, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  for (const auto& [j, block] : a.row(i)) {
+    y.segment(a.first_row(i), a.size(i)) += block * x.segment(a.first_row(j), a.size(j));
+    if (j != i) y.segment(a.first_row(j), a.size(j)) += block.transpose() * x.segment(a.first_row(i), a.size(i));
+  }
+}
+
+}  // namespace
+
 Eigen::VectorXd BlockMatrix::operator*(const Eigen::VectorXd& x) const {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(row_count());
-  for (int i = 0; i < block_count(); ++i) {
-    for (const auto& [j, block] : row(i)) {
-      y.segment(first_row(i), size(i)) += block * x.segment(first_row(j), size(j));
-      if (j != i) y.segment(first_row(j), size(j)) += block.transpose() * x.segment(first_row(i), size(i));
-    }
-  }
+  const bool all_are_full = row_count() == block_count() * kMostBlockRows;
+  for (int i = 0; i < block_count(); ++i)
+    all_are_full ? add_row<kMostBlockRows>(*this, i, x, y) : add_row_of_any_size(*this, i, x, y);
   return y;
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 // Residual of iterations, a thousandth of what traces of large scenes are held to.
 constexpr double kIterated = 1e-11;
-constexpr double kTrueOverRecurrence = 10;
 // Measured on walls of bricks: gradients win below the first ratio, and the factor below the number of blocks.
 constexpr double kGreatestRatio = 100;
 constexpr int kFewBlocks = 300;
@@ -83,32 +82,26 @@ std::optional<Eigen::VectorXd> Solver::by_factor(const System& system) {
   return x;
 }
 
-std::optional<Eigen::VectorXd> Solver::by_iterations(const System& system, const Eigen::VectorXd& guess) {
+std::optional<Solution> Solver::by_iterations(const System& system, const Eigen::VectorXd& guess) const {
   const BlockIterations iterations(system.matrix);
   const Eigen::VectorXd start = guess.size() == system.load.size() ? guess : Eigen::VectorXd::Zero(system.load.size());
-  if (method == LinearMethod::over_relaxation) {
-    IterationResult result = iterations.over_relaxation(system.load, start, kOmega, kSweeps);
-    if (!result.converged) return std::nullopt;
-    return std::move(result.x);
-  }
   const IterationLimits& limits = method == LinearMethod::conjugate_gradients  ? kGiven
                                   : system.matrix.block_count() <= kManyBlocks ? kUpToMany
                                                                                : kBeyond;
-  IterationResult result = iterations.conjugate_gradients(system.load, start, limits);
-  // What the recurrence calls converged need not be so.
-  const double residual = relative_residual(system, system.load - system.matrix * result.x);
-  if (!result.converged || !(residual <= kTrueOverRecurrence * kIterated)) return std::nullopt;
-  return std::move(result.x);
+  IterationResult result = method == LinearMethod::over_relaxation
+                               ? iterations.over_relaxation(system.load, start, kOmega, kSweeps)
+                               : iterations.conjugate_gradients(system.load, start, limits);
+  if (!result.converged || !result.x.allFinite()) return std::nullopt;
+  return Solution{std::move(result.x), result.residual};
 }
 
 std::optional<Solution> Solver::solve(const System& system, const SystemKind& kind) {
-  std::optional<Eigen::VectorXd> x;
   if (iterates(system.matrix.block_count(), kind.stiffness_over_inertia)) {
-    x = by_iterations(system, kind.guess);
-    if (!x && method == LinearMethod::over_relaxation) return std::nullopt;
-    gave_up_iterations = gave_up_iterations || !x;
+    std::optional<Solution> solution = by_iterations(system, kind.guess);
+    if (solution || method == LinearMethod::over_relaxation) return solution;
+    gave_up_iterations = true;
   }
-  if (!x) x = by_factor(system);
+  std::optional<Eigen::VectorXd> x = by_factor(system);
   if (!x || !x->allFinite()) return std::nullopt;
   const double residual = relative_residual(system, system.load - system.matrix * *x);
   return Solution{*std::move(x), residual};

@@ -39,7 +39,7 @@ class Solver {
  private:
   bool iterates(int block_count, double stiffness_over_inertia) const;
   std::optional<Eigen::VectorXd> by_factor(const System& system);
-  std::optional<Eigen::VectorXd> by_iterations(const System& system, const Eigen::VectorXd& guess);
+  std::optional<Solution> by_iterations(const System& system, const Eigen::VectorXd& guess) const;
 
   int block_count_ = 0;
   BlockPattern::Pairs coupled_;

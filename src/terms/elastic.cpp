@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/elastic.hpp"
 
+#include "base/loop.hpp"
 #include "material/elastic.hpp"
 
 namespace keyblock {
@@ -25,12 +26,12 @@ UnknownBlock stiffness_matrix(const Basis& basis, double area, const BlockMateri
 
 void add_elastic(const StepContext& context, System& system) {
   const Model& model = context.model;
-  for (ElementIndex e : indices(model.elements)) {
+  for_each_index(model.elements, [&](ElementIndex e) {
     const Element& element = model.elements[e];
     const double area = context.state.elements[e].moments.area;
     system.matrix.add(e.value, e.value,
                       stiffness_matrix(*element.basis, area, model.material_of(element), context.settings));
-  }
+  });
 }
 
 }  // namespace keyblock

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/inertia.hpp"
 
+#include "base/loop.hpp"
+
 namespace keyblock {
 
 // T = T0 + X Tx + Y Ty about the centroid, where first moments vanish.
@@ -17,14 +19,14 @@ UnknownBlock mass_matrix(const Basis& basis, const Moments& moments, double dens
 
 void add_inertia(const StepContext& context, System& system) {
   const auto& [model, state, settings, dt] = context;
-  for (ElementIndex e : indices(model.elements)) {
+  for_each_index(model.elements, [&](ElementIndex e) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];
     const double carry_over = settings.velocity_carry_over.of(element.material);
     const UnknownBlock mass = mass_matrix(*element.basis, now.moments, model.material_of(element).density);
     system.matrix.add(e.value, e.value, 2 / (dt * dt) * mass);
     system.load_of(e.value) += (2 / dt) * carry_over * (mass * now.velocity);
-  }
+  });
 }
 
 }  // namespace keyblock
