@@ -23,6 +23,8 @@ constexpr double kBerkeleyDirectionOffset = 1e-7;
 
 // A box that is tested before distances are is larger than the search distance by this factor.
 constexpr double kReach = 1.001;
+// A square that is larger than another by this factor is so whatever rounding did to both.
+constexpr double kSureSquare = 1 + 1e-9;
 
 // Share of the overlap angle within which two opposed directions count as tied (legacy-rules 3,
 // vertex-vertex).
@@ -106,7 +108,7 @@ class Detector {
   bool is_convex(VertexIndex v) const { return wedge(v).angle() < kConvexBelow; }
 
   void meet(VertexIndex i, bool i_is_near, VertexIndex j, bool j_is_near) {
-    if (distance(at(i), at(j)) > rules_.search_distance) {
+    if (are_apart(at(i), at(j))) {
       if (i_is_near && near_edge(i, j)) vertex_edge(i, j);
       if (j_is_near && near_edge(j, i)) vertex_edge(j, i);
     } else if (is_convex(i) && is_convex(j)) {
@@ -120,12 +122,24 @@ class Detector {
     }
   }
 
+  // Squares decide, but where rounding could; so does `is_beyond`, which leaves the rest to `near_edge`.
+  bool are_apart(Point a, Point b) const {
+    const Point between = b - a;
+    const double limit = rules_.search_distance * rules_.search_distance;
+    return dot(between, between) > kSureSquare * limit || distance(a, b) > rules_.search_distance;
+  }
+  // Of a vertex, by twice the area of the triangle that it makes with an edge of such square.
+  bool is_beyond(double twice_area, double edge_square) const {
+    const double limit = twice_area < 0 ? rules_.search_distance : rules_.search_depth;
+    return twice_area * twice_area > kSureSquare * limit * limit * edge_square;
+  }
+
   // Vertex p against the edge from `a` to its next vertex; p is known to be away from `a` itself.
   bool near_edge(VertexIndex p, VertexIndex a) const {
     const Point start = at(a);
     const Point end = at(end_of_edge(a));
-    if (distance(at(p), end) <= rules_.search_distance) return false;
     const Point edge = end - start;
+    if (is_beyond(cross(edge, at(p) - start), dot(edge, edge)) || !are_apart(at(p), end)) return false;
     const double size = length(edge);
     const double from_middle = dot(at(p) - 0.5 * (start + end), edge) / size;
     if (std::abs(from_middle) > size / 2) return false;

@@ -103,11 +103,12 @@ class SpringSums {
     sums.between.setZero(low, high);
     sums.load_low.setZero(low);
     sums.load_high.setZero(high);
-    const bool are_six = low == kMostUnknowns && high == kMostUnknowns;
     for (std::size_t c = run.begin; c < run.end; ++c) {
       if (contacts_[c].is_open()) continue;
-      if (are_six)
-        add<kMostUnknowns>(contacts_[c], run, sums);
+      if (low == 6 && high == 6)
+        add<6>(contacts_[c], run, sums);
+      else if (low == 3 && high == 3)
+        add<3>(contacts_[c], run, sums);
       else
         add<Eigen::Dynamic>(contacts_[c], run, sums);
     }
@@ -116,9 +117,9 @@ class SpringSums {
  private:
   const Basis& basis(ElementIndex e) const { return *model_.elements[e].basis; }
 
-  // Springs of blocks of six unknowns, which nearly all are, are summed by operators of fixed size.
+  // Springs of two blocks of six unknowns or of three, which nearly all are, are summed by operators of fixed size.
   template <int N>
-  using Pair = Eigen::Matrix<double, N, 2, Eigen::ColMajor, kMostUnknowns, 2>;
+  using Pair = Eigen::Matrix<double, N, 2, Eigen::ColMajor, N == Eigen::Dynamic ? kMostUnknowns : N, 2>;
 
   template <int N>
   Pair<N> forces(ElementIndex e, Point p, const Eigen::Matrix2d& pair) const {
@@ -157,10 +158,17 @@ class SpringSums {
   double penalty_;
 };
 
+template <int N>
+void add_square(const UnknownBlock& from, UnknownBlock& to) {
+  using Square = Eigen::Matrix<double, N, N>;
+  Eigen::Map<Square>(to.data()) += Eigen::Map<const Square>(from.data());
+}
+
 void add(const UnknownBlock& from, UnknownBlock& to) {
-  using Six = Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>;
-  if (from.size() == Six::SizeAtCompileTime)
-    Eigen::Map<Six>(to.data()) += Eigen::Map<const Six>(from.data());
+  if (from.size() == 36)
+    add_square<6>(from, to);
+  else if (from.size() == 9)
+    add_square<3>(from, to);
   else
     to += from;
 }

@@ -5,12 +5,13 @@
 namespace keyblock {
 namespace {
 
-using Six = Eigen::Matrix<double, 2, kMostUnknowns>;
-
-// T of six unknowns, which nearly all elements have: of fixed size it costs a fraction.
-Six six_at(const Basis& basis, Point offset) {
-  using Part = Eigen::Map<const Six>;
-  return Part(basis.constant.data()) + offset.x * Part(basis.per_x.data()) + offset.y * Part(basis.per_y.data());
+template <int N>
+Point displacement_by(const Basis& basis, const Unknowns& d, Point offset) {
+  using Part = Eigen::Map<const Eigen::Matrix<double, 2, N>>;
+  const Eigen::Matrix<double, 2, N> t =
+      Part(basis.constant.data()) + offset.x * Part(basis.per_x.data()) + offset.y * Part(basis.per_y.data());
+  const Eigen::Vector2d u = t * d.head<N>();
+  return {u.x(), u.y()};
 }
 
 }  // namespace
@@ -19,10 +20,11 @@ DisplacementOperator Basis::at(Point offset) const {
   return constant + offset.x * per_x + offset.y * per_y;
 }
 
+// Of fixed size it costs a fraction.
 Point Basis::displacement(const Unknowns& d, Point offset) const {
-  const Eigen::Vector2d u = unknown_count() == kMostUnknowns
-                                ? Eigen::Vector2d(six_at(*this, offset) * d.head<kMostUnknowns>())
-                                : Eigen::Vector2d(at(offset) * d);
+  if (unknown_count() == 6) return displacement_by<6>(*this, d, offset);
+  if (unknown_count() == 3) return displacement_by<3>(*this, d, offset);
+  const Eigen::Vector2d u = at(offset) * d;
   return {u.x(), u.y()};
 }
 

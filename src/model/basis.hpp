@@ -40,11 +40,13 @@ struct Basis {
   /// unknowns there are, where that is known.
   template <int N = Eigen::Dynamic>
   auto forces(Point offset, const Eigen::Matrix2d& pair) const {
-    using Part = Eigen::Map<const Eigen::Matrix<double, 2, N, Eigen::ColMajor, 2, kMostUnknowns>>;
-    const auto part = [&](const DisplacementOperator& all) { return Part(all.data(), 2, all.cols()); };
-    const Eigen::Matrix<double, 2, N, Eigen::ColMajor, 2, kMostUnknowns> t =
-        part(constant) + offset.x * part(per_x) + offset.y * part(per_y);
-    return Eigen::Matrix<double, N, 2, Eigen::ColMajor, kMostUnknowns, 2>(t.transpose() * pair);
+    constexpr int kMost = N == Eigen::Dynamic ? kMostUnknowns : N;
+    using Operator = Eigen::Matrix<double, 2, N, Eigen::ColMajor, 2, kMost>;
+    const auto part = [](const DisplacementOperator& all) {
+      return Eigen::Map<const Operator>(all.data(), 2, all.cols());
+    };
+    const Operator t = part(constant) + offset.x * part(per_x) + offset.y * part(per_y);
+    return Eigen::Matrix<double, N, 2, Eigen::ColMajor, kMost, 2>(t.transpose() * pair);
   }
 
   /// B, 3 × n: engineering strain (ex, ey, gxy) = B d.

@@ -3,6 +3,7 @@
 #include "model/choose_basis.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace keyblock {
 namespace {
@@ -15,16 +16,20 @@ bool pins(const std::vector<const CarriedPoint*>& points) {
 
 }  // namespace
 
+Model with_moving_bases(Model model, const PerMaterial<BlockBasis>& basis) {
+  for (Element& element : model.elements)
+    if (!element.is_on_covers())
+      element.basis = basis.of(element.material) == BlockBasis::rigid ? &rigid_basis() : &affine_basis();
+  return model;
+}
+
 Model with_bases(Model model, const PerMaterial<BlockBasis>& basis) {
+  model = with_moving_bases(std::move(model), basis);
   Table<ElementIndex, std::vector<const CarriedPoint*>> points;
   points.resize(model.elements.size());
   for (const CarriedPoint& point : model.fixed_points) points[point.element].push_back(&point);
-  for (ElementIndex e : indices(model.elements)) {
-    Element& element = model.elements[e];
-    if (element.is_on_covers()) continue;
-    const Basis& moving = basis.of(element.material) == BlockBasis::rigid ? rigid_basis() : affine_basis();
-    element.basis = pins(points[e]) ? &fixed_basis() : &moving;
-  }
+  for (ElementIndex e : indices(model.elements))
+    if (!model.elements[e].is_on_covers() && pins(points[e])) model.elements[e].basis = &fixed_basis();
   return model;
 }
 

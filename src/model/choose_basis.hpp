@@ -7,6 +7,9 @@
 
 namespace keyblock {
 
+/// Every block gets the basis of its material, held or not: old rules hold blocks by springs.
+Model with_moving_bases(Model model, const PerMaterial<BlockBasis>& basis);
+
 /// A block held at two or more places by points that are not driven is `fixed`: two points of a rigid body leave it no
 /// motion, and a file that holds a block so means boundary. Every other block gets the basis of its material.
 Model with_bases(Model model, const PerMaterial<BlockBasis>& basis);

@@ -275,7 +275,7 @@ std::string bases(const Model& model, const Settings& settings) {
   const auto add = [&](std::size_t of, const std::string& what, const char* noun) {
     if (of > 0) words += fmt::format("{}{} for {}", words.empty() ? "" : "; ", what, counted(of, noun));
   };
-  const std::string chosen = settings.standard.basis.own.empty() ? "" : " (chosen by block material)";
+  const std::string chosen = settings.basis.own.empty() ? "" : " (chosen by block material)";
   add(affine, "affine, 6 unknowns each," + chosen, "block");
   add(rigid, "rigid, 3 unknowns each," + chosen, "block");
   const std::size_t covered = on_covers(model);

@@ -50,6 +50,9 @@ struct BodyAcceleration {
   std::string file;  ///< what `curve` was read from; empty: nothing
 };
 
+/// Unknowns of a block that may move, three or six.
+enum class BlockBasis { rigid, affine };
+
 /// Everything a run decides besides the scene itself. Units are those of the input.
 struct Settings {
   NodeMerging node_merging = NodeMerging::in_order_found;
@@ -62,7 +65,8 @@ struct Settings {
   PerMaterial<std::optional<double>> stiffness_damping;
   Rotation rotation = Rotation::first_order;
   Plane plane = Plane::stress;
-  Point gravity;            ///< acceleration, y up
+  PerMaterial<BlockBasis> basis = BlockBasis::affine;  ///< by block material
+  Point gravity;                                       ///< acceleration, y up
   double file_gravity = 0;  ///< downward, as the file has it: the one that its unit weights speak of
   BodyAcceleration body_acceleration;
   double joint_strength_factor = 1;  ///< on tan φ, cohesion and tensile strength of all joint materials

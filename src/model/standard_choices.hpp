@@ -10,9 +10,6 @@ namespace keyblock {
 /// Which step is made: Shi's, as the old programs do, or midpoint kinematics with contact as complementarity.
 enum class Dynamics { shi, standard };
 
-/// Unknowns of a block that may move; blocks that cannot move are fixed and have none.
-enum class BlockBasis { rigid, affine };
-
 /// How contact forces come about: as multipliers of gaps that do not close, as springs of finite stiffness, or as such springs
 /// whose forces are raised until nothing overlaps. automatic: multipliers or springs, as the blocks touch at the start.
 enum class Enforcement { lagrange, penalty, augmented, automatic };
@@ -40,7 +37,6 @@ enum class MotionRule { dynamic, equilibrium, relaxation };
 struct StandardChoices {
   MotionRule motion = MotionRule::dynamic;
   int load_steps = 1;  ///< equilibria from no load to that of the start: one a step, or several where steps are fewer
-  PerMaterial<BlockBasis> basis = BlockBasis::affine;             ///< by block material
   PerMaterial<Enforcement> enforcement = Enforcement::automatic;  ///< by joint material
   CoverFunctions cover_functions = CoverFunctions::derived;       ///< of the elements of a cover file
   StartRule start = StartRule::compatible;

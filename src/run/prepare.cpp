@@ -135,7 +135,7 @@ struct Plan {
 // The model with the bases of `standard`, and the plan with the enforcement that was decided on. Throws InputError for a
 // scene that these dynamics cannot run.
 Plan standard_plan(Model model, const Settings& settings, const Place& place) {
-  model = with_bases(std::move(model), settings.standard.basis);
+  model = with_bases(std::move(model), settings.basis);
   const StandardScene scene = [&] {
     try {
       return standard_scene(model, settings);
@@ -154,6 +154,7 @@ Plan standard_plan(Model model, const Settings& settings, const Place& place) {
 
 Plan plan_of(Model model, const Settings& settings, const Place& place) {
   if (settings.dynamics == Dynamics::standard) return standard_plan(std::move(model), settings, place);
+  model = with_moving_bases(std::move(model), settings.basis);
   Requirements needs = requirements(model, settings);
   return {std::move(model), std::move(needs)};
 }

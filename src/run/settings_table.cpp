@@ -95,6 +95,8 @@ std::vector<SettingRow> rows_of_the_run() {
                             one_of<Rotation>({{Rotation::first_order, "first_order"}, {Rotation::exact, "exact"}}))),
       row("plane", "plane stress or plane strain", at(&Settings::plane),
           one_of<Plane>({{Plane::stress, "stress"}, {Plane::strain, "strain"}})),
+      row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 or 6", at(&Settings::basis),
+          one_of<BlockBasis>({{BlockBasis::rigid, "rigid"}, {BlockBasis::affine, "affine"}})),
   };
 }
 
@@ -205,8 +207,6 @@ std::vector<SettingRow> rows_of_standard() {
               "equilibria from no load to that of the start, in a run without dynamics: one a step, or several where "
               "there are fewer steps",
               at(&C::load_steps), whole(1))),
-      row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 or 6", at(&C::basis),
-          one_of<BlockBasis>({{BlockBasis::rigid, "rigid"}, {BlockBasis::affine, "affine"}})),
       row(Materials::of_joints, "enforcement",
           "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
           "overlaps; automatic: springs where more than a few blocks touch in a ring, else multipliers",

@@ -116,7 +116,7 @@ Axis functions_axis(const char* setting, CoverFunctions own) {
 }
 
 Axis basis_axis(const Base& base) {
-  const bool is_rigid = base.settings.standard.basis.common == BlockBasis::rigid;
+  const bool is_rigid = base.settings.basis.common == BlockBasis::rigid;
   const char* other = is_rigid ? "affine" : "rigid";
   return {"basis", {{other, {{"basis", other}}}}};
 }

@@ -72,9 +72,9 @@ void add_row_of_any_size(const BlockMatrix& a, int i, const Eigen::VectorXd& x, 
 
 Eigen::VectorXd BlockMatrix::operator*(const Eigen::VectorXd& x) const {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(row_count());
-  const bool all_are_full = row_count() == block_count() * kMostBlockRows;
-  for (int i = 0; i < block_count(); ++i)
-    all_are_full ? add_row<kMostBlockRows>(*this, i, x, y) : add_row_of_any_size(*this, i, x, y);
+  const auto all_have = [&](int rows) { return std::ranges::all_of(sizes_, [rows](int s) { return s == rows; }); };
+  const auto add = all_have(6) ? add_row<6> : all_have(3) ? add_row<3> : add_row_of_any_size;
+  for (int i = 0; i < block_count(); ++i) add(*this, i, x, y);
   return y;
 }
 

@@ -38,6 +38,11 @@ TEST(ChooseBasis, blocks_held_at_two_places_are_fixed_and_the_others_are_as_aske
   EXPECT_TRUE(has_held_moving_element(with_bases(four_blocks(), BlockBasis::rigid)));
 }
 
+TEST(ChooseBasis, old_rules_hold_blocks_by_springs_and_give_them_unknowns) {
+  EXPECT_EQ(unknowns(with_moving_bases(four_blocks(), BlockBasis::rigid)), (std::vector<int>{3, 3, 3, 3}));
+  EXPECT_EQ(unknowns(with_moving_bases(four_blocks(), BlockBasis::affine)), (std::vector<int>{6, 6, 6, 6}));
+}
+
 TEST(ChooseBasis, each_block_material_may_have_its_own) {
   Model model = four_blocks();
   model.elements[{1}].material = 1;

@@ -21,7 +21,7 @@ Model two_on_floor(const Analysis& analysis, const Settings& settings) {
   Blocks blocks;
   blocks.blocks = {rectangle({-1, -1}, {5, 0}), rectangle({0, 0}, {1, 1}), rectangle({2, 0}, {3, 1})};
   blocks.fixed_points = {{{0, -0.5}, 0, {}}, {{4, -0.5}, 0, {}}};
-  return with_bases(model_from_blocks(blocks, analysis), settings.standard.basis);
+  return with_bases(model_from_blocks(blocks, analysis), settings.basis);
 }
 
 std::vector<std::string> names(const Requirements& needs) {
@@ -67,7 +67,7 @@ TEST(Requirements, damping_is_a_term_of_the_old_program_only_where_a_material_as
 TEST(Requirements, a_rigid_frictionless_scene_needs_no_elasticity_damping_friction_or_bond) {
   const Analysis analysis = plain_analysis(1e-3, 1);
   Settings settings = profile_settings("standard", analysis);
-  settings.standard.basis = BlockBasis::rigid;
+  settings.basis = BlockBasis::rigid;
   const Requirements needs = requirements(two_on_floor(analysis, settings), settings);
   EXPECT_EQ(names(needs), (std::vector<std::string>{"inertia", "body_force", "contact", "impact", "start"}));
   EXPECT_EQ(needs.basis, "rigid, 3 unknowns each, for 2 blocks; fixed, none, for 1 held block");

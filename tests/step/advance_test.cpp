@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/support/scenes.hpp"
+#include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::advance_test {
 namespace {
@@ -141,6 +141,35 @@ TEST(ShiStep, only_the_first_solve_of_a_run_is_repeated) {
   Stepping stepping = start(scene);
   EXPECT_EQ(step_once(scene, stepping).passes, 2);
   EXPECT_EQ(step_once(scene, stepping).passes, 1);
+}
+
+// s = g (sin α − tan φ cos α) t²/2, for two rigid blocks and for a rigid one on one that deforms; the first step holds it, and
+// costs a way of about dt/t twice.
+TEST(ShiStep, rigid_blocks_slide_as_theory_says_on_each_other_and_on_affine_ones) {
+  const double slope = support::radians(30);
+  const double dt = 1e-3;
+  Analysis analysis = plain_analysis(dt, 500);
+  analysis.allowed_displacement_ratio = 0.01;  // contacts are searched within 2.5 times this: less than the block
+  analysis.joint_materials[0].friction_angle_deg = 20;
+  analysis.block_materials.push_back(analysis.block_materials[0]);
+  Blocks blocks = support::block_on_slope(slope);
+  blocks.blocks[1].material = 1;
+  Settings settings = profile_settings("legacy", analysis);
+  const double acceleration = 9.81 * (std::sin(slope) - std::tan(support::radians(20)) * std::cos(slope));
+  for (const bool floor_deforms : {false, true}) {
+    settings.basis = BlockBasis::rigid;
+    if (floor_deforms) settings.basis.own[0] = BlockBasis::affine;
+    const Scene scene =
+        scene_of(with_moving_bases(model_from_blocks(blocks, analysis), settings.basis), settings, analysis.dialect);
+    EXPECT_EQ(scene.model.elements[ElementIndex{0}].basis->unknown_count(), floor_deforms ? 6 : 3);
+    EXPECT_EQ(scene.model.elements[ElementIndex{1}].basis->unknown_count(), 3);
+    Stepping stepping = start(scene);
+    const Point from = stepping.state.elements[ElementIndex{1}].centroid;
+    for (int i = 0; i < 500; ++i) step_once(scene, stepping);
+    const double way = distance(stepping.state.elements[ElementIndex{1}].centroid, from);
+    const double expected = acceleration * 0.5 * 0.5 / 2;
+    EXPECT_NEAR(way / expected, 1, 3 * dt / 0.5) << floor_deforms;
+  }
 }
 
 // Iterations stop at 1e-11 of the load: what they leave is nothing beside what a block moves.

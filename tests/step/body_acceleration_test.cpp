@@ -25,7 +25,7 @@ Travel second_of(const char* profile, BlockBasis basis, double dt, const BodyAcc
   analysis.gravity = 0;
   analysis.allowed_displacement_ratio = 100;
   Settings settings = profile_settings(profile, analysis);
-  settings.standard.basis = basis;
+  settings.basis = basis;
   settings.body_acceleration = acceleration;
   const Scene scene =
       support::standard_scene_of({{support::rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);

@@ -48,7 +48,7 @@ TEST(CompatibleStart, the_heel_of_a_toppling_column_on_springs_gives_it_no_spin)
     analysis.penalty_factor = 10;
     analysis.joint_materials[0].friction_angle_deg = 50;
     Settings settings = standard_settings(analysis);
-    settings.standard.basis = basis;
+    settings.basis = basis;
     settings.standard.enforcement = Enforcement::penalty;
     StandardStepper stepper(standard_scene_of(column_on_slope(), analysis, settings));
     constexpr double kTime = 20 * kStep;
@@ -68,7 +68,7 @@ TEST(CompatibleStart, a_block_on_springs_stays_where_friction_just_holds_it) {
       analysis.penalty_factor = penalty_factor;
       analysis.joint_materials[0].friction_angle_deg = 30;
       Settings settings = standard_settings(analysis);
-      settings.standard.basis = basis;
+      settings.basis = basis;
       settings.standard.enforcement = Enforcement::penalty;
       StandardStepper stepper(standard_scene_of(support::block_on_slope(radians(30)), analysis, settings));
       const State start = stepper.state();

@@ -53,7 +53,7 @@ double drop_error(double tolerance) {
   blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
   Analysis analysis = plain_analysis(0.1, 1);
   Settings settings = controlled(analysis, StepControl::error, tolerance);
-  settings.standard.basis = BlockBasis::rigid;
+  settings.basis = BlockBasis::rigid;
   settings.standard.restitution = 0.5;
   const Scene scene = standard_scene_of(blocks, analysis, settings);
   StandardStepper stepper(scene);

@@ -29,7 +29,7 @@ double speed_left(const char* profile, BlockBasis basis, double mass_damping, do
   analysis.gravity = 0;
   analysis.block_materials[0].initial_velocity = {1, 0, 0};
   Settings settings = profile_settings(profile, analysis);
-  settings.standard.basis = basis;
+  settings.basis = basis;
   settings.mass_damping = mass_damping;
   const Scene scene = support::standard_scene_of({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, analysis, settings);
   const auto stepper = stepper_for(scene);

@@ -29,33 +29,40 @@ constexpr double kRoundOff = 1e-11;  // of the largest energy in play; measured 
 constexpr std::array<BlockBasis, 2> kBases{BlockBasis::rigid, BlockBasis::affine};
 constexpr std::array<Enforcement, 2> kEnforcements{Enforcement::lagrange, Enforcement::penalty};
 
-Scene sliding(double slope_deg, double friction_deg, const StandardChoices& choices) {
+struct Choices : StandardChoices {
+  BlockBasis basis = BlockBasis::affine;
+};
+
+Scene sliding(double slope_deg, double friction_deg, const Choices& choices) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.penalty_factor = 10;
   analysis.joint_materials[0].friction_angle_deg = friction_deg;
   Settings settings = standard_settings(analysis);
+  settings.basis = choices.basis;
   settings.standard = choices;
   return standard_scene_of(block_on_slope(radians(slope_deg)), analysis, settings);
 }
 
-Scene toppling(double dt, const StandardChoices& choices) {
+Scene toppling(double dt, const Choices& choices) {
   Analysis analysis = plain_analysis(dt, 1);
   analysis.penalty_factor = 10;
   analysis.joint_materials[0].friction_angle_deg = 50;
   Settings settings = standard_settings(analysis);
+  settings.basis = choices.basis;
   settings.standard = choices;
   return standard_scene_of(column_on_slope(radians(20), 5), analysis, settings);
 }
 
-Scene dropped(double dt, const StandardChoices& choices) {
+Scene dropped(double dt, const Choices& choices) {
   const Analysis analysis = plain_analysis(dt, 1);
   Settings settings = standard_settings(analysis);
+  settings.basis = choices.basis;
   settings.standard = choices;
   return standard_scene_of(block_above_floor(1), analysis, settings);
 }
 
-StandardChoices choices_of(BlockBasis basis, Enforcement enforcement) {
-  StandardChoices choices;
+Choices choices_of(BlockBasis basis, Enforcement enforcement) {
+  Choices choices;
   choices.basis = basis;
   choices.enforcement = enforcement;
   return choices;
@@ -73,7 +80,7 @@ Scene meeting(BlockBasis basis, double restitution) {
   analysis.block_materials[0].initial_velocity = {2, 0, 0};
   analysis.block_materials[1].initial_velocity = {-1, 0, 0};
   Settings settings = standard_settings(analysis);
-  settings.standard.basis = basis;
+  settings.basis = basis;
   settings.standard.restitution = restitution;
   return standard_scene_of(blocks, analysis, settings);
 }
@@ -106,7 +113,7 @@ TEST(Ledger, closes_to_round_off_for_every_choice_of_basis_contact_start_weights
       for (StartRule start : {StartRule::compatible, StartRule::sudden}) {
         for (const auto& [velocity_weight, force_weight] :
              {std::pair{0.5, 1.0}, std::pair{0.5, 0.5}, std::pair{0.7, 0.6}, std::pair{1.0, 1.0}}) {
-          StandardChoices choices = choices_of(basis, enforcement);
+          Choices choices = choices_of(basis, enforcement);
           choices.start = start;
           choices.velocity_weight = velocity_weight;
           choices.force_weight = force_weight;
@@ -130,7 +137,7 @@ TEST(Ledger, closes_for_integrators_that_carry_accelerations) {
     for (const auto& [integrator, beta, gamma] :
          {std::tuple{Integrator::newmark, 0.25, 0.5}, std::tuple{Integrator::newmark, 0.36, 0.7},
           std::tuple{Integrator::newmark, 0.5, 1.0}, std::tuple{Integrator::generalized_alpha, 0.25, 0.5}}) {
-      StandardChoices choices = choices_of(basis, Enforcement::lagrange);
+      Choices choices = choices_of(basis, Enforcement::lagrange);
       choices.integrator = integrator;
       choices.newmark_beta = beta;
       choices.newmark_gamma = gamma;
@@ -183,7 +190,7 @@ TEST(Ledger, an_impact_takes_what_restitution_leaves_out) {
 TEST(Ledger, a_drop_loses_to_the_impact_and_projection_stays_within_one_step_of_fall) {
   for (double dt : {1e-3, 1e-4}) {
     for (double e : {0.0, 0.6, 1.0}) {
-      StandardChoices choices = choices_of(BlockBasis::rigid, Enforcement::lagrange);
+      Choices choices = choices_of(BlockBasis::rigid, Enforcement::lagrange);
       choices.restitution = e;
       const EnergyFlow flow = ledger_of(dropped(dt, choices), 0.5).rows.back().flow;
       const double fall = kMass * kGravity;  // 1 m
@@ -270,7 +277,7 @@ TEST(Ledger, a_bolt_that_breaks_takes_what_it_held) {
     blocks.bolts = {{{{0.5, -0.9}, {0.5, -7.5}}, 0, 1, kStiffness, share * weight, 0}};
     const Analysis analysis = plain_analysis(1e-4, 1);
     Settings settings = standard_settings(analysis);
-    settings.standard.basis = BlockBasis::rigid;
+    settings.basis = BlockBasis::rigid;
     settings.standard.start = StartRule::sudden;
     const Ledger ledger = ledger_of(standard_scene_of(blocks, analysis, settings), 0.1);
     const double held = share * share * weight * weight / (2 * kStiffness);
@@ -289,7 +296,7 @@ TEST(Ledger, a_bolt_without_stiffness_pulls_with_its_pretension) {
     blocks.bolts = {{{{0.5, -0.9}, {0.5, -7.5}}, 0, 1, 0, 0, 1.5 * weight}};
     const Analysis analysis = plain_analysis(1e-3, 1);
     Settings settings = standard_settings(analysis);
-    settings.standard.basis = BlockBasis::rigid;
+    settings.basis = BlockBasis::rigid;
     settings.standard.start = start;
     const Ledger ledger = ledger_of(standard_scene_of(blocks, analysis, settings), 0.1);
     const double height = kGravity / 2 * 0.01 / 2;
@@ -324,7 +331,8 @@ TEST(Ledger, springs_that_stop_an_impact_hold_its_energy_and_give_it_back) {
     analysis.penalty_factor = 10;
     analysis.block_materials[0].initial_velocity = {0, -1, 0};
     Settings settings = standard_settings(analysis);
-    settings.standard = choices_of(BlockBasis::rigid, Enforcement::penalty);
+    settings.basis = BlockBasis::rigid;
+    settings.standard.enforcement = Enforcement::penalty;
     settings.standard.impact = ImpactLaw::springs;
     const Ledger ledger = ledger_of(standard_scene_of(block_above_floor(1.3 * analysis.time_step), analysis, settings),
                                     1.2 * contact_time);

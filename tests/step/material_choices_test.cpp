@@ -64,7 +64,7 @@ TEST(MaterialChoices, each_joint_material_rebounds_by_its_own_restitution) {
   analysis.gravity = 0;
   analysis.block_materials[0].initial_velocity = {0, -1, 0};
   Settings settings = support::standard_settings(analysis);
-  settings.standard.basis = BlockBasis::rigid;
+  settings.basis = BlockBasis::rigid;
   settings.standard.restitution = 0.8;
   settings.standard.restitution.own[1] = 0.3;
   const Scene scene = standard_scene_of(two_pairs(0.0123), analysis, settings);
@@ -78,7 +78,7 @@ TEST(MaterialChoices, each_joint_material_rebounds_by_its_own_restitution) {
 TEST(MaterialChoices, joints_with_springs_give_and_joints_with_multipliers_do_not) {
   const Analysis analysis = two_joints(1e-3);
   Settings settings = support::standard_settings(analysis);
-  settings.standard.basis = BlockBasis::rigid;
+  settings.basis = BlockBasis::rigid;
   settings.standard.enforcement.own[1] = Enforcement::penalty;
   const Scene scene = standard_scene_of(two_pairs(0), analysis, settings);
   StandardStepper stepper(scene);

@@ -23,7 +23,7 @@ StandardScene wall_on_floor(const std::vector<BlockPoint>& points) {
   analysis.joint_materials[0].friction_angle_deg = 30;
   Settings settings = standard_settings(analysis);
   settings.standard.enforcement = Enforcement::penalty;
-  return standard_scene(with_bases(model_from_blocks(blocks, analysis), settings.standard.basis), settings);
+  return standard_scene(with_bases(model_from_blocks(blocks, analysis), settings.basis), settings);
 }
 
 // Sum of the normal forces that the floor bears.

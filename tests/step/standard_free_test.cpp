@@ -20,7 +20,7 @@ constexpr ElementIndex kBlock{0};
 
 Scene free_block(const Analysis& analysis, BlockBasis basis) {
   Settings settings = standard_settings(analysis);
-  settings.standard.basis = basis;
+  settings.basis = basis;
   return standard_scene_of({{rectangle({0, 10}, {1, 11})}, {}, {}, {}, {}, {}}, analysis, settings);
 }
 

@@ -32,7 +32,7 @@ double rebound(BlockBasis basis, Enforcement enforcement, double restitution, do
   analysis.penalty_factor = 10;
   analysis.block_materials[0].initial_velocity = {0, -1, 0};
   Settings settings = standard_settings(analysis);
-  settings.standard.basis = basis;
+  settings.basis = basis;
   settings.standard.enforcement = enforcement;
   settings.standard.restitution = restitution;
   const Scene scene = standard_scene_of(blocks, analysis, settings);
@@ -136,7 +136,7 @@ TEST(StandardImpact, two_bodies_keep_momentum_and_take_the_speeds_of_theory) {
       analysis.block_materials[0].initial_velocity = {v1, 0, 0};
       analysis.block_materials[1].initial_velocity = {v2, 0, 0};
       Settings settings = standard_settings(analysis);
-      settings.standard.basis = basis;
+      settings.basis = basis;
       settings.standard.restitution = e;
       const Scene scene = standard_scene_of(blocks, analysis, settings);
       StandardStepper stepper(scene);
@@ -168,7 +168,7 @@ TEST(StandardImpact, an_oblique_impact_keeps_momentum_and_makes_no_energy) {
       analysis.block_materials[0].initial_velocity = {1, 0.2, 0.5};
       analysis.block_materials[1].initial_velocity = {-1, 0, 0};
       Settings settings = standard_settings(analysis);
-      settings.standard.basis = basis;
+      settings.basis = basis;
       settings.standard.restitution = 0.5;
       const Scene scene = standard_scene_of(blocks, analysis, settings);
       StandardStepper stepper(scene);
@@ -209,7 +209,7 @@ TEST(StandardImpact, a_dropped_block_bounces_without_gaining_energy) {
         blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
         const Analysis analysis = plain_analysis(dt, 1);
         Settings settings = standard_settings(analysis);
-        settings.standard.basis = basis;
+        settings.basis = basis;
         settings.standard.restitution = e;
         const Scene scene = standard_scene_of(blocks, analysis, settings);
         StandardStepper stepper(scene);
@@ -239,7 +239,7 @@ TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
   blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
   const Analysis analysis = plain_analysis(1e-3, 1);
   Settings settings = standard_settings(analysis);
-  settings.standard.basis = BlockBasis::affine;
+  settings.basis = BlockBasis::affine;
   const Scene drawn = standard_scene_of(blocks, analysis, settings);
   const StandardScene scene = standard_scene(drawn.model, drawn.settings);
   Motion motion = start_motion(scene);
@@ -268,7 +268,7 @@ TEST(StandardImpact, an_overlap_that_was_there_makes_no_velocity) {
       blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
       const Analysis analysis = plain_analysis(5e-4, 1);
       Settings settings = standard_settings(analysis);
-      settings.standard.basis = basis;
+      settings.basis = basis;
       settings.standard.enforcement = enforcement;
       const Scene scene = standard_scene_of(blocks, analysis, settings);
       StandardStepper stepper(scene);

@@ -99,7 +99,7 @@ TEST(StandardIntegrator, a_sliding_block_follows_the_closed_form_under_each) {
         Analysis analysis = plain_analysis(1e-2, 1);
         analysis.joint_materials[0].friction_angle_deg = friction;
         Settings settings = settings_of(analysis, method);
-        settings.standard.basis = basis;
+        settings.basis = basis;
         const Scene scene = standard_scene_of(block_on_slope(a), analysis, settings);
         StandardStepper stepper(scene);
         const State start = stepper.state();

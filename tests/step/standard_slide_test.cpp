@@ -68,7 +68,7 @@ Scene slope_scene(double slope_deg, double friction_deg, double dt, const Choice
   const double a = radians(slope_deg);
   analysis.block_materials[0].initial_velocity = {speed * std::cos(a), -speed * std::sin(a), 0};
   Settings settings = standard_settings(analysis);
-  settings.standard.basis = choice.basis;
+  settings.basis = choice.basis;
   settings.standard.enforcement = choice.enforcement;
   return standard_scene_of(block_on_slope(a), analysis, settings);
 }

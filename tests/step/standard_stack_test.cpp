@@ -78,7 +78,7 @@ double column_rotation(double slope_deg, double ratio, double dt, BlockBasis bas
   analysis.penalty_factor = 10;
   analysis.joint_materials[0].friction_angle_deg = 50;
   Settings settings = standard_settings(analysis);
-  settings.standard.basis = basis;
+  settings.basis = basis;
   settings.standard.enforcement = enforcement;
   const Scene scene = standard_scene_of(blocks, analysis, settings);
   StandardStepper stepper(scene);

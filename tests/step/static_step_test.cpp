@@ -74,7 +74,7 @@ Scene slope_scene(double slope_deg, double friction_deg, MotionRule rule, BlockB
   analysis.joint_materials[0].friction_angle_deg = friction_deg;
   Settings settings = standard_settings(analysis);
   settings.standard.motion = rule;
-  settings.standard.basis = basis;
+  settings.basis = basis;
   settings.standard.enforcement = enforcement;
   return standard_scene_of(block_on_slope(radians(slope_deg)), analysis, settings);
 }

@@ -27,7 +27,7 @@ Scene on_springs(double followed, ImpactLaw impact = ImpactLaw::jump) {
   blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
   const Analysis analysis = plain_analysis(kStep, 1);
   Settings settings = standard_settings(analysis);
-  settings.standard.basis = BlockBasis::rigid;
+  settings.basis = BlockBasis::rigid;
   settings.standard.enforcement = Enforcement::penalty;
   settings.standard.start = StartRule::sudden;
   settings.standard.impact = impact;
@@ -117,7 +117,7 @@ TEST(StiffSprings, a_block_that_turns_about_its_corner_loses_nothing) {
     Analysis analysis = plain_analysis(dt, 1);
     analysis.joint_materials[0].friction_angle_deg = 60;
     Settings settings = standard_settings(analysis);
-    settings.standard.basis = BlockBasis::rigid;
+    settings.basis = BlockBasis::rigid;
     settings.standard.enforcement = Enforcement::penalty;
     settings.contact_penalty = 1e3 * 4 * kMass / (dt * dt);
     settings.ledger = Bookkeeping::on;
@@ -137,7 +137,7 @@ TEST(StiffSprings, a_block_on_a_driven_floor_moves_with_it) {
   Analysis analysis = plain_analysis(kStep, 1);
   analysis.fixed_point_motions = {{{0, 1}, {{0, 0}, {0, 0.5}}, {}}, {{0, 1}, {{0, 0}, {0, 0.5}}, {}}};
   Settings settings = standard_settings(analysis);
-  settings.standard.basis = BlockBasis::rigid;
+  settings.basis = BlockBasis::rigid;
   settings.standard.enforcement = Enforcement::penalty;
   settings.contact_penalty = 1e4 * kMass / (2 * kStep * kStep);
   StandardStepper stepper(standard_scene_of(blocks, analysis, settings));

@@ -36,7 +36,7 @@ inline Scene mixed_scene_of(const Blocks& blocks, const std::vector<int>& meshed
   bodies.continuum = std::make_shared<Continuum>(
       continuum_of(std::move(parts.manifold), analysis.block_materials, settings, functions));
   Model model = joined(model_from_blocks(parts.rest, analysis), bodies);
-  return scene_of(with_bases(std::move(model), settings.standard.basis), settings, analysis.dialect);
+  return scene_of(with_bases(std::move(model), settings.basis), settings, analysis.dialect);
 }
 
 }  // namespace keyblock::support

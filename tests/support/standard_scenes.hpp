@@ -36,7 +36,7 @@ inline Settings standard_settings(const Analysis& analysis) {
 }
 
 inline Scene standard_scene_of(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
-  Model model = with_bases(model_from_blocks(blocks, analysis), settings.standard.basis);
+  Model model = with_bases(model_from_blocks(blocks, analysis), settings.basis);
   return scene_of(std::move(model), settings, analysis.dialect);
 }
 
