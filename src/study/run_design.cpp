@@ -163,7 +163,7 @@ std::vector<Axis> axes_of(const Base& base, int finest) {
   if (base.is_solved_at_once) return axes;
   if (base.has_cover_file && base.is_standard())
     axes.push_back(functions_axis("cover_functions", base.settings.standard.cover_functions));
-  if (base.has_blocks && base.is_standard()) axes.push_back(basis_axis(base));
+  if (base.has_blocks) axes.push_back(basis_axis(base));
   axes.push_back(step_axis(base, finest));
   if (base.is_standard()) axes.push_back(enforcement_axis(base));
   axes.push_back(penalty_axis(base));

@@ -12,13 +12,14 @@ namespace {
 
 // Residual of iterations, a thousandth of what traces of large scenes are held to.
 constexpr double kIterated = 1e-11;
-// Measured on walls of bricks: gradients win below the first ratio, and the factor below the number of blocks.
-constexpr double kGreatestRatio = 100;
+// Measured on walls of bricks (step_bench --ratio): below so many blocks the factor wins. Above, gradients win up to this ratio,
+// and up to so many iterations, which cost what a factor does: 9 to 14 ms beside 0.1 ms an iteration at 916 blocks, 210 to 240 ms
+// beside 0.7 at 4,936, 540 ms beside 1.8 at 9,851.
 constexpr int kFewBlocks = 300;
-// Iterations that cost what a factor does.
-constexpr int kManyBlocks = 10000;
-constexpr IterationLimits kUpToMany{kIterated, 70};
-constexpr IterationLimits kBeyond{kIterated, 140};
+constexpr int kManyBlocks = 4000;
+constexpr double kGreatestRatio = 400;
+constexpr IterationLimits kOfFewer{kIterated, 100};
+constexpr IterationLimits kOfMany{kIterated, 250};
 constexpr IterationLimits kGiven{kIterated, 5000};
 // The old programs' factor of over-relaxation and their bound of sweeps, roughly.
 constexpr double kOmega = 1.4;
@@ -85,9 +86,9 @@ std::optional<Eigen::VectorXd> Solver::by_factor(const System& system) {
 std::optional<Solution> Solver::by_iterations(const System& system, const Eigen::VectorXd& guess) const {
   const BlockIterations iterations(system.matrix);
   const Eigen::VectorXd start = guess.size() == system.load.size() ? guess : Eigen::VectorXd::Zero(system.load.size());
-  const IterationLimits& limits = method == LinearMethod::conjugate_gradients  ? kGiven
-                                  : system.matrix.block_count() <= kManyBlocks ? kUpToMany
-                                                                               : kBeyond;
+  const IterationLimits& limits = method == LinearMethod::conjugate_gradients ? kGiven
+                                  : system.matrix.block_count() < kManyBlocks ? kOfFewer
+                                                                              : kOfMany;
   IterationResult result = method == LinearMethod::over_relaxation
                                ? iterations.over_relaxation(system.load, start, kOmega, kSweeps)
                                : iterations.conjugate_gradients(system.load, start, limits);

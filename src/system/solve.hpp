@@ -24,8 +24,9 @@ struct SystemKind {
   Eigen::VectorXd guess{};  ///< of the solution; empty: zero
 };
 
-/// Keeps the symbolic factor while the pattern stays the same. The factor is always the block factor: CHOLMOD gained nothing beside it. `automatic`: conjugate gradients where R ≤ 100 and blocks are at least
-/// 300, unless they took more iterations once than a factor costs (70 up to 1e4 blocks, 140 beyond); then the factor from there on.
+/// Keeps the symbolic factor while the pattern stays the same. The factor is always the block factor: CHOLMOD gained nothing beside
+/// it. `automatic`: conjugate gradients for 300 blocks and more where R ≤ 400, unless they took more
+/// iterations once than a factor costs (100; from 4,000 blocks 250); then the factor from there on.
 class Solver {
  public:
   /// Nothing if the factorisation breaks down or the result is not finite. Iterations that do not reach 1e-11 are left to the factor,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -67,8 +68,13 @@ inline Analysis scaling_analysis(const Blocks& blocks) {
   return analysis;
 }
 
-inline Scene scene_for(const Blocks& blocks, const std::string& profile) {
-  const Analysis analysis = scaling_analysis(blocks);
+/// R = p Δt² / 2m of a whole brick in the step of `scaling_analysis`.
+inline constexpr double kRatioOfBricks = 2;
+
+/// In steps of another R = p Δt² / 2m where one is given.
+inline Scene scene_for(const Blocks& blocks, const std::string& profile, double ratio = kRatioOfBricks) {
+  Analysis analysis = scaling_analysis(blocks);
+  analysis.time_step *= std::sqrt(ratio / kRatioOfBricks);
   const Settings settings = profile_settings(profile, analysis);
   if (settings.dynamics == Dynamics::standard) return support::standard_scene_of(blocks, analysis, settings);
   return scene_of(model_from_blocks(blocks, analysis), settings, analysis.dialect);

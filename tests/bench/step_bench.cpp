@@ -172,14 +172,18 @@ Json parts_of_standard(const StandardStepper& stepper) {
   return parts;
 }
 
-Json measured(const Layout& layout, int side, const std::string& profile) {
+Json measured(const Layout& layout, int side, const std::string& profile, double ratio) {
   const Blocks blocks = layout.draw(side);
   const auto count = static_cast<double>(blocks.blocks.size());
   const double before = megabytes_in_use();
   double begin = now();
-  const Scene scene = scene_for(blocks, profile);
+  const Scene scene = scene_for(blocks, profile, ratio);
   std::unique_ptr<Stepper> stepper = stepper_for(scene);
-  Json row{{"layout", layout.name}, {"profile", profile}, {"side", side}, {"blocks", blocks.blocks.size()}};
+  Json row{{"layout", layout.name},
+           {"profile", profile},
+           {"side", side},
+           {"ratio", ratio},
+           {"blocks", blocks.blocks.size()}};
   const auto step = [&] {
     const auto made = stepper->advance();
     if (const auto* failure = std::get_if<StepFailure>(&made)) throw std::runtime_error(failure->reason);
@@ -209,8 +213,8 @@ Json measured(const Layout& layout, int side, const std::string& profile) {
   return row;
 }
 
-Json legacy_parts(const Layout& layout, int side) {
-  const Scene scene = scene_for(layout.draw(side), "legacy");
+Json legacy_parts(const Layout& layout, int side, double ratio) {
+  const Scene scene = scene_for(layout.draw(side), "legacy", ratio);
   Stepping stepping = start(scene);
   for (int i = 0; i < kWarmSteps; ++i) support::step_once(scene, stepping);
   return parts_of_legacy(scene, stepping);
@@ -229,7 +233,7 @@ void print(const Json& row, const Json& smaller) {
                                        std::log(number("blocks") / smaller["blocks"].get<double>()));
   std::string ratio;
   const int side = row["side"].get<int>();
-  if (row["layout"] == "brick" && berkeley_bricks().contains(side))
+  if (row["layout"] == "brick" && row["ratio"] == kRatioOfBricks && berkeley_bricks().contains(side))
     ratio = fmt::format("{:.1f}", berkeley_bricks().at(side) / number("step"));
   fmt::print("{:>8} {:>9} {:>8} {:>9.0f} {:>9.2f} {:>11.3f} {:>7.1f} {:>9.2f} {:>6} {:>9.1f} {:>8} {:>10}\n",
              row["layout"].get<std::string>(), row["profile"].get<std::string>(), row["blocks"].get<int>(),
@@ -284,6 +288,7 @@ int main(int argc, char** argv) {
   std::string json;
   int threads = 0;
   int only = 0;
+  double ratio = kRatioOfBricks;
   std::vector<std::string> profiles = {"legacy", "standard"};
   std::vector<std::string> names;
   app.add_option("--most", most, "blocks of the largest scene")->capture_default_str();
@@ -291,6 +296,7 @@ int main(int argc, char** argv) {
   app.add_option("--profile", profiles, "profiles")->capture_default_str();
   app.add_option("--layout", names, "layouts: brick, slope, scatter; all where none is named");
   app.add_option("--side", only, "this many blocks along a side and no other number of them");
+  app.add_option("--ratio", ratio, "R = p dt^2 / 2m of a whole brick, by the step")->capture_default_str();
   app.add_option("--threads", threads, "threads of a step; 0: one a processor")->capture_default_str();
   app.add_option("--json", json, "file for the numbers");
   CLI11_PARSE(app, argc, argv);
@@ -311,8 +317,8 @@ int main(int argc, char** argv) {
       Json smaller;
       for (const int side : sides) {
         try {
-          Json row = measured(layout, side, profile);
-          if (profile == "legacy") row["parts"] = legacy_parts(layout, side);
+          Json row = measured(layout, side, profile, ratio);
+          if (profile == "legacy") row["parts"] = legacy_parts(layout, side, ratio);
           print(row, smaller);
           kept["steps"].push_back(row);
           smaller = row;
