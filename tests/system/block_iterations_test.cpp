@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 #include <random>
 
 #include "system/solve.hpp"
@@ -53,6 +55,20 @@ Eigen::VectorXd none(const System& system) {
   return Eigen::VectorXd::Zero(system.load.size());
 }
 
+Eigen::SparseMatrix<double> lower_of(const BlockMatrix& matrix) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < matrix.block_count(); ++i)
+    for (const auto& [j, block] : matrix.row(i))
+      for (int r = 0; r < block.rows(); ++r)
+        for (int c = 0; c < block.cols(); ++c)
+          if (i != j || c <= r)
+            entries.emplace_back(matrix.first_row(j) + (i == j ? r : c), matrix.first_row(i) + (i == j ? c : r),
+                                 block(r, c));
+  Eigen::SparseMatrix<double> lower(matrix.row_count(), matrix.row_count());
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
 }  // namespace
 
 TEST(BlockIterations, gradients_reach_the_solution_for_every_size_of_block) {
@@ -65,6 +81,26 @@ TEST(BlockIterations, gradients_reach_the_solution_for_every_size_of_block) {
     Solver solver;
     solver.method = LinearMethod::factor;
     EXPECT_LT((solver.solve(system)->x - result.x).norm(), 1e-9 * result.x.norm());
+  }
+}
+
+// Directions in single precision must not be lost when the residual is formed anew: an independent program with a worse
+// preconditioner, all in double, sets the bound.
+TEST(BlockIterations, gradients_of_stiff_walls_need_fewer_iterations_than_eigens_with_a_diagonal) {
+  for (const double stiffness : {1e2, 1e3, 1e4}) {
+    const System system = wall(20, 20, stiffness);
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> eigen;
+    eigen.setTolerance(1e-11);
+    eigen.setMaxIterations(20000);
+    const Eigen::SparseMatrix<double> lower = lower_of(system.matrix);
+    eigen.compute(lower);
+    const Eigen::VectorXd x = eigen.solve(system.load);
+    ASSERT_EQ(eigen.info(), Eigen::Success);
+    const IterationResult ours =
+        BlockIterations(system.matrix).conjugate_gradients(system.load, none(system), {1e-11, 20000});
+    EXPECT_TRUE(ours.converged);
+    EXPECT_LT(ours.iterations, eigen.iterations()) << stiffness;
+    EXPECT_LT((ours.x - x).norm(), 1e-6 * x.norm()) << stiffness;
   }
 }
 
