@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-// Fewer ranges than this are done by the caller alone: waking threads would take as long.
+// Fewer ranges than these are done by the caller alone: waking threads would take as long.
 constexpr std::size_t kWorthWaking = 4;
 constexpr std::size_t kLightWorthWaking = 32;
 

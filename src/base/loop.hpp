@@ -15,15 +15,15 @@ namespace keyblock {
 void set_loop_threads(int count);
 int loop_threads();
 
-/// Entries of a range: some tens of microseconds of work, many times what handing it to a thread takes. Ranges do not depend
-/// on threads, so that sums over them do not either.
+/// Entries of a range. Ranges do not depend on threads, so that sums over them do not either.
 inline constexpr std::size_t kLoopRange = 256;
 
 inline std::size_t range_count(std::size_t count) {
   return (count + kLoopRange - 1) / kLoopRange;
 }
 
-/// What one entry takes: from tens of nanoseconds up, or as much as a few additions. Few light ranges are not worth waking threads.
+/// What an entry takes: `heavy` a tenth of a microsecond and more (a product of blocks, a contact), `light` a few nanoseconds (a sum
+/// of vectors). Threads are woken from four heavy ranges on, and from 32 light ones, which take as long.
 enum class Work { heavy, light };
 
 /// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. An exception is thrown again
@@ -48,7 +48,7 @@ void for_each_index(const Table<I, T>& table, const Each& each) {
   for_each_entry(table.size(), [&](std::size_t i) { each(I{static_cast<int>(i)}); });
 }
 
-/// Several sums over `term(i)`, an array of `N` each, with one order of addition.
+/// Several sums over `term(i)`, an array of `N` each, with one order of addition. A term may write what belongs to its own i.
 template <std::size_t N, class Term>
 std::array<double, N> sums_over(std::size_t count, const Term& term, Work weight = Work::heavy) {
   std::vector<std::array<double, N>> parts(range_count(count));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/detect.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -21,7 +22,7 @@ constexpr double kConvexBelow = 180.0001;
 // (legacy-rules 3).
 constexpr double kBerkeleyDirectionOffset = 1e-7;
 
-// A box that is tested before distances are is larger than the search distance by this factor.
+// The margin around a box that is looked at before distances are, over the greatest of them: for rounding.
 constexpr double kReach = 1.001;
 // A square that is larger than another by this factor is so whatever rounding did to both.
 constexpr double kSureSquare = 1 + 1e-9;
@@ -85,9 +86,9 @@ class Detector {
     }
   }
 
-  // The box of an element and the search distance around it, and a little for rounding.
+  // The box of an element and around it what a contact may be apart or deep, and a little for rounding.
   Box reach(ElementIndex e) const {
-    const double margin = kReach * rules_.search_distance;
+    const double margin = kReach * std::max(rules_.search_distance, rules_.search_depth);
     const Box box = box_of(model_, state_, e);
     return {box.low - Point{margin, margin}, box.high + Point{margin, margin}};
   }

@@ -3,6 +3,7 @@
 #include "contact/springs.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -58,30 +59,31 @@ SpringPair springs_of(const Contact& contact, const Line& line, const ContactRul
   return springs;
 }
 
-// Contacts that follow each other and are of the same two elements, `low` before `high` or the same.
-struct Run {
+// Contacts that follow each other and are of the same two elements, `low` before `high`.
+struct PairContacts {
   std::size_t begin;
   std::size_t end;
   ElementIndex low;
   ElementIndex high;
 };
 
-std::vector<Run> runs_of(const Contacts& contacts, const Model& model) {
-  std::vector<Run> runs;
+std::vector<PairContacts> pair_contacts(const Contacts& contacts, const Model& model) {
+  std::vector<PairContacts> pairs;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].is_open()) continue;
     const Triple& triple = contacts[c].active();
     const auto& [low, high] = std::minmax(model.vertices[triple.vertex].element, model.vertices[triple.start].element);
-    if (runs.empty() || runs.back().low != low || runs.back().high != high)
-      runs.push_back({c, c + 1, low, high});
+    assert(low != high);
+    if (pairs.empty() || pairs.back().low != low || pairs.back().high != high)
+      pairs.push_back({c, c + 1, low, high});
     else
-      runs.back().end = c + 1;
+      pairs.back().end = c + 1;
   }
-  return runs;
+  return pairs;
 }
 
-// The submatrices of all springs of a run.
-struct RunSums {
+// The submatrices of all springs between two elements.
+struct PairSums {
   UnknownBlock low;
   UnknownBlock high;
   UnknownBlock between;  ///< row of `low`, column of `high`
@@ -95,22 +97,22 @@ class SpringSums {
              double penalty)
       : contacts_(contacts), model_(model), state_(state), rules_(rules), penalty_(penalty) {}
 
-  void operator()(const Run& run, RunSums& sums) const {
-    const int low = basis(run.low).unknown_count();
-    const int high = basis(run.high).unknown_count();
+  void operator()(const PairContacts& pair, PairSums& sums) const {
+    const int low = basis(pair.low).unknown_count();
+    const int high = basis(pair.high).unknown_count();
     sums.low.setZero(low, low);
     sums.high.setZero(high, high);
     sums.between.setZero(low, high);
     sums.load_low.setZero(low);
     sums.load_high.setZero(high);
-    for (std::size_t c = run.begin; c < run.end; ++c) {
+    for (std::size_t c = pair.begin; c < pair.end; ++c) {
       if (contacts_[c].is_open()) continue;
       if (low == 6 && high == 6)
-        add<6>(contacts_[c], run, sums);
+        add<6>(contacts_[c], pair, sums);
       else if (low == 3 && high == 3)
-        add<3>(contacts_[c], run, sums);
+        add<3>(contacts_[c], pair, sums);
       else
-        add<Eigen::Dynamic>(contacts_[c], run, sums);
+        add<Eigen::Dynamic>(contacts_[c], pair, sums);
     }
   }
 
@@ -119,26 +121,26 @@ class SpringSums {
 
   // Springs of two blocks of six unknowns or of three, which nearly all are, are summed by operators of fixed size.
   template <int N>
-  using Pair = Eigen::Matrix<double, N, 2, Eigen::ColMajor, N == Eigen::Dynamic ? kMostUnknowns : N, 2>;
+  using TwoColumns = Eigen::Matrix<double, N, 2, Eigen::ColMajor, N == Eigen::Dynamic ? kMostUnknowns : N, 2>;
 
   template <int N>
-  Pair<N> forces(ElementIndex e, Point p, const Eigen::Matrix2d& pair) const {
-    return basis(e).forces<N>(p - state_.elements[e].centroid, pair);
+  TwoColumns<N> forces(ElementIndex e, Point p, const Eigen::Matrix2d& pair) const {
+    return basis(e).generalised_forces<N>(p - state_.elements[e].centroid, pair);
   }
 
   template <int N>
-  void add(const Contact& contact, const Run& run, RunSums& sums) const {
+  void add(const Contact& contact, const PairContacts& pair, PairSums& sums) const {
     const Triple& triple = contact.active();
     const Line line = line_of(state_, triple);
     const SpringPair springs = springs_of(contact, line, rules_, penalty_);
     const ElementIndex i = model_.vertices[triple.vertex].element;
     const ElementIndex j = model_.vertices[triple.start].element;
-    const Pair<N> on_i = forces<N>(i, line.p1, springs.at1);
-    const Pair<N> on_j = forces<N>(j, line.p2, springs.at2) + forces<N>(j, line.p3, springs.at3);
-    const Pair<N>& on_low = i == run.low ? on_i : on_j;
-    const Pair<N>& on_high = i == run.low ? on_j : on_i;
-    const Pair<N> scaled_low = on_low * springs.stiffness.asDiagonal();
-    const Pair<N> scaled_high = on_high * springs.stiffness.asDiagonal();
+    const TwoColumns<N> on_i = forces<N>(i, line.p1, springs.at1);
+    const TwoColumns<N> on_j = forces<N>(j, line.p2, springs.at2) + forces<N>(j, line.p3, springs.at3);
+    const TwoColumns<N>& on_low = i == pair.low ? on_i : on_j;
+    const TwoColumns<N>& on_high = i == pair.low ? on_j : on_i;
+    const TwoColumns<N> scaled_low = on_low * springs.stiffness.asDiagonal();
+    const TwoColumns<N> scaled_high = on_high * springs.stiffness.asDiagonal();
     block<N>(sums.low).noalias() += scaled_low * on_low.transpose();
     block<N>(sums.high).noalias() += scaled_high * on_high.transpose();
     block<N>(sums.between).noalias() += scaled_low * on_high.transpose();
@@ -158,6 +160,7 @@ class SpringSums {
   double penalty_;
 };
 
+// Blocks have up to six rows: 36 entries are six by six, nine are three by three.
 template <int N>
 void add_square(const UnknownBlock& from, UnknownBlock& to) {
   using Square = Eigen::Matrix<double, N, N>;
@@ -173,9 +176,9 @@ void add(const UnknownBlock& from, UnknownBlock& to) {
     to += from;
 }
 
-void add(const Run& run, const RunSums& sums, System& system) {
-  const int low = run.low.value;
-  const int high = run.high.value;
+void add(const PairContacts& pair, const PairSums& sums, System& system) {
+  const int low = pair.low.value;
+  const int high = pair.high.value;
   add(sums.low, system.matrix.block(low, low));
   add(sums.high, system.matrix.block(high, high));
   add(sums.between, system.matrix.block(low, high));
@@ -194,12 +197,12 @@ double friction_force(const Contact& contact, const JointMaterial& joint) {
 void add_springs(const Contacts& contacts, const Model& model, const State& state, const ContactRules& rules,
                  double penalty, System& system) {
   const SpringSums sum(contacts, model, state, rules, penalty);
-  const std::vector<Run> runs = runs_of(contacts, model);
-  std::vector<RunSums> made(std::min(runs.size(), kMadeAtOnce));
-  for (std::size_t begin = 0; begin < runs.size(); begin += made.size()) {
-    const std::size_t count = std::min(made.size(), runs.size() - begin);
-    for_each_entry(count, [&](std::size_t k) { sum(runs[begin + k], made[k]); });
-    for (std::size_t k = 0; k < count; ++k) add(runs[begin + k], made[k], system);
+  const std::vector<PairContacts> pairs = pair_contacts(contacts, model);
+  std::vector<PairSums> made(std::min(pairs.size(), kMadeAtOnce));
+  for (std::size_t begin = 0; begin < pairs.size(); begin += made.size()) {
+    const std::size_t count = std::min(made.size(), pairs.size() - begin);
+    for_each_entry(count, [&](std::size_t k) { sum(pairs[begin + k], made[k]); });
+    for (std::size_t k = 0; k < count; ++k) add(pairs[begin + k], made[k], system);
   }
 }
 

@@ -20,7 +20,7 @@ DisplacementOperator Basis::at(Point offset) const {
   return constant + offset.x * per_x + offset.y * per_y;
 }
 
-// Of fixed size it costs a fraction.
+// Products of known size cost a fraction of those of any size.
 Point Basis::displacement(const Unknowns& d, Point offset) const {
   if (unknown_count() == 6) return displacement_by<6>(*this, d, offset);
   if (unknown_count() == 3) return displacement_by<3>(*this, d, offset);

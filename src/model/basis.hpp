@@ -39,7 +39,7 @@ struct Basis {
   /// Tᵀ F, n × 2: what each of two forces (columns of F, 2 × 2) at `offset` from the centroid is on the unknowns. `N`: how many
   /// unknowns there are, where that is known.
   template <int N = Eigen::Dynamic>
-  auto forces(Point offset, const Eigen::Matrix2d& pair) const {
+  auto generalised_forces(Point offset, const Eigen::Matrix2d& pair) const {
     constexpr int kMost = N == Eigen::Dynamic ? kMostUnknowns : N;
     using Operator = Eigen::Matrix<double, 2, N, Eigen::ColMajor, 2, kMost>;
     const auto part = [](const DisplacementOperator& all) {

@@ -1,4 +1,4 @@
-// Counts the distinct, undriven fixed points of each element.
+// The basis of its material for every block; none for those whose fixed points leave them no motion.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/choose_basis.hpp"
 

@@ -40,7 +40,7 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
   const CoverUnknowns covers(model, state);
   SystemKind kind{stiffness_over_inertia(without_contact.matrix, penalty), covers.steady(state, dt)};
   const int bound = settings.quirks.fixed_pass_bound ? kBerkeleyPassBound : settings.pass_limit;
-  System system({});
+  System system({});  // keeps its memory from pass to pass
   while (outcome.passes < bound) {
     ++outcome.passes;
     system = without_contact;

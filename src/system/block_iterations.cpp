@@ -1,4 +1,4 @@
-// One kernel for each size of block; vectors are padded as the blocks are.
+// One instance for each size of block; vectors are padded as the blocks are.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_iterations.hpp"
 
@@ -17,25 +17,18 @@
 
 namespace keyblock {
 
-class BlockIterations::Kernel {
- public:
-  virtual ~Kernel() = default;
-  virtual IterationResult conjugate_gradients(const Eigen::VectorXd& b, const Eigen::VectorXd& start,
-                                              const IterationLimits& limits) const = 0;
-  virtual IterationResult over_relaxation(const Eigen::VectorXd& b, const Eigen::VectorXd& start, double omega,
-                                          const IterationLimits& limits) const = 0;
-};
-
 namespace {
 
 // A correction in single precision ends here, and the residual is formed anew in double: later it would no longer be that of the
-// directions so far, and they were lost (at R = 100, 1815 iterations with 1e-5, 72 with 1e-3, 69 with this).
-constexpr double kOfSingle = 1e-2;
-// Where the residual is so many times what the directions say, they are given up.
-constexpr double kAstray = 2;
-// Where a correction gains less than this the numbers of the matrix give no more.
+// directions so far, and they were lost (step_bench --side 30 --ratio 100: 1815 iterations with 1e-5, 72 with 1e-3, 69 with this).
+constexpr double kInnerTolerance = 1e-2;
+// Directions begin anew where the true residual is so many times theirs.
+constexpr double kRestartRatio = 2;
+// A correction that finds no smaller residual in so many iterations has come to the end of single precision, or of the matrix.
+constexpr int kIdleIterations = 100;
+// Where a correction leaves more than this share there is no further one.
 constexpr double kLeastGain = 0.5;
-// Where they give no more, a residual that is this little short of the goal is taken.
+// Where there is no further one, a residual that is this little short of the goal is taken.
 constexpr double kShortOfGoal = 10;
 constexpr float kFirstShift = 1e-3F;
 constexpr float kLastShift = 1;  // a diagonal raised by half and still no factor: the matrix is not positive definite
@@ -176,7 +169,7 @@ class IncompleteFactor {
       }
       factor.lower_.end_row();
       for (int e = first; e < entry; ++e) places[at(a.columns[at(e)])] = -1;
-      const std::optional<Square> inverse = inverse_of(pivot);
+      const std::optional<Square> inverse = inverse_by_cholesky(pivot);
       if (!inverse) return std::nullopt;
       factor.inverse_pivots_.push_back(*inverse);
     }
@@ -211,8 +204,9 @@ class IncompleteFactor {
     upper_.push_back(transposed);
   }
 
-  // Of a symmetric block, by its Cholesky factor; nothing where it is not positive definite.
-  static std::optional<Square> inverse_of(const Square& block) {
+  // Of a symmetric block; nothing where it is not positive definite. Written out for a fixed size: Eigen's triangular solves took
+  // half of the time of the whole incomplete factor.
+  static std::optional<Square> inverse_by_cholesky(const Square& block) {
     float l[N][N] = {};  // the factor, 1 / l_ii on its diagonal
     float m[N][N] = {};  // its inverse
     for (int j = 0; j < N; ++j) {
@@ -249,183 +243,202 @@ class IncompleteFactor {
   std::vector<Square> inverse_pivots_;
 };
 
+// Of the diagonal: the greatest entry there is of a positive definite matrix.
+double greatest_entry(const BlockMatrix& matrix) {
+  double greatest = 0;
+  for (int i = 0; i < matrix.block_count(); ++i)
+    if (matrix.size(i) > 0) greatest = std::max(greatest, matrix.row(i).front().block.diagonal().cwiseAbs().maxCoeff());
+  return greatest;
+}
+
+// Conjugate gradients in single precision for A y = r of one residual after another; the search directions go on.
 template <int N>
-class KernelOf : public BlockIterations::Kernel {
+class InnerGradients {
  public:
-  explicit KernelOf(const BlockMatrix& matrix) : matrix_(matrix) {}
+  using Vector = PaddedVector<N, float>;
+  using Vectors = std::vector<Vector>;
 
-  // Corrections A y = b − A x, one after another: directions and residuals in single precision, which halves what an iteration
-  // reads, and each new residual from x in double. Directions go on from one correction to the next, so that none is lost.
-  IterationResult conjugate_gradients(const Eigen::VectorXd& b, const Eigen::VectorXd& start,
-                                      const IterationLimits& limits) const override {
-    IterationResult result{start, 0, 0, false};
-    // Over the greatest entry: the range of single precision is not that of double.
-    double scale = 0;
-    for (int i = 0; i < matrix_.block_count(); ++i)
-      if (matrix_.size(i) > 0) scale = std::max(scale, matrix_.row(i).front().block.diagonal().cwiseAbs().maxCoeff());
-    if (!(scale > 0)) return result;
-    const Rows<N, float> rows = full_rows<N, float>(matrix_, scale);
-    const std::optional<IncompleteFactor<N>> factor = incomplete_factor(rows);
-    if (!factor) return result;
-    const double size = b.norm();
-    const double goal = limits.residual * size;
-    Search search(at(matrix_.block_count()));
-    double before = std::numeric_limits<double>::infinity();
-    double said = before;
-    while (true) {
-      const Eigen::VectorXd rest = b - matrix_ * result.x;
-      const double left = rest.norm();
-      result.residual = size > 0 ? left / size : left;
-      const bool gains = left <= kLeastGain * before;
-      result.converged = left <= (gains ? goal : kShortOfGoal * goal);
-      if (result.converged || !gains || result.iterations >= limits.count) return result;
-      if (left > kAstray * said)
-        search.forget();
-      else
-        search.rescale(before / left);
-      const auto correction = search.correct(rows, *factor, with_padding<N, float>(matrix_, rest / left),
-                                             std::max(goal / left, kOfSingle), limits.count - result.iterations);
-      result.iterations += correction.iterations;
-      result.x += left / scale * without_padding(matrix_, search.correction());
-      before = left;
-      said = correction.left * left;
-    }
+  explicit InnerGradients(std::size_t count) : y_(count), z_(count), p_(count), q_(count) {}
+
+  // The unit of the residual becomes so many times as small.
+  void rescale(double factor) {
+    if (squared_ == 0) return;
+    squared_ *= factor * factor;
+    for_each_entry(
+        p_.size(), [&](std::size_t i) { p_[i].vector() *= static_cast<float>(factor); }, Work::light);
   }
 
-  IterationResult over_relaxation(const Eigen::VectorXd& b, const Eigen::VectorXd& start, double omega,
-                                  const IterationLimits& limits) const override {
-    IterationResult result{start, 0, 0, false};
-    const Rows<N, double> rows = full_rows<N, double>(matrix_, 1);
-    std::vector<Padded<N>> inverse(at(rows.count()));
-    for (int i = 0; i < rows.count(); ++i)
-      inverse[at(i)].square() = rows.blocks[at(rows.diagonal(i))].square().inverse();
-    auto x = with_padding<N, double>(matrix_, start);
-    const auto right = with_padding<N, double>(matrix_, b);
-    const double size = b.norm();
-    const auto residual = [&] {
-      double sum = 0;
-      for (int i = 0; i < rows.count(); ++i) {
-        PaddedVector<N> r = rows.times(i, x);
-        r.add(-1, right[at(i)]);
-        sum += dot(r, r);
-      }
-      return size > 0 ? std::sqrt(sum) / size : std::sqrt(sum);
-    };
-    while (!(result.converged = (result.residual = residual()) <= limits.residual) &&
-           result.iterations < limits.count) {
-      for (int i = 0; i < rows.count(); ++i) {
-        PaddedVector<N> r = right[at(i)];
-        r.add(-1, rows.times(i, x));
-        x[at(i)].add(omega, inverse[at(i)] * r);
-      }
-      ++result.iterations;
-    }
-    result.x = without_padding(matrix_, x);
-    return result;
-  }
+  void restart() { squared_ = 0; }
 
- private:
-  // Directions and residuals of one correction after another.
-  class Search {
-   public:
-    using Vector = PaddedVector<N, float>;
-
-    explicit Search(std::size_t count) : y_(count), z_(count), p_(count), q_(count) {}
-
-    // The unit of the residual changes: it is so many times as small.
-    void rescale(double factor) {
-      if (squared_ == 0) return;
-      squared_ *= factor * factor;
-      for_each_entry(
-          p_.size(), [&](std::size_t i) { p_[i].vector() *= static_cast<float>(factor); }, Work::light);
-    }
-
-    void forget() { squared_ = 0; }
-
-    struct Correction {
-      int iterations = 0;
-      double left = 1;  ///< norm of the residual, as the directions have it
-    };
-
-    // Solves for the unit residual r until that is at most `target`.
-    Correction correct(const Rows<N, float>& a, const IncompleteFactor<N>& factor, std::vector<Vector> r, double target,
-                       int most) {
-      std::ranges::fill(y_, Vector{});
-      Correction made;
-      for (; made.left > target && made.iterations < most; ++made.iterations) {
-        const double squared = factor.solve(r, z_);
-        const auto beta = static_cast<float>(squared_ > 0 ? squared / squared_ : 0);
-        squared_ = squared;
-        for_each_entry(
-            p_.size(),
-            [&](std::size_t i) {
-              z_[i].add(beta, p_[i]);
-              p_[i] = z_[i];
-            },
-            Work::light);
-        const auto [curvature] = sums_over<1>(p_.size(), [&](std::size_t i) {
-          q_[i] = a.times(static_cast<int>(i), p_);
-          return std::array{static_cast<double>(dot(p_[i], q_[i]))};
-        });
-        const auto alpha = static_cast<float>(squared / curvature);
-        if (!std::isfinite(alpha)) break;
-        const auto [rest] = sums_over<1>(
-            p_.size(),
-            [&](std::size_t i) {
-              y_[i].add(alpha, p_[i]);
-              r[i].add(-alpha, q_[i]);
-              return std::array{static_cast<double>(dot(r[i], r[i]))};
-            },
-            Work::light);
-        made.left = std::sqrt(rest);
-      }
-      return made;
-    }
-    const std::vector<Vector>& correction() const { return y_; }
-
-   private:
-    std::vector<Vector> y_;
-    std::vector<Vector> z_;
-    std::vector<Vector> p_;
-    std::vector<Vector> q_;
-    double squared_ = 0;  ///< r · z of the last iteration; 0 before the first
+  struct Correction {
+    int iterations = 0;
+    double residual_norm = 1;  ///< as the recurrence has it
   };
 
-  static std::optional<IncompleteFactor<N>> incomplete_factor(const Rows<N, float>& rows) {
-    std::optional<IncompleteFactor<N>> factor = IncompleteFactor<N>::of(rows, 0);
-    for (float shift = kFirstShift; !factor && shift <= kLastShift; shift *= 2)
-      factor = IncompleteFactor<N>::of(rows, shift);
-    return factor;
+  // Solves for the unit residual r until its norm is at most `target`, or finds no smaller one.
+  Correction correct(const Rows<N, float>& a, const IncompleteFactor<N>& factor, Vectors r, double target, int most) {
+    std::ranges::fill(y_, Vector{});
+    Correction made;
+    double least = 1;
+    int idle = 0;
+    while (made.residual_norm > target && made.iterations < most && idle < kIdleIterations) {
+      const double squared = factor.solve(r, z_);
+      if (!(squared > 0)) break;
+      const auto beta = static_cast<float>(squared_ > 0 ? squared / squared_ : 0);
+      squared_ = squared;
+      for_each_entry(
+          p_.size(),
+          [&](std::size_t i) {
+            z_[i].add(beta, p_[i]);
+            p_[i] = z_[i];
+          },
+          Work::light);
+      const auto [curvature] = sums_over<1>(p_.size(), [&](std::size_t i) {
+        q_[i] = a.times(static_cast<int>(i), p_);
+        return std::array{static_cast<double>(dot(p_[i], q_[i]))};
+      });
+      const auto alpha = static_cast<float>(squared / curvature);
+      if (!(curvature > 0) || !std::isfinite(alpha)) break;
+      const auto [norm_squared] = sums_over<1>(
+          p_.size(),
+          [&](std::size_t i) {
+            y_[i].add(alpha, p_[i]);
+            r[i].add(-alpha, q_[i]);
+            return std::array{static_cast<double>(dot(r[i], r[i]))};
+          },
+          Work::light);
+      made.residual_norm = std::sqrt(norm_squared);
+      ++made.iterations;
+      ++idle;
+      if (made.residual_norm < least) {
+        least = made.residual_norm;
+        idle = 0;
+      }
+    }
+    return made;
   }
+  const Vectors& correction() const { return y_; }
 
-  const BlockMatrix& matrix_;
+ private:
+  Vectors y_;
+  Vectors z_;
+  Vectors p_;
+  Vectors q_;
+  double squared_ = 0;  ///< r · z of the last iteration; 0 where directions begin
 };
+
+template <int N>
+std::optional<IncompleteFactor<N>> incomplete_factor(const Rows<N, float>& rows) {
+  std::optional<IncompleteFactor<N>> factor = IncompleteFactor<N>::of(rows, 0);
+  for (float shift = kFirstShift; !factor && shift <= kLastShift; shift *= 2)
+    factor = IncompleteFactor<N>::of(rows, shift);
+  return factor;
+}
+
+// Corrections A y = b − A x, one after another: directions in single precision, which halves what an iteration reads, and each
+// residual from x in double. Beside gradients all in double that costs no iterations at R = 2, a sixth more at R = 100, and
+// two to three times as many where nothing but the factor is of use (random walls whose springs are 1e4 to 1e5 of inertia).
+template <int N>
+IterationResult gradients(const BlockMatrix& matrix, const Eigen::VectorXd& b, const Eigen::VectorXd& start,
+                          const IterationLimits& limits) {
+  IterationResult result{start};
+  const double size = b.norm();
+  const double scale = greatest_entry(matrix);  // unit of A: the range of single precision is not that of double
+  if (!(scale > 0) || !std::isfinite(size)) return result;
+  const Rows<N, float> rows = full_rows<N, float>(matrix, scale);
+  const std::optional<IncompleteFactor<N>> factor = incomplete_factor(rows);
+  if (!factor) return result;
+  const double goal = limits.residual * size;
+  InnerGradients<N> inner(at(matrix.block_count()));
+  Eigen::VectorXd x = start;
+  double before = std::numeric_limits<double>::infinity();
+  double by_recurrence = before;
+  while (true) {
+    const Eigen::VectorXd residual = b - matrix * x;
+    const double norm = residual.norm();
+    if (norm / size < result.residual) {
+      result.residual = norm / size;
+      result.x = x;
+    }
+    const bool goes_on = norm <= kLeastGain * before && result.iterations < limits.count;
+    result.converged = result.residual <= (goes_on ? 1 : kShortOfGoal) * limits.residual;
+    if (result.converged || !goes_on) return result;
+    if (norm > kRestartRatio * by_recurrence)
+      inner.restart();
+    else
+      inner.rescale(before / norm);
+    const auto correction = inner.correct(rows, *factor, with_padding<N, float>(matrix, residual / norm),
+                                          std::max(goal / norm, kInnerTolerance), limits.count - result.iterations);
+    result.iterations += correction.iterations;
+    x += norm / scale * without_padding(matrix, inner.correction());
+    before = norm;
+    by_recurrence = correction.residual_norm * norm;
+  }
+}
+
+template <int N>
+IterationResult sweeps(const BlockMatrix& matrix, const Eigen::VectorXd& b, const Eigen::VectorXd& start, double omega,
+                       const IterationLimits& limits) {
+  IterationResult result{start};
+  const Rows<N, double> rows = full_rows<N, double>(matrix, 1);
+  std::vector<Padded<N>> inverse(at(rows.count()));
+  for (int i = 0; i < rows.count(); ++i) inverse[at(i)].square() = rows.blocks[at(rows.diagonal(i))].square().inverse();
+  auto x = with_padding<N, double>(matrix, start);
+  const auto right = with_padding<N, double>(matrix, b);
+  const double size = b.norm();
+  const auto residual = [&] {
+    const auto [sum] = sums_over<1>(x.size(), [&](std::size_t i) {
+      PaddedVector<N> r = rows.times(static_cast<int>(i), x);
+      r.add(-1, right[i]);
+      return std::array{dot(r, r)};
+    });
+    return std::sqrt(sum) / size;
+  };
+  while (!(result.converged = (result.residual = residual()) <= limits.residual) && result.iterations < limits.count) {
+    for (int i = 0; i < rows.count(); ++i) {
+      PaddedVector<N> r = right[at(i)];
+      r.add(-1, rows.times(i, x));
+      x[at(i)].add(omega, inverse[at(i)] * r);
+    }
+    ++result.iterations;
+  }
+  result.x = without_padding(matrix, x);
+  return result;
+}
+
+// Where nothing acts the solution is zero, whatever the matrix.
+bool is_nothing(const Eigen::VectorXd& b) {
+  return (b.array() == 0).all();
+}
+
+IterationResult nothing(const Eigen::VectorXd& b) {
+  return {Eigen::VectorXd::Zero(b.size()), 0, 0, true};
+}
+
+int largest_block(const BlockMatrix& matrix) {
+  int largest = 0;
+  for (int i = 0; i < matrix.block_count(); ++i) largest = std::max(largest, matrix.size(i));
+  return largest;
+}
 
 }  // namespace
 
-BlockIterations::BlockIterations(const BlockMatrix& matrix) {
-  int largest = 0;
-  for (int i = 0; i < matrix.block_count(); ++i) largest = std::max(largest, matrix.size(i));
-  if (largest <= 2)
-    kernel_ = std::make_unique<KernelOf<2>>(matrix);
-  else if (largest <= 3)
-    kernel_ = std::make_unique<KernelOf<3>>(matrix);
-  else
-    kernel_ = std::make_unique<KernelOf<kMostBlockRows>>(matrix);
+IterationResult conjugate_gradients(const BlockMatrix& matrix, const Eigen::VectorXd& b, const Eigen::VectorXd& start,
+                                    const IterationLimits& limits) {
+  if (is_nothing(b)) return nothing(b);
+  const int largest = largest_block(matrix);
+  if (largest <= 2) return gradients<2>(matrix, b, start, limits);
+  if (largest <= 3) return gradients<3>(matrix, b, start, limits);
+  return gradients<kMostBlockRows>(matrix, b, start, limits);
 }
 
-BlockIterations::BlockIterations(BlockIterations&&) noexcept = default;
-BlockIterations& BlockIterations::operator=(BlockIterations&&) noexcept = default;
-BlockIterations::~BlockIterations() = default;
-
-IterationResult BlockIterations::conjugate_gradients(const Eigen::VectorXd& b, const Eigen::VectorXd& start,
-                                                     const IterationLimits& limits) const {
-  return kernel_->conjugate_gradients(b, start, limits);
-}
-
-IterationResult BlockIterations::over_relaxation(const Eigen::VectorXd& b, const Eigen::VectorXd& start, double omega,
-                                                 const IterationLimits& limits) const {
-  return kernel_->over_relaxation(b, start, omega, limits);
+IterationResult over_relaxation(const BlockMatrix& matrix, const Eigen::VectorXd& b, const Eigen::VectorXd& start,
+                                double omega, const IterationLimits& limits) {
+  if (is_nothing(b)) return nothing(b);
+  const int largest = largest_block(matrix);
+  if (largest <= 2) return sweeps<2>(matrix, b, start, omega, limits);
+  if (largest <= 3) return sweeps<3>(matrix, b, start, omega, limits);
+  return sweeps<kMostBlockRows>(matrix, b, start, omega, limits);
 }
 
 }  // namespace keyblock

@@ -12,7 +12,7 @@ namespace {
 
 // Residual of iterations, a thousandth of what traces of large scenes are held to.
 constexpr double kIterated = 1e-11;
-// Measured on walls of bricks (step_bench --ratio): below so many blocks the factor wins. Above, gradients win up to this ratio,
+// Measured on walls of bricks, blocks of six unknowns (step_bench --ratio): below so many blocks the factor wins. Above, gradients win up to this ratio,
 // and up to so many iterations, which cost what a factor does: 9 to 14 ms beside 0.1 ms an iteration at 916 blocks, 210 to 240 ms
 // beside 0.7 at 4,936, 540 ms beside 1.8 at 9,851.
 constexpr int kFewBlocks = 300;
@@ -84,14 +84,13 @@ std::optional<Eigen::VectorXd> Solver::by_factor(const System& system) {
 }
 
 std::optional<Solution> Solver::by_iterations(const System& system, const Eigen::VectorXd& guess) const {
-  const BlockIterations iterations(system.matrix);
   const Eigen::VectorXd start = guess.size() == system.load.size() ? guess : Eigen::VectorXd::Zero(system.load.size());
   const IterationLimits& limits = method == LinearMethod::conjugate_gradients ? kGiven
                                   : system.matrix.block_count() < kManyBlocks ? kOfFewer
                                                                               : kOfMany;
   IterationResult result = method == LinearMethod::over_relaxation
-                               ? iterations.over_relaxation(system.load, start, kOmega, kSweeps)
-                               : iterations.conjugate_gradients(system.load, start, limits);
+                               ? over_relaxation(system.matrix, system.load, start, kOmega, kSweeps)
+                               : conjugate_gradients(system.matrix, system.load, start, limits);
   if (!result.converged || !result.x.allFinite()) return std::nullopt;
   return Solution{std::move(result.x), result.residual};
 }

@@ -8,7 +8,9 @@
 namespace keyblock {
 
 void add_body_force(const StepContext& context, System& system) {
-  const auto& [model, state, settings, dt] = context;
+  const Model& model = context.model;
+  const State& state = context.state;
+  const Settings& settings = context.settings;
   for_each_index(model.elements, [&](ElementIndex e) {
     const Element& element = model.elements[e];
     const Eigen::Vector2d force =

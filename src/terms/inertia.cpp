@@ -18,7 +18,10 @@ UnknownBlock mass_matrix(const Basis& basis, const Moments& moments, double dens
 }
 
 void add_inertia(const StepContext& context, System& system) {
-  const auto& [model, state, settings, dt] = context;
+  const Model& model = context.model;
+  const State& state = context.state;
+  const Settings& settings = context.settings;
+  const double dt = context.dt;
   for_each_index(model.elements, [&](ElementIndex e) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];

@@ -31,9 +31,12 @@ double alternating_sum() {
 TEST_F(Loop, every_entry_has_its_turn_once) {
   for (const int threads : {1, 2, 4}) {
     set_loop_threads(threads);
-    std::vector<int> turns(kCount);
-    for_each_entry(kCount, [&](std::size_t i) { ++turns[i]; });
-    EXPECT_EQ(turns, std::vector<int>(kCount, 1)) << threads;
+    for (const Work weight : {Work::heavy, Work::light}) {
+      std::vector<int> turns(kCount);
+      for_each_entry(
+          kCount, [&](std::size_t i) { ++turns[i]; }, weight);
+      EXPECT_EQ(turns, std::vector<int>(kCount, 1)) << threads;
+    }
   }
 }
 

@@ -187,4 +187,42 @@ TEST(Friction, needs_sliding_a_direction_and_leave_to_act) {
   EXPECT_EQ(pair.friction().norm(), 0);
 }
 
+// A list is what its contacts are one by one: several of a pair, one of them open, lines on either element, both orders; for blocks
+// of six unknowns, of three, of both, and for one that has none.
+TEST(Springs, a_list_adds_up_to_its_contacts_whatever_the_bases) {
+  for (const auto& [lower, upper] : {std::pair{&affine_basis(), &affine_basis()},
+                                     {&rigid_basis(), &rigid_basis()},
+                                     {&affine_basis(), &rigid_basis()},
+                                     {&fixed_basis(), &rigid_basis()}}) {
+    SkewPair pair;
+    pair.scene.model.elements[ElementIndex{0}].basis = lower;
+    pair.scene.model.elements[ElementIndex{1}].basis = upper;
+    Contact open = pair.contact;
+    Contact locked = pair.contact;
+    locked.state = ContactState::locked;
+    Contact sliding = pair.contact;
+    sliding.state = ContactState::sliding;
+    sliding.first = {{2}, {5}, {4}};  // the line is on the upper block
+    const Contacts all{locked, open, sliding, locked};
+    const std::vector<int> sizes{lower->unknown_count(), upper->unknown_count()};
+    const auto springs = [&](const Contacts& contacts) {
+      System system(sizes);
+      add_springs(contacts, pair.scene.model, pair.state, pair.scene.rules, kNormal, system);
+      return system;
+    };
+    const System together = springs(all);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(together.load.size());
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(load.size(), -1, 2);
+    Eigen::VectorXd product = load;
+    for (const Contact& one : all) {
+      const System alone = springs({one});
+      load += alone.load;
+      product += alone.matrix * x;
+    }
+    EXPECT_GT(load.norm(), 0);
+    EXPECT_LT((together.load - load).norm(), 1e-12 * load.norm());
+    EXPECT_LT((together.matrix * x - product).norm(), 1e-12 * product.norm());
+  }
+}
+
 }  // namespace keyblock::springs_test

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 #include <random>
 
+#include "base/loop.hpp"
 #include "system/solve.hpp"
 
 namespace keyblock::block_iterations_test {
@@ -74,8 +75,7 @@ Eigen::SparseMatrix<double> lower_of(const BlockMatrix& matrix) {
 TEST(BlockIterations, gradients_reach_the_solution_for_every_size_of_block) {
   for (const std::vector<int>& sizes : {std::vector{6}, {3}, {2}, {6, 3, 2}}) {
     const System system = wall(7, 9, 30, sizes);
-    const IterationResult result =
-        BlockIterations(system.matrix).conjugate_gradients(system.load, none(system), kLimits);
+    const IterationResult result = conjugate_gradients(system.matrix, system.load, none(system), kLimits);
     EXPECT_TRUE(result.converged);
     EXPECT_LT(residual(system, result.x), 2e-11);
     Solver solver;
@@ -96,8 +96,7 @@ TEST(BlockIterations, gradients_of_stiff_walls_need_fewer_iterations_than_eigens
     eigen.compute(lower);
     const Eigen::VectorXd x = eigen.solve(system.load);
     ASSERT_EQ(eigen.info(), Eigen::Success);
-    const IterationResult ours =
-        BlockIterations(system.matrix).conjugate_gradients(system.load, none(system), {1e-11, 20000});
+    const IterationResult ours = conjugate_gradients(system.matrix, system.load, none(system), {1e-11, 20000});
     EXPECT_TRUE(ours.converged);
     EXPECT_LT(ours.iterations, eigen.iterations()) << stiffness;
     EXPECT_LT((ours.x - x).norm(), 1e-6 * x.norm()) << stiffness;
@@ -106,24 +105,21 @@ TEST(BlockIterations, gradients_of_stiff_walls_need_fewer_iterations_than_eigens
 
 TEST(BlockIterations, a_good_guess_saves_iterations) {
   const System system = wall(10, 10, 30);
-  const BlockIterations iterations(system.matrix);
-  const IterationResult cold = iterations.conjugate_gradients(system.load, none(system), kLimits);
-  const IterationResult warm = iterations.conjugate_gradients(system.load, 1.000001 * cold.x, kLimits);
+  const IterationResult cold = conjugate_gradients(system.matrix, system.load, none(system), kLimits);
+  const IterationResult warm = conjugate_gradients(system.matrix, system.load, 1.000001 * cold.x, kLimits);
   EXPECT_LT(warm.iterations, cold.iterations);
-  EXPECT_EQ(iterations.conjugate_gradients(system.load, cold.x, {1e-10, 10}).iterations, 0);
+  EXPECT_EQ(conjugate_gradients(system.matrix, system.load, cold.x, {1e-10, 10}).iterations, 0);
 }
 
 TEST(BlockIterations, an_end_before_the_goal_is_said) {
   const System system = wall(10, 10, 1e4);
-  const BlockIterations iterations(system.matrix);
-  EXPECT_FALSE(iterations.conjugate_gradients(system.load, none(system), {1e-11, 3}).converged);
-  EXPECT_FALSE(iterations.over_relaxation(system.load, none(system), 1.4, {1e-11, 3}).converged);
+  EXPECT_FALSE(conjugate_gradients(system.matrix, system.load, none(system), {1e-11, 3}).converged);
+  EXPECT_FALSE(over_relaxation(system.matrix, system.load, none(system), 1.4, {1e-11, 3}).converged);
 }
 
 TEST(BlockIterations, over_relaxation_reaches_the_solution_where_inertia_rules) {
   const System system = wall(6, 6, 0.5);
-  const IterationResult result =
-      BlockIterations(system.matrix).over_relaxation(system.load, none(system), 1.3, kLimits);
+  const IterationResult result = over_relaxation(system.matrix, system.load, none(system), 1.3, kLimits);
   EXPECT_TRUE(result.converged);
   EXPECT_LT(residual(system, result.x), 2e-11);
 }
@@ -134,7 +130,45 @@ TEST(BlockIterations, an_indefinite_matrix_is_no_success) {
   system.matrix.add(0, 0, Block::Identity(2, 2));
   system.matrix.add(1, 1, -2 * Block::Identity(2, 2));
   system.load.setOnes();
-  EXPECT_FALSE(BlockIterations(system.matrix).conjugate_gradients(system.load, none(system), kLimits).converged);
+  EXPECT_FALSE(conjugate_gradients(system.matrix, system.load, none(system), kLimits).converged);
+}
+
+TEST(BlockIterations, nothing_is_solved_by_nothing) {
+  System system = wall(4, 4, 30);
+  const Eigen::VectorXd guess = Eigen::VectorXd::Ones(system.load.size());
+  system.load.setZero();
+  const System none_at_all(std::vector<int>(5, 0));
+  for (const IterationResult& result :
+       {conjugate_gradients(system.matrix, system.load, guess, kLimits),
+        over_relaxation(system.matrix, system.load, guess, 1.3, kLimits),
+        conjugate_gradients(none_at_all.matrix, none_at_all.load, none(none_at_all), kLimits)}) {
+    EXPECT_TRUE(result.converged);
+    EXPECT_EQ(result.residual, 0);
+    EXPECT_EQ(result.x.norm(), 0);
+  }
+}
+
+// In single precision nothing can be gained there; what was found is no worse than the start.
+TEST(BlockIterations, a_matrix_beyond_single_precision_ends_soon_with_the_best_that_was_found) {
+  for (const double stiffness : {1e6, 1e7, 1e9}) {
+    const System system = wall(20, 20, stiffness);
+    const IterationResult result = conjugate_gradients(system.matrix, system.load, none(system), {1e-11, 100000});
+    EXPECT_FALSE(result.converged);
+    EXPECT_LE(result.residual, 1);
+    EXPECT_NEAR(residual(system, result.x), result.residual, 1e-12);
+    EXPECT_LT(result.iterations, 5000);
+  }
+}
+
+TEST(BlockIterations, bits_do_not_depend_on_threads) {
+  const System system = wall(100, 100, 3, {2});  // so many that light loops take threads
+  set_loop_threads(1);
+  const Eigen::VectorXd one = conjugate_gradients(system.matrix, system.load, none(system), kLimits).x;
+  for (const int threads : {2, 4}) {
+    set_loop_threads(threads);
+    EXPECT_EQ(conjugate_gradients(system.matrix, system.load, none(system), kLimits).x, one);
+  }
+  set_loop_threads(0);
 }
 
 TEST(Solver, chooses_iterations_by_inertia_and_number_and_keeps_to_the_factor_once_they_fail) {
@@ -168,7 +202,7 @@ TEST(BlockIterations, a_raised_diagonal_makes_a_factor_where_the_pattern_alone_d
   for (const auto& [i, j, c] : {std::tuple{0, 1, 0.7}, {1, 2, 0.7}, {2, 3, 0.7}, {0, 3, -0.7}})
     system.matrix.add(i, j, c * one);
   system.load.setLinSpaced(1, 2);
-  const IterationResult result = BlockIterations(system.matrix).conjugate_gradients(system.load, none(system), kLimits);
+  const IterationResult result = conjugate_gradients(system.matrix, system.load, none(system), kLimits);
   EXPECT_TRUE(result.converged);
   EXPECT_LT(residual(system, result.x), 2e-11);
 }
