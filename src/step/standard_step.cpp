@@ -184,11 +184,12 @@ class Attempt {
     return v;
   }
 
-  // Not of springs that are to throw bodies back, nor in relaxation, which stops bodies where their energy falls.
+  // Not of springs that are to throw bodies back, nor in relaxation, which stops bodies where their energy falls, nor where bonds
+  // hold: glued elastic blocks swing as one body, and eased ones came to no equilibrium (legacy_cases/voussoir_beam, elastic).
   UnknownsTable with_springs_eased(UnknownsTable v) const {
     const StandardChoices& choices = scene_.settings.standard;
     const bool is_asked = choices.impact != ImpactLaw::springs && choices.motion == MotionRule::dynamic;
-    if (!is_asked || !scene_.has_springs() || rule_.carries_acceleration()) return v;
+    if (!is_asked || !scene_.has_springs() || rule_.carries_acceleration() || !smooth_.bonds.empty()) return v;
     std::vector<bool> closed(parts_.smooth.size());
     for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = is_closed(i);
     return eased({scene_, start_, smooth_, parts_.smooth, closed, dt_, least_force_}, std::move(v));
