@@ -81,7 +81,7 @@ sags('elastic_stout', 10.0, 1.0, 5e9, 20, 5, 0.00455, '0.00577 m')
 elastic('low_stands', 7.0, 0.25, 2e9, 24, 2,
         [('point_dy', 1, 2.0, -0.05732 / 2, 0.0286, 'verdict: it stands, between no sag and that of finite elements',
           'finite elements (elastic_halves.py): it stands down to E = 1.8e9 Pa, sag 0.05732 m; scheme of the benchmark: it falls')],
-        'a low elastic voussoir beam that just stands', 40, 0.05, slow=True)
+        'a low elastic voussoir beam that just stands', 40, 0.05)
 elastic('low_snaps', 7.0, 0.25, 0.5e9, 12, 2,
         [('point_dy', 1, 0.8, -(0.25 + 0.5 * 9.81 * 0.8 ** 2) / 2, (0.5 * 9.81 * 0.8 ** 2 - 0.25) / 2,
           'verdict: below its depth, and not beyond free fall',

@@ -1,4 +1,4 @@
-// Pairs of elements close enough to matter.
+// Boxes of elements, and pairs of elements close enough to matter.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// The submatrices of one contact, and their sum.
+// The springs of contacts, summed for each pair of elements before the system takes them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/springs.hpp"
 

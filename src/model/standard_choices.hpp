@@ -1,4 +1,4 @@
-// The choices of the dynamics beside Shi's: bases, weights of the step, contact law, start, damping.
+// The choices of the dynamics beside Shi's: weights of the step, contact law, start, damping.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// The springs and the friction of one contact against energies and virtual work of its moved points.
+// The springs and the friction of one contact against energies and virtual work of its moved points; lists against their contacts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/springs.hpp"
 
