@@ -74,13 +74,18 @@ ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<G
   else if (is_inertia_great())
     iterates_ = true;
   else
-    sparse_ = std::make_unique<ForcesOfBlocks>(problem.w, set_, added);
+    factorise_sparse();
 }
 
 ActiveForces::~ActiveForces() = default;
 
 bool ActiveForces::is_regular() const {
   return !sparse_ || sparse_->is_regular();
+}
+
+void ActiveForces::factorise_sparse() {
+  iterates_ = false;
+  sparse_ = std::make_unique<ForcesOfBlocks>(problem_.w, set_, added_);
 }
 
 void ActiveForces::factorise_dense() {
@@ -141,14 +146,36 @@ std::optional<Eigen::VectorXd> ActiveForces::solve(const Eigen::VectorXd& b, con
   const Eigen::VectorXd right = -from_given_ - set_.kept(b);
   if (iterates_) {
     if (const auto unknowns = by_iterations(right, near, goal)) return set_.forces(*unknowns, 1);
-    iterates_ = false;
     problem_.w.pairs()->give_up();
-    sparse_ = std::make_unique<ForcesOfBlocks>(problem_.w, set_, added_);
+    factorise_sparse();
   }
   if (!is_regular()) return std::nullopt;
   Eigen::VectorXd unknowns = right;
   if (right.size() > 0) unknowns = sparse_ ? sparse_->solve(right) : Eigen::VectorXd(dense_.solve(right));
   return set_.forces(unknowns, 1);
+}
+
+std::optional<Eigen::MatrixXd> ActiveForces::flexibility(const std::vector<Eigen::Index>& rows) {
+  if (iterates_) factorise_sparse();
+  if (!is_regular()) return std::nullopt;
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd answer(count, count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const Eigen::Index row = rows[static_cast<std::size_t>(j)];
+    if (sparse_) {
+      answer.col(j) = sparse_->rates_under(row, rows);
+      answer(j, j) += problem_.w.added()[row] + added_[row];
+      continue;
+    }
+    Eigen::VectorXd forces = Eigen::VectorXd::Unit(problem_.w.rows(), row);
+    if (!set_.rows.empty()) {
+      const Eigen::VectorXd unknowns = dense_.solve(-set_.kept(problem_.w * forces));
+      forces += set_.forces(unknowns, 0);
+    }
+    const Eigen::VectorXd y = problem_.w * forces + added_.cwiseProduct(forces);
+    for (Eigen::Index i = 0; i < count; ++i) answer(i, j) = y[rows[static_cast<std::size_t>(i)]];
+  }
+  return answer;
 }
 
 }  // namespace keyblock

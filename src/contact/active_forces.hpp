@@ -50,8 +50,13 @@ class ActiveForces {
   /// `near`, forces that may be near, and end where y, judged as a force, is at most `goal`; factors need neither.
   std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal);
 
+  /// y of `rows` for a unit of force along each of them, all of them open, while the other forces answer: a Schur complement, by
+  /// factors alone. Nothing where no factor is found.
+  std::optional<Eigen::MatrixXd> flexibility(const std::vector<Eigen::Index>& rows);
+
  private:
   void factorise_dense();
+  void factorise_sparse();
   bool is_inertia_great() const;
   std::optional<Eigen::VectorXd> by_iterations(const Eigen::VectorXd& right, const Eigen::VectorXd& near,
                                                double goal) const;
@@ -63,6 +68,13 @@ class ActiveForces {
   Eigen::PartialPivLU<Eigen::MatrixXd> dense_;
   std::unique_ptr<ForcesOfBlocks> sparse_;
   bool iterates_ = false;
+};
+
+/// Serves while W, the laws and what is judged stay, at the same address.
+struct KeptSystem {
+  std::unique_ptr<ActiveForces> system;
+  std::vector<Grip> grips;
+  Eigen::VectorXd weights;  ///< of the proximal term
 };
 
 }  // namespace keyblock

@@ -11,9 +11,14 @@
 namespace keyblock {
 namespace {
 
-// Sweeps between two attempts of Newton: enough to leave the cycle in which it was caught.
+// Sweeps between two attempts of Newton: enough to leave the cycle in which it was caught. Few pairs may take their time.
 constexpr int kSweepsBetween = 200;
 constexpr int kMostTurns = 8;
+constexpr int kTurnsOfMany = 2;
+// Many pairs whose residual is this much above the acceptable one are first swept: thirty sweeps cost what a system does, and bring
+// what Newton needs ten for.
+constexpr double kFarOff = 10;
+constexpr int kFirstSweeps = 30;
 
 }  // namespace
 
@@ -21,14 +26,11 @@ double ForceLaw::limit(double normal) const {
   return std::max(0.0, cohesion + friction * normal);
 }
 
-namespace {
-
-// r one over `compliance`, about the rates y.
-NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces, const Eigen::VectorXd& y,
+NaturalMap natural_map(const std::vector<ForceLaw>& laws, const Eigen::VectorXd& forces, const Eigen::VectorXd& y,
                        const Eigen::VectorXd& compliance) {
-  NaturalMap map{forces, std::vector<Grip>(problem.count())};
-  for_each_entry(problem.count(), [&](std::size_t i) {
-    const ForceLaw& law = problem.laws[i];
+  NaturalMap map{forces, std::vector<Grip>(laws.size())};
+  for_each_entry(laws.size(), [&](std::size_t i) {
+    const ForceLaw& law = laws[i];
     const auto n = static_cast<Eigen::Index>(2 * i);
     const Eigen::Index t = n + 1;
     const double wanted = forces[n] - y[n] / compliance[n];
@@ -47,8 +49,10 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
   return map;
 }
 
+namespace {
+
 NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried) {
-  return natural_map(problem, tried.forces, tried.y, problem.compliance());
+  return natural_map(problem.laws, tried.forces, tried.y, problem.compliance());
 }
 
 }  // namespace
@@ -61,7 +65,7 @@ Tried tried(const FrictionalProblem& problem, Eigen::VectorXd forces) {
 
 NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, const Proximal& proximal) {
   const Eigen::VectorXd y = tried.y + proximal.weights.cwiseProduct(tried.forces - proximal.reference);
-  return natural_map(problem, tried.forces, y, problem.compliance() + proximal.weights);
+  return natural_map(problem.laws, tried.forces, y, problem.compliance() + proximal.weights);
 }
 
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
@@ -102,12 +106,17 @@ bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forc
   return is_acceptable(problem, tried(problem, forces));
 }
 
-FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
-  FrictionalSolution solution = newton(problem, start);
+FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start, KeptSystem* kept) {
+  const Tried first = tried(problem, start);
+  FrictionalSolution solution{start, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
+  if (problem.has_many() && !solution.converged && solution.residual > kFarOff * problem.acceptable)
+    solution = sweep(problem, std::move(solution), kFirstSweeps);
+  solution = newton(problem, std::move(solution), kept);
   FrictionalSolution best = solution;
-  for (int turn = 0; turn < kMostTurns && !solution.converged; ++turn) {
+  const int most_turns = problem.has_many() ? kTurnsOfMany : kMostTurns;
+  for (int turn = 0; turn < most_turns && !solution.converged; ++turn) {
     solution = sweep(problem, std::move(solution), kSweepsBetween << turn);
-    if (!solution.converged) solution = newton(problem, std::move(solution));
+    if (!solution.converged) solution = newton(problem, std::move(solution), kept);
     if (solution.converged || solution.residual < best.residual) best = solution;
   }
   solution.forces = best.forces;

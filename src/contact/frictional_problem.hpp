@@ -23,6 +23,8 @@ struct ForceLaw {
 
   /// At the least normal force there is no tangential force, unless nothing slips at all.
   double limit_open() const { return std::isinf(cohesion) ? cohesion : 0; }
+
+  bool can_open() const { return !std::isinf(least); }
 };
 
 /// Both forces take whatever value keeps y = 0: a held point.
@@ -45,9 +47,14 @@ struct FrictionalProblem {
   /// |y| that counts as zero: redundant forces may be asked to close gaps that round-off made unequal, and then no forces do.
   double gap_tolerance = 0;
   Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
+  int most_systems = 400;   ///< linear systems after which the best forces so far are kept
 
   const Eigen::VectorXd& compliance() const { return scale.size() > 0 ? scale : w.diagonal(); }
   std::size_t count() const { return laws.size(); }
+  /// Whether a sparse factor is worth more than the last digits of forces that are redundant anyhow.
+  bool has_many() const { return count() > kFewPairs; }
+
+  static constexpr std::size_t kFewPairs = 50;
 };
 
 /// open: at the least normal force, which is none for a touch; open_stick: the same, yet yt = 0; slip_forward: λt = +limit.
@@ -74,6 +81,9 @@ struct NaturalMap {
   std::vector<Grip> grips;
 };
 NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
+/// The same of laws, forces, y and the compliance by which y is judged.
+NaturalMap natural_map(const std::vector<ForceLaw>& laws, const Eigen::VectorXd& forces, const Eigen::VectorXd& y,
+                       const Eigen::VectorXd& compliance);
 
 /// A term `weights` ∘ (λ − reference) added to y: it makes redundant contacts regular, and vanishes where λ is the reference.
 struct Proximal {
@@ -98,8 +108,12 @@ double residual(const FrictionalProblem& problem, const Tried& tried);
 bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 bool is_acceptable(const FrictionalProblem& problem, const Tried& tried);
 
+/// The linear system of the last active set, for problems that differ in b alone.
+struct KeptSystem;
+
 /// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and Newton
-/// in turn from the best forces seen. The forces of open touches are exactly zero.
-FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start);
+/// in turn from the best forces seen. Many pairs whose start is far off are swept a little first. The forces of open touches are
+/// exactly zero. `kept` is used where its system is that of an active set, and holds the last one after.
+FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start, KeptSystem* kept = nullptr);
 
 }  // namespace keyblock

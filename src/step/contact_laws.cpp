@@ -13,6 +13,9 @@
 namespace keyblock {
 namespace {
 
+// A friction force this near to its limit slides: residuals of the contact forces are smaller.
+constexpr double kAtLimit = 1 - 1e-6;
+
 // The two ends of a stretch have the contact stiffness each, so the whole stretch has twice that.
 double stiffness_share(const Touch& touch) {
   return touch.facing.lower ? 2 * touch.share : 1;
@@ -23,9 +26,7 @@ Enforcement enforcement_at(const StandardScene& scene, const Touch& touch) {
 }
 
 void add_springs(ContactLaw& law, const StandardScene& scene, const Touch& touch) {
-  const double share = stiffness_share(touch);
-  const double normal = 1 / (share * scene.normal_stiffness());
-  const double tangential = 1 / (share * scene.tangential_stiffness());
+  const auto [normal, tangential] = springs_of(scene, touch);
   switch (enforcement_at(scene, touch)) {
     case Enforcement::lagrange:
     case Enforcement::automatic:  // decided before the first step
@@ -43,6 +44,11 @@ void add_springs(ContactLaw& law, const StandardScene& scene, const Touch& touch
 
 }  // namespace
 
+Springs springs_of(const StandardScene& scene, const Touch& touch) {
+  const double share = stiffness_share(touch);
+  return {1 / (share * scene.normal_stiffness()), 1 / (share * scene.tangential_stiffness())};
+}
+
 Touches without_springs(const StandardScene& scene, Touches touches) {
   std::erase_if(touches, [&](const Touch& touch) { return enforcement_at(scene, touch) == Enforcement::penalty; });
   return touches;
@@ -51,6 +57,18 @@ Touches without_springs(const StandardScene& scene, Touches touches) {
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential) {
   return {normal, tangential, -tangential * law.tangential_compliance, law.normal_compliance, law.tangential_compliance,
           normal};
+}
+
+ContactMemory memory_of(const ContactLaw& law, double normal, double tangential, double slip,
+                        const ContactMemory* before) {
+  ContactMemory memory = memory_of(law, normal, tangential);
+  if (law.tangential_compliance > 0 && sticks(law, normal, tangential))
+    memory.stretch = (before ? before->stretch : 0) + slip;
+  return memory;
+}
+
+bool sticks(const ContactLaw& law, double normal, double tangential) {
+  return std::abs(tangential) < kAtLimit * law.force.limit(normal);
 }
 
 ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch) {

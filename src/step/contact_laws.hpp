@@ -19,11 +19,27 @@ struct ContactLaw {
   bool is_bonded = false;
 };
 
+/// Compliance of the springs that the contact stiffness gives a touch, length / force.
+struct Springs {
+  double normal = 0;
+  double tangential = 0;
+};
+Springs springs_of(const StandardScene& scene, const Touch& touch);
+
 /// The touches whose joint materials make no springs of them.
 Touches without_springs(const StandardScene& scene, Touches touches);
 
-/// What a touch with this law remembers of its forces.
+/// What a touch with this law remembers of its forces: its springs are as long as they ask for.
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential);
+
+/// The same after a step in which its point slipped by `slip`, `before` it or nothing. A spring that sticks is longer by all of that: its
+/// force in the step is that of the velocity at the end, whose sum over the steps is another way wherever velocities are changed
+/// between steps, and would wind springs up.
+ContactMemory memory_of(const ContactLaw& law, double normal, double tangential, double slip,
+                        const ContactMemory* before);
+
+/// Whether a tangential force is below what friction or a bond holds, by more than round-off.
+bool sticks(const ContactLaw& law, double normal, double tangential);
 
 /// λn ≥ −T l and no slip for bonded touches, with l the length that the touch stands for; Coulomb for the others. The shear of
 /// bonds is judged by `sheared_bonds`. A spring stands for the share of its stretch: both ends of a stretch have the contact

@@ -14,17 +14,18 @@
 namespace keyblock {
 
 struct ContactMemory {
-  double normal = 0;             ///< force of the last step, pressure positive
-  double tangential = 0;         ///< force of the last step
-  double stretch = 0;            ///< elastic slip of the tangential spring (penalty)
+  double normal = 0;      ///< force of the last step, pressure positive
+  double tangential = 0;  ///< force of the last step
+  double stretch = 0;     ///< of the tangential spring (penalty), by the way that its point has slipped while it stuck
   double normal_compliance = 0;  ///< of the spring, 0 of a multiplier
   double tangential_compliance = 0;
   double normal_at_end =
       0;  ///< of the spring at the end of the step: another than `normal` where that acts at its middle
 
   /// Held by the springs.
-  double energy() const {
-    return (normal_compliance * normal_at_end * normal_at_end + tangential_compliance * tangential * tangential) / 2;
+  double energy() const { return normal_compliance * normal_at_end * normal_at_end / 2 + tangential_energy(); }
+  double tangential_energy() const {
+    return tangential_compliance > 0 ? stretch * stretch / (2 * tangential_compliance) : 0;
   }
 };
 

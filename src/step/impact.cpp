@@ -209,17 +209,17 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
 }
 
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                   const Touches& closed, double time, double dt) {
+                                   const Touches& closed, double time, double dt, const Flexibility& flexibility) {
   if (closed.empty() && scene.held.empty()) return v;
-  const Flexibility blocks = mass_flexibility(scene);
-  const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
   const ContactRows rows = rows_with_points(scene, q, closed);
-  FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, v), {}, goal, kLooser * goal, {}};
+  FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
   problem.laws.assign(closed.size(), kTie);
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
-  return plus(v, 1, answer(rows, blocks, impulses));
+  problem.goal = kImpulseTolerance * momentum_of(scene, v) / (dt * dt) + kSmallest;
+  problem.acceptable = kLooser * problem.goal;
+  const Eigen::VectorXd pushes = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
+  return plus(v, 1, answer(rows, flexibility, pushes));
 }
 
 }  // namespace keyblock

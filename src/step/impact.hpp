@@ -43,9 +43,10 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
 /// Velocities without their strain rates, in the configuration q.
 UnknownsTable rigid_part(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v);
 
-/// Makes the normal velocity of closed touches zero and that of held points what their motion wants, with the full mass: both
-/// are kept in positions, and without this their rates would change sign each step.
+/// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in positions, and
+/// without this their rates would change sign each step. `flexibility` is that of the step, A⁻¹: what answers is the inertia that a step
+/// reaches, M + θ dt² K up to a factor, so that strains too stiff for the step are not struck by round-off of gaps.
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                   const Touches& closed, double time, double dt);
+                                   const Touches& closed, double time, double dt, const Flexibility& flexibility);
 
 }  // namespace keyblock

@@ -10,14 +10,22 @@ namespace {
 // Without inertia forces are judged as over a step of 30 over the slowest frequency of a body: nearly elastic, not quite free.
 constexpr double kJudging = 1.0 / 900;
 
+StepSum scaled(const StepSum& sum, double by) {
+  return {by * sum.increment, by * sum.velocity, by * sum.acceleration};
+}
+
 StepRule weighted(const StandardChoices& choices, double dt) {
   const double by = 1 / (choices.velocity_weight * dt);
   const StepSum acceleration{by / dt, -by, 0};
+  const StepSum end{by, -(1 - choices.velocity_weight) / choices.velocity_weight, 0};
+  const bool follows_rate = choices.strain_damping == StrainDamping::critical;
   return {.inertia = acceleration,
           .damping = {1 / dt, 0, 0},
           .stiffness = choices.force_weight,
+          .strain = follows_rate ? scaled(end, dt) : StepSum{choices.force_weight, 0, 0},
+          .strain_rate = follows_rate ? end : StepSum{1 / dt, 0, 0},
           .load_time = 0.5,
-          .end_velocity = {by, -(1 - choices.velocity_weight) / choices.velocity_weight, 0},
+          .end_velocity = end,
           .end_acceleration = acceleration,
           .velocity_lead = (choices.velocity_weight - 0.5) * dt,
           .error_of_change = 1.0 / 12 + (choices.force_weight - 0.5) / 2,
@@ -29,15 +37,12 @@ StepRule newmark(double beta, double gamma, double dt) {
   const StepSum velocity{gamma / (beta * dt), 1 - gamma / beta, (1 - gamma / (2 * beta)) * dt};
   return {.inertia = acceleration,
           .damping = velocity,
+          .strain_rate = velocity,
           .end_velocity = velocity,
           .end_acceleration = acceleration,
           .acceleration_lead = (beta - gamma / 2) * dt * dt,
           .inertia_lead = 1 - gamma,
           .error_of_change = std::abs(beta - 1.0 / 6)};
-}
-
-StepSum scaled(const StepSum& sum, double by) {
-  return {by * sum.increment, by * sum.velocity, by * sum.acceleration};
 }
 
 struct AlphaWeights {
@@ -58,6 +63,8 @@ StepRule generalized_alpha(double rho, double dt) {
   rule.damping = scaled(rule.damping, 1 - alpha.force);
   rule.damping.velocity += alpha.force;
   rule.stiffness = 1 - alpha.force;
+  rule.strain = {rule.stiffness, 0, 0};
+  rule.strain_rate = rule.damping;
   rule.load_time = 1 - alpha.force;
   return rule;
 }

@@ -14,11 +14,14 @@ struct StepSum {
 };
 
 /// The balance of a step of dt, and the motion at its end:
-///     M inertia + C damping + K (q0 + stiffness Δq) = F(t0 + load_time dt) + Gᵀ λ.
+///     M (inertia + a damping) + K (q0 + strain + b strain_rate) = F(t0 + load_time dt) + Gᵀ λ
+/// for a block of mass damping a and stiffness damping b; bodies on covers have K (q0 + stiffness Δq) and b against Δq/dt.
 struct StepRule {
   StepSum inertia;
   StepSum damping;
   double stiffness = 1;
+  StepSum strain{1, 0, 0};
+  StepSum strain_rate{};
   double load_time = 1;
   StepSum end_velocity;
   StepSum end_acceleration;
@@ -39,6 +42,8 @@ struct StepRule {
 /// The rule of the chosen integrator; contact forces act over the whole step in each.
 /// Weighted, with θv of the velocity and θf of the elastic force (the two-weight family of Shi 1988 at 1/2 and 1, the trapezoidal rule at 1/2 and 1/2):
 ///     M (Δq − dt v0)/(θv dt²) + C Δq/dt + K (q0 + θf Δq) = F(½),   v1 = (Δq/dt − (1−θv) v0)/θv,   a1 = (v1 − v0)/dt.
+/// Where the strains of blocks are damped critically, they have K (q0 + dt v1) + C v1 instead: strain modes too fast for the step lose
+/// half their energy in each, where any weight of Δq would leave their rates turned over for ever (det = 1/2, trace = 1/2 as ω dt → ∞).
 /// Newmark 1959, with Δq = dt v0 + dt² ((½−β) a0 + β a1) and v1 = v0 + dt ((1−γ) a0 + γ a1):
 ///     M a1 + C v1 + K q1 = F(1);   Shi's step is β = ½, γ = 1.
 /// Generalised α of Chung & Hulbert 1993, damping high frequencies down to ρ∞: Newmark's sums, and

@@ -11,9 +11,6 @@
 namespace keyblock {
 namespace {
 
-// A friction force this near to its limit slides: residuals of the contact forces are smaller.
-constexpr double kAtLimit = 1 - 1e-6;
-
 double half_square(const UnknownBlock& matrix, const Unknowns& x) {
   return x.dot(matrix * x) / 2;
 }
@@ -98,8 +95,12 @@ EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
     const Unknowns dq = trail.smooth.q[e] - trail.start.q[e];
     flow.external += (trail.loads[e] - body.weight).dot(dq);
     flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
-    flow.damping += dq.dot(body.damping_force(sum_of(rule.damping, dq, trail.start, e)));
-    flow.algorithmic += inertia_loss(body, trail, e) + (rule.stiffness - 0.5) * dq.dot(body.elastic_force(dq));
+    const Unknowns rate = sum_of(rule.strain_rate, dq, trail.start, e);
+    const Unknowns beyond =
+        sum_of(rule.strain, dq, trail.start, e) - dq / 2;  // what the elastic force sees beside its mean
+    flow.damping += body.mass_damping * dq.dot(body.mass * sum_of(rule.damping, dq, trail.start, e)) +
+                    body.stiffness_damping * dq.dot(body.elastic_force(rate));
+    flow.algorithmic += inertia_loss(body, trail, e) + dq.dot(body.elastic_force(beyond));
   }
   if (scene.covers) add_covers(*scene.covers, trail, flow);
   return flow;
@@ -126,9 +127,11 @@ class ContactFlow {
     for (std::size_t i = 0; i < trail_.touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const Touch& touch = trail_.touches[i];
-      Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], memory_of(trail_.start, touch), 0,
+      Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], memory_of(trail_.start, touch), 0, 0,
                     trail_.smooth.laws[i]};
-      forces.at_end = memory_of(trail_.end, touch).normal_at_end;
+      const ContactMemory at_end = memory_of(trail_.end, touch);
+      forces.at_end = at_end.normal_at_end;
+      forces.stretch = at_end.stretch;
       if (forces.is_none()) continue;
       add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
       add_tangential(forces, way[n + 1]);
@@ -154,7 +157,7 @@ class ContactFlow {
       ContactMemory memory;
       memory.normal_at_end = before[own];
       const double force = trail_.smooth.forces[n];
-      add_normal({force, 0, memory, force, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
+      add_normal({force, 0, memory, force, 0, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
     }
   }
 
@@ -162,7 +165,8 @@ class ContactFlow {
     double normal = 0;
     double tangential = 0;
     ContactMemory before;
-    double at_end = 0;  ///< of the normal spring
+    double at_end = 0;   ///< of the normal spring
+    double stretch = 0;  ///< of the tangential spring at the end
     const ContactLaw& law;
 
     bool is_none() const { return normal == 0 && tangential == 0 && before.normal == 0 && before.tangential == 0; }
@@ -182,20 +186,21 @@ class ContactFlow {
     flow_.algorithmic += compliance * (forces.normal - mean) * change;
   }
 
+  // What the slip does beyond the stretch of the spring is friction; a multiplier that sticks lets slip pass while its velocity
+  // comes to rest.
   void add_tangential(const Forces& forces, double slip) {
-    const double change = forces.tangential - forces.before.tangential;
-    const double work = forces.tangential * (slip + forces.law.tangential_compliance * change);
-    const bool stuck = sticks(forces.law, forces.normal, forces.tangential) &&
-                       sticks(forces.law, forces.before.normal, forces.before.tangential);
-    if (stuck)
-      flow_.creep += work;
-    else
-      flow_.friction -= work;
-    flow_.algorithmic += forces.law.tangential_compliance * change * change / 2;
-  }
-
-  static bool sticks(const ContactLaw& law, double normal, double tangential) {
-    return std::abs(tangential) < kAtLimit * law.force.limit(normal);
+    const double compliance = forces.law.tangential_compliance;
+    if (compliance == 0) {
+      const double work = forces.tangential * slip;
+      const bool stuck = sticks(forces.law, forces.normal, forces.tangential) &&
+                         sticks(forces.law, forces.before.normal, forces.before.tangential);
+      (stuck ? flow_.creep : flow_.friction) += stuck ? work : -work;
+      return;
+    }
+    const double before = forces.before.tangential_compliance > 0 ? forces.before.stretch : 0;
+    const double longer = forces.stretch - before;
+    flow_.friction -= forces.tangential * (slip - longer);
+    flow_.algorithmic -= longer * (forces.tangential + (forces.stretch + before) / (2 * compliance));
   }
 
   const StandardScene& scene_;

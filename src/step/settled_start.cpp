@@ -8,29 +8,34 @@
 
 #include "base/union_find.hpp"
 #include "contact/gap.hpp"
+#include "contact/joined_blocks.hpp"
 #include "step/contact_laws.hpp"
 #include "step/smooth_solve.hpp"
+#include "step/step_ties.hpp"
 #include "step/touch_search.hpp"
 
 namespace keyblock {
 namespace {
 
-// Strength of the glue, so far above any stress that it never breaks.
-constexpr double kGlue = 1e30;
-// Stiffness of the contacts over the inertia of the heaviest block in a step: long ones for the static step, in which nothing
-// can move away, short and then longer ones to dissolve the glue. A free block moves by half that times its weight over the
-// contact stiffness in each.
-constexpr double kStaticStep = 1e6;
-constexpr int kStaticSteps = 2;
-constexpr std::array<double, 3> kDissolving{1, 4, 16};
-constexpr int kStepsEach = 8;
-constexpr double kForceGoal = 1e-10;  // of the largest load on a block
-constexpr double kForceAcceptable = 1e-6;
-
-StandardScene glued(StandardScene scene) {
-  for (JointMaterial& joint : scene.model.joint_materials) joint.cohesion = joint.tensile_strength = kGlue;
-  return scene;
-}
+// Stiffness of the contacts over what keeps parts that nothing holds from being free, as a share of their mass: the slowest mode of a mass
+// a thousand blocks high has a millionth of the stiffness of a contact, and should not feel it.
+constexpr double kHeldByNothing = 1e10;
+// Compliance of held points over that of a contact.
+constexpr double kRigid = 1e-4;
+// Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue: a free block moves by half that times
+// its weight over the contact stiffness in each. It grows from step to step while nothing moves farther than a share of block size: what
+// the glue bore across many blocks finds its way in long steps only.
+constexpr double kShortest = 1;
+constexpr double kLongest = 4096;
+constexpr double kGrowth = 2;
+constexpr double kFarthest = 1e-5;
+constexpr int kMostSteps = 40;
+// At rest is what moves by less than this share of what a free block does.
+constexpr double kAtRest = 1e-4;
+// Of the largest load on a block; what steps of the run itself ask of as many touches.
+constexpr double kForceGoal = 1e-6;
+constexpr double kForceAcceptable = 1e-3;
+constexpr int kMostSystems = 40;
 
 class Settling {
  public:
@@ -44,28 +49,69 @@ class Settling {
   Settled run() {
     const Touches touches = resting_touches(scene_, motion_, scales_);
     leave_unsupported(touches);
-    const Bonds bonds = motion_.bonds;
-    const StandardScene with_glue = glued(scene_);
-    motion_.bonds = bonds_at(with_glue, motion_.q, touches);
-    for (int i = 0; i < kStaticSteps; ++i) step(with_glue, touches, kStaticStep);
-    motion_.bonds = bonds;
-    for (double stiffness : kDissolving)
-      for (int i = 0; i < kStepsEach; ++i) step(scene_, touches, stiffness);
+    load_glued(touches);
+    double stiffness = kShortest;
+    for (int i = 0; i < kMostSteps; ++i) {
+      const double moved = step(touches, stiffness);
+      const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
+      if (moved <= kAtRest * free) break;
+      if (moved <= kFarthest * scales_.size) stiffness = std::min(kGrowth * stiffness, kLongest);
+    }
     motion_.v = velocities_;
     return {std::move(motion_), unsolved_};
   }
 
  private:
-  // A step that finds no forces changes nothing.
-  void step(const StandardScene& scene, const Touches& touches, double stiffness_over_inertia) {
-    const ForceTolerance tolerance{kForceGoal * scales_.force, kForceAcceptable * scales_.force};
-    const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene.normal_stiffness());
-    SmoothMotion made =
-        smooth_solve(scene, motion_, loads_, touches, tolerance, 0, dt, step_rule(scene.settings.standard, dt));
+  // All faces glued, and bolts and held points with them. What the glue bears is where the search for friction begins.
+  void load_glued(const Touches& touches) {
+    Touches faces;
+    std::ranges::copy_if(touches, std::back_inserter(faces), [](const Touch& touch) { return touch.stretch > 0; });
+    ContactRows rows = contact_rows(scene_.model, scene_.reference, motion_.q, faces);
+    const auto of_faces = static_cast<Eigen::Index>(rows.size());
+    const StepTies ties(scene_, motion_, 0, 0);
+    const ContactRows of_ties = ties.rows(motion_.q);
+    rows.insert(rows.end(), of_ties.begin(), of_ties.end());
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    Eigen::VectorXd compliance = Eigen::VectorXd::Constant(count, kRigid / scene_.normal_stiffness());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Springs springs = springs_of(scene_, faces[i]);
+      compliance.segment<2>(static_cast<Eigen::Index>(2 * i)) << springs.normal, springs.tangential;
+    }
+    for (std::size_t i = 0; i < ties.bolt_count(); ++i) {
+      const Eigen::Index n = of_faces + static_cast<Eigen::Index>(2 * i);
+      compliance[n] = ties.compliance(i);
+      compliance[n + 1] = kHeldByNothing / scene_.normal_stiffness();  // none across
+    }
+    Eigen::VectorXd gaps = Eigen::VectorXd::Zero(count);
+    gaps.tail(count - of_faces) = ties.gaps(motion_.q);
+    const double inertia = scene_.normal_stiffness() / (kHeldByNothing * heaviest());
+    Table<ElementIndex, UnknownBlock> stiffness;
+    for (const Body& body : scene_.bodies) stiffness.push_back(body.sum_of(inertia, 1));
+    const auto made = displacements_of_joined(stiffness, rows, compliance, gaps, loads_);
+    if (!made) return;
+    const Eigen::VectorXd forces = -(rates(rows, *made) + gaps).cwiseQuotient(compliance);
+    motion_.q = plus(motion_.q, 1, *made);
+    std::vector<ClosedContact> closed;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      closed.push_back({faces[i], memory_of(contact_law(scene_, motion_.bonds, faces[i]), forces[n], forces[n + 1])});
+    }
+    motion_.closed = ClosedContacts(std::move(closed));
+    motion_.ties = ties.memory(forces.tail(count - of_faces));
+  }
+
+  // The greatest way of a block. A step that finds no forces changes nothing.
+  double step(const Touches& touches, double stiffness_over_inertia) {
+    const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
+    const StepRule rule = step_rule(scene_.settings.standard, dt);
+    const ForceTolerance tolerance{kForceGoal * scales_.force, kForceAcceptable * scales_.force, kMostSystems};
+    SmoothMotion made = smooth_solve(scene_, motion_, loads_, touches, tolerance, -dt, dt, rule);
     if (!made.converged) {
       ++unsolved_;
-      return;
+      return kFarthest * scales_.size;
     }
+    const UnknownsTable moved = plus(made.q, -1, motion_.q);
+    const Eigen::VectorXd way = rates(made.rows, moved);
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
     motion_.ties = std::move(made.ties);
@@ -73,9 +119,14 @@ class Settling {
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       if (made.forces[n] != 0 || made.laws[i].is_bonded)
-        closed.push_back({touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1])});
+        closed.push_back({touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1],
+                                                motion_.closed.of(touches[i]))});
     }
     motion_.closed = ClosedContacts(std::move(closed));
+    double farthest = 0;
+    for (const Unknowns& of : moved)
+      if (of.size() > 0) farthest = std::max(farthest, of.head<2>().norm());
+    return farthest;
   }
 
   double heaviest() const {

@@ -10,6 +10,7 @@
 
 #include "base/loop.hpp"
 #include "base/worse.hpp"
+#include "contact/active_forces.hpp"
 #include "contact/gap.hpp"
 #include "step/contact_laws.hpp"
 #include "step/step_equations.hpp"
@@ -31,14 +32,13 @@ constexpr int kMostRows = 2;
 constexpr double kSameRows = 1e-9;
 // The matrix of bodies on covers is kept from round to round while a round leaves less than this share of the change before.
 constexpr double kWorstGain = 0.03;
-// Where every touch has a spring, the springs make the forces unique: the first proximal term is this share of their
-// compliance, which may be far below that of the blocks.
-constexpr double kWeakTerm = 1e-3;
 // Gaps of this share of block size need not be closed further by forces without springs.
 constexpr double kGapTolerance = 1e-9;
 // Where nothing loads a scene, no load says what forces are small: round-off is these shares of what the gaps ask for one by one.
 constexpr double kRoundOff = 1e-14;
 constexpr double kFewRoundOffs = 1e-12;
+// Linear systems that a round may make whatever those before it took.
+constexpr int kFewestSystems = 8;
 // A bond that opens by more than this share of block size in a step is broken; less is round-off of the solution.
 constexpr double kBroken = 1e-11;
 
@@ -81,6 +81,7 @@ class SmoothSolve {
     result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()));
     if (rows_) result_.rows = std::move(*rows_);  // the matrix that shares them is not used again
     result_.laws = std::move(laws_);
+    result_.flexibility = std::move(inverse_);
     return std::move(result_);
   }
 
@@ -165,6 +166,7 @@ class SmoothSolve {
   }
 
   void linearise() {
+    kept_ = {};
     linearised_ = increments_;
     const UnknownsTable middle = plus(start_.q, 0.5, increments_);
     rows_ = std::make_shared<ContactRows>(contact_rows(scene_.model, scene_.reference, middle, touches_));
@@ -180,11 +182,11 @@ class SmoothSolve {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const ContactLaw& law = laws_[i];
       problem_.laws.push_back(law.force);
-      add_compliance(n, normal_scale() * law.normal_compliance);
+      add_compliance(n, normal_scale(i) * law.normal_compliance);
       add_compliance(n + 1, of_stretch() * law.tangential_compliance);
       if (problem_.proximal.size() == 0) continue;
-      problem_.proximal[n] = law.normal_weight + kWeakTerm * normal_scale() * law.normal_compliance;
-      problem_.proximal[n + 1] = of_stretch() * (law.tangential_weight + kWeakTerm * law.tangential_compliance);
+      problem_.proximal[n] = law.normal_weight;
+      problem_.proximal[n + 1] = of_stretch() * law.tangential_weight;
     }
     for (std::size_t i = 0; i < ties_.count(); ++i) {
       const Eigen::Index n = first_tie() + static_cast<Eigen::Index>(2 * i);
@@ -198,14 +200,17 @@ class SmoothSolve {
     if (problem_.scale.size() > 0) problem_.scale[row] += compliance;
   }
   Eigen::Index first_tie() const { return static_cast<Eigen::Index>(2 * touches_.size()); }
+  // An augmented Lagrangian says its own.
   bool has_proximal() const {
-    return !laws_.empty() && std::ranges::all_of(laws_, [](const ContactLaw& law) {
-      return law.normal_weight > 0 || law.normal_compliance > 0;
-    });
+    const auto is_augmented = [](const ContactLaw& law) { return law.normal_weight > 0; };
+    return std::ranges::any_of(laws_, is_augmented) && std::ranges::all_of(laws_, [&](const ContactLaw& law) {
+             return is_augmented(law) || law.normal_compliance > 0;
+           });
   }
 
   UnknownsTable next_increments() {
-    const FrictionalSolution solution = solve(problem_, result_.forces);
+    problem_.most_systems = std::max(kFewestSystems, tolerance_.most_systems - result_.solves);
+    const FrictionalSolution solution = solve(problem_, result_.forces, &kept_);
     result_.forces = solution.forces;
     result_.solves += solution.solves;
     result_.sweeps += solution.sweeps;
@@ -221,8 +226,12 @@ class SmoothSolve {
     problem_.b = rates(*rows_, plus(free_, 1 / rate(), known_velocity_));
     for_each_entry(touches_.size(), [&](std::size_t i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      problem_.b[n] = gap_of(touches_[i], end) + from_estimate[n] - laws_[i].rest_gap;
-      if (springs_stop()) problem_.b[n] += gap_of(touches_[i], start_vertices_) - laws_[i].rest_gap;
+      const double before = gap_of(touches_[i], start_vertices_) - laws_[i].rest_gap;
+      if (follows_rate(i))
+        problem_.b[n] += of_stretch() * before;
+      else
+        problem_.b[n] = gap_of(touches_[i], end) + from_estimate[n] - laws_[i].rest_gap;
+      if (springs_stop()) problem_.b[n] += before;
       const ContactMemory* memory = memories_[i];
       if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += of_stretch() * memory->stretch;
     });
@@ -238,7 +247,14 @@ class SmoothSolve {
 
   // Springs that stop an impact act at the middle of the step, which keeps their energy: λ = −p (g0 + g1)/2.
   bool springs_stop() const { return scene_.settings.standard.impact == ImpactLaw::springs; }
-  double normal_scale() const { return springs_stop() ? 2 : 1; }
+  double normal_scale(std::size_t i) const { return springs_stop() ? 2 : follows_rate(i) ? of_stretch() : 1; }
+
+  // A spring that was closed before is compressed by dt times the velocity at the end of the step, λ = −p (g0 + dt ġ1), as the tangential
+  // one is stretched: where it is too stiff for the step, the gap at its end would leave its rate turned over in every step for ever.
+  bool follows_rate(std::size_t i) const {
+    const bool is_step = !rule_.carries_acceleration() && rule_.judging_inertia == 0;
+    return is_step && !springs_stop() && memories_[i] && laws_[i].normal_compliance > 0;
+  }
 
   // The tangential spring is stretched by dt times the velocity at the end of the step: a spring too stiff for the step then
   // brings its point to rest, where the displacement of the step would turn the velocity over in each step.
@@ -316,6 +332,7 @@ class SmoothSolve {
   std::vector<const ContactMemory*> memories_;  ///< of each touch; none of one that was open
   std::shared_ptr<ContactRows> rows_;
   FrictionalProblem problem_;
+  KeptSystem kept_;  ///< of `problem_` and its rows
   UnknownsTable increments_;
   UnknownsTable linearised_;          ///< increments about which rows and matrix were made
   double size_ = 0;                   ///< of the largest moving block

@@ -13,6 +13,7 @@ namespace keyblock {
 struct ForceTolerance {
   double goal = 0;
   double acceptable = 0;
+  int most_systems = 400;  ///< linear systems after which the best forces so far are taken
 };
 
 struct SmoothMotion {
@@ -21,6 +22,7 @@ struct SmoothMotion {
   UnknownsTable a;               ///< at the end of the step
   Eigen::VectorXd forces;        ///< of the touches: 2i normal, 2i + 1 tangential
   ContactRows rows;              ///< that the forces act along, at mid-step
+  Flexibility flexibility;       ///< A⁻¹
   std::vector<ContactLaw> laws;  ///< of the touches
   double residual = 0;
   Bonds bonds;  ///< that still hold

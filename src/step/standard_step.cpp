@@ -14,7 +14,6 @@
 #include "step/integrator.hpp"
 #include "step/ledger.hpp"
 #include "step/smooth_solve.hpp"
-#include "step/stiff_springs.hpp"
 #include "step/touch_search.hpp"
 
 namespace keyblock {
@@ -26,9 +25,13 @@ constexpr int kMostSearches = 4;
 // Residual of the contact forces over the largest load on a block: few contacts reach the first, assemblies the second.
 constexpr double kForceGoal = 1e-10;
 constexpr double kForceAcceptable = 1e-6;
-// In assemblies of more touches than the second figure the goal is what round-off of gaps leaves of a force in a short step.
-constexpr double kForceGoalOfMany = 1e-8;
-constexpr std::size_t kMany = 50;
+// In assemblies of more touches than `kFewPairs` a millionth is far below what a step does to forces; and a thousandth, judged by what
+// one force does to its own blocks in the step, is a gap of a thousandth of their free fall.
+constexpr double kForceGoalOfMany = 1e-6;
+constexpr double kForceAcceptableOfMany = 1e-3;
+// A force below this is round-off of gaps in a short step.
+constexpr double kLeastForceOfMany = 1e-8;
+constexpr int kMostSystems = 40;
 // Where nothing loads the blocks, forces come from momentum alone: the same over momentum / dt.
 constexpr double kMomentumGoal = 1e-13;
 constexpr double kMomentumAcceptable = 1e-9;
@@ -91,13 +94,11 @@ class Attempt {
     if (!step_.converged) return std::move(step_);
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
-    step_.motion.v = without_turning_over(closed);
     step_.motion.a = smooth_.a;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.ties = smooth_.ties;
-    step_.motion.v =
-        with_held_velocities(scene_, smooth_.q, std::move(step_.motion.v), without_springs(scene_, closed), time_, dt_);
-    step_.motion.v = with_springs_eased(std::move(step_.motion.v));
+    step_.motion.v = with_held_velocities(scene_, smooth_.q, smooth_.v, without_springs(scene_, closed), time_, dt_,
+                                          smooth_.flexibility);
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
@@ -111,9 +112,12 @@ class Attempt {
  private:
   // Again where blocks came to overlap at corners that nobody reckoned with.
   void move_smoothly() {
-    if (found_.touches.size() > kMany) least_force_ = std::max(least_force_, kForceGoalOfMany * scales_.force);
-    const ForceTolerance tolerance{
-        least_force_, std::max(kForceAcceptable * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
+    const bool is_many = found_.touches.size() > FrictionalProblem::kFewPairs;
+    if (is_many) least_force_ = std::max(least_force_, kLeastForceOfMany * scales_.force);
+    const double goal = is_many ? std::max(least_force_, kForceGoalOfMany * scales_.force) : least_force_;
+    const double share = is_many ? kForceAcceptableOfMany : kForceAcceptable;
+    ForceTolerance tolerance{goal, std::max(share * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
+    if (is_many) tolerance.most_systems = kMostSystems;
     for (int search = 0; search < kMostSearches; ++search) {
       parts_ = split(scene_, start_, found_.touches, slow_speed(scales_, start_.v, dt_));
       const SmoothMotion before = std::move(smooth_);
@@ -166,43 +170,6 @@ class Attempt {
     step_.locked_overlaps += separated.locked;
   }
 
-  // The trapezoidal rule turns the rate of a strain over in each step that is too long to follow it, and the contacts of a block
-  // at rest turn the rest of its velocity with it: at the end it is as great as before, though nothing moved. Such a block has
-  // the mean velocity of the step, to which its contacts have agreed as well.
-  UnknownsTable without_turning_over(const Touches& closed) const {
-    UnknownsTable v = smooth_.v;
-    const bool is_asked = scene_.settings.standard.strain_damping != StrainDamping::none;
-    if (!is_asked || rule_.carries_acceleration()) return v;
-    for (const Touch& touch : closed)
-      for (const VertexIndex vertex : {touch.vertex, touch.end}) {
-        const ElementIndex e = scene_.model.vertices[vertex].element;
-        const Body& body = scene_.bodies[e];
-        if (body.slowest_frequency * dt_ <= kFollowed) continue;
-        const Unknowns mean = (smooth_.q[e] - start_.q[e]) / dt_;
-        if (speed_of(mean, body.size) < kTurnedOver * straining(smooth_.v[e], body.size)) v[e] = mean;
-      }
-    return v;
-  }
-
-  // Not of springs that are to throw bodies back, nor in relaxation, which stops bodies where their energy falls, nor where bonds
-  // hold: glued elastic blocks swing as one body, and eased ones came to no equilibrium (legacy_cases/voussoir_beam, elastic).
-  UnknownsTable with_springs_eased(UnknownsTable v) const {
-    const StandardChoices& choices = scene_.settings.standard;
-    const bool is_asked = choices.impact != ImpactLaw::springs && choices.motion == MotionRule::dynamic;
-    if (!is_asked || !scene_.has_springs() || rule_.carries_acceleration() || !smooth_.bonds.empty()) return v;
-    std::vector<bool> closed(parts_.smooth.size());
-    for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = is_closed(i);
-    return eased({scene_, start_, smooth_, parts_.smooth, closed, dt_, least_force_}, std::move(v));
-  }
-
-  // Of the centroid or, by turning and straining, of a point as far from it as a vertex may be: the greatest.
-  static double speed_of(const Unknowns& v, double size) {
-    return std::max({v.head<2>().norm(), size * std::abs(v[2]), straining(v, size)});
-  }
-  static double straining(const Unknowns& v, double size) {
-    return size * v.tail(v.size() - kRigidUnknowns).cwiseAbs().maxCoeff();
-  }
-
   // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that it left
   // would push it in a direction in which there is no face.
   void drop_passed() {
@@ -226,18 +193,18 @@ class Attempt {
     return {touch, std::min(dt_, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
   }
 
-  // Springs that stop an impact have their force at the middle of the step; at its end they have that of the gap.
+  // Springs have the force of the step; at its end they have that of the gap.
   void remember() {
-    const bool springs_stop = scene_.settings.standard.impact == ImpactLaw::springs;
-    Table<VertexIndex, Point> end;
-    if (springs_stop) end = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    const Eigen::VectorXd way = rates(smooth_.rows, plus(smooth_.q, -1, start_.q));
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       if (!is_closed(i)) continue;
+      const auto t = static_cast<Eigen::Index>(2 * i + 1);
       const ContactLaw& law = smooth_.laws[i];
       const Touch& touch = parts_.smooth[i];
-      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)]);
-      if (springs_stop && law.normal_compliance > 0)
+      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[t], way[t], start_.closed.of(touch));
+      if (law.normal_compliance > 0)
         memory.normal_at_end = std::max(law.force.least, (law.rest_gap - gap_of(touch, end)) / law.normal_compliance);
       closed.push_back({touch, memory});
     }

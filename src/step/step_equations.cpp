@@ -20,11 +20,12 @@ UnknownBlock inverse_of(const UnknownBlock& a) {
 
 StepEquations step_equations(const Body& body, const BodyMotion& start, const Unknowns& load, const StepRule& rule) {
   const double inertia = rule.inertia.increment + rule.damping.increment * body.mass_damping;
-  const double stiffness = rule.stiffness + rule.damping.increment * body.stiffness_damping;
+  const double stiffness = rule.strain.increment + rule.strain_rate.increment * body.stiffness_damping;
   const UnknownBlock a = body.sum_of(inertia, stiffness);
-  const Unknowns damped = known(rule.damping, start);
-  const Unknowns r = load + body.initial_stress - body.elastic_force(start.q + body.stiffness_damping * damped) -
-                     body.mass * (known(rule.inertia, start) + body.mass_damping * damped);
+  const Unknowns strained =
+      start.q + known(rule.strain, start) + body.stiffness_damping * known(rule.strain_rate, start);
+  const Unknowns r = load + body.initial_stress - body.elastic_force(strained) -
+                     body.mass * (known(rule.inertia, start) + body.mass_damping * known(rule.damping, start));
   StepEquations equations{a, a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
   if (a.rows() > 0) {
     const double missing =

@@ -165,7 +165,7 @@ TEST_F(Samples, every_pair_of_cover_and_analysis_is_read_to_its_last_number_and_
     EXPECT_EQ(content.analysis->point_loads.size(), files[1].reading->content.cover->loading_points.size()) << name;
     EXPECT_EQ(numbers_of(kNmmAnalysis.write(content)), numbers_of(files[0].source.text)) << name;
   }
-  EXPECT_EQ(pairs, 12);
+  EXPECT_GE(pairs, 12);
 }
 
 TEST_F(Samples, every_reference_run_is_read_without_error) {

@@ -18,6 +18,7 @@ StandardChoices weighted(double velocity_weight, double force_weight) {
   StandardChoices choices;
   choices.velocity_weight = velocity_weight;
   choices.force_weight = force_weight;
+  choices.strain_damping = StrainDamping::none;
   return choices;
 }
 
@@ -92,6 +93,15 @@ TEST(Integrator, shi_damps_an_oscillator_by_the_closed_form) {
     EXPECT_NEAR(spectral_radius(weighted(0.5, 1), w), expected, 1e-7) << w;
     EXPECT_NEAR(spectral_radius(newmark(0.5, 1), w), expected, 1e-7) << w;
   }
+}
+
+// (1 + Ω²) u1 = u0 − Ω² q0, q1 = q0 + (u0 + u1)/2 with u = dt v: the determinant is (1 + Ω²/2)/(1 + Ω²), the trace (1 + ½)/(1 + Ω²) + ½, and
+// the roots are a conjugate pair wherever they matter.
+TEST(Integrator, strains_that_follow_the_rate_are_damped_by_the_closed_form_and_never_turned_over_for_ever) {
+  StandardChoices choices = weighted(0.5, 0.5);
+  choices.strain_damping = StrainDamping::critical;
+  for (double w : {0.1, 1.0, 2.0, 10.0, 1000.0})
+    EXPECT_NEAR(spectral_radius(choices, w), std::sqrt((1 + w * w / 2) / (1 + w * w)), 1e-7) << w;
 }
 
 TEST(Integrator, average_acceleration_damps_nothing) {

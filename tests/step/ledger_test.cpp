@@ -203,7 +203,8 @@ TEST(Ledger, a_drop_loses_to_the_impact_and_projection_stays_within_one_step_of_
   }
 }
 
-// σ²A/(2E) of uniaxial stress; with Shi's weight it goes to the algorithm, with damping to damping, else nowhere.
+// σ²A/(2E) of uniaxial stress; with Shi's weight it goes to the algorithm, with damping to damping but for what strains that follow
+// the rate lose to the algorithm, else nowhere.
 TEST(Ledger, the_strain_energy_of_a_released_block_goes_where_the_choices_send_it) {
   const auto end_of = [](const Scene& scene) {
     const Ledger ledger = ledger_of(scene, 0.02);
@@ -212,8 +213,9 @@ TEST(Ledger, the_strain_energy_of_a_released_block_goes_where_the_choices_send_i
     return ledger.rows.back();
   };
   const LedgerRow damped = end_of(let_go(0.5, StrainDamping::critical));
-  EXPECT_NEAR(damped.flow.damping, kReleased, 1e-9 * kReleased);
-  EXPECT_EQ(damped.flow.algorithmic, 0);
+  EXPECT_NEAR(damped.flow.damping + damped.flow.algorithmic, kReleased, 1e-9 * kReleased);
+  EXPECT_GT(damped.flow.algorithmic, 0);
+  EXPECT_LT(damped.flow.algorithmic, 0.02 * kReleased);
   const LedgerRow shi = end_of(let_go(1, StrainDamping::none));
   EXPECT_EQ(shi.flow.damping, 0);
   EXPECT_GT(shi.flow.algorithmic, 0.1 * kReleased);

@@ -53,4 +53,29 @@ TEST(SettledStart, blocks_without_support_are_left_unloaded) {
   EXPECT_NEAR(on_floor(scene, made.motion), 0, 1e-6);
 }
 
+// A wall of bricks upon each other: the floor bears its weight, and the first steps find nothing to move.
+TEST(SettledStart, a_wall_stands_from_its_first_step_on) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-2, -1}, {12, 0})};
+  for (int row = 0; row < 12; ++row)
+    for (int i = 0; i < 5; ++i) {
+      const double x = 2 * i + row % 2;
+      blocks.blocks.push_back(rectangle({x, 1.0 * row}, {x + 2, row + 1.0}));
+    }
+  blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{11, -0.5}, 0, {}}};
+  Analysis analysis = plain_analysis(2e-3, 1);
+  analysis.joint_materials[0].friction_angle_deg = 30;
+  analysis.contact_penalty = 50 * analysis.block_materials[0].youngs_modulus;
+  Settings settings = standard_settings(analysis);
+  settings.standard.enforcement = Enforcement::penalty;
+  StandardStepper stepper(support::standard_scene_of(blocks, analysis, settings));
+  EXPECT_EQ(stepper.start_report().unsolved_steps, 0);
+  EXPECT_NEAR(on_floor(stepper.scene(), stepper.motion()) / (60 * 2 * 2500 * 9.81), 1, 1e-4);
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(std::holds_alternative<StepReport>(stepper.advance()));
+  double fastest = 0;
+  for (const Unknowns& v : stepper.motion().v)
+    if (v.size() > 0) fastest = std::max(fastest, v.head<2>().norm());
+  EXPECT_LE(fastest, 1e-3 * 9.81 * 2e-3);
+}
+
 }  // namespace keyblock::settled_start_test
