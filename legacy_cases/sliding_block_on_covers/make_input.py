@@ -39,6 +39,7 @@ CASE = {
         "block_materials": [ROCK, ROCK],
         "joint_materials": [{"friction_angle_deg": 20}],
     },
+    "run": {"set": {"force_weight": "1"}},
 }
 
 if __name__ == "__main__":

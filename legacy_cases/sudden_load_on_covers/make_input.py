@@ -52,7 +52,7 @@ def to_rest():
                                            (5, 0.005, 'the share of the first mode, by theory'), (18, 0.001, 'asked for: 0.1 %'))]
     case('static_steps', text(4.3, (18, dt), {'velocity_carry_over': '0'}), values, 'each step from rest: 18 steps of w dt = 1 leave 1/1000')
     values = [('point_dy', 1, STATIC, 0.001 * STATIC, 'asked for: 0.1 % of the static deflection', source, round(60 * dt, 9))]
-    case('dynamic_steps', text(4.3, (60, dt), {}), values, 'velocity carried over, weights 1/2 and 1: the rule itself damps')
+    case('dynamic_steps', text(4.3, (60, dt), {'force_weight': '1'}), values, 'velocity carried over, weights 1/2 and 1: the rule itself damps')
     values = [('point_dy', 1, STATIC, 0.001 * STATIC, 'asked for: 0.1 % of the static deflection', source, 6.0)]
     case('damped', text(4.3, (300, 0.02), {'force_weight': '0.5', 'stiffness_damping': '%.6g' % (2 * 0.5 / OMEGA)}), values,
          'stiffness damping of half the critical in the first mode')

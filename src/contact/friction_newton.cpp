@@ -45,8 +45,6 @@ constexpr int kSetsToSettle = 4;
 constexpr std::size_t kStillFew = 20;
 // Pairs of a cycle that are worth a dense matrix.
 constexpr std::size_t kMostContended = 60;
-// Systems after which acceptable forces of many pairs are not improved further.
-constexpr int kEnoughSystems = 25;
 // Few forces are left as they are where their residual is this share of the goal.
 constexpr double kOfGoal = 1e-3;
 // Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the residual
@@ -73,8 +71,7 @@ class Newton {
       const bool settled = settle({weights_of(weight), reference});
       const double gain = solution_.residual / before;
       if (is_solved()) break;
-      const bool is_enough = solution_.converged && problem_.has_many() && solution_.solves >= kEnoughSystems;
-      if (is_enough) break;
+      if (is_enough()) break;
       if (settled && gain < 1) {
         if (solution_.converged && gain > kProgress && weight <= sharpest()) break;
         // Of few forces those that take a large motion to matter are left to the first weight, unless only digits are missing.
@@ -113,7 +110,7 @@ class Newton {
       if (!forces) return false;
       tried_ = tried(problem_, *std::move(forces));
       keep_best();
-      if (is_solved()) return true;
+      if (is_solved() || is_enough()) return true;
       const NaturalMap map = natural_map(problem_, tried_, proximal);
       const std::size_t changes = different(grips, map.grips).size();
       const bool is_rough = is_loose && system().iterates();
@@ -187,6 +184,7 @@ class Newton {
   // velocity that strains stiff ones.
   bool is_left_as_is() const { return solution_.residual <= (problem_.has_many() ? 1 : kOfGoal) * problem_.goal; }
   bool is_solved() const { return solution_.residual <= problem_.goal; }
+  bool is_enough() const { return solution_.converged && problem_.has_many() && problem_.acceptable_suffices; }
   bool has_systems_left() const { return solution_.solves < problem_.most_systems; }
 
   void keep_best() {

@@ -46,8 +46,9 @@ struct FrictionalProblem {
       proximal;  ///< weights of the first proximal term, as 1/p of an augmented Lagrangian; empty: our choice
   /// |y| that counts as zero: redundant forces may be asked to close gaps that round-off made unequal, and then no forces do.
   double gap_tolerance = 0;
-  Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
-  int most_systems = 400;   ///< linear systems after which the best forces so far are kept
+  Eigen::VectorXd scale{};           ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
+  int most_systems = 400;            ///< linear systems after which the best forces so far are kept
+  bool acceptable_suffices = false;  ///< acceptable forces of many pairs are not improved further
 
   const Eigen::VectorXd& compliance() const { return scale.size() > 0 ? scale : w.diagonal(); }
   std::size_t count() const { return laws.size(); }

@@ -225,8 +225,13 @@ Reason impact(const Model& model, const Settings& settings) {
     least = std::min(least, restitution_of(settings, joint));
     greatest = std::max(greatest, restitution_of(settings, joint));
   }
-  return least == greatest ? fmt::format("blocks that meet fast jump apart, restitution {}", least)
-                           : fmt::format("blocks that meet fast jump apart, restitution {} to {}", least, greatest);
+  const std::string range = least == greatest ? fmt::format("{}", least) : fmt::format("{} to {}", least, greatest);
+  if (!model.continuum) return fmt::format("blocks that meet fast jump apart, restitution {}", range);
+  const bool has_blocks = std::ranges::any_of(
+      model.elements, [](const Element& element) { return element.can_move() && !element.is_on_covers(); });
+  if (!has_blocks) return "bodies on covers rebound by their own elasticity";
+  return fmt::format(
+      "blocks that meet fast jump apart, restitution {}; bodies on covers rebound by their own elasticity", range);
 }
 
 Reason start(const Model& model, const Settings& settings) {

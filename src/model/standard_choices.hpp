@@ -43,7 +43,7 @@ struct StandardChoices {
   StrainDamping strain_damping = StrainDamping::critical;
   Integrator integrator = Integrator::weighted;
   double velocity_weight = 0.5;  ///< of the velocity at the end of the step in its displacement; 1/2 is second order
-  double force_weight = 1;       ///< of the elastic force at the end of the step; Shi 1, average acceleration 1/2
+  double force_weight = 0.5;     ///< of the elastic force at the end of the step; Shi 1, average acceleration 1/2
   double newmark_beta = 0.25;    ///< 1/4 and 1/2: average acceleration; 1/2 and 1: Shi
   double newmark_gamma = 0.5;
   double rho_infinity = 0.8;       ///< what generalised α leaves of the highest frequencies in a step

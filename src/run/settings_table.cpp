@@ -257,8 +257,9 @@ std::vector<SettingRow> rows_of_standard() {
             row("least_step_share", "of the time step, below which controlled steps are not cut",
                 at(&C::least_step_share), real({0, true, 1}))),
       under({"impact = jump", [](const Settings& s) { return s.standard.impact == ImpactLaw::jump; }},
-            row(Materials::of_joints, "restitution", "rebound over approach speed of an impact, where impact = jump",
-                at(&C::restitution), real(kShare))),
+            row(Materials::of_joints, "restitution",
+                "rebound over approach speed of an impact of blocks, where impact = jump", at(&C::restitution),
+                real(kShare))),
   };
 }
 

@@ -28,7 +28,7 @@ struct Verdict {
 
 // Largest over blocks of Σ c_i x_i, rotation and strain being relative as they are.
 double relative_error(const StandardScene& scene, const Motion& before, const Motion& after, double dt) {
-  const StepRule rule = step_rule(scene.settings.standard, dt);
+  const StepRule rule = step_rule(scene.settings, dt);
   double greatest = 0;
   for (ElementIndex e : indices(before.q)) {
     if (before.q[e].size() == 0) continue;

@@ -171,10 +171,6 @@ std::vector<WholeBody> CoverScene::whole(const Eigen::VectorXd& d, const Eigen::
   return all;
 }
 
-Eigen::VectorXd CoverScene::rigid_part(const Eigen::VectorXd& d, const Eigen::VectorXd& v) const {
-  return RigidCovers(bodies_, d).velocity(momentum(v));
-}
-
 double CoverScene::top_speed(const Eigen::VectorXd& v) {
   double top = 0;
   for (Eigen::Index i = 0; i + 1 < v.size(); i += 2) top = std::max(top, v.segment<2>(i).norm());
@@ -249,10 +245,6 @@ double CoverScene::rotation(ElementIndex e, const Eigen::VectorXd& d, Point star
 
 std::shared_ptr<const CoverFlexibility> CoverScene::flexibility_of_step() const {
   return std::make_shared<StepAnswer>(*equations_, bodies_.rigid.functions());
-}
-
-std::shared_ptr<const RigidCovers> CoverScene::rigid(const Eigen::VectorXd& d) const {
-  return std::make_shared<RigidCovers>(bodies_, d);
 }
 
 }  // namespace keyblock

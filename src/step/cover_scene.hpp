@@ -10,7 +10,6 @@
 #include "model/cover_kinematics.hpp"
 #include "model/settings.hpp"
 #include "step/cover_equations.hpp"
-#include "step/rigid_covers.hpp"
 
 namespace keyblock {
 
@@ -56,7 +55,6 @@ class CoverScene {
   /// The bodies at d, with the resultants of `forces`.
   std::vector<WholeBody> whole(const Eigen::VectorXd& d, const Eigen::VectorXd& forces) const;
   Eigen::VectorXd momentum(const Eigen::VectorXd& v) const { return bodies_.mass.times(v); }  ///< M v
-  Eigen::VectorXd rigid_part(const Eigen::VectorXd& d, const Eigen::VectorXd& v) const;
   static double top_speed(const Eigen::VectorXd& v);
   /// The greatest of a body: the sum over its functions, whatever the directions.
   double largest_load(const Eigen::VectorXd& forces) const;
@@ -88,8 +86,6 @@ class CoverScene {
   CoverEquations& equations() const { return *equations_; }
   std::shared_ptr<const CoverFlexibility> flexibility_of_step() const;
   std::shared_ptr<const CoverFlexibility> mass_inverse() const { return mass_inverse_; }
-  /// The bodies as rigid ones at d.
-  std::shared_ptr<const RigidCovers> rigid(const Eigen::VectorXd& d) const;
 
  private:
   ElasticBodies bodies_;

@@ -10,25 +10,46 @@
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
 #include "model/material_choices.hpp"
-#include "step/rigid_view.hpp"
 #include "step/step_ties.hpp"
 
 namespace keyblock {
 namespace {
 
-// Overlap of this share of block size is round-off of a position; linearised passes get there in two or three.
+// Overlap of this share of block size is round-off of a position; linearised passes get there in two or three. In assemblies what is left
+// is far below what the next step pushes out by itself.
 constexpr double kNoOverlap = 1e-14;
+constexpr double kNoOverlapOfMany = 1e-10;
 constexpr int kMostPasses = 10;
 // Overlaps may lock each other, so that no push takes them all away. Which do is found with touches that yield this share of what
 // their blocks do, so soft that there is always a push: where it leaves more than the second share of an overlap, it is taken
 // for locked. A pair with room keeps a hundredth, a chain of ten a tenth.
 constexpr double kYield = 1e-2;
 constexpr double kLocked = 0.1;
-// Impulses are settled at this share of the largest momentum.
+// Impulses are settled at this share of the largest momentum; a residual this much larger still counts where redundant ones keep it out
+// of reach.
 constexpr double kImpulseTolerance = 1e-13;
-// In assemblies the goal may be out of reach; a residual this much larger still counts.
 constexpr double kLooser = 1e4;
+// In assemblies they are settled as well as forces are: to a millionth of the largest momentum or, where that is more, a hundredth of the
+// largest impulse that one impact alone would make. A pair that still approaches at this share of what counts as slow is left to the next step.
+constexpr double kImpulseToleranceOfMany = 1e-6;
+constexpr double kShareOfImpulse = 1e-2;
+constexpr double kShareOfSlow = 1e-2;
+constexpr int kMostSystems = 40;
+// Friction of what makes velocities vanish is taken from the round before: each leaves a share of friction times slenderness.
+constexpr int kMostFrictionRounds = 5;
 constexpr double kSmallest = 1e-300;  // a tolerance is never zero
+
+// The inertia that a step reaches, of bodies on covers, as a velocity that an impulse makes.
+class ScaledAnswer : public CoverFlexibility {
+ public:
+  ScaledAnswer(std::shared_ptr<const CoverFlexibility> of, double by) : of_(std::move(of)), by_(by) {}
+  Eigen::Index size() const override { return of_->size(); }
+  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override { return by_ * of_->times(forces); }
+
+ private:
+  std::shared_ptr<const CoverFlexibility> of_;
+  double by_;
+};
 
 Touches joined(const Touches& a, const Touches& b) {
   Touches all = a;
@@ -91,11 +112,12 @@ Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size
 // Pushes touches apart that overlap more than they may; those that lock each other may from then on.
 class Separation {
  public:
-  Separation(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed)
+  Separation(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed,
+             const Flexibility& flexibility)
       : scene_(scene),
         touches_(joined(impacts, closed)),
-        view_(scene, q),
-        tolerable_(kNoOverlap * size_of(scene)),
+        flexibility_(flexibility),
+        tolerable_((has_many() ? kNoOverlapOfMany : kNoOverlap) * size_of(scene)),
         least_(gaps_of(scene, q, touches_)) {
     result_.q = std::move(q);
     for (std::size_t i = 0; i < touches_.size(); ++i)
@@ -106,12 +128,12 @@ class Separation {
     for (int pass = 0; pass < kMostPasses; ++pass) {
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
-      const ContactRows rows = view_.rows(rows_with_points(scene_, result_.q, touches_));
+      const ContactRows rows = rows_with_points(scene_, result_.q, touches_);
       FrictionalProblem problem = problem_of(rows, room);
       const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
       result_.solves += push.solves;
       if (push.converged)
-        result_.q = plus(result_.q, 1, view_.answer(rows, push.forces));
+        result_.q = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
       else
         leave_locked(rows, room, std::move(problem));
     }
@@ -119,6 +141,8 @@ class Separation {
   }
 
  private:
+  bool has_many() const { return touches_.size() > FrictionalProblem::kFewPairs; }
+
   std::vector<double> room_at(const UnknownsTable& q) const {
     std::vector<double> room = gaps_of(scene_, q, touches_);
     for (std::size_t i = 0; i < room.size(); ++i) room[i] -= least_[i];
@@ -126,13 +150,13 @@ class Separation {
   }
 
   FrictionalProblem problem_of(const ContactRows& rows, const std::vector<double>& room) const {
-    FrictionalProblem problem{
-        ContactMatrix(rows, view_.flexibility()), {}, std::vector<ForceLaw>(room.size()), 0, 0, {}};
+    FrictionalProblem problem{ContactMatrix(rows, flexibility_), {}, std::vector<ForceLaw>(room.size()), 0, 0, {}};
     problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
     problem.b = Eigen::VectorXd::Zero(problem.w.rows());
     for (std::size_t i = 0; i < room.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
     problem.goal = tolerable_ / problem.w.diagonal().maxCoeff();
-    problem.acceptable = kLooser * problem.goal;
+    problem.acceptable = has_many() ? problem.goal : kLooser * problem.goal;
+    if (has_many()) problem.most_systems = kMostSystems;
     return problem;
   }
 
@@ -144,7 +168,7 @@ class Separation {
     }
     const FrictionalSolution soft = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
     result_.solves += soft.solves;
-    const std::vector<double> left = room_at(plus(result_.q, 1, view_.answer(rows, soft.forces)));
+    const std::vector<double> left = room_at(plus(result_.q, 1, answer(rows, flexibility_, soft.forces)));
     std::vector<std::size_t> overlapping;
     for (std::size_t i = 0; i < touches_.size(); ++i)
       if (room[i] < -tolerable_) overlapping.push_back(i);
@@ -158,7 +182,7 @@ class Separation {
 
   const StandardScene& scene_;
   Touches touches_;
-  RigidView view_;
+  const Flexibility& flexibility_;
   double tolerable_;
   std::vector<double> least_;  ///< gap that a touch must have
   Separated result_;
@@ -166,50 +190,70 @@ class Separation {
 
 }  // namespace
 
-Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed) {
-  return Separation(scene, std::move(q), impacts, closed).run();
+Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed,
+                          const Flexibility& flexibility) {
+  return Separation(scene, std::move(q), impacts, closed, flexibility).run();
 }
 
-UnknownsTable rigid_part(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v) {
+UnknownsTable rigid_part(UnknownsTable v) {
   for (Unknowns& of : v)
     if (of.size() > kRigidUnknowns) of.tail(of.size() - kRigidUnknowns).setZero();
-  if (scene.covers) v.covers = scene.covers->rigid_part(q.covers, v.covers);
   return v;
 }
 
-Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
-                const std::vector<Meeting>& meetings, const Touches& closed) {
+Flexibility impact_flexibility(const StandardScene& scene, const Flexibility& step, const StepRule& rule) {
+  Flexibility flexibility{rigid_mass_inverses(scene.bodies), nullptr};
+  if (step.covers) flexibility.covers = std::make_shared<ScaledAnswer>(step.covers, rule.inertia.increment);
+  return flexibility;
+}
+
+Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v, const Impacts& impacts,
+                const Flexibility& flexibility) {
+  const std::vector<Meeting>& meetings = impacts.meetings;
   Touches touches;
   for (const Meeting& meeting : meetings) touches.push_back(meeting.touch);
-  touches = joined(touches, closed);
+  touches = joined(touches, impacts.closed);
   ContactRows rows = rows_with_points(scene, q, touches);
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
-  const RigidView view(scene, q);
   const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
-  const Eigen::VectorXd speeds = rates(rows, rigid_part(scene, q, v));
-  rows = view.rows(std::move(rows));
-  FrictionalProblem problem{ContactMatrix(rows, view.flexibility()), speeds, {}, goal, kLooser * goal, {}};
+  FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, rigid_part(v)), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // held points move on as they do
+  double greatest = 0;
   for (std::size_t i = 0; i < meetings.size(); ++i) {
-    double& normal = problem.b[static_cast<Eigen::Index>(2 * i)];
-    const double approach = -normal - meetings[i].gained;
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    const double approach = -problem.b[n] - meetings[i].gained;
     const double restitution = restitution_of(scene.settings, touches[i].joint_material);
-    if (approach > 0) normal = -(1 + restitution) * approach;
+    if (approach > 0) problem.b[n] = -(1 + restitution) * approach;
+    greatest = std::max(greatest, approach / problem.w.diagonal()[n]);
   }
   for (std::size_t i = meetings.size(); i < touches.size(); ++i) {
-    double& normal = problem.b[static_cast<Eigen::Index>(2 * i)];
-    normal = std::max(normal, 0.0);
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    if (impacts.bonds.contains(touches[i].facing)) {
+      problem.laws[i] = kHeld;
+      problem.b.segment<2>(n).setZero();
+    } else {
+      problem.b[n] = std::max(problem.b[n], 0.0);
+    }
   }
-  const Eigen::VectorXd impulses = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
-  const Eigen::VectorXd shifts = impulses.cwiseProduct(times_of(meetings, impulses.size()));
-  return {plus(q, 1, view.answer(rows, shifts)), plus(v, 1, view.answer(rows, impulses))};
+  if (problem.has_many()) {
+    problem.goal = kImpulseToleranceOfMany * momentum_of(scene, v) + kSmallest;
+    problem.acceptable = std::max(problem.goal, kShareOfImpulse * greatest);
+    problem.gap_tolerance = kShareOfSlow * impacts.slow;
+    problem.most_systems = kMostSystems;
+    problem.acceptable_suffices = true;
+  }
+  const FrictionalSolution solution = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+  const Eigen::VectorXd shifts = solution.forces.cwiseProduct(times_of(meetings, solution.forces.size()));
+  return {plus(q, 1, answer(rows, flexibility, shifts)), plus(v, 1, answer(rows, flexibility, solution.forces)),
+          solution.solves};
 }
 
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                   const Touches& closed, double time, double dt, const Flexibility& flexibility) {
+                                   const Touches& closed, const std::vector<double>& slides, double time, double dt,
+                                   const Flexibility& flexibility) {
   if (closed.empty() && scene.held.empty()) return v;
   const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
@@ -218,8 +262,21 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.goal = kImpulseTolerance * momentum_of(scene, v) / (dt * dt) + kSmallest;
   problem.acceptable = kLooser * problem.goal;
-  const Eigen::VectorXd pushes = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
-  return plus(v, 1, answer(rows, flexibility, pushes));
+  const Eigen::VectorXd asked = problem.b;
+  Eigen::VectorXd pushes = Eigen::VectorXd::Zero(problem.w.rows());
+  Eigen::VectorXd friction = pushes;
+  for (int round = 0; round < kMostFrictionRounds; ++round) {
+    pushes = solve(problem, pushes).forces;
+    bool rubs = false;
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const double before = std::exchange(friction[n + 1], slides[i] * pushes[n]);
+      rubs = rubs || std::abs(friction[n + 1] - before) > problem.acceptable;
+    }
+    if (!rubs) break;
+    problem.b = asked + problem.w * friction;
+  }
+  return plus(v, 1, answer(rows, flexibility, pushes + friction));
 }
 
 }  // namespace keyblock

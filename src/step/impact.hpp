@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "step/integrator.hpp"
 #include "step/standard_scene.hpp"
 
 namespace keyblock {
@@ -13,10 +14,19 @@ struct Meeting {
   double gained = 0;  ///< approach speed that was gained in that time
 };
 
+/// What meets in a step, and what rests against each other meanwhile.
+struct Impacts {
+  std::vector<Meeting> meetings;
+  Touches closed;
+  Bonds bonds;      ///< of closed touches
+  double slow = 0;  ///< approach speed below which a contact is no impact
+};
+
 /// A motion after a jump.
 struct Jump {
   UnknownsTable q;
   UnknownsTable v;
+  int solves = 0;  ///< linear systems factorised
 };
 
 /// Positions after overlaps were pushed out.
@@ -26,27 +36,35 @@ struct Separated {
   int solves = 0;  ///< linear systems factorised
 };
 
-/// Moves blocks along the gap rows with the rigid inverse mass until no `impact` is beyond its rest gap, but for those that lock
+/// Velocities that an impulse makes. A block answers with its rigid mass: the corner of a deformable block sees a fraction of the mass,
+/// and the law at the corner would not give the block's restitution. A body on covers answers with what the instant can reach, the
+/// inertia of a step of it, M + θ dt² K: `step` is A⁻¹ of the step.
+Flexibility impact_flexibility(const StandardScene& scene, const Flexibility& step, const StepRule& rule);
+
+/// Moves blocks along the gap rows with the inverse mass of an impact until no `impact` is beyond its rest gap, but for those that lock
 /// each other, and no `closed` touch deeper than it was.
-Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed);
+Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed,
+                          const Flexibility& flexibility);
 
 /// Newton's law with restitution e and Coulomb's cone on the impulses (Moreau 1988), where and when the surfaces met:
-///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + M_rigid⁻¹ Gᵀ p,  q⁺ = q + M_rigid⁻¹ Gᵀ (since ∘ p).
+///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + B Gᵀ p,  q⁺ = q + B Gᵀ (since ∘ p),  B the flexibility of an impact.
 /// With the arms in G and the way since the meeting angular momentum is kept as linear is; a law at the end of the step loses
-/// it with the overlap. Closed touches take part without restitution; none approaches faster than before.
-/// Strain rates do not jump: the corner of a deformable block sees a fraction of its mass, and the law at the corner
-/// would not give the body's restitution. Nor are they seen: all velocities here are rigid ones, for an
-/// impulse that makes rigid velocity of a strain rate creates energy.
-Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v,
-                const std::vector<Meeting>& meetings, const Touches& closed);
+/// it with the overlap. Closed touches take part without restitution; none approaches faster than before, and bonded ones go on as they
+/// do. Strain rates of blocks do not jump, nor are they seen: an impulse that makes rigid velocity of a strain rate creates energy.
+/// Among many touches those that approach at a share of the slow speed are left to the next step.
+Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v, const Impacts& impacts,
+                const Flexibility& flexibility);
 
-/// Velocities without their strain rates, in the configuration q.
-UnknownsTable rigid_part(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v);
+/// Velocities without the strain rates of blocks.
+UnknownsTable rigid_part(UnknownsTable v);
 
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in positions, and
 /// without this their rates would change sign each step. `flexibility` is that of the step, A⁻¹: what answers is the inertia that a step
 /// reaches, M + θ dt² K up to a factor, so that strains too stiff for the step are not struck by round-off of gaps.
+/// Where a contact slides, `slides` is its friction over its normal force, and so is that of the impulse: else what the impulses bear of
+/// the normal force would be without friction.
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                   const Touches& closed, double time, double dt, const Flexibility& flexibility);
+                                   const Touches& closed, const std::vector<double>& slides, double time, double dt,
+                                   const Flexibility& flexibility);
 
 }  // namespace keyblock

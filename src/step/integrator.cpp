@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/integrator.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keyblock {
@@ -81,6 +82,14 @@ StepRule step_rule(const StandardChoices& choices, double dt) {
       break;
   }
   return weighted(choices, dt);
+}
+
+StepRule step_rule(const Settings& settings, double dt) {
+  StandardChoices choices = settings.standard;
+  double carried = settings.velocity_carry_over.common;
+  for (const auto& [material, own] : settings.velocity_carry_over.own) carried = std::min(carried, own);
+  choices.force_weight = std::max(choices.force_weight, 1 - carried / 2);
+  return step_rule(choices, dt);
 }
 
 StepRule resting_rule(double tau) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/standard_choices.hpp"
+#include "model/settings.hpp"
 
 namespace keyblock {
 
@@ -51,6 +51,10 @@ struct StepRule {
 ///     αm = (2ρ∞−1)/(ρ∞+1),  αf = ρ∞/(ρ∞+1),  γ = ½ − αm + αf,  β = (1 − αm + αf)²/4.
 /// Their local errors: Zienkiewicz & Xie 1991 for Newmark's sums, |β − 1/6| dt² (a1 − a0), and the same by Taylor for weights.
 StepRule step_rule(const StandardChoices& choices, double dt);
+
+/// The same where only a share of the velocity is carried into a step: forces are weighed at its end by as much more, 1 where each step
+/// begins at rest. The mean of both ends would take such a step as far beyond the equilibrium as it began before it.
+StepRule step_rule(const Settings& settings, double dt);
 
 /// From rest under loads that stay, with M/τ² for what holds a block that nothing else does; the velocity is the increment and
 /// the v0 given, over unit time.

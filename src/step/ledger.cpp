@@ -156,8 +156,8 @@ class ContactFlow {
       law.normal_compliance = trail_.ties.compliance(i);
       ContactMemory memory;
       memory.normal_at_end = before[own];
-      const double force = trail_.smooth.forces[n];
-      add_normal({force, 0, memory, force, 0, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
+      const double at_end = -trail_.ties.at_end(i, trail_.end);
+      add_normal({trail_.smooth.forces[n], 0, memory, at_end, 0, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
     }
   }
 

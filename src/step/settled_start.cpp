@@ -97,13 +97,15 @@ class Settling {
       closed.push_back({faces[i], memory_of(contact_law(scene_, motion_.bonds, faces[i]), forces[n], forces[n + 1])});
     }
     motion_.closed = ClosedContacts(std::move(closed));
-    motion_.ties = ties.memory(forces.tail(count - of_faces));
+    motion_.ties = ties.memory(forces.tail(count - of_faces), motion_.q);
   }
 
   // The greatest way of a block. A step that finds no forces changes nothing.
   double step(const Touches& touches, double stiffness_over_inertia) {
     const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
-    const StepRule rule = step_rule(scene_.settings.standard, dt);
+    StandardChoices choices = scene_.settings.standard;
+    choices.force_weight = 1;  // each step ends at the rest that it heads for, not as far beyond
+    const StepRule rule = step_rule(choices, dt);
     const ForceTolerance tolerance{kForceGoal * scales_.force, kForceAcceptable * scales_.force, kMostSystems};
     SmoothMotion made = smooth_solve(scene_, motion_, loads_, touches, tolerance, -dt, dt, rule);
     if (!made.converged) {

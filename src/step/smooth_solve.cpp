@@ -54,7 +54,7 @@ class SmoothSolve {
         rule_(rule),
         start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
         bonds_(start.bonds),
-        ties_(scene, start, time, dt) {
+        ties_(scene, start, time, dt, rule.stiffness) {
     prepare_blocks(loads);
     if (scene.covers) prepare_covers(loads.covers);
     increments_ = is_linear() ? free_ : before ? plus(before->q, -1, start.q) : steady();
@@ -78,7 +78,7 @@ class SmoothSolve {
       result_.a.covers = std::move(end.a);
     }
     result_.bonds = bonds_;
-    result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()));
+    result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()), result_.q);
     if (rows_) result_.rows = std::move(*rows_);  // the matrix that shares them is not used again
     result_.laws = std::move(laws_);
     result_.flexibility = std::move(inverse_);

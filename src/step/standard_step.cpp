@@ -45,6 +45,15 @@ bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
                                                     scene.model.vertices[touch.start].element);
 }
 
+// Bodies on covers resolve by themselves how an impact goes on: their own inertia near the touch takes part in the motion of the step,
+// and nothing else is struck. Their rebound is that of their own elasticity: Newton's law with a restitution is one of whole blocks.
+bool resolves_impact(const StandardScene& scene, const Touch& touch) {
+  const auto is_on_covers = [&](VertexIndex vertex) {
+    return scene.reference.is_on_covers(scene.model.vertices[vertex].element);
+  };
+  return is_on_covers(touch.vertex) || is_on_covers(touch.start);
+}
+
 struct Split {
   Touches smooth;
   Touches impacts;
@@ -53,12 +62,13 @@ struct Split {
 
 Split split(const StandardScene& scene, const Motion& start, const Touches& touches, double slow) {
   const ContactRows rows = contact_rows(scene.model, scene.reference, start.q, touches);
-  const Eigen::VectorXd speeds = rates(rows, rigid_part(scene, start.q, start.v));
+  const Eigen::VectorXd speeds = rates(rows, rigid_part(start.v));
   const bool springs_stop = scene.settings.standard.impact == ImpactLaw::springs;
   Split parts;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const double speed = speeds[static_cast<Eigen::Index>(2 * i)];
-    if (springs_stop || speed >= -slow || start.closed.of(touches[i]) || is_within_one_body(scene, touches[i])) {
+    if (springs_stop || speed >= -slow || start.closed.of(touches[i]) || is_within_one_body(scene, touches[i]) ||
+        resolves_impact(scene, touches[i])) {
       parts.smooth.push_back(touches[i]);
     } else {
       parts.impacts.push_back(touches[i]);
@@ -75,7 +85,7 @@ class Attempt {
         start_(start),
         time_(time),
         dt_(dt),
-        rule_(step_rule(scene.settings.standard, dt)),
+        rule_(step_rule(scene.settings, dt)),
         loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
     scales_ = scales_of(scene, loads_, start.q, start.v);
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
@@ -97,8 +107,15 @@ class Attempt {
     step_.motion.a = smooth_.a;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.ties = smooth_.ties;
-    step_.motion.v = with_held_velocities(scene_, smooth_.q, smooth_.v, without_springs(scene_, closed), time_, dt_,
-                                          smooth_.flexibility);
+    const std::vector<std::size_t> held = to_be_held();
+    Touches held_touches;
+    std::vector<double> slides;
+    for (std::size_t i : held) {
+      held_touches.push_back(parts_.smooth[i]);
+      slides.push_back(slide(i));
+    }
+    step_.motion.v =
+        with_held_velocities(scene_, smooth_.q, smooth_.v, held_touches, slides, time_, dt_, smooth_.flexibility);
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
@@ -148,25 +165,53 @@ class Attempt {
     return closed;
   }
 
+  // Those whose gap decides what they do in the step: multipliers, and what has just closed on bodies on covers, which would be thrown back.
+  std::vector<std::size_t> to_be_held() const {
+    const bool springs_throw_back =
+        scene_.covers && scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
+    std::vector<std::size_t> held;
+    for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
+      if (!is_closed(i)) continue;
+      const Touch& touch = parts_.smooth[i];
+      const bool has_spring = smooth_.laws[i].normal_compliance > 0;
+      if (!has_spring || (springs_throw_back && !start_.closed.of(touch) && resolves_impact(scene_, touch)))
+        held.push_back(i);
+    }
+    return held;
+  }
+
+  // Friction over normal force where a contact of bodies on covers slides, 0 where it sticks. Blocks, whose strains are damped, come to
+  // rest against each other in a step or two.
+  double slide(std::size_t i) const {
+    const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
+    if (!resolves_impact(scene_, parts_.smooth[i])) return 0;
+    if (smooth_.laws[i].is_bonded || normal(i) <= 0 || sticks(smooth_.laws[i], normal(i), tangential)) return 0;
+    return tangential / normal(i);
+  }
+
   void strike(const Touches& closed) {
     drop_passed();
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
-    const Eigen::VectorXd speeds = rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts),
-                                         rigid_part(scene_, smooth_.q, step_.motion.v));
-    std::vector<Meeting> meetings;
+    const Eigen::VectorXd speeds =
+        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), rigid_part(step_.motion.v));
+    Impacts impacts;
     for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
       const double gap = gap_of(parts_.impacts[i], vertices) - parts_.impacts[i].rest_gap;
       if (gap > kMeeting * scales_.size) continue;
-      meetings.push_back(meeting(parts_.impacts[i], parts_.impact_speeds[i], speeds[static_cast<Eigen::Index>(2 * i)],
-                                 std::max(0.0, -gap)));
+      impacts.meetings.push_back(meeting(parts_.impacts[i], parts_.impact_speeds[i],
+                                         speeds[static_cast<Eigen::Index>(2 * i)], std::max(0.0, -gap)));
     }
-    if (meetings.empty()) return;
-    Touches others = closed;
-    std::erase_if(others, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
-    Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, meetings, others);
+    if (impacts.meetings.empty()) return;
+    impacts.closed = closed;
+    std::erase_if(impacts.closed, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
+    const Flexibility flexibility = impact_flexibility(scene_, smooth_.flexibility, rule_);
+    impacts.bonds = smooth_.bonds;
+    impacts.slow = slow_speed(scales_, start_.v, dt_);
+    Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, impacts, flexibility);
     step_.motion.v = std::move(jump.v);
-    Separated separated = without_overlap(scene_, std::move(jump.q), parts_.impacts, others);
+    Separated separated = without_overlap(scene_, std::move(jump.q), parts_.impacts, impacts.closed, flexibility);
     step_.motion.q = std::move(separated.q);
+    step_.solves += jump.solves + separated.solves;
     step_.locked_overlaps += separated.locked;
   }
 

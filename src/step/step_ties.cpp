@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/step_ties.hpp"
 
+#include <algorithm>
+
 namespace keyblock {
 namespace {
 
@@ -14,8 +16,8 @@ Eigen::Index pair(std::size_t i) {
 
 }  // namespace
 
-StepTies::StepTies(const StandardScene& scene, const Motion& start, double time, double dt)
-    : scene_(scene), start_(start), points_(scene.held), end_time_(time + dt) {
+StepTies::StepTies(const StandardScene& scene, const Motion& start, double time, double dt, double weight)
+    : scene_(scene), start_(start), points_(scene.held), end_time_(time + dt), weight_(weight) {
   for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)
     if (scene.model.bolts[i].is_spring() && !start.ties.broken[i]) bolts_.push_back(i);
 }
@@ -43,7 +45,7 @@ ContactRows StepTies::rows(const UnknownsTable& q) const {
 }
 
 double StepTies::compliance(std::size_t tie) const {
-  return tie < bolts_.size() ? 1 / scene_.model.bolts[bolts_[tie]].stiffness : 0;
+  return tie < bolts_.size() ? 1 / (weight_ * scene_.model.bolts[bolts_[tie]].stiffness) : 0;
 }
 
 ForceLaw StepTies::law(std::size_t tie) const {
@@ -55,7 +57,9 @@ Eigen::VectorXd StepTies::gaps(const UnknownsTable& q) const {
   const Eigen::VectorXd longer = elongation(q);
   for (std::size_t i = 0; i < bolts_.size(); ++i) {
     const Bolt& bolt = scene_.model.bolts[bolts_[i]];
-    gaps[pair(i)] = longer[static_cast<Eigen::Index>(i)] + bolt.pretension / bolt.stiffness;
+    const double at_start = start_.ties.bolt_forces[bolts_[i]] / bolt.stiffness;
+    gaps[pair(i)] =
+        longer[static_cast<Eigen::Index>(i)] + bolt.pretension / bolt.stiffness + (1 / weight_ - 1) * at_start;
   }
   if (!points_.empty())
     gaps.tail(pair(points_.size())) = offsets(scene_.model, scene_.reference, q, points_, end_time_);
@@ -71,12 +75,21 @@ Eigen::VectorXd StepTies::elongation(const UnknownsTable& q) const {
   return longer;
 }
 
-TieMemory StepTies::memory(const Eigen::VectorXd& forces) const {
+double StepTies::at_end(std::size_t bolt, const Motion& end) const {
+  const std::size_t i = bolts_[bolt];
+  return end.ties.broken[i] ? scene_.model.bolts[i].strength : end.ties.bolt_forces[i];
+}
+
+TieMemory StepTies::memory(const Eigen::VectorXd& forces, const UnknownsTable& q) const {
   TieMemory memory = start_.ties;
+  const Eigen::VectorXd longer = weight_ < 1 ? elongation(q) : Eigen::VectorXd();
   for (std::size_t i = 0; i < bolts_.size(); ++i) {
-    const double force = -forces[pair(i)];
-    memory.broken[bolts_[i]] = force >= kAtStrength * scene_.model.bolts[bolts_[i]].strength;
-    memory.bolt_forces[bolts_[i]] = memory.broken[bolts_[i]] ? 0 : force;
+    const Bolt& bolt = scene_.model.bolts[bolts_[i]];
+    const double over_step = -forces[pair(i)];
+    const double at_end =
+        weight_ < 1 ? bolt.pretension + bolt.stiffness * longer[static_cast<Eigen::Index>(i)] : over_step;
+    memory.broken[bolts_[i]] = std::max(over_step, at_end) >= kAtStrength * bolt.strength;
+    memory.bolt_forces[bolts_[i]] = memory.broken[bolts_[i]] ? 0 : at_end;
   }
   memory.point_forces = forces.tail(pair(points_.size()));
   return memory;

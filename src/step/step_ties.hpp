@@ -10,33 +10,37 @@
 
 namespace keyblock {
 
-/// The springs among the bolts that are not broken, then the held points, each a pair of forces. A bolt is a spring along its direction,
-/// λ = −(pretension + stiffness × elongation) ≥ −strength; a point is held in x and y where its motion wants it at the end of the
-/// step.
+/// The springs among the bolts that are not broken, then the held points, each a pair of forces. A bolt is a spring along its direction
+/// with the force f = pretension + stiffness × elongation; over a step it has λ = −((1−θ) f0 + θ f1) ≥ −strength, with the weight θ of
+/// the elastic force, 1/2 for the mean of both ends that keeps its energy (Simo, Tarnow & Wong 1992). A point is held in x and y where
+/// its motion wants it at the end of the step.
 class StepTies {
  public:
-  StepTies(const StandardScene& scene, const Motion& start, double time, double dt);
+  StepTies(const StandardScene& scene, const Motion& start, double time, double dt, double weight = 1);
 
   std::size_t count() const { return bolts_.size() + points_.size(); }
   std::size_t bolt_count() const { return bolts_.size(); }
-  /// Forces of the last step.
+  /// Forces at the start.
   Eigen::VectorXd remembered() const;
 
   /// Of all ties, at q.
   ContactRows rows(const UnknownsTable& q) const;
 
-  /// Length over force, one a tie; 0 for a point.
+  /// Length over force of the step, one a tie; 0 for a point.
   double compliance(std::size_t tie) const;
   ForceLaw law(std::size_t tie) const;
 
   /// What would be left between the ties and where they want to be at q without further force: 2i normal, 2i + 1 across.
   Eigen::VectorXd gaps(const UnknownsTable& q) const;
 
+  /// Force of a bolt after the step, its strength where it has broken.
+  double at_end(std::size_t bolt, const Motion& end) const;
+
   /// Elongations of the bolts at q.
   Eigen::VectorXd elongation(const UnknownsTable& q) const;
 
-  /// What the motion remembers of these forces; bolts at their strength are broken.
-  TieMemory memory(const Eigen::VectorXd& forces) const;
+  /// What the motion remembers after a step with these forces that ends at q; bolts at their strength are broken.
+  TieMemory memory(const Eigen::VectorXd& forces, const UnknownsTable& q) const;
 
  private:
   const StandardScene& scene_;
@@ -44,6 +48,7 @@ class StepTies {
   std::vector<std::size_t> bolts_;
   const std::vector<CarriedPoint>& points_;
   double end_time_;
+  double weight_;
 };
 
 /// Bolts at their pretension, points without force.

@@ -250,8 +250,9 @@ TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
     motion.v[ElementIndex{1}] << 0, -approach, 0, 0, 0.4, 0;  // u v r ex ey gxy
     std::vector<Meeting> meetings;
     for (const Touch& touch : touches) meetings.push_back({touch, 0, 0});
-    const Jump jump = after_jump(scene, motion.q, motion.v, meetings, {});
-    const Jump closed = after_jump(scene, motion.q, motion.v, {meetings[0]}, {touches[1]});
+    const Flexibility blocks_alone{rigid_mass_inverses(scene.bodies)};
+    const Jump jump = after_jump(scene, motion.q, motion.v, {meetings, {}, {}}, blocks_alone);
+    const Jump closed = after_jump(scene, motion.q, motion.v, {{meetings[0]}, {touches[1]}, {}}, blocks_alone);
     EXPECT_NEAR(jump.v[ElementIndex{1}][1], 0, 1e-12) << approach;
     EXPECT_EQ(jump.v[ElementIndex{1}][4], 0.4);
     EXPECT_LE(kinetic_energy(scene, jump.v), kinetic_energy(scene, motion.v)) << approach;
@@ -289,7 +290,8 @@ TEST(StandardImpact, overlaps_go_where_there_is_room) {
   for (const int count : {5, 40}) {
     const PressedRow row(count, false);
     EXPECT_NEAR(row.deepest(row.motion.q, false), PressedRow::kOverlap, 1e-12);
-    const Separated separated = without_overlap(row.scene, row.motion.q, row.touches, {});
+    const Separated separated =
+        without_overlap(row.scene, row.motion.q, row.touches, {}, {rigid_mass_inverses(row.scene.bodies)});
     EXPECT_LE(row.deepest(separated.q, false), kSeparated) << count;
     EXPECT_LE(row.deepest(separated.q, true), kSeparated) << count;
     EXPECT_EQ(separated.locked, 0) << count;
@@ -300,7 +302,8 @@ TEST(StandardImpact, overlaps_go_where_there_is_room) {
 TEST(StandardImpact, overlaps_that_lock_each_other_stay_and_hold_no_others_up) {
   for (const int count : {5, 40}) {
     const PressedRow row(count, true);
-    const Separated separated = without_overlap(row.scene, row.motion.q, row.touches, {});
+    const Separated separated =
+        without_overlap(row.scene, row.motion.q, row.touches, {}, {rigid_mass_inverses(row.scene.bodies)});
     EXPECT_NEAR(row.deepest(separated.q, false), PressedRow::kOverlap, 1e-12) << count;
     EXPECT_LE(row.deepest(separated.q, true), kSeparated) << count;
     EXPECT_GT(separated.locked, 0) << count;
