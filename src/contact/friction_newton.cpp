@@ -184,7 +184,9 @@ class Newton {
   // velocity that strains stiff ones.
   bool is_left_as_is() const { return solution_.residual <= (problem_.has_many() ? 1 : kOfGoal) * problem_.goal; }
   bool is_solved() const { return solution_.residual <= problem_.goal; }
-  bool is_enough() const { return solution_.converged && problem_.has_many() && problem_.acceptable_suffices; }
+  bool is_enough() const {
+    return solution_.converged && problem_.has_many() && solution_.solves >= problem_.enough_systems;
+  }
   bool has_systems_left() const { return solution_.solves < problem_.most_systems; }
 
   void keep_best() {

@@ -114,13 +114,19 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
   solution = newton(problem, std::move(solution), kept);
   FrictionalSolution best = solution;
   const int most_turns = problem.has_many() ? kTurnsOfMany : kMostTurns;
-  for (int turn = 0; turn < most_turns && !solution.converged; ++turn) {
+  // Of some hundred pairs the goal itself is worth another turn, of very many it is not.
+  const bool seeks_goal =
+      problem.has_many() && problem.count() <= FrictionalProblem::kVeryManyPairs && problem.enough_systems > 0;
+  const auto is_done = [&] { return best.converged && (!seeks_goal || best.residual <= problem.goal); };
+  for (int turn = 0; turn < most_turns && !is_done(); ++turn) {
     solution = sweep(problem, std::move(solution), kSweepsBetween << turn);
-    if (!solution.converged) solution = newton(problem, std::move(solution), kept);
-    if (solution.converged || solution.residual < best.residual) best = solution;
+    if (!solution.converged || seeks_goal) solution = newton(problem, std::move(solution), kept);
+    const bool is_better = solution.residual < best.residual;
+    if (solution.converged ? is_better || !best.converged : is_better && !best.converged) best = solution;
   }
-  solution.forces = best.forces;
-  solution.residual = best.residual;
+  best.solves = solution.solves;
+  best.sweeps = solution.sweeps;
+  solution = std::move(best);
   if (!solution.converged && solution.undecided.empty())
     solution.undecided = unsettled(problem, tried(problem, solution.forces));
   // Round-off on an open touch would pass for a closed one.

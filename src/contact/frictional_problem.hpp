@@ -46,9 +46,10 @@ struct FrictionalProblem {
       proximal;  ///< weights of the first proximal term, as 1/p of an augmented Lagrangian; empty: our choice
   /// |y| that counts as zero: redundant forces may be asked to close gaps that round-off made unequal, and then no forces do.
   double gap_tolerance = 0;
-  Eigen::VectorXd scale{};           ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
-  int most_systems = 400;            ///< linear systems after which the best forces so far are kept
-  bool acceptable_suffices = false;  ///< acceptable forces of many pairs are not improved further
+  Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
+  int most_systems = 400;   ///< linear systems after which the best forces so far are kept
+  int enough_systems =
+      std::numeric_limits<int>::max();  ///< after which acceptable forces of many pairs are not improved further
 
   const Eigen::VectorXd& compliance() const { return scale.size() > 0 ? scale : w.diagonal(); }
   std::size_t count() const { return laws.size(); }
@@ -56,6 +57,8 @@ struct FrictionalProblem {
   bool has_many() const { return count() > kFewPairs; }
 
   static constexpr std::size_t kFewPairs = 50;
+  /// More than these are worth estimates of what accuracy costs.
+  static constexpr std::size_t kVeryManyPairs = 500;
 };
 
 /// open: at the least normal force, which is none for a touch; open_stick: the same, yet yt = 0; slip_forward: λt = +limit.

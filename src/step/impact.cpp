@@ -18,13 +18,19 @@ namespace {
 // Overlap of this share of block size is round-off of a position; linearised passes get there in two or three. In assemblies what is left
 // is far below what the next step pushes out by itself.
 constexpr double kNoOverlap = 1e-14;
-constexpr double kNoOverlapOfMany = 1e-10;
+constexpr double kNoOverlapOfMany = 5e-11;
 constexpr int kMostPasses = 10;
 // Overlaps may lock each other, so that no push takes them all away. Which do is found with touches that yield this share of what
 // their blocks do, so soft that there is always a push: where it leaves more than the second share of an overlap, it is taken
 // for locked. A pair with room keeps a hundredth, a chain of ten a tenth.
 constexpr double kYield = 1e-2;
 constexpr double kLocked = 0.1;
+// In assemblies such soft pushes are all there are: each is settled to this share of the greatest overlap.
+constexpr double kPushed = 1e-3;
+constexpr double kWorse = 1.1;
+constexpr int kMostSoftPasses = 5;
+// What yields so leaves a ten-thousandth of a push to the neighbours of the neighbours of the blocks that overlap.
+constexpr int kRings = 3;
 // Impulses are settled at this share of the largest momentum; a residual this much larger still counts where redundant ones keep it out
 // of reach.
 constexpr double kImpulseTolerance = 1e-13;
@@ -128,6 +134,11 @@ class Separation {
     for (int pass = 0; pass < kMostPasses; ++pass) {
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
+      const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();
+      if (has_many() && 2 * near.size() < touches_.size()) {
+        if (pass == kMostSoftPasses || !push_softly(room, near)) break;
+        continue;
+      }
       const ContactRows rows = rows_with_points(scene_, result_.q, touches_);
       FrictionalProblem problem = problem_of(rows, room);
       const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
@@ -155,17 +166,73 @@ class Separation {
     problem.b = Eigen::VectorXd::Zero(problem.w.rows());
     for (std::size_t i = 0; i < room.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
     problem.goal = tolerable_ / problem.w.diagonal().maxCoeff();
-    problem.acceptable = has_many() ? problem.goal : kLooser * problem.goal;
-    if (has_many()) problem.most_systems = kMostSystems;
+    problem.acceptable = problem.has_many() ? problem.goal : kLooser * problem.goal;
+    if (problem.has_many()) problem.most_systems = kMostSystems;
     return problem;
+  }
+
+  static void soften(FrictionalProblem& problem) {
+    for (Eigen::Index n = 0; n < static_cast<Eigen::Index>(2 * problem.count()); n += 2)
+      if (problem.laws[static_cast<std::size_t>(n / 2)].can_open())
+        problem.w.add_to_diagonal(n, kYield * problem.w.diagonal()[n]);
+  }
+
+  // In assemblies, where a block or two overlap among thousands that rest against each other in rings: these and their neighbours give way.
+  // What is left after a few passes is a rest gap of the next step. False where nothing is gained.
+  bool push_softly(const std::vector<double>& room, const std::vector<std::size_t>& among) {
+    const double before = std::ranges::min(room);
+    Touches near;
+    std::vector<double> near_room;
+    for (const std::size_t i : among) {
+      near.push_back(touches_[i]);
+      near_room.push_back(room[i]);
+    }
+    const ContactRows rows = rows_with_points(scene_, result_.q, near);
+    FrictionalProblem problem = problem_of(rows, near_room);
+    soften(problem);
+    problem.goal = kPushed * -before / problem.w.diagonal().maxCoeff();
+    problem.acceptable = problem.goal;
+    problem.most_systems = kMostSystems;
+    const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+    result_.solves += push.solves;
+    const UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
+    const std::vector<double> left = room_at(pushed);
+    if (!push.converged || std::ranges::min(left) < kWorse * before) return false;
+    result_.q = pushed;
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      if (room[i] >= -tolerable_ || left[i] >= kLocked * room[i]) continue;
+      least_[i] += left[i];
+      ++result_.locked;
+    }
+    return true;
+  }
+
+  // Touches of blocks that overlap, of their neighbours and of the neighbours of these.
+  std::vector<std::size_t> near_overlaps(const std::vector<double>& room) const {
+    std::vector<bool> is_near(scene_.bodies.size(), false);
+    const auto of = [&](VertexIndex vertex) {
+      return static_cast<std::size_t>(scene_.model.vertices[vertex].element.value);
+    };
+    for (std::size_t i = 0; i < touches_.size(); ++i)
+      if (room[i] < -tolerable_) is_near[of(touches_[i].vertex)] = is_near[of(touches_[i].start)] = true;
+    std::vector<std::size_t> near;
+    for (int ring = 0; ring < kRings; ++ring) {
+      near.clear();
+      const std::vector<bool> before = is_near;
+      for (std::size_t i = 0; i < touches_.size(); ++i) {
+        const std::size_t vertex = of(touches_[i].vertex);
+        const std::size_t edge = of(touches_[i].start);
+        if (!before[vertex] && !before[edge]) continue;
+        near.push_back(i);
+        is_near[vertex] = is_near[edge] = true;
+      }
+    }
+    return near;
   }
 
   // Those whose overlap a soft push would not take away stay as they are; where that are none, all.
   void leave_locked(const ContactRows& rows, const std::vector<double>& room, FrictionalProblem problem) {
-    for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const auto n = static_cast<Eigen::Index>(2 * i);
-      problem.w.add_to_diagonal(n, kYield * problem.w.diagonal()[n]);
-    }
+    soften(problem);
     const FrictionalSolution soft = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
     result_.solves += soft.solves;
     const std::vector<double> left = room_at(plus(result_.q, 1, answer(rows, flexibility_, soft.forces)));
@@ -243,12 +310,35 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
     problem.acceptable = std::max(problem.goal, kShareOfImpulse * greatest);
     problem.gap_tolerance = kShareOfSlow * impacts.slow;
     problem.most_systems = kMostSystems;
-    problem.acceptable_suffices = true;
+    problem.enough_systems = 0;
   }
   const FrictionalSolution solution = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
   const Eigen::VectorXd shifts = solution.forces.cwiseProduct(times_of(meetings, solution.forces.size()));
-  return {plus(q, 1, answer(rows, flexibility, shifts)), plus(v, 1, answer(rows, flexibility, solution.forces)),
-          solution.solves};
+  Jump jump{plus(q, 1, answer(rows, flexibility, shifts)),
+            plus(v, 1, answer(rows, flexibility, solution.forces)),
+            solution.solves,
+            {}};
+  if (!solution.converged)
+    std::ranges::copy_if(solution.undecided, std::back_inserter(jump.undecided),
+                         [&](std::size_t i) { return i < meetings.size(); });
+  return jump;
+}
+
+UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, double time,
+                                   const Flexibility& flexibility) {
+  if (scene.held.empty()) return q;
+  const double tolerance = kNoOverlap * size_of(scene);
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const Eigen::VectorXd off = offsets(scene.model, scene.reference, q, scene.held, time);
+    if (off.cwiseAbs().maxCoeff() <= tolerance) break;
+    const ContactRows rows = point_rows(scene.model, scene.reference, q, scene.held);
+    FrictionalProblem problem{
+        ContactMatrix(rows, flexibility), off, std::vector<ForceLaw>(scene.held.size(), kHeld), 0, 0, {}};
+    problem.goal = tolerance / problem.w.diagonal().maxCoeff();
+    problem.acceptable = kLooser * problem.goal;
+    q = plus(q, 1, answer(rows, flexibility, newton(problem, Eigen::VectorXd::Zero(off.size())).forces));
+  }
+  return q;
 }
 
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,

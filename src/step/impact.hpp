@@ -26,7 +26,8 @@ struct Impacts {
 struct Jump {
   UnknownsTable q;
   UnknownsTable v;
-  int solves = 0;  ///< linear systems factorised
+  int solves = 0;                      ///< linear systems factorised
+  std::vector<std::size_t> undecided;  ///< meetings whose impulses would not settle
 };
 
 /// Positions after overlaps were pushed out.
@@ -54,6 +55,11 @@ Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Tou
 /// Among many touches those that approach at a share of the slow speed are left to the next step.
 Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v, const Impacts& impacts,
                 const Flexibility& flexibility);
+
+/// Puts held points where their motion wants them at `time`: what impulses that did not settle leave of their offsets would be pulled back
+/// in the next step by any force.
+UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, double time,
+                                   const Flexibility& flexibility);
 
 /// Velocities without the strain rates of blocks.
 UnknownsTable rigid_part(UnknownsTable v);

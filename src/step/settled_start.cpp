@@ -30,8 +30,9 @@ constexpr double kLongest = 4096;
 constexpr double kGrowth = 2;
 constexpr double kFarthest = 1e-5;
 constexpr int kMostSteps = 40;
+constexpr int kMostSearches = 4;
 // At rest is what moves by less than this share of what a free block does.
-constexpr double kAtRest = 1e-4;
+constexpr double kAtRest = 2e-5;
 // Of the largest load on a block; what steps of the run itself ask of as many touches.
 constexpr double kForceGoal = 1e-6;
 constexpr double kForceAcceptable = 1e-3;
@@ -47,12 +48,17 @@ class Settling {
   }
 
   Settled run() {
-    const Touches touches = resting_touches(scene_, motion_, scales_);
-    leave_unsupported(touches);
-    load_glued(touches);
+    found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
+    found_.touches = resting_touches(scene_, motion_, scales_);
+    const UnknownsTable drawn = motion_.q;
+    leave_unsupported(found_.touches);
+    load_glued(found_.touches);
+    Motion before = motion_;  // with what the springs of the glue are compressed by
+    before.q = drawn;
+    add_overlapping(before);
     double stiffness = kShortest;
     for (int i = 0; i < kMostSteps; ++i) {
-      const double moved = step(touches, stiffness);
+      const double moved = step(stiffness);
       const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
       if (moved <= kAtRest * free) break;
       if (moved <= kFarthest * scales_.size) stiffness = std::min(kGrowth * stiffness, kLongest);
@@ -101,13 +107,19 @@ class Settling {
   }
 
   // The greatest way of a block. A step that finds no forces changes nothing.
-  double step(const Touches& touches, double stiffness_over_inertia) {
+  double step(double stiffness_over_inertia) {
     const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
     StandardChoices choices = scene_.settings.standard;
     choices.force_weight = 1;  // each step ends at the rest that it heads for, not as far beyond
     const StepRule rule = step_rule(choices, dt);
     const ForceTolerance tolerance{kForceGoal * scales_.force, kForceAcceptable * scales_.force, kMostSystems};
-    SmoothMotion made = smooth_solve(scene_, motion_, loads_, touches, tolerance, -dt, dt, rule);
+    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule);
+    for (int search = 1; search < kMostSearches && made.converged; ++search) {
+      const Touches fresh = overlapping_at(made.q, motion_);
+      if (fresh.empty()) break;
+      found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
+      made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule, &made);
+    }
     if (!made.converged) {
       ++unsolved_;
       return kFarthest * scales_.size;
@@ -118,17 +130,27 @@ class Settling {
     motion_.bonds = std::move(made.bonds);
     motion_.ties = std::move(made.ties);
     std::vector<ClosedContact> closed;
-    for (std::size_t i = 0; i < touches.size(); ++i) {
+    for (std::size_t i = 0; i < found_.touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
+      const Touch& touch = found_.touches[i];
       if (made.forces[n] != 0 || made.laws[i].is_bonded)
-        closed.push_back({touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1],
-                                                motion_.closed.of(touches[i]))});
+        closed.push_back(
+            {touch, memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1], motion_.closed.of(touch))});
     }
     motion_.closed = ClosedContacts(std::move(closed));
     double farthest = 0;
     for (const Unknowns& of : moved)
       if (of.size() > 0) farthest = std::max(farthest, of.head<2>().norm());
     return farthest;
+  }
+
+  // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past each other.
+  Touches overlapping_at(const UnknownsTable& q, const Motion& before) const {
+    return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_);
+  }
+  void add_overlapping(const Motion& before) {
+    const Touches fresh = overlapping_at(motion_.q, before);
+    found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
   }
 
   double heaviest() const {
@@ -159,6 +181,7 @@ class Settling {
   UnknownsTable velocities_;
   UnknownsTable loads_;
   Scales scales_;
+  FoundTouches found_;
   int unsolved_ = 0;
 };
 

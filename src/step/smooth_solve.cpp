@@ -30,6 +30,11 @@ constexpr double kTolerable = 1e-6;
 // forces are then as good as that, and gaps are those of the estimate itself in any case.
 constexpr int kMostRows = 2;
 constexpr double kSameRows = 1e-9;
+// In assemblies rows may be as wrong as forces are, and forces that meet the gaps of the last estimate within this many times their goal,
+// a hundred-thousandth of the heaviest load, are not sought again: what is left is a share of that size of the free fall of a step.
+constexpr double kSameRowsOfMany = 1e-5;
+constexpr double kGoalsOfEstimate = 10;
+constexpr double kOfLast = 2;
 // The matrix of bodies on covers is kept from round to round while a round leaves less than this share of the change before.
 constexpr double kWorstGain = 0.03;
 // Gaps of this share of block size need not be closed further by forces without springs.
@@ -94,7 +99,8 @@ class SmoothSolve {
     double unsolved = std::numeric_limits<double>::infinity();
     double before = change;
     for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
-      const bool rows_moved = round > 0 && round < kMostRows && greatest_change(increments_, linearised_) > kSameRows;
+      const double same = is_coarse() ? kSameRowsOfMany : kSameRows;
+      const bool rows_moved = round > 0 && round < kMostRows && greatest_change(increments_, linearised_) > same;
       const bool falls_slowly = covers_ != nullptr && round > 1 && change > kWorstGain * before;
       if (round == 0 || falls_slowly) refactor_covers();
       if (!result_.converged) return;
@@ -106,6 +112,7 @@ class SmoothSolve {
       }
       set_right_side(increments_);
       unsolved = residual(problem_, result_.forces);
+      if (round > 0 && !rows_moved && is_good_enough(unsolved)) break;
       UnknownsTable next = next_increments();
       change = greatest_change(increments_, next);
       increments_ = std::move(next);
@@ -137,6 +144,14 @@ class SmoothSolve {
     covers_->begin({start_.q.covers, start_.v.covers, start_.a.covers}, load, rule_, dt_);
     known_velocity_.covers = covers_->known_velocity();
     known_acceleration_.covers = covers_->known_acceleration();
+  }
+
+  // Very many pairs between blocks alone.
+  bool is_coarse() const { return !covers_ && touches_.size() > FrictionalProblem::kVeryManyPairs; }
+
+  // What forces leave of the gaps of the last estimate is nothing to their goal, or no more than they left of those before.
+  bool is_good_enough(double unsolved) const {
+    return is_coarse() && unsolved <= std::max(kGoalsOfEstimate * problem_.goal, kOfLast * result_.residual);
   }
 
   // Blocks by themselves are: strain is measured in their own frame.
@@ -210,6 +225,7 @@ class SmoothSolve {
 
   UnknownsTable next_increments() {
     problem_.most_systems = std::max(kFewestSystems, tolerance_.most_systems - result_.solves);
+    problem_.enough_systems = std::max(0, tolerance_.enough_systems - result_.solves);
     const FrictionalSolution solution = solve(problem_, result_.forces, &kept_);
     result_.forces = solution.forces;
     result_.solves += solution.solves;

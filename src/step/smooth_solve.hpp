@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
 #include "step/contact_laws.hpp"
@@ -14,6 +16,8 @@ struct ForceTolerance {
   double goal = 0;
   double acceptable = 0;
   int most_systems = 400;  ///< linear systems after which the best forces so far are taken
+  /// After these acceptable ones are.
+  int enough_systems = std::numeric_limits<int>::max();
 };
 
 struct SmoothMotion {

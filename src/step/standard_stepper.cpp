@@ -310,6 +310,7 @@ StepReport StandardStepper::report_of(const ControlledStep& made) const {
   report.unresolved_parts = made.unresolved;
   report.fallbacks = made.step.fallbacks;
   report.locked_overlaps = made.step.locked_overlaps;
+  report.unsettled_contacts = static_cast<int>(made.step.undecided.size());
   report.contacts = static_cast<int>(made.step.touches.size());
   report.closed = static_cast<int>(motion_.closed.size());
   report.matrix_blocks = static_cast<int>(scene_.bodies.size());
