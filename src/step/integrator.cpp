@@ -19,7 +19,7 @@ StepRule weighted(const StandardChoices& choices, double dt) {
   const double by = 1 / (choices.velocity_weight * dt);
   const StepSum acceleration{by / dt, -by, 0};
   const StepSum end{by, -(1 - choices.velocity_weight) / choices.velocity_weight, 0};
-  const bool follows_rate = choices.strain_damping == StrainDamping::critical;
+  const bool follows_rate = choices.strain_damping == StrainDamping::critical && choices.impact == ImpactLaw::jump;
   return {.inertia = acceleration,
           .damping = {1 / dt, 0, 0},
           .stiffness = choices.force_weight,

@@ -44,6 +44,7 @@ struct StepRule {
 ///     M (Δq − dt v0)/(θv dt²) + C Δq/dt + K (q0 + θf Δq) = F(½),   v1 = (Δq/dt − (1−θv) v0)/θv,   a1 = (v1 − v0)/dt.
 /// Where the strains of blocks are damped critically, they have K (q0 + dt v1) + C v1 instead: strain modes too fast for the step lose
 /// half their energy in each, where any weight of Δq would leave their rates turned over for ever (det = 1/2, trace = 1/2 as ω dt → ∞).
+/// Where springs stop impacts they do not: what such a step takes from a rate it may for a while make of strain, more than there was.
 /// Newmark 1959, with Δq = dt v0 + dt² ((½−β) a0 + β a1) and v1 = v0 + dt ((1−γ) a0 + γ a1):
 ///     M a1 + C v1 + K q1 = F(1);   Shi's step is β = ½, γ = 1.
 /// Generalised α of Chung & Hulbert 1993, damping high frequencies down to ρ∞: Newmark's sums, and

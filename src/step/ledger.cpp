@@ -182,6 +182,10 @@ class ContactFlow {
     const double change = forces.at_end - forces.before.normal_at_end;
     const double mean = (forces.at_end + forces.before.normal_at_end) / 2;
     flow_.geometric += forces.normal * (way - opening);
+    if (scene_.settings.standard.impact == ImpactLaw::springs) {  // whose force is that of their energy
+      flow_.closing -= forces.normal * opening + compliance * mean * change;
+      return;
+    }
     flow_.closing -= forces.normal * (opening + compliance * change);
     flow_.algorithmic += compliance * (forces.normal - mean) * change;
   }

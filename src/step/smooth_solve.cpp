@@ -25,6 +25,7 @@ constexpr double kSettled = 1e-12;
 // of that size for the next step to close; more is a failure, unless the forces meet the gaps as the last round left them: a
 // light block moves far by what is nothing to a heavy one.
 constexpr int kMostRounds = 8;
+constexpr int kMostRoundsOfSprings = 30;  // whose law is not linear where they meet or part
 constexpr double kTolerable = 1e-6;
 // Rows and matrix are made anew about the first estimates, and where these moved by more than the second figure: directions of
 // forces are then as good as that, and gaps are those of the estimate itself in any case.
@@ -98,7 +99,7 @@ class SmoothSolve {
     double change = is_linear() ? 0 : 1;
     double unsolved = std::numeric_limits<double>::infinity();
     double before = change;
-    for (int round = 0; round < kMostRounds && change > kSettled && result_.converged; ++round) {
+    for (int round = 0; round < most_rounds() && change > kSettled && result_.converged; ++round) {
       const double same = is_coarse() ? kSameRowsOfMany : kSameRows;
       const bool rows_moved = round > 0 && round < kMostRows && greatest_change(increments_, linearised_) > same;
       const bool falls_slowly = covers_ != nullptr && round > 1 && change > kWorstGain * before;
@@ -154,6 +155,8 @@ class SmoothSolve {
     return is_coarse() && unsolved <= std::max(kGoalsOfEstimate * problem_.goal, kOfLast * result_.residual);
   }
 
+  int most_rounds() const { return springs_stop() ? kMostRoundsOfSprings : kMostRounds; }
+
   // Blocks by themselves are: strain is measured in their own frame.
   bool is_linear() const { return touches_.empty() && ties_.count() == 0 && !scene_.covers; }
 
@@ -182,6 +185,7 @@ class SmoothSolve {
 
   void linearise() {
     kept_ = {};
+    line_compliance_.resize(0);
     linearised_ = increments_;
     const UnknownsTable middle = plus(start_.q, 0.5, increments_);
     rows_ = std::make_shared<ContactRows>(contact_rows(scene_.model, scene_.reference, middle, touches_));
@@ -239,18 +243,25 @@ class SmoothSolve {
   void set_right_side(const UnknownsTable& estimate) {
     const Table<VertexIndex, Point> end = vertices_at(scene_.model, scene_.reference, plus(start_.q, 1, estimate));
     const Eigen::VectorXd from_estimate = rates(*rows_, plus(free_, -1, estimate));
+    Eigen::VectorXd line_compliance = Eigen::VectorXd::Zero(springs_stop() ? first_tie() : 0);
     problem_.b = rates(*rows_, plus(free_, 1 / rate(), known_velocity_));
     for_each_entry(touches_.size(), [&](std::size_t i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const double before = gap_of(touches_[i], start_vertices_) - laws_[i].rest_gap;
+      const double after = gap_of(touches_[i], end) - laws_[i].rest_gap;
       if (follows_rate(i))
         problem_.b[n] += of_stretch() * before;
       else
-        problem_.b[n] = gap_of(touches_[i], end) + from_estimate[n] - laws_[i].rest_gap;
-      if (springs_stop()) problem_.b[n] += before;
+        problem_.b[n] = after + from_estimate[n];
+      if (springs_stop() && laws_[i].normal_compliance > 0) {
+        const SpringLine line = spring_line(before, after, laws_[i].normal_compliance);
+        problem_.b[n] -= line.rest;
+        line_compliance[n] = line.compliance;
+      }
       const ContactMemory* memory = memories_[i];
       if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += of_stretch() * memory->stretch;
     });
+    follow_lines(line_compliance);
     const Eigen::Index of_ties = problem_.b.size() - first_tie();
     problem_.b.tail(of_ties) = ties_.gaps(plus(start_.q, 1, estimate)) + from_estimate.tail(of_ties);
     problem_.goal = tolerance_.goal;
@@ -261,9 +272,37 @@ class SmoothSolve {
     problem_.acceptable = kFewRoundOffs * asked;
   }
 
-  // Springs that stop an impact act at the middle of the step, which keeps their energy: λ = −p (g0 + g1)/2.
+  // Springs that stop an impact give back what they took, whatever the step: their force is the change of their energy U = p min(g, 0)²/2
+  // over that of the gap, λ = −(U(g1) − U(g0)) / (g1 − g0) (Gonzalez 2000): the mean of both ends while they are pressed. Where they meet or
+  // part within the step it is not linear in g1, and each round takes its tangent at the last estimate.
   bool springs_stop() const { return scene_.settings.standard.impact == ImpactLaw::springs; }
-  double normal_scale(std::size_t i) const { return springs_stop() ? 2 : follows_rate(i) ? of_stretch() : 1; }
+  double normal_scale(std::size_t i) const { return springs_stop() ? 0 : follows_rate(i) ? of_stretch() : 1; }
+
+  // λ = (rest − g1) / compliance.
+  struct SpringLine {
+    double rest = 0;
+    double compliance = 0;
+  };
+  static SpringLine spring_line(double before, double after, double compliance) {
+    if (before <= 0 && after <= 0) return {-before, 2 * compliance};
+    const double way = std::abs(after - before);
+    if (before > 0 && after >= 0) return {-way, 2 * compliance};  // no force unless the estimate turns out to be far off
+    const double pressed = std::min(before, after);
+    const double force = pressed * pressed / (2 * compliance * way);
+    const double slope = after < before ? -pressed / (compliance * way) * (1 + pressed / (2 * way)) : force / way;
+    return {after + force / slope, 1 / slope};
+  }
+
+  void follow_lines(const Eigen::VectorXd& compliance) {
+    if (compliance.size() == 0) return;
+    if (line_compliance_.size() != compliance.size()) line_compliance_ = Eigen::VectorXd::Zero(compliance.size());
+    for (Eigen::Index n = 0; n < compliance.size(); n += 2) {
+      if (compliance[n] == line_compliance_[n]) continue;
+      add_compliance(n, compliance[n] - line_compliance_[n]);
+      kept_ = {};
+    }
+    line_compliance_ = compliance;
+  }
 
   // A spring that was closed before is compressed by dt times the velocity at the end of the step, λ = −p (g0 + dt ġ1), as the tangential
   // one is stretched: where it is too stiff for the step, the gap at its end would leave its rate turned over in every step for ever.
@@ -348,6 +387,7 @@ class SmoothSolve {
   std::vector<const ContactMemory*> memories_;  ///< of each touch; none of one that was open
   std::shared_ptr<ContactRows> rows_;
   FrictionalProblem problem_;
+  Eigen::VectorXd line_compliance_;  ///< of springs that stop impacts, as the matrix has it
   KeptSystem kept_;  ///< of `problem_` and its rows
   UnknownsTable increments_;
   UnknownsTable linearised_;          ///< increments about which rows and matrix were made
