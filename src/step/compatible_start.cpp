@@ -48,6 +48,7 @@ class Settling {
     const ContactRows of_bolts = bolt_rows(scene.model, scene.reference, motion_.q);
     if (!of_bolts.empty()) loads_ = plus(loads_, 1, answer(of_bolts, {identities()}, pretensions()));
     const Scales scales = scales_of(scene_, loads_, motion_.q, motion_.v);
+    add_centrifugal_force(scene_, motion_.v, loads_);
     tolerance_ = kForceTolerance * scales.force;
     for (const Body& body : scene.bodies)
       if (body.mass.rows() > 0) heaviest_ = std::max(heaviest_, body.mass(0, 0));

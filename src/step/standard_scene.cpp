@@ -110,6 +110,17 @@ Motion start_motion(const StandardScene& scene) {
   return motion;
 }
 
+void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, UnknownsTable& loads) {
+  for (ElementIndex e : indices(loads)) {
+    const Body& body = scene.bodies[e];
+    const Eigen::Index strains = body.strain_count();
+    if (loads[e].size() == 0 || strains == 0) continue;
+    Unknowns stretch = Unknowns::Zero(loads[e].size());
+    stretch.segment<2>(kRigidUnknowns).setOnes();
+    loads[e].tail(strains) += v[e][2] * v[e][2] * (body.mass * stretch).tail(strains);
+  }
+}
+
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time) {
   UnknownsTable loads;
   loads.reserve(scene.bodies.size());

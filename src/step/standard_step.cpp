@@ -92,6 +92,7 @@ class Attempt {
         rule_(step_rule(scene.settings, dt)),
         loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
     scales_ = scales_of(scene, loads_, start.q, start.v);
+    add_centrifugal_force(scene, start.v, loads_);
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
     found_ = touches_of(scene, start, scales_, dt);
     leave_overlaps(scene, start, scales_, found_.touches);
