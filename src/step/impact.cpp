@@ -27,6 +27,7 @@ constexpr double kYield = 1e-2;
 constexpr double kLocked = 0.1;
 // In assemblies such soft pushes are all there are: each is settled to this share of the greatest overlap.
 constexpr double kPushed = 1e-3;
+constexpr double kLeftToStep = 1e-7;  // of block size, which the next step pushes out by itself
 constexpr double kWorse = 1.1;
 constexpr int kMostSoftPasses = 5;
 // What yields so leaves a ten-thousandth of a push to the neighbours of the neighbours of the blocks that overlap.
@@ -131,12 +132,15 @@ class Separation {
   }
 
   Separated run() {
+    bool is_soft = false;
     for (int pass = 0; pass < kMostPasses; ++pass) {
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
       const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();
-      if (has_many() && 2 * near.size() < touches_.size()) {
-        if (pass == kMostSoftPasses || !push_softly(room, near)) break;
+      if (pass == 0) is_soft = has_many() && 2 * near.size() < touches_.size();
+      if (is_soft) {
+        const bool is_enough = -std::ranges::min(room) <= kLeftToStep * size_of(scene_);
+        if (is_enough || pass == kMostSoftPasses || result_.solves >= kMostSystems || !push_softly(room, near)) break;
         continue;
       }
       const ContactRows rows = rows_with_points(scene_, result_.q, touches_);
@@ -192,7 +196,7 @@ class Separation {
     soften(problem);
     problem.goal = kPushed * -before / problem.w.diagonal().maxCoeff();
     problem.acceptable = problem.goal;
-    problem.most_systems = kMostSystems;
+    problem.most_systems = kMostSystems - result_.solves;
     const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
     result_.solves += push.solves;
     const UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
