@@ -218,6 +218,14 @@ std::vector<SettingRow> rows_of_standard() {
       row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
           at(&C::spring_points),
           one_of<SpringPoints>({{SpringPoints::ends, "ends"}, {SpringPoints::lobatto, "lobatto"}})),
+      row("force_tolerance",
+          "residual of contact forces over the heaviest load that a step goes for where more than 50 touches are "
+          "settled "
+          "together",
+          at(&C::force_tolerance), real({0, true, 1e-3})),
+      row("penetration_limit",
+          "depth of blocks in one another that no spring bears, over the size of the smaller, beyond which a run ends",
+          at(&C::penetration_limit), real({0, true, 1})),
       row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
           one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
       under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},

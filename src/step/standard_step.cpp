@@ -25,9 +25,8 @@ constexpr int kMostSearches = 4;
 // Residual of the contact forces over the largest load on a block: few contacts reach the first, assemblies the second.
 constexpr double kForceGoal = 1e-10;
 constexpr double kForceAcceptable = 1e-6;
-// In assemblies of more touches than `kFewPairs` a millionth is far below what a step does to forces; and a thousandth, judged by what
-// one force does to its own blocks in the step, is a gap of a thousandth of their free fall.
-constexpr double kForceGoalOfMany = 1e-6;
+// In assemblies of more touches than `kFewPairs` the first is a setting, a millionth, far below what a step does to forces; and a
+// thousandth, judged by what one force does to its own blocks in the step, is a gap of a thousandth of their free fall.
 constexpr double kForceAcceptableOfMany = 1e-3;
 // A force below this is round-off of gaps in a short step.
 constexpr double kLeastForceOfMany = 1e-8;
@@ -137,7 +136,8 @@ class Attempt {
   void move_smoothly() {
     const bool is_many = found_.touches.size() > FrictionalProblem::kFewPairs;
     if (is_many) least_force_ = std::max(least_force_, kLeastForceOfMany * scales_.force);
-    const double goal = is_many ? std::max(least_force_, kForceGoalOfMany * scales_.force) : least_force_;
+    const double goal =
+        is_many ? std::max(least_force_, scene_.settings.standard.force_tolerance * scales_.force) : least_force_;
     const double share = is_many ? kForceAcceptableOfMany : kForceAcceptable;
     ForceTolerance tolerance{goal, std::max(share * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
     for (int search = 0; search < kMostSearches; ++search) {

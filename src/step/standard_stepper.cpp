@@ -56,6 +56,23 @@ std::string crushed_before(const StandardScene& scene, const State& before, cons
   return {};
 }
 
+/// Which blocks lie deeper in one another than the limit allows, beyond what their springs are pressed; empty where none do.
+std::string too_deep(const StandardScene& scene, const Motion& motion, const State& end) {
+  for (const auto& [touch, memory] : motion.closed.all()) {
+    const ElementIndex vertex = scene.model.vertices[touch.vertex].element;
+    const ElementIndex edge = scene.model.vertices[touch.start].element;
+    if (scene.model.elements[vertex].is_on_covers() || scene.model.elements[edge].is_on_covers()) continue;
+    const double size = std::min(scene.bodies[vertex].size, scene.bodies[edge].size);
+    const double depth = -gap_of(touch, end.vertices) - memory.normal_compliance * memory.normal_at_end;
+    if (!(depth > scene.settings.standard.penetration_limit * size)) continue;
+    return fmt::format(
+        "block {} and block {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "
+        "(penetration_limit) nothing that follows can be trusted",
+        vertex.value + 1, edge.value + 1, depth, depth / size, scene.settings.standard.penetration_limit);
+  }
+  return {};
+}
+
 struct First {
   Motion motion;
   std::string failure;
@@ -216,6 +233,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   State end = state_of(scene_, made.step.motion);
   made.step.failure = impossible(end);
   if (!made.step.failure.empty()) made.step.failure += crushed_before(scene_, state_, end);
+  if (made.step.failure.empty()) made.step.failure = too_deep(scene_, made.step.motion, end);
   if (!made.step.failure.empty()) return failure_of(made.step);
   end.step = state_.step + 1;
   end.time = state_.time + scene_.settings.time_step;

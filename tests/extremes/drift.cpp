@@ -42,9 +42,10 @@ Extremes spin(int steps) {
            {}}};
 }
 
+// Of squares of a metre; a spin stretches their area, not their mass.
 double momentum(const Frame& frame) {
   double sum = 0;
-  for (const ElementFrame& e : frame.elements) sum += kDensity * e.area * e.velocity.x;
+  for (const ElementFrame& e : frame.elements) sum += kDensity * e.velocity.x;
   return sum;
 }
 

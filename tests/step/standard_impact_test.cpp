@@ -335,6 +335,27 @@ TEST(StandardImpact, springs_that_stop_a_row_of_blocks_keep_its_momentum) {
   }
 }
 
+// A file whose blocks are drawn a fifth of a metre into one another: no force bears that, and no answer comes of it.
+TEST(StandardImpact, a_run_ends_where_blocks_lie_too_deep_in_one_another) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, -0.2}, {1, 0.8})};
+  blocks.fixed_points = {{{-1, -0.5}, 0, {}}, {{2, -0.5}, 0, {}}};
+  const Analysis analysis = plain_analysis(1e-3, 1);
+  Settings settings = standard_settings(analysis);
+  settings.standard.start = StartRule::sudden;
+  StandardStepper stepper(standard_scene_of(blocks, analysis, settings));
+  std::string reason;
+  for (int i = 0; i < 10 && reason.empty(); ++i) {
+    const auto made = stepper.advance();
+    if (const auto* failure = std::get_if<StepFailure>(&made)) reason = failure->reason;
+  }
+  EXPECT_NE(reason.find("deep in one another"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("penetration_limit"), std::string::npos) << reason;
+  settings.standard.penetration_limit = 1;
+  StandardStepper tolerant(standard_scene_of(blocks, analysis, settings));
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(std::holds_alternative<StepReport>(tolerant.advance()));
+}
+
 TEST(StandardImpact, overlaps_go_where_there_is_room) {
   for (const int count : {5, 40}) {
     const PressedRow row(count, false);
