@@ -25,14 +25,14 @@ constexpr double kRigid = 1e-4;
 // Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue: a free block moves by half that times
 // its weight over the contact stiffness in each. It grows from step to step while nothing moves farther than a share of block size: what
 // the glue bore across many blocks finds its way in long steps only.
-constexpr double kShortest = 1;
+constexpr double kShortest = 16;
 constexpr double kLongest = 4096;
-constexpr double kGrowth = 2;
+constexpr double kGrowth = 4;
 constexpr double kFarthest = 1e-5;
 constexpr int kMostSteps = 40;
 constexpr int kMostSearches = 4;
 // At rest is what moves by less than this share of what a free block does.
-constexpr double kAtRest = 2e-5;
+constexpr double kAtRest = 1e-4;
 // Of the largest load on a block; what steps of the run itself ask of as many touches.
 constexpr double kForceGoal = 1e-6;
 constexpr double kForceAcceptable = 1e-3;
