@@ -20,6 +20,14 @@ constexpr double kParallel = 1e-4;
 // stiffly as an evenly sprung stretch, k L²/12, where two at the ends are three times as stiff; the end point is the pivot.
 constexpr double kLobattoEnd = 1.0 / 6;
 
+// Corners meet that are no farther apart than this many times what separates the pieces or counts as none: those of an exterior
+// angle of thirty degrees. Faces that lean a little towards each other are as far apart at many places, but not corner to corner.
+constexpr double kNearCorner = 4;
+
+// Sine of the angle between two edges that face each other over a stretch below which they close like a wedge: the far end is what
+// meets next, and either normal serves.
+constexpr double kWedge = 0.1;
+
 // A foot this share of the edge beyond its end lies at the end.
 constexpr double kAtEnd = 1e-9;
 
@@ -37,8 +45,14 @@ struct Leading {
 class PairTouches {
  public:
   PairTouches(const ConvexPiece& a, const ConvexPiece& b, const Table<VertexIndex, Point>& vertices,
-              const TouchSearch& search)
-      : vertices_(vertices), search_(search), a_(a), b_(b), of_a_(best_edge(a, b)), of_b_(best_edge(b, a)) {
+              const TouchSearch& search, double slack)
+      : vertices_(vertices),
+        search_(search),
+        slack_(slack),
+        a_(a),
+        b_(b),
+        of_a_(best_edge(a, b)),
+        of_b_(best_edge(b, a)) {
     a_leads_ = of_a_.separation >= of_b_.separation - kTie * length(along(of_b_.edge));
   }
 
@@ -46,8 +60,11 @@ class PairTouches {
     const Leading& reference = a_leads_ ? of_a_ : of_b_;
     if (reference.separation > search_.reach || reference.edge.is_inner) return;
     const Edge facing = most_opposed(reference.edge, a_leads_ ? b_ : a_);
-    CornerTie tie = tie_of(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation));
-    if (tie.candidates.empty() && only_ends_meet(reference, facing)) tie = tie_at_corners();
+    CornerTie tie;
+    if (corners_meet(reference) && !is_wedge(reference, facing)) {
+      tie = tie_of(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation));
+      if (tie.candidates.empty() && only_ends_meet(reference, facing)) tie = tie_at_corners();
+    }
     if (!tie.candidates.empty()) {
       found.ties.push_back(tie);
       return;
@@ -138,10 +155,16 @@ class PairTouches {
     for (std::size_t i = 0; i < of.corners.size(); ++i) {
       const Edge edge = edge_of(of, i);
       const double tie = kTie * length(along(edge));
-      const double least = best > tie ? best - tie : std::min(best, 0.0) - tie - search_.slack;
+      const double least = best > tie ? best - tie : std::min(best, 0.0) - tie - slack_;
       if (!edge.is_inner && separation(edge, from) >= least) edges.push_back(edge);
     }
     return edges;
+  }
+
+  bool corners_meet(const Leading& reference) const {
+    const auto [p, q] = nearest_corners();
+    const double doubt = kTie * length(along(reference.edge)) + slack_ + std::abs(reference.separation);
+    return distance(at(p), at(q)) <= kNearCorner * doubt;
   }
 
   std::pair<VertexIndex, VertexIndex> nearest_corners() const {
@@ -166,7 +189,7 @@ class PairTouches {
   bool parallel(const Touch& a, const Touch& b) const {
     const Edge first{a.start, a.end}, second{b.start, b.end};
     const double shorter = std::min(length(along(first)), length(along(second)));
-    return std::abs(cross(direction(first), direction(second))) < kParallel + search_.slack / shorter;
+    return std::abs(cross(direction(first), direction(second))) < kParallel + slack_ / shorter;
   }
   static Touch bisector(const Touch& first, const Touch& second, bool of_two_elements) {
     Touch touch = first;
@@ -192,14 +215,25 @@ class PairTouches {
     return best;
   }
 
-  // The stretch that two edges share is a point, within round-off, slack, and what an angle that is none to the eye makes of it
-  // over their distance.
+  bool is_wedge(const Leading& reference, Edge facing) const {
+    return std::abs(cross(direction(reference.edge), direction(facing))) < kWedge &&
+           dot(direction(reference.edge), direction(facing)) < 0 &&
+           shared(reference, facing) > doubt(reference) + kNearCorner * std::abs(reference.separation);
+  }
+
   bool only_ends_meet(const Leading& reference, Edge facing) const {
-    const double own_high = length(along(reference.edge));
+    return std::abs(shared(reference, facing)) <= doubt(reference);
+  }
+
+  // Length of the stretch that two edges share, negative where they share none.
+  double shared(const Leading& reference, Edge facing) const {
     const double low = std::max(0.0, station(reference.edge, facing.end));
-    const double high = std::min(own_high, station(reference.edge, facing.start));
-    const double doubt = kTie * own_high + search_.slack + kParallel * std::max(0.0, reference.separation);
-    return std::abs(high - low) <= doubt;
+    return std::min(length(along(reference.edge)), station(reference.edge, facing.start)) - low;
+  }
+
+  // Of a stretch: round-off, slack, and what an angle that is none to the eye makes of it over the distance of the edges.
+  double doubt(const Leading& reference) const {
+    return kTie * length(along(reference.edge)) + slack_ + kParallel * std::max(0.0, reference.separation);
   }
 
   // Stretch along the line of reference: that of the line itself, and the facing edge, which runs against it.
@@ -243,6 +277,7 @@ class PairTouches {
 
   const Table<VertexIndex, Point>& vertices_;
   const TouchSearch& search_;
+  double slack_;
   const ConvexPiece& a_;
   const ConvexPiece& b_;
   Leading of_a_;
@@ -268,7 +303,8 @@ FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<Ele
       const auto& [a, b] = pairs[i];
       const std::size_t first = found.touches.size();
       for (const ConvexPiece& of_a : pieces[a])
-        for (const ConvexPiece& of_b : pieces[b]) PairTouches(of_a, of_b, vertices, search).add_to(found);
+        for (const ConvexPiece& of_b : pieces[b])
+          PairTouches(of_a, of_b, vertices, search, search.slack_of(a, b)).add_to(found);
       drop_repeated(found.touches, first);
     }
   });

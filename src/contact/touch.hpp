@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <tuple>
 #include <vector>
@@ -63,9 +64,12 @@ struct FoundTouches {
 /// How finely touches are searched.
 struct TouchSearch {
   double reach = 0;  ///< pieces farther apart do not touch
-  double slack = 0;  ///< overlap that counts as none between corner and corner: the compression of contact springs
+  /// Overlap that counts as none between corner and corner, of each element: the compression of its contact springs. Empty: none.
+  Table<ElementIndex, double> slack = {};
   bool with_middles =
       false;  ///< a third point inside each shared stretch, weights 1/6, 4/6, 1/6 (Lobatto); else two halves
+
+  double slack_of(ElementIndex a, ElementIndex b) const { return slack.empty() ? 0 : std::max(slack[a], slack[b]); }
 };
 
 /// The touches of the given pairs. For two convex pieces the line of reference is the edge, of either, from which the other

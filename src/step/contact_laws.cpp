@@ -55,8 +55,13 @@ Touches without_springs(const StandardScene& scene, Touches touches) {
 }
 
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential) {
-  return {normal, tangential, -tangential * law.tangential_compliance, law.normal_compliance, law.tangential_compliance,
-          normal};
+  return {normal,
+          tangential,
+          -tangential * law.tangential_compliance,
+          law.normal_compliance,
+          law.tangential_compliance,
+          normal,
+          normal * law.normal_compliance};
 }
 
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential, double slip,

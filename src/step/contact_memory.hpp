@@ -19,13 +19,14 @@ struct ContactMemory {
   double stretch = 0;     ///< of the tangential spring (penalty), by the way that its point has slipped while it stuck
   double normal_compliance = 0;  ///< of the spring, 0 of a multiplier
   double tangential_compliance = 0;
-  double normal_at_end =
-      0;  ///< of the spring at the end of the step: another than `normal` where that acts at its middle
+  double normal_at_end = 0;  ///< force of the spring at the end of the step: not `normal` where that acts at its middle
+  /// Of the normal spring at the end of the step, by the gap: more than the force makes of it where the surfaces came to rest within the
+  /// step. The next step pushes that out; no energy is held by it, nor by what a point slipped while it came to rest.
+  double compression = 0;
 
   /// Held by the springs.
-  double energy() const { return normal_compliance * normal_at_end * normal_at_end / 2 + tangential_energy(); }
-  double tangential_energy() const {
-    return tangential_compliance > 0 ? stretch * stretch / (2 * tangential_compliance) : 0;
+  double energy() const {
+    return (normal_compliance * normal_at_end * normal_at_end + tangential_compliance * tangential * tangential) / 2;
   }
 };
 

@@ -63,6 +63,7 @@ void describe(Archive& a, ContactMemory& memory) {
   a.value("normal_compliance", memory.normal_compliance);
   a.value("tangential_compliance", memory.tangential_compliance);
   a.value("normal_at_end", memory.normal_at_end);
+  a.value("compression", memory.compression);
 }
 
 void describe(Archive& a, TieMemory& ties) {

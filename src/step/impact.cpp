@@ -119,13 +119,13 @@ Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size
 // Pushes touches apart that overlap more than they may; those that lock each other may from then on.
 class Separation {
  public:
-  Separation(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed,
-             const Flexibility& flexibility)
+  Separation(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& others,
+             const UnknownsTable& before, const Flexibility& flexibility)
       : scene_(scene),
-        touches_(joined(impacts, closed)),
+        touches_(joined(impacts, others)),
         flexibility_(flexibility),
         tolerable_((has_many() ? kNoOverlapOfMany : kNoOverlap) * size_of(scene)),
-        least_(gaps_of(scene, q, touches_)) {
+        least_(gaps_of(scene, before, touches_)) {
     result_.q = std::move(q);
     for (std::size_t i = 0; i < touches_.size(); ++i)
       least_[i] = i < impacts.size() ? touches_[i].rest_gap : std::min(least_[i], 0.0);
@@ -149,6 +149,8 @@ class Separation {
       result_.solves += push.solves;
       if (push.converged)
         result_.q = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
+      else if (has_many() && result_.locked > 0)
+        is_soft = true;
       else
         leave_locked(rows, room, std::move(problem));
     }
@@ -261,9 +263,9 @@ class Separation {
 
 }  // namespace
 
-Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed,
-                          const Flexibility& flexibility) {
-  return Separation(scene, std::move(q), impacts, closed, flexibility).run();
+Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& others,
+                          const UnknownsTable& before, const Flexibility& flexibility) {
+  return Separation(scene, std::move(q), impacts, others, before, flexibility).run();
 }
 
 UnknownsTable rigid_part(UnknownsTable v) {

@@ -43,9 +43,9 @@ struct Separated {
 Flexibility impact_flexibility(const StandardScene& scene, const Flexibility& step, const StepRule& rule);
 
 /// Moves blocks along the gap rows with the inverse mass of an impact until no `impact` is beyond its rest gap, but for those that lock
-/// each other, and no `closed` touch deeper than it was.
-Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& closed,
-                          const Flexibility& flexibility);
+/// each other, and no `other` touch overlaps more than it did `before` the jump.
+Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& others,
+                          const UnknownsTable& before, const Flexibility& flexibility);
 
 /// Newton's law with restitution e and Coulomb's cone on the impulses (Moreau 1988), where and when the surfaces met:
 ///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + B Gᵀ p,  q⁺ = q + B Gᵀ (since ∘ p),  B the flexibility of an impact.

@@ -127,10 +127,11 @@ class ContactFlow {
     for (std::size_t i = 0; i < trail_.touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const Touch& touch = trail_.touches[i];
-      Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], memory_of(trail_.start, touch), 0, 0,
+      Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], memory_of(trail_.start, touch), 0, 0, 0,
                     trail_.smooth.laws[i]};
       const ContactMemory at_end = memory_of(trail_.end, touch);
       forces.at_end = at_end.normal_at_end;
+      forces.tangential_at_end = at_end.tangential;
       forces.stretch = at_end.stretch;
       if (forces.is_none()) continue;
       add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
@@ -157,7 +158,7 @@ class ContactFlow {
       ContactMemory memory;
       memory.normal_at_end = before[own];
       const double at_end = -trail_.ties.at_end(i, trail_.end);
-      add_normal({trail_.smooth.forces[n], 0, memory, at_end, 0, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
+      add_normal({trail_.smooth.forces[n], 0, memory, at_end, 0, 0, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
     }
   }
 
@@ -165,7 +166,8 @@ class ContactFlow {
     double normal = 0;
     double tangential = 0;
     ContactMemory before;
-    double at_end = 0;   ///< of the normal spring
+    double at_end = 0;  ///< of the normal spring
+    double tangential_at_end = 0;
     double stretch = 0;  ///< of the tangential spring at the end
     const ContactLaw& law;
 
@@ -201,10 +203,12 @@ class ContactFlow {
       (stuck ? flow_.creep : flow_.friction) += stuck ? work : -work;
       return;
     }
-    const double before = forces.before.tangential_compliance > 0 ? forces.before.stretch : 0;
-    const double longer = forces.stretch - before;
+    const bool had_spring = forces.before.tangential_compliance > 0;
+    const double longer = forces.stretch - (had_spring ? forces.before.stretch : 0);
+    const double before = had_spring ? forces.before.tangential : 0;
+    const double at_end = forces.tangential_at_end;
     flow_.friction -= forces.tangential * (slip - longer);
-    flow_.algorithmic -= longer * (forces.tangential + (forces.stretch + before) / (2 * compliance));
+    flow_.algorithmic -= forces.tangential * longer + compliance * (at_end * at_end - before * before) / 2;
   }
 
   const StandardScene& scene_;

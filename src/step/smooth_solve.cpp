@@ -85,6 +85,7 @@ class SmoothSolve {
     }
     result_.bonds = bonds_;
     result_.ties = ties_.memory(result_.forces.tail(result_.forces.size() - first_tie()), result_.q);
+    for (std::size_t i = 0; i < touches_.size(); ++i) result_.rate_laws.push_back(follows_rate(i));
     if (rows_) result_.rows = std::move(*rows_);  // the matrix that shares them is not used again
     result_.laws = std::move(laws_);
     result_.flexibility = std::move(inverse_);
@@ -286,7 +287,8 @@ class SmoothSolve {
   static SpringLine spring_line(double before, double after, double compliance) {
     if (before <= 0 && after <= 0) return {-before, 2 * compliance};
     const double way = std::abs(after - before);
-    if (before > 0 && after >= 0) return {-way, 2 * compliance};  // no force unless the estimate turns out to be far off
+    if (before > 0 && after >= 0)
+      return {-way, 2 * compliance};  // no force unless the estimate turns out to be far off
     const double pressed = std::min(before, after);
     const double force = pressed * pressed / (2 * compliance * way);
     const double slope = after < before ? -pressed / (compliance * way) * (1 + pressed / (2 * way)) : force / way;
@@ -388,7 +390,7 @@ class SmoothSolve {
   std::shared_ptr<ContactRows> rows_;
   FrictionalProblem problem_;
   Eigen::VectorXd line_compliance_;  ///< of springs that stop impacts, as the matrix has it
-  KeptSystem kept_;  ///< of `problem_` and its rows
+  KeptSystem kept_;                  ///< of `problem_` and its rows
   UnknownsTable increments_;
   UnknownsTable linearised_;          ///< increments about which rows and matrix were made
   double size_ = 0;                   ///< of the largest moving block

@@ -28,6 +28,7 @@ struct SmoothMotion {
   ContactRows rows;              ///< that the forces act along, at mid-step
   Flexibility flexibility;       ///< A⁻¹
   std::vector<ContactLaw> laws;  ///< of the touches
+  std::vector<bool> rate_laws;   ///< of the touches: whether the force is that of the rate at the end, not of the gap
   double residual = 0;
   Bonds bonds;  ///< that still hold
   TieMemory ties;

@@ -225,10 +225,22 @@ class Attempt {
     if (!jump.undecided.empty())  // points that are held do not take part in what is left open
       step_.motion.v =
           with_held_velocities(scene_, smooth_.q, std::move(step_.motion.v), {}, {}, time_, dt_, smooth_.flexibility);
-    Separated separated = without_overlap(scene_, std::move(jump.q), parts_.impacts, impacts.closed, flexibility);
+    Separated separated = without_overlap(scene_, std::move(jump.q), parts_.impacts, others(), smooth_.q, flexibility);
     step_.motion.q = with_points_in_place(scene_, std::move(separated.q), time_ + dt_, flexibility);
     step_.solves += jump.solves + separated.solves;
     step_.locked_overlaps += separated.locked;
+  }
+
+  // What the ways of the jump and of the separation may not drive into one another. A corner beside its edge is free.
+  Touches others() const {
+    const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    Touches others;
+    for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
+      const Touch& touch = parts_.smooth[i];
+      if (!is_within_one_body(scene_, touch) && (is_closed(i) || lies_over_edge(touch, vertices)))
+        others.push_back(touch);
+    }
+    return others;
   }
 
   // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that it left
@@ -254,7 +266,7 @@ class Attempt {
     return {touch, std::min(dt_, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
   }
 
-  // Springs have the force of the step; at its end they have that of the gap.
+  // Springs have the force of the step; at its end they are pressed by the gap.
   void remember() {
     const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd way = rates(smooth_.rows, plus(smooth_.q, -1, start_.q));
@@ -265,8 +277,11 @@ class Attempt {
       const ContactLaw& law = smooth_.laws[i];
       const Touch& touch = parts_.smooth[i];
       ContactMemory memory = memory_of(law, normal(i), smooth_.forces[t], way[t], start_.closed.of(touch));
-      if (law.normal_compliance > 0)
-        memory.normal_at_end = std::max(law.force.least, (law.rest_gap - gap_of(touch, end)) / law.normal_compliance);
+      if (law.normal_compliance > 0) {
+        const double by_gap = std::max(law.force.least, (law.rest_gap - gap_of(touch, end)) / law.normal_compliance);
+        memory.compression = by_gap * law.normal_compliance;
+        if (!smooth_.rate_laws[i]) memory.normal_at_end = by_gap;
+      }
       closed.push_back({touch, memory});
     }
     step_.motion.closed = ClosedContacts(std::move(closed));

@@ -63,7 +63,7 @@ std::string too_deep(const StandardScene& scene, const Motion& motion, const Sta
     const ElementIndex edge = scene.model.vertices[touch.start].element;
     if (scene.model.elements[vertex].is_on_covers() || scene.model.elements[edge].is_on_covers()) continue;
     const double size = std::min(scene.bodies[vertex].size, scene.bodies[edge].size);
-    const double depth = -gap_of(touch, end.vertices) - memory.normal_compliance * memory.normal_at_end;
+    const double depth = -gap_of(touch, end.vertices) - memory.compression;
     if (!(depth > scene.settings.standard.penetration_limit * size)) continue;
     return fmt::format(
         "block {} and block {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "

@@ -42,16 +42,22 @@ double top_speed(const StandardScene& scene, const UnknownsTable& v) {
   return top;
 }
 
-// Neither compression of springs nor what overlap closed contacts were left with is one between corners; twice the greatest is on
-// the safe side. `vertices`: of the motion.
+// Neither what springs give, along the face too, nor what overlap closed contacts were left with is one between corners; twice the
+// greatest of an element is on the safe side, for what it meets next too. `vertices`: of the motion.
 TouchSearch search_of(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
                       double reach) {
-  double greatest = 0;
+  TouchSearch search{reach, {}, scene.has_springs() && scene.settings.standard.spring_points == SpringPoints::lobatto};
+  search.slack.assign(scene.model.elements.size(), 0);
   for (const auto& [touch, memory] : motion.closed.all()) {
     if (memory.normal_compliance == 0) continue;
-    greatest = std::max({greatest, memory.normal * memory.normal_compliance, -gap_of(touch, vertices)});
+    const double overlap = std::max({memory.normal * memory.normal_compliance, -gap_of(touch, vertices),
+                                     std::abs(memory.tangential) * memory.tangential_compliance});
+    for (const VertexIndex v : {touch.vertex, touch.start}) {
+      double& slack = search.slack[scene.model.vertices[v].element];
+      slack = std::max(slack, 2 * overlap);
+    }
   }
-  return {reach, 2 * greatest, scene.has_springs() && scene.settings.standard.spring_points == SpringPoints::lobatto};
+  return search;
 }
 
 // Of the part of the edge where the foot of the point lies: vertices on a straight edge part it, and each part has its own.
@@ -112,17 +118,25 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   const double overlap = kNewOverlap * scales.size;
   const auto before = vertices_at(scene.model, scene.reference, start.q);
   const TouchSearch search = search_of(scene, start, before, 0);
+  const auto slack_of = [&](const Touch& touch) {
+    return search.slack_of(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
+  };
   Touches fresh;
-  for (const Touch& touch : found_within(scene, vertices, search).touches)
-    if (gap_of(touch, vertices) < -overlap - search.slack && is_new(touch)) {
+  const FoundTouches found = found_within(scene, vertices, search);
+  for (const Touch& touch : found.touches)
+    if (gap_of(touch, vertices) < -overlap - slack_of(touch) && is_new(touch)) {
       added.insert(touch);
       fresh.push_back(touch);
     }
-  for (const CornerTie& tie : known.ties) {
-    const Touch* touch = touch_of(tie, before, vertices, overlap);
-    if (!touch || !std::ranges::all_of(tie.candidates, is_new)) continue;
-    added.insert(*touch);
-    fresh.push_back(*touch);
+  // A known touch whose corner has run past the end of its edge takes nothing.
+  const auto takes_none = [&](const Touch& touch) { return is_new(touch) || !lies_over_edge(touch, vertices); };
+  for (const std::vector<CornerTie>* ties : {&known.ties, &found.ties}) {
+    for (const CornerTie& tie : *ties) {
+      const Touch* touch = touch_of(tie, before, vertices, overlap);
+      if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
+      added.insert(*touch);
+      fresh.push_back(*touch);
+    }
   }
   return fresh;
 }
@@ -137,7 +151,7 @@ double handed_on(const Motion& start, const Touch& touch, const Touches& present
   const Point normal = normal_of(touch, vertices);
   for (const auto& [other, memory] : start.closed.at(touch.vertex)) {
     if (other.kind != TouchKind::corner || std::ranges::count(present, other) > 0) continue;
-    if (dot(normal, normal_of(other, vertices)) > kSameLine) return memory.normal_compliance * memory.normal_at_end;
+    if (dot(normal, normal_of(other, vertices)) > kSameLine) return memory.compression;
   }
   return 0;
 }
@@ -153,7 +167,7 @@ void leave_overlaps(const StandardScene& scene, const Motion& start, const Scale
     const double overlap = -kPushedOut * scales.size;
     double gap = gap_of(touch, vertices);
     if (memory)
-      gap += memory->normal_compliance * memory->normal_at_end;
+      gap += memory->compression;
     else if (gap < overlap && scene.has_springs())
       gap += handed_on(start, touch, touches, vertices);
     touch.rest_gap = gap < overlap ? gap : 0;

@@ -99,7 +99,7 @@ TEST(Touch, a_block_that_leans_on_its_springs_is_no_corner) {
   BlockPolygon leaning = rectangle({1.001, 0}, {5.001, 8});
   leaning.outer[0].position.y = -0.0002;
   leaning.outer[1].position.y = -0.0018;
-  const Touches found = touches_between(rectangle({0, -1}, {5, 0}), leaning, {0.1, 0.004});
+  const Touches found = touches_between(rectangle({0, -1}, {5, 0}), leaning, {0.1, {0.004, 0.004}});
   EXPECT_EQ(found, (Touches{{{2}, {4}, {5}}, {{4}, {2}, {3}}}));
 }
 

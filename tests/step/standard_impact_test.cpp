@@ -360,8 +360,8 @@ TEST(StandardImpact, overlaps_go_where_there_is_room) {
   for (const int count : {5, 40}) {
     const PressedRow row(count, false);
     EXPECT_NEAR(row.deepest(row.motion.q, false), PressedRow::kOverlap, 1e-12);
-    const Separated separated =
-        without_overlap(row.scene, row.motion.q, row.touches, {}, {rigid_mass_inverses(row.scene.bodies)});
+    const Separated separated = without_overlap(row.scene, row.motion.q, row.touches, {}, row.motion.q,
+                                                {rigid_mass_inverses(row.scene.bodies)});
     EXPECT_LE(row.deepest(separated.q, false), kSeparated) << count;
     EXPECT_LE(row.deepest(separated.q, true), kSeparated) << count;
     EXPECT_EQ(separated.locked, 0) << count;
@@ -372,8 +372,8 @@ TEST(StandardImpact, overlaps_go_where_there_is_room) {
 TEST(StandardImpact, overlaps_that_lock_each_other_stay_and_hold_no_others_up) {
   for (const int count : {5, 40}) {
     const PressedRow row(count, true);
-    const Separated separated =
-        without_overlap(row.scene, row.motion.q, row.touches, {}, {rigid_mass_inverses(row.scene.bodies)});
+    const Separated separated = without_overlap(row.scene, row.motion.q, row.touches, {}, row.motion.q,
+                                                {rigid_mass_inverses(row.scene.bodies)});
     EXPECT_NEAR(row.deepest(separated.q, false), PressedRow::kOverlap, 1e-12) << count;
     EXPECT_LE(row.deepest(separated.q, true), kSeparated) << count;
     EXPECT_GT(separated.locked, 0) << count;
