@@ -114,6 +114,23 @@ void print_hint(const Settings& settings) {
         "--set quirk.velocity_from_coming_step=off often lets a run go on");
 }
 
+// What the steps cost, and how evenly.
+std::string passes_in_words(const Settings& settings, const StepTotals& totals) {
+  std::string words = fmt::format("{} a step: {:.3g} in the mean, {} at most",
+                                  settings.dynamics == Dynamics::shi ? "passes" : "systems",
+                                  static_cast<double>(totals.passes) / totals.steps, totals.most_passes);
+  for (std::size_t i = 0; i < totals.steps_by_passes.size(); ++i) {
+    if (totals.steps_by_passes[i] == 0) continue;
+    const bool is_last = i == StepTotals::pass_limits.size();
+    const std::string bin =
+        i == 0    ? "0"
+        : is_last ? fmt::format("over {}", StepTotals::pass_limits.back())
+                  : fmt::format("{} to {}", StepTotals::pass_limits[i - 1] + 1, StepTotals::pass_limits[i]);
+    words += fmt::format("; {} in {}", bin, counted(static_cast<std::size_t>(totals.steps_by_passes[i]), "step"));
+  }
+  return words;
+}
+
 void print_summary(const Prepared& prepared, const RunRecord& record, const std::string& folder) {
   log_warnings(record.warnings);
   if (record.outcome.end == RunEnd::failed) {
@@ -125,6 +142,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, const std:
                  is_at_time_limit() ? "at the limit of processor time" : "by request", folder);
   if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)
     spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
+  if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
+  if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
 }
 

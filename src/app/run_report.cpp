@@ -36,6 +36,16 @@ Json all_settings_json(const Settings& settings) {
   return all;
 }
 
+Json steps_by_passes_json(const StepTotals& totals) {
+  Json bins = Json::array();
+  for (std::size_t i = 0; i < totals.steps_by_passes.size(); ++i) {
+    const int from = i == 0 ? 0 : StepTotals::pass_limits[i - 1] + 1;
+    const Json to = i < StepTotals::pass_limits.size() ? Json(StepTotals::pass_limits[i]) : Json();
+    bins.push_back({{"from", from}, {"to", to}, {"steps", totals.steps_by_passes[i]}});
+  }
+  return bins;
+}
+
 Json counts_json(const Prepared& prepared, const StepTotals& totals) {
   const Model& model = prepared.scene.model;
   const bool is_of_blocks = model.nodes.empty();
@@ -47,6 +57,8 @@ Json counts_json(const Prepared& prepared, const StepTotals& totals) {
                  {"measured_points", model.measured_points.size()},
                  {"most_contacts", totals.most_contacts},
                  {"passes", totals.passes},
+                 {"most_passes", totals.most_passes},
+                 {"steps_by_passes", steps_by_passes_json(totals)},
                  {"redone_attempts", totals.redos},
                  {"fallback_solves", totals.fallbacks},
                  {"unresolved_parts", totals.unresolved_parts},
@@ -77,7 +89,11 @@ Json steps_json(const StepRows& steps) {
 }
 
 Json start_json(const StartReport& start) {
-  return {{"made", start.made}, {"why", start.why}, {"misfit", start.misfit}, {"unsolved_steps", start.unsolved_steps}};
+  return {{"made", start.made},
+          {"balanced", start.balanced},
+          {"why", start.why},
+          {"misfit", start.misfit},
+          {"unsolved_steps", start.unsolved_steps}};
 }
 
 Json outcome_json(const RunOutcome& outcome) {

@@ -124,6 +124,10 @@ void describe(Archive& a, StepTotals& totals) {
   a.value("redos", totals.redos);
   a.value("fallbacks", totals.fallbacks);
   a.value("passes", totals.passes);
+  a.value("most_passes", totals.most_passes);
+  a.group("steps_by_passes", [&] {
+    for (int& steps : totals.steps_by_passes) a.value("steps", steps);
+  });
   a.value("unresolved_parts", totals.unresolved_parts);
   a.value("locked_overlaps", totals.locked_overlaps);
   a.value("greatest_penetration", totals.greatest_penetration);

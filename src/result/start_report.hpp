@@ -8,6 +8,7 @@ namespace keyblock {
 
 struct StartReport {
   std::string made = "as the file has it";
+  std::string balanced;    ///< what carries the loads of t = 0, in a sentence; empty where nothing was balanced
   std::string why;         ///< it was not the start asked for; empty if it was
   double misfit = 0;       ///< compatible start: what is left of the gaps that shifts were to close, as a share of them
   int unsolved_steps = 0;  ///< settling: steps that found no forces and changed nothing

@@ -12,6 +12,9 @@ void StepTotals::add(const StepReport& step) {
   redos += step.redos;
   fallbacks += step.fallbacks;
   passes += static_cast<std::size_t>(step.passes);
+  most_passes = std::max(most_passes, step.passes);
+  const auto bin = std::ranges::lower_bound(pass_limits, step.passes) - pass_limits.begin();
+  ++steps_by_passes[static_cast<std::size_t>(bin)];
   unresolved_parts += step.unresolved_parts;
   locked_overlaps += step.locked_overlaps;
   greatest_penetration = std::max(greatest_penetration, step.greatest_penetration);

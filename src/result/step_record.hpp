@@ -18,6 +18,10 @@ struct StepTotals {
   int redos = 0;
   int fallbacks = 0;
   std::size_t passes = 0;
+  int most_passes = 0;
+  /// The most passes of the steps of each bin of the histogram; those of the last have more.
+  static constexpr std::array<int, 4> pass_limits{0, 3, 10, 40};
+  std::array<int, pass_limits.size() + 1> steps_by_passes{};
   int unresolved_parts = 0;
   int locked_overlaps = 0;
   double greatest_penetration = 0;

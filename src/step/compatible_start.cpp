@@ -45,6 +45,8 @@ class Settling {
         motion_(std::move(motion)),
         loads_(loads_at(scene, motion_.q, 0)),
         rigid_(rigid_mass_inverses(scene.bodies)) {
+    for (const Unknowns& a : product(rigid_, loads_))
+      if (a.size() > 0) acceleration_of_loads_ = std::max(acceleration_of_loads_, a.head<2>().norm());
     const ContactRows of_bolts = bolt_rows(scene.model, scene.reference, motion_.q);
     if (!of_bolts.empty()) loads_ = plus(loads_, 1, answer(of_bolts, {identities()}, pretensions()));
     const Scales scales = scales_of(scene_, loads_, motion_.q, motion_.v);
@@ -62,24 +64,42 @@ class Settling {
     if (tolerance_ == 0) return {std::move(motion_), {}};
     for (int round = 0; round < kStaticRounds || (round < kMostRounds && misfit() > kFits); ++round) {
       settle(round >= kStaticRounds);
-      while (break_open_bonds()) settle(round >= kStaticRounds);
+      while (break_open_bonds() || stretch_bolts()) settle(round >= kStaticRounds);
       add_overlapping();
     }
     remember();
     const std::string failure = greatest_shift_ > kLeverage * asked_ ? too_far() : std::string();
     const double left = misfit();
-    return {std::move(motion_), failure, left};
+    return {std::move(motion_), failure, left, carrying_bolts()};
   }
 
  private:
   void settle(bool by_elasticity) {
-    rows_ = rows_with_points(scene_, motion_.q, touches_);
     do {
+      make_rows();
       find_forces();
-    } while (break_sheared_bonds());
+    } while (break_sheared_bonds() || let_go_of_weak_bolts());
     if (by_elasticity) distribute();
     strain();
     shift();
+  }
+
+  // Touches, stretched bolts, held points. A bolt pulls as a touch pushes: its rows are turned over.
+  void make_rows() {
+    rows_ = contact_rows(scene_.model, scene_.reference, motion_.q, touches_);
+    if (!bolts_.empty()) {
+      ContactRows all = bolt_rows(scene_.model, scene_.reference, motion_.q);
+      for (const std::size_t bolt : bolts_) {
+        for (ContactRow* row : {&all[2 * bolt], &all[2 * bolt + 1]}) {
+          row->of_vertex = -row->of_vertex;
+          row->of_edge = -row->of_edge;
+          rows_.push_back(*row);
+        }
+      }
+    }
+    if (scene_.held.empty()) return;
+    const ContactRows of_points = point_rows(scene_.model, scene_.reference, motion_.q, scene_.held);
+    rows_.insert(rows_.end(), of_points.begin(), of_points.end());
   }
 
   // Velocities after one step of free acceleration stand for g̈, so that a block that slides already keeps its direction.
@@ -96,10 +116,47 @@ class Settling {
       for (const Touch& touch : touches_) problem.laws.push_back(contact_law(scene_, motion_.bonds, touch).force);
       const Eigen::VectorXd v = rates(rows_, motion_.v);
       for (std::size_t i = 0; i < touches_.size(); ++i) problem.b[tangential(i)] += v[tangential(i)];
+      add_bolts(problem);
       problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
       forces_ = solve(problem, forces_).forces;
     }
     acceleration_ = plus(product(rigid_, loads_), 1, answer(rows_, {rigid_}, forces_));
+  }
+
+  // Across a bolt there is no force; the one keeps its row from being singular.
+  void add_bolts(FrictionalProblem& problem) const {
+    for (std::size_t i = 0; i < bolts_.size(); ++i) {
+      problem.laws.push_back({});
+      problem.w.add_to_diagonal(bolt_row(i) + 1, 1);
+    }
+  }
+
+  // Bolts that the loads stretch, where contacts and the pretension do not suffice. A bolt whose pretension pulls its ends together does
+  // so; a constant force stays as it is.
+  bool stretch_bolts() {
+    if (scene_.model.bolts.empty()) return false;
+    const Eigen::VectorXd longer = rates(bolt_rows(scene_.model, scene_.reference, motion_.q), acceleration_);
+    const std::size_t before = bolts_.size();
+    for (std::size_t i = 0; i < scene_.model.bolts.size(); ++i) {
+      const bool may_pull = scene_.model.bolts[i].is_spring() && !motion_.ties.broken[i] &&
+                            !std::ranges::count(bolts_, i) && !std::ranges::count(weak_bolts_, i);
+      if (may_pull && longer[static_cast<Eigen::Index>(2 * i)] > kRoundOff * acceleration_of_loads_)
+        bolts_.push_back(i);
+    }
+    if (bolts_.size() == before) return false;
+    elastic_.resize(0);
+    return true;
+  }
+
+  // Those that would break stay as they are: their blocks fall into them.
+  bool let_go_of_weak_bolts() {
+    std::vector<std::size_t> strong;
+    for (std::size_t i = 0; i < bolts_.size(); ++i)
+      (bolt(i).pretension + tension(i) < bolt(i).strength ? strong : weak_bolts_).push_back(bolts_[i]);
+    if (strong.size() == bolts_.size()) return false;
+    bolts_ = std::move(strong);
+    elastic_.resize(0);
+    return true;
   }
 
   bool break_sheared_bonds() {
@@ -155,6 +212,11 @@ class Settling {
       if (std::abs(force) > 0 && std::abs(force) >= kSliding * law.force.limit(normal(i)))
         problem.b[n + 1] = force > 0 ? -beyond : beyond;
     }
+    add_bolts(problem);
+    for (std::size_t i = 0; i < bolts_.size(); ++i) {
+      problem.w.add_to_diagonal(bolt_row(i), 1 / bolt(i).stiffness);
+      problem.b[bolt_row(i)] -= elongation(i);
+    }
     problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
     problem.proximal = kRegular * problem.w.diagonal();
     problem.acceptable = tolerance_;
@@ -183,6 +245,11 @@ class Settling {
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       problem.laws.push_back(normal(i) != 0 ? kTie : ForceLaw{});
       problem.b[static_cast<Eigen::Index>(2 * i)] = gaps[i];
+    }
+    add_bolts(problem);
+    for (std::size_t i = 0; i < bolts_.size(); ++i) {
+      if (tension(i) > 0) problem.laws[touches_.size() + i] = kTie;
+      problem.b[bolt_row(i)] = tension(i) / bolt(i).stiffness - elongation(i);
     }
     double missing = this->missing();
     problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
@@ -214,6 +281,8 @@ class Settling {
     const std::vector<double> gaps = gaps_from_wanted();
     double sum = 0;
     for (std::size_t i = 0; i < gaps.size(); ++i) sum += normal(i) != 0 ? std::abs(gaps[i]) : std::max(0.0, -gaps[i]);
+    for (std::size_t i = 0; i < bolts_.size(); ++i)
+      if (tension(i) > 0) sum += std::abs(elongation(i) - tension(i) / bolt(i).stiffness);
     return sum;
   }
 
@@ -227,7 +296,7 @@ class Settling {
     const auto vertices = vertices_at(scene_.model, scene_.reference, motion_.q);
     const Touches fresh = newly_overlapping(scene_, unshifted_, vertices, found_, scales_);
     if (fresh.empty()) return;
-    const auto of_points = static_cast<Eigen::Index>(2 * scene_.held.size());
+    const auto of_points = static_cast<Eigen::Index>(2 * (bolts_.size() + scene_.held.size()));
     Eigen::VectorXd grown = Eigen::VectorXd::Zero(forces_.size() + static_cast<Eigen::Index>(2 * fresh.size()));
     grown.head(forces_.size() - of_points) = forces_.head(forces_.size() - of_points);
     grown.tail(of_points) = forces_.tail(of_points);
@@ -253,6 +322,7 @@ class Settling {
       closed.push_back({touches_[i], memory_of(law, normal(i), forces_[tangential(i)])});
     }
     motion_.closed = ClosedContacts(std::move(closed));
+    for (std::size_t i = 0; i < bolts_.size(); ++i) motion_.ties.bolt_forces[bolts_[i]] += tension(i);
     motion_.ties.point_forces = forces_.tail(static_cast<Eigen::Index>(2 * scene_.held.size()));
   }
 
@@ -267,6 +337,17 @@ class Settling {
 
   static Eigen::Index tangential(std::size_t touch) { return static_cast<Eigen::Index>(2 * touch + 1); }
   double normal(std::size_t touch) const { return forces_[static_cast<Eigen::Index>(2 * touch)]; }
+  Eigen::Index bolt_row(std::size_t i) const { return static_cast<Eigen::Index>(2 * (touches_.size() + i)); }
+  const Bolt& bolt(std::size_t i) const { return scene_.model.bolts[bolts_[i]]; }
+  double tension(std::size_t i) const { return forces_[bolt_row(i)]; }  ///< beyond the pretension
+  double elongation(std::size_t i) const {
+    return elongations(scene_.model, scene_.reference, motion_.q)[static_cast<Eigen::Index>(bolts_[i])];
+  }
+  int carrying_bolts() const {
+    int count = 0;
+    for (std::size_t i = 0; i < bolts_.size(); ++i) count += tension(i) > 0 ? 1 : 0;
+    return count;
+  }
 
   Table<ElementIndex, UnknownBlock> identities() const {
     Table<ElementIndex, UnknownBlock> all = rigid_;
@@ -288,6 +369,9 @@ class Settling {
   UnknownsTable loads_;
   Table<ElementIndex, UnknownBlock> rigid_;
   Touches touches_;
+  std::vector<std::size_t> bolts_;       ///< stretched by the loads
+  std::vector<std::size_t> weak_bolts_;  ///< that the loads would break
+  double acceleration_of_loads_ = 0;     ///< greatest, without pretensions
   FoundTouches found_;
   Motion unshifted_;
   Scales scales_;

@@ -42,6 +42,7 @@ constexpr double kImpulseToleranceOfMany = 1e-6;
 constexpr double kShareOfImpulse = 1e-2;
 constexpr double kShareOfSlow = 1e-2;
 constexpr int kMostSystems = 40;
+constexpr int kFewestSystems = 12;
 // Friction of what makes velocities vanish is taken from the round before: each leaves a share of friction times slenderness.
 constexpr int kMostFrictionRounds = 5;
 constexpr double kSmallest = 1e-300;  // a tolerance is never zero
@@ -147,10 +148,11 @@ class Separation {
       FrictionalProblem problem = problem_of(rows, room);
       const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
       result_.solves += push.solves;
-      if (push.converged)
-        result_.q = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
+      UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
+      if (push.converged || is_much_better(room, pushed))
+        result_.q = std::move(pushed);
       else if (has_many() && result_.locked > 0)
-        is_soft = true;
+        is_soft = push_softly(room, near);
       else
         leave_locked(rows, room, std::move(problem));
     }
@@ -164,6 +166,11 @@ class Separation {
     std::vector<double> room = gaps_of(scene_, q, touches_);
     for (std::size_t i = 0; i < room.size(); ++i) room[i] -= least_[i];
     return room;
+  }
+
+  // A push among many that is not settled to the last digit may do: the next pass pushes on.
+  bool is_much_better(const std::vector<double>& room, const UnknownsTable& pushed) const {
+    return has_many() && std::ranges::min(room_at(pushed)) > kLocked * std::ranges::min(room);
   }
 
   FrictionalProblem problem_of(const ContactRows& rows, const std::vector<double>& room) const {
@@ -198,7 +205,7 @@ class Separation {
     soften(problem);
     problem.goal = kPushed * -before / problem.w.diagonal().maxCoeff();
     problem.acceptable = problem.goal;
-    problem.most_systems = kMostSystems - result_.solves;
+    problem.most_systems = std::max(kFewestSystems, kMostSystems - result_.solves);
     const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
     result_.solves += push.solves;
     const UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));

@@ -10,8 +10,10 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "base/counted.hpp"
 #include "contact/gap.hpp"
 #include "material/elastic.hpp"
+#include "model/body_load.hpp"
 #include "result/describe.hpp"
 #include "step/acceleration.hpp"
 #include "step/compatible_start.hpp"
@@ -79,9 +81,37 @@ struct First {
   StartReport report;
 };
 
+// "its weight and 2 point loads"
+std::string loads_in_words(const StandardScene& scene) {
+  std::size_t points = 0;
+  for (const CarriedPoint& point : scene.model.loading_points) points += length(point.curve.at(0)) > 0 ? 1 : 0;
+  const bool has_weight = std::ranges::any_of(
+      scene.bodies, [](const Body& body) { return body.weight.size() > 0 && !body.weight.isZero(0); });
+  std::vector<std::string> loads;
+  if (has_weight) loads.emplace_back("the weight");
+  if (points > 0) loads.push_back(counted(points, "point load"));
+  if (has_body_acceleration(scene.settings)) loads.emplace_back("the body acceleration");
+  return fmt::format("{}", fmt::join(loads, " and "));
+}
+
+std::string balanced_by(const StandardScene& scene, const std::string& what) {
+  const std::string loads = loads_in_words(scene);
+  return loads.empty()
+             ? loads
+             : fmt::format(
+                   "at t = 0 {} fit {} and the first accelerations, so that nothing rings; start = sudden begins "
+                   "without them",
+                   what, loads);
+}
+
 First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {
   Settled made = settled(scene, std::move(motion));
-  return {std::move(made.motion), {}, {"settled in glued and softening contact", why, 0, made.unsolved_steps}};
+  return {std::move(made.motion),
+          {},
+          {"settled in glued and softening contact",
+           balanced_by(scene,
+                       scene.model.bolts.empty() ? "contact forces and strains" : "contact forces, strains and bolts"),
+           why, 0, made.unsolved_steps}};
 }
 
 First first_motion(const StandardScene& scene) {
@@ -101,7 +131,11 @@ First first_motion(const StandardScene& scene) {
   if (is_jointed && start.misfit > kMisfit)
     return settled_first(scene, std::move(motion),
                          fmt::format("shifts leave {:.1e} of the gaps of the compatible start", start.misfit));
-  return {std::move(start.motion), std::move(start.failure), {"compatible", {}, start.misfit, 0}};
+  const std::string what = start.bolts == 0 ? "contact forces and strains"
+                                            : fmt::format("contact forces, strains and the pull of {}",
+                                                          counted(static_cast<std::size_t>(start.bolts), "bolt"));
+  return {
+      std::move(start.motion), std::move(start.failure), {"compatible", balanced_by(scene, what), {}, start.misfit, 0}};
 }
 
 ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, StandardStep step, double dt) {
@@ -214,6 +248,7 @@ void StandardStepper::describe(Archive& archive) {
   archive.value("start_failure", start_failure_);
   archive.group("start", [&] {
     archive.value("made", start_report_.made);
+    archive.value("balanced", start_report_.balanced);
     archive.value("why", start_report_.why);
     archive.value("misfit", start_report_.misfit);
     archive.value("unsolved_steps", start_report_.unsolved_steps);

@@ -17,6 +17,7 @@ using support::turned_rectangle;
 
 constexpr double kWidth = 1;
 constexpr double kStep = 1e-3;
+constexpr double kBolt = 1e6;  // stiffness
 
 /// A column of b/h = 0.9 tan a on a slope a of 10 degrees.
 double height() {
@@ -29,6 +30,32 @@ Blocks column_on_slope() {
   scene.blocks = {turned_rectangle({0, -2}, {20, 0}, -slope), turned_rectangle({6, 0}, {6 + kWidth, height()}, -slope)};
   scene.fixed_points = {{turned(Point{1, -1}, -slope), 0, {}}, {turned(Point{19, -1}, -slope), 0, {}}};
   return scene;
+}
+
+/// A block of 2 m² under a held one, on two bolts of 1 MN/m at a quarter and three quarters of its width.
+Blocks hung_block(double pretension, double strength) {
+  Blocks scene;
+  scene.blocks = {support::rectangle({0, 4}, {2, 5}), support::rectangle({0, 0}, {2, 1})};
+  scene.fixed_points = {{{0.1, 4.5}, 0, {}}, {{1.9, 4.5}, 0, {}}};
+  for (const double x : {0.5, 1.5}) scene.bolts.push_back({{{x, 4}, {x, 1}}, 0, 1, kBolt, strength, pretension});
+  return scene;
+}
+constexpr double kWeight = 2 * 2500 * 9.81;
+constexpr double kOwnStretch = 1.3e-6;  // m
+
+Analysis of_hung_block() {
+  Analysis analysis = plain_analysis(kStep, 100);
+  analysis.block_materials[0].density = 2500;
+  analysis.block_materials[0].unit_weight = 2500 * 9.81;
+  return analysis;
+}
+
+double drop_of(const Blocks& blocks, double time) {
+  const Analysis analysis = of_hung_block();
+  StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
+  const double from = stepper.state().elements[ElementIndex{1}].centroid.y;
+  support::run_to(stepper, time);
+  return from - stepper.state().elements[ElementIndex{1}].centroid.y;
 }
 
 /// Angular acceleration of the rigid column about its toe: (b² + h²)/3 θ'' = g/2 √(b² + h²) sin θ, θ from the vertical to the
@@ -89,6 +116,39 @@ TEST(CompatibleStart, the_start_is_reported) {
   settings.standard.start = StartRule::sudden;
   EXPECT_EQ(StandardStepper(standard_scene_of(column_on_slope(), analysis, settings)).start_report().made,
             "as the file has it");
+}
+
+// Each bolt bears half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A bolt that has half the
+// weight by its pretension gets this alone.
+TEST(CompatibleStart, a_hung_block_is_in_balance_with_its_bolts) {
+  const Analysis analysis = of_hung_block();
+  for (const double pretension : {0.0, 0.3 * kWeight, 0.5 * kWeight}) {
+    const Blocks blocks = hung_block(pretension, 0);
+    StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
+    for (const BoltState& bolt : stepper.state().bolts) EXPECT_NEAR(bolt.force, kWeight / 2, 1e-9 * kWeight);
+    const double sunk = 0.5 - stepper.state().elements[ElementIndex{1}].centroid.y;
+    EXPECT_NEAR(sunk, (kWeight / 2 - pretension) / kBolt, kOwnStretch) << pretension;
+    EXPECT_NEAR(drop_of(blocks, 0.1), 0, pretension < 0.5 * kWeight ? 1e-12 : 2 * kOwnStretch) << pretension;
+  }
+}
+
+// Two per cent either side of what is borne.
+TEST(CompatibleStart, a_bolt_that_the_weight_breaks_is_not_balanced) {
+  EXPECT_NEAR(drop_of(hung_block(0, 1.02 * kWeight / 2), 0.1), 0, 1e-12);
+  const double omega = std::sqrt(2 * kBolt / (kWeight / 9.81));
+  EXPECT_NEAR(drop_of(hung_block(0, 0.98 * kWeight / 2), 0.02), 9.81 / (omega * omega) * (1 - std::cos(omega * 0.02)),
+              2e-5);
+}
+
+// Contacts bear what they can: the bolts of a block on a floor stay as the file has them, and so does a pretension that pulls.
+TEST(CompatibleStart, bolts_that_the_loads_do_not_stretch_stay_as_they_are) {
+  const Analysis analysis = of_hung_block();
+  Blocks scene = hung_block(100, 0);
+  scene.blocks.push_back(support::rectangle({-1, -1}, {3, 0}));
+  scene.fixed_points.push_back({{-0.5, -0.5}, 2, {}});
+  scene.fixed_points.push_back({{2.5, -0.5}, 2, {}});
+  StandardStepper stepper(standard_scene_of(scene, analysis, standard_settings(analysis)));
+  for (const BoltState& bolt : stepper.state().bolts) EXPECT_NEAR(bolt.force, 100, 2) << "by the strain of the block";
 }
 
 }  // namespace keyblock::compatible_start_test
