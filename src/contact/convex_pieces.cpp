@@ -1,8 +1,10 @@
-// Cuts at one reflex corner after another, each time along the shortest diagonal that makes the corner convex.
+// Joins holes to the outer loop, then cuts at one reflex corner after another, each time along the shortest diagonal that makes the
+// corner convex.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/convex_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -35,28 +37,99 @@ class Cutter {
   explicit Cutter(const Model& model) : model_(model) {}
 
   ConvexPieces run(const Element& element) {
-    const std::vector<VertexIndex> ring = distinct(element);
-    ConvexPiece whole;
-    const auto is_inner = [&](std::size_t i) { return model_.vertices[ring[i % ring.size()]].is_inner; };
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const bool straight =
-          is_straight(at(ring[(i + ring.size() - 1) % ring.size()]), at(ring[i]), at(ring[(i + 1) % ring.size()]));
-      if (straight && is_inner(i) == is_inner(i + 1)) continue;
-      whole.corners.push_back(ring[i]);
-      whole.is_inner.push_back(is_inner(i + 1));  // of the edge that leaves here
+    std::vector<ConvexPiece> loops;
+    VertexIndex first = element.first_vertex;
+    for (const int size : element.loop_sizes) {
+      loops.push_back(corners_of(first, size));
+      first.value += size;
     }
+    ConvexPiece whole = std::move(loops.front());
+    loops.erase(loops.begin());
+    has_bridges_ = !loops.empty();
+    while (!loops.empty())
+      if (!bridge(whole, loops)) return {};
     if (std::ranges::count(whole.is_inner, false) == 0) return {};
     cut(whole);
     return std::move(pieces_);
   }
 
  private:
+  ConvexPiece corners_of(VertexIndex first, int size) const {
+    const std::vector<VertexIndex> ring = distinct(first, size);
+    ConvexPiece loop;
+    const auto is_inner = [&](std::size_t i) { return model_.vertices[ring[i % ring.size()]].is_inner; };
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const bool straight =
+          is_straight(at(ring[(i + ring.size() - 1) % ring.size()]), at(ring[i]), at(ring[(i + 1) % ring.size()]));
+      if (straight && is_inner(i) == is_inner(i + 1)) continue;
+      loop.corners.push_back(ring[i]);
+      loop.is_inner.push_back(is_inner(i + 1));  // of the edge that leaves here
+    }
+    return loop;
+  }
+
   // Vertices, those left out that lie where the one before lies.
-  std::vector<VertexIndex> distinct(const Element& element) const {
+  std::vector<VertexIndex> distinct(VertexIndex first, int size) const {
     std::vector<VertexIndex> ring;
-    for (VertexIndex v : element.vertices())
+    for (VertexIndex v : IndexRange<VertexIndex>{first, {first.value + size}})
       if (at(v) != at(model_.vertices[v].previous)) ring.push_back(v);
     return ring;
+  }
+
+  // Joins the hole that is nearest to the ring by a cut there and back, which crosses nothing. False where there is none.
+  bool bridge(ConvexPiece& ring, std::vector<ConvexPiece>& holes) const {
+    std::size_t hole = 0, from = 0, to = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t h = 0; h < holes.size(); ++h) {
+      for (std::size_t i = 0; i < ring.corners.size(); ++i) {
+        for (std::size_t k = 0; k < holes[h].corners.size(); ++k) {
+          const double size = distance(corner(ring, i), corner(holes[h], k));
+          if (size >= least || !in_cone(ring, i, corner(holes[h], k)) || !in_cone(holes[h], k, corner(ring, i))) continue;
+          const Segment way{corner(ring, i), corner(holes[h], k)};
+          const auto is_hit = [&](const ConvexPiece& loop) { return meets(loop, way); };
+          if (is_hit(ring) || std::ranges::any_of(holes, is_hit)) continue;
+          least = size;
+          hole = h;
+          from = i;
+          to = k;
+        }
+      }
+    }
+    if (std::isinf(least)) return false;
+    ConvexPiece joined;
+    const auto add = [&](VertexIndex v, bool is_inner) {
+      joined.corners.push_back(v);
+      joined.is_inner.push_back(is_inner);
+    };
+    for (std::size_t i = 0; i <= from; ++i) add(ring.corners[i], i == from || ring.is_inner[i]);
+    const ConvexPiece& other = holes[hole];
+    for (std::size_t k = 0; k < other.corners.size(); ++k)
+      add(other.corners[wrapped(other, to + k)], other.is_inner[wrapped(other, to + k)]);
+    add(other.corners[to], true);
+    for (std::size_t i = from; i < ring.corners.size(); ++i) add(ring.corners[i], ring.is_inner[i]);
+    ring = std::move(joined);
+    holes.erase(holes.begin() + static_cast<std::ptrdiff_t>(hole));
+    return true;
+  }
+
+  // Whether a loop meets a segment elsewhere than at its ends.
+  bool meets(const ConvexPiece& loop, const Segment& way) const {
+    for (std::size_t i = 0; i < loop.corners.size(); ++i) {
+      const Segment edge{corner(loop, i), corner(loop, i + 1)};
+      if (edge.start == way.start || edge.start == way.end || edge.end == way.start || edge.end == way.end) continue;
+      if (meeting(way, edge) != Meeting::none) return true;
+    }
+    return false;
+  }
+
+  // Whether a corner sees a point between its edges. Where a cut joins a hole two corners lie in one place, and each has its own side.
+  bool in_cone(const ConvexPiece& p, std::size_t i, Point target) const {
+    const Point here = corner(p, i);
+    const Point before = corner(p, i + p.corners.size() - 1) - here;
+    const Point after = corner(p, i + 1) - here;
+    const Point way = target - here;
+    if (cross(before, after) < 0) return cross(after, way) > 0 && cross(way, before) > 0;
+    return !(cross(before, way) >= 0 && cross(way, after) >= 0);
   }
 
   Point at(VertexIndex v) const { return model_.start_vertices[static_cast<std::size_t>(v.value)]; }
@@ -126,22 +199,24 @@ class Cutter {
     for (std::size_t i = 0; i < piece.corners.size(); ++i) {
       loop.push_back(corner(piece, i));
       const std::size_t next = wrapped(piece, i + 1);
-      if (i == from || i == to || next == from || next == to) continue;
+      if (i == from || i == to || next == from || next == to || has_bridges_) continue;
       if (meeting(diagonal, {corner(piece, i), corner(piece, next)}) != Meeting::none) return false;
     }
+    if (has_bridges_ && (!in_cone(piece, from, corner(piece, to)) || !in_cone(piece, to, corner(piece, from)) ||
+                         meets(piece, diagonal)))
+      return false;
     return side(loop, point_at(diagonal, 0.5)) == Side::inside;
   }
 
   const Model& model_;
+  bool has_bridges_ = false;
   ConvexPieces pieces_;
 };
 
 }  // namespace
 
 ConvexPieces convex_pieces(const Model& model, ElementIndex e) {
-  const Element& element = model.elements[e];
-  if (element.loop_sizes.size() > 1) return {};
-  return Cutter(model).run(element);
+  return Cutter(model).run(model.elements[e]);
 }
 
 }  // namespace keyblock

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "geometry/polygon.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -56,35 +58,52 @@ TEST(ConvexPieces, no_inner_edge_lies_on_one_line_with_an_edge_of_the_boundary) 
   }
 }
 
-TEST(ConvexPieces, a_block_with_a_hole_has_none) {
-  const BlockLoop square = loop_of({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
-  EXPECT_TRUE(pieces_of(square, {loop_of({{1, 1}, {1, 2}, {2, 2}, {2, 1}})}).empty());
+// Pieces are convex and fill the block, and every inner edge has its twin.
+void expect_convex_and_full(const std::vector<Point>& outer, const std::vector<std::vector<Point>>& holes) {
+  std::vector<BlockLoop> loops;
+  double expected = area(outer);
+  for (const std::vector<Point>& hole : holes) {
+    loops.push_back(loop_of(hole));
+    expected += area(hole);  // clockwise
+  }
+  const Model model = model_of(loop_of(outer), loops);
+  double sum = 0;
+  std::size_t inner = 0;
+  const ConvexPieces pieces = convex_pieces(model, {0});
+  for (const ConvexPiece& piece : pieces) {
+    std::vector<Point> loop;
+    for (VertexIndex v : piece.corners) loop.push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
+    sum += area(loop);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Point a = loop[i], b = loop[(i + 1) % loop.size()], c = loop[(i + 2) % loop.size()];
+        EXPECT_GE(cross(b - a, c - b), -1e-12);
+      inner += piece.is_inner[i] ? 1 : 0;
+    }
+  }
+  EXPECT_NEAR(sum, expected, 1e-12);
+  EXPECT_EQ(inner, 2 * (pieces.size() - 1 + holes.size()));
 }
 
-// An L, a wedge's notch and a comb: pieces are convex, fill the block, and every inner edge has its twin.
-TEST(ConvexPieces, pieces_are_convex_and_fill_the_block) {
-  for (const std::vector<Point>& points :
-       {std::vector<Point>{{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}},
-        std::vector<Point>{{0, 0}, {6, 0}, {6, 3}, {3, 1}, {0, 3}},
-        std::vector<Point>{
-            {0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}}) {
-    const Model model = model_of(loop_of(points));
-    double sum = 0;
-    int inner = 0;
-    const ConvexPieces pieces = convex_pieces(model, {0});
-    for (const ConvexPiece& piece : pieces) {
-      std::vector<Point> loop;
-      for (VertexIndex v : piece.corners) loop.push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
-      sum += area(loop);
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Point a = loop[i], b = loop[(i + 1) % loop.size()], c = loop[(i + 2) % loop.size()];
-        EXPECT_GE(cross(b - a, c - b), 0);
-        inner += piece.is_inner[i] ? 1 : 0;
-      }
-    }
-    EXPECT_NEAR(sum, area(points), 1e-12);
-    EXPECT_EQ(inner, 2 * (static_cast<int>(pieces.size()) - 1));
-  }
+TEST(ConvexPieces, an_l_a_notch_and_a_comb_are_cut_at_their_reflex_corners) {
+  expect_convex_and_full({{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}}, {});
+  expect_convex_and_full({{0, 0}, {6, 0}, {6, 3}, {3, 1}, {0, 3}}, {});
+  expect_convex_and_full(
+      {{0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, {});
+}
+
+TEST(ConvexPieces, holes_are_cut_around) {
+  const std::vector<Point> square{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
+  const std::vector<Point> low{{1, 1}, {1, 2}, {2, 2}, {2, 1}};
+  const std::vector<Point> triangle{{3, 3}, {4, 5}, {5, 3.2}};
+  expect_convex_and_full(square, {low});
+  expect_convex_and_full(square, {low, triangle});
+  expect_convex_and_full(square, {triangle, {{1.2, 4}, {2.5, 5.5}, {2.6, 4.5}}, low});
+  // A tunnel: a polygon of many corners.
+  std::vector<Point> circle;
+  for (int i = 0; i < 24; ++i)
+    circle.push_back(Point{3, 3} + 2.0 * Point{std::cos(-i * 0.2617993878), std::sin(-i * 0.2617993878)});
+  expect_convex_and_full(square, {circle});
+  expect_convex_and_full({{0, 0}, {6, 0}, {6, 6}, {3, 4}, {0, 6}}, {{{1, 1}, {1, 2}, {5, 2}, {5, 1}}});
 }
 
 }  // namespace keyblock::convex_pieces_test
