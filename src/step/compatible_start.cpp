@@ -31,6 +31,8 @@ constexpr double kLooser = 1e6;            // what counts as solved where the go
 
 // Contact stiffness over the inertia that keeps rigid motion finite while forces are distributed.
 constexpr double kLong = 1e3;
+// Of the heaviest block: a lighter one is shifted as if it weighed so much.
+constexpr double kLightest = 1e-3;
 // Weight of the proximal term over the flexibility of a touch, much less than the share of it that is elastic.
 constexpr double kRegular = 1e-7;
 // Slip given to a sliding touch, over all others, so that it slides on.
@@ -240,7 +242,8 @@ class Settling {
   // Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of pushes that
   // would close a gap by a large shift only to the elastic contact.
   void shift() {
-    FrictionalProblem problem{ContactMatrix(rows_, {rigid_}), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
+    const Table<ElementIndex, UnknownBlock> yielding = yielding_blocks();
+    FrictionalProblem problem{ContactMatrix(rows_, {yielding}), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
     const std::vector<double> gaps = gaps_from_wanted();
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       problem.laws.push_back(normal(i) != 0 ? kTie : ForceLaw{});
@@ -260,11 +263,20 @@ class Settling {
     }
     if (missing == 0) return;
     problem.goal = problem.acceptable = kShiftTolerance * missing / problem.w.diagonal().maxCoeff();
-    const UnknownsTable by = answer(rows_, {rigid_}, newton(problem, Eigen::VectorXd::Zero(forces_.size())).forces);
+    const UnknownsTable by = answer(rows_, {yielding}, newton(problem, Eigen::VectorXd::Zero(forces_.size())).forces);
     motion_.q = plus(motion_.q, 1, by);
     asked_ += missing;
     for (ElementIndex e : indices(by))
       if (by[e].size() > 0) greatest_shift_ = std::max(greatest_shift_, by[e].head<2>().norm());
+  }
+
+  // Which of two blocks a shift moves is open, so a light one counts as a share of the heaviest: beside what a block of a millionth of its
+  // mass would yield, the gap between two heavy ones is round-off.
+  Table<ElementIndex, UnknownBlock> yielding_blocks() const {
+    Table<ElementIndex, UnknownBlock> blocks = rigid_;
+    for (ElementIndex e : indices(blocks))
+      if (blocks[e].rows() > 0) blocks[e] *= std::min(1.0, scene_.bodies[e].mass(0, 0) / (kLightest * heaviest_));
+    return blocks;
   }
 
   // Gaps, counted from those that the forces want.

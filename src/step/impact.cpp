@@ -30,6 +30,7 @@ constexpr double kPushed = 1e-3;
 constexpr double kLeftToStep = 1e-7;  // of block size, which the next step pushes out by itself
 constexpr double kWorse = 1.1;
 constexpr int kMostSoftPasses = 5;
+constexpr int kSoftPassesOfVeryMany = 2;
 // What yields so leaves a ten-thousandth of a push to the neighbours of the neighbours of the blocks that overlap.
 constexpr int kRings = 3;
 // Impulses are settled at this share of the largest momentum; a residual this much larger still counts where redundant ones keep it out
@@ -125,7 +126,10 @@ class Separation {
       : scene_(scene),
         touches_(joined(impacts, others)),
         flexibility_(flexibility),
-        tolerable_((has_many() ? kNoOverlapOfMany : kNoOverlap) * size_of(scene)),
+        tolerable_((has_very_many() ? kLeftToStep
+                    : has_many()    ? kNoOverlapOfMany
+                                    : kNoOverlap) *
+                   size_of(scene)),
         least_(gaps_of(scene, before, touches_)) {
     result_.q = std::move(q);
     for (std::size_t i = 0; i < touches_.size(); ++i)
@@ -138,10 +142,11 @@ class Separation {
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
       const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();
-      if (pass == 0) is_soft = has_many() && 2 * near.size() < touches_.size();
+      if (pass == 0) is_soft = has_very_many() || (has_many() && 2 * near.size() < touches_.size());
       if (is_soft) {
         const bool is_enough = -std::ranges::min(room) <= kLeftToStep * size_of(scene_);
-        if (is_enough || pass == kMostSoftPasses || result_.solves >= kMostSystems || !push_softly(room, near)) break;
+        const int most = has_very_many() ? kSoftPassesOfVeryMany : kMostSoftPasses;
+        if (is_enough || pass == most || result_.solves >= kMostSystems || !push_softly(room, near)) break;
         continue;
       }
       const ContactRows rows = rows_with_points(scene_, result_.q, touches_);
@@ -161,6 +166,7 @@ class Separation {
 
  private:
   bool has_many() const { return touches_.size() > FrictionalProblem::kFewPairs; }
+  bool has_very_many() const { return touches_.size() > FrictionalProblem::kVeryManyPairs; }
 
   std::vector<double> room_at(const UnknownsTable& q) const {
     std::vector<double> room = gaps_of(scene_, q, touches_);

@@ -120,7 +120,8 @@ class SmoothSolve {
       increments_ = std::move(next);
     }
     // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
-    const bool forces_suffice = !covers_ && std::isfinite(change) && unsolved <= problem_.acceptable;
+    const bool forces_suffice =
+        !covers_ && std::isfinite(change) && unsolved <= std::max(problem_.acceptable, tolerance_.tolerated);
     result_.converged = result_.converged && (change <= kTolerable || forces_suffice);
   }
 
@@ -236,7 +237,7 @@ class SmoothSolve {
     result_.solves += solution.solves;
     result_.sweeps += solution.sweeps;
     result_.residual = solution.residual;
-    result_.converged = solution.converged;
+    result_.converged = solution.converged || solution.residual <= tolerance_.tolerated;
     result_.undecided = solution.undecided;
     return plus(free_, 1, answer(*rows_, inverse_, solution.forces));
   }

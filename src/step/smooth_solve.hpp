@@ -18,6 +18,8 @@ struct ForceTolerance {
   int most_systems = 400;  ///< linear systems after which the best forces so far are taken
   /// After these acceptable ones are.
   int enough_systems = std::numeric_limits<int>::max();
+  double tolerated =
+      0;  ///< residual with which the motion goes on where no forces are acceptable; undecided touches are told
 };
 
 struct SmoothMotion {

@@ -28,6 +28,10 @@ constexpr double kForceAcceptable = 1e-6;
 // In assemblies of more touches than `kFewPairs` the first is a setting, a millionth, far below what a step does to forces; and a
 // thousandth, judged by what one force does to its own blocks in the step, is a gap of a thousandth of their free fall.
 constexpr double kForceAcceptableOfMany = 1e-3;
+// In the shortest part of a cut step a few pairs among many may go on changing sides: a hundredth is taken, or what changes the largest
+// momentum by a ten-thousandth, and the pairs are told.
+constexpr double kForceToleratedOfMany = 1e-2;
+constexpr double kMomentumToleratedOfMany = 1e-4;
 // A force below this is round-off of gaps in a short step.
 constexpr double kLeastForceOfMany = 1e-8;
 constexpr int kMostSystemsOfMany = 100;
@@ -83,8 +87,9 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
 
 class Attempt {
  public:
-  Attempt(const StandardScene& scene, const Motion& start, double time, double dt)
+  Attempt(const StandardScene& scene, const Motion& start, double time, double dt, bool is_last)
       : scene_(scene),
+        is_last_(is_last),
         start_(start),
         time_(time),
         dt_(dt),
@@ -106,7 +111,7 @@ class Attempt {
     step_.residual = scales_.force > 0 ? smooth_.residual / scales_.force : 0;
     step_.converged = smooth_.converged;
     if (!step_.converged) return std::move(step_);
-    step_.undecided.clear();
+    if (smooth_.residual <= acceptable_) step_.undecided.clear();
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
     step_.motion.a = smooth_.a;
@@ -140,6 +145,10 @@ class Attempt {
         is_many ? std::max(least_force_, scene_.settings.standard.force_tolerance * scales_.force) : least_force_;
     const double share = is_many ? kForceAcceptableOfMany : kForceAcceptable;
     ForceTolerance tolerance{goal, std::max(share * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
+    acceptable_ = tolerance.acceptable;
+    if (is_many && is_last_)
+      tolerance.tolerated =
+          std::max(kForceToleratedOfMany * scales_.force, kMomentumToleratedOfMany * scales_.momentum / dt_);
     for (int search = 0; search < kMostSearches; ++search) {
       if (is_many) tolerance.most_systems = kMostSystemsOfMany;
       if (found_.touches.size() > FrictionalProblem::kVeryManyPairs) {
@@ -288,6 +297,7 @@ class Attempt {
   }
 
   const StandardScene& scene_;
+  bool is_last_;  ///< no cut can follow
   const Motion& start_;
   double time_;
   double dt_;
@@ -296,13 +306,14 @@ class Attempt {
   Scales scales_;
   FoundTouches found_;
   double least_force_ = 0;
+  double acceptable_ = 0;  ///< residual of the forces
   Split parts_;
   SmoothMotion smooth_;
   StandardStep step_;
 };
 
 StandardStep in_parts(const StandardScene& scene, const Motion& start, double time, double dt, int halvings_left) {
-  StandardStep whole = Attempt(scene, start, time, dt).run();
+  StandardStep whole = Attempt(scene, start, time, dt, halvings_left == 0).run();
   whole.least = dt;
   if (whole.converged || halvings_left == 0) return whole;
   StandardStep first = in_parts(scene, start, time, dt / 2, halvings_left - 1);
