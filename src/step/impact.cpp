@@ -30,7 +30,11 @@ constexpr double kPushed = 1e-3;
 constexpr double kLeftToStep = 1e-7;  // of block size, which the next step pushes out by itself
 constexpr double kWorse = 1.1;
 constexpr int kMostSoftPasses = 5;
+// Among very many touches an impact moves all blocks that hang together by what its impulses are uncertain: pushed out in two passes but for
+// this. Deep overlaps, of blocks that fly into each other, lie far apart and are pushed out as they are.
 constexpr int kSoftPassesOfVeryMany = 2;
+constexpr double kLeftLate = 1e-4;  // of block size
+constexpr double kDeep = 1e-3;      // of block size
 // What yields so leaves a ten-thousandth of a push to the neighbours of the neighbours of the blocks that overlap.
 constexpr int kRings = 3;
 // Impulses are settled at this share of the largest momentum; a residual this much larger still counts where redundant ones keep it out
@@ -142,11 +146,13 @@ class Separation {
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
       const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();
-      if (pass == 0) is_soft = has_very_many() || (has_many() && 2 * near.size() < touches_.size());
+      const double deepest = -std::ranges::min(room) / size_of(scene_);
+      if (pass == 0) is_soft = has_very_many() ? deepest < kDeep : has_many() && 2 * near.size() < touches_.size();
       if (is_soft) {
-        const bool is_enough = -std::ranges::min(room) <= kLeftToStep * size_of(scene_);
-        const int most = has_very_many() ? kSoftPassesOfVeryMany : kMostSoftPasses;
-        if (is_enough || pass == most || result_.solves >= kMostSystems || !push_softly(room, near)) break;
+        const bool is_late = has_very_many() && pass >= kSoftPassesOfVeryMany;
+        if (deepest <= (is_late ? kLeftLate : kLeftToStep) || pass == kMostSoftPasses ||
+            result_.solves >= kMostSystems || !push_softly(room, near))
+          break;
         continue;
       }
       const ContactRows rows = rows_with_points(scene_, result_.q, touches_);
@@ -156,7 +162,7 @@ class Separation {
       UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
       if (push.converged || is_much_better(room, pushed))
         result_.q = std::move(pushed);
-      else if (has_many() && result_.locked > 0)
+      else if (has_very_many() || (has_many() && result_.locked > 0))
         is_soft = push_softly(room, near);
       else
         leave_locked(rows, room, std::move(problem));
