@@ -151,4 +151,34 @@ TEST(CompatibleStart, bolts_that_the_loads_do_not_stretch_stay_as_they_are) {
   for (const BoltState& bolt : stepper.state().bolts) EXPECT_NEAR(bolt.force, 100, 2) << "by the strain of the block";
 }
 
+// A block of a millionth of the mass between two heavy ones: shifts once left 4 % of the gaps, and the heavy ones were thrown aside.
+TEST(CompatibleStart, a_light_block_between_heavy_ones_bears_the_upper_one) {
+  constexpr double kHeavy = 2.6e6, kLight = 2.6;
+  for (const Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
+    Blocks scene;
+    scene.blocks = {support::rectangle({-5, -1}, {5, 0}), support::rectangle({0, 0}, {1, 1}),
+                    support::rectangle({0, 1}, {1, 2}), support::rectangle({0, 2}, {1, 3})};
+    scene.blocks[2].material = 1;
+    scene.fixed_points = {{{-4, -0.5}, 0, {}}, {{4, -0.5}, 0, {}}};
+    Analysis analysis = plain_analysis(2e-3, 100);
+    analysis.penalty_factor = 10;
+    analysis.joint_materials[0].friction_angle_deg = 30;
+    analysis.block_materials.push_back(analysis.block_materials[0]);
+    for (const std::size_t i : {0U, 1U}) {
+      analysis.block_materials[i].density = i == 0 ? kHeavy : kLight;
+      analysis.block_materials[i].unit_weight = 9.81 * analysis.block_materials[i].density;
+      analysis.block_materials[i].youngs_modulus = 5e10;
+      analysis.block_materials[i].poissons_ratio = 0;
+    }
+    Settings settings = standard_settings(analysis);
+    settings.standard.enforcement = enforcement;
+    StandardStepper stepper(standard_scene_of(scene, analysis, settings));
+    EXPECT_LT(stepper.start_report().misfit, 1e-6);
+    support::run_to(stepper, 0.2);
+    const Stress stress = stepper.state().elements[ElementIndex{2}].stress;
+    EXPECT_NEAR(stress.yy / (9.81 * kHeavy), -1, 1e-5);
+    EXPECT_NEAR(stress.xx / (9.81 * kHeavy), 0, 1e-5);
+  }
+}
+
 }  // namespace keyblock::compatible_start_test

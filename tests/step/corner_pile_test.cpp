@@ -71,13 +71,28 @@ Corners corners_of(const Scene& scene, const State& state, ElementIndex e) {
   return corners;
 }
 
-Pile fallen(double dt, double time) {
+double deepest_at(const Scene& scene, const State& state) {
+  std::vector<Corners> all;
+  for (ElementIndex e : indices(scene.model.elements)) all.push_back(corners_of(scene, state, e));
+  double deepest = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (j == 0 || distance(all[i][0], all[j][0]) < 4 * kHalf)
+        deepest = std::max(deepest, -std::max(separation(all[i], all[j]), separation(all[j], all[i])));
+  return deepest;
+}
+
+Scene column_scene(double dt, double time) {
   Analysis analysis = plain_analysis(dt, static_cast<int>(std::lround(time / dt)));
   analysis.joint_materials[0].friction_angle_deg = 25;
   analysis.block_materials[0].density = kDensity;
   analysis.block_materials[0].unit_weight = kDensity * 9.81;
   analysis.penalty_factor = 1;
-  const Scene scene = standard_scene_of(column(), analysis, standard_settings(analysis));
+  return standard_scene_of(column(), analysis, standard_settings(analysis));
+}
+
+Pile fallen(double dt, double time) {
+  const Scene scene = column_scene(dt, time);
   StandardStepper stepper(scene);
   Pile pile;
   double least = std::numeric_limits<double>::infinity();
@@ -88,19 +103,11 @@ Pile fallen(double dt, double time) {
     const double energy = row.stored.kinetic + row.stored.strain + row.stored.gravity + row.stored.contact;
     pile.rise = std::max(pile.rise, energy - least);
     least = std::min(least, energy);
-    std::vector<Corners> all;
-    for (ElementIndex e : indices(scene.model.elements)) all.push_back(corners_of(scene, stepper.state(), e));
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (distance(all[i][0], all[j][0]) > 4 * kHalf && j > 0) continue;
-        pile.deepest = std::max(pile.deepest, -std::max(separation(all[i], all[j]), separation(all[j], all[i])));
-      }
-      if (i == 0) continue;
-      for (const Point p : all[i]) pile.lowest = std::min(pile.lowest, p.y);
-    }
+    pile.deepest = std::max(pile.deepest, deepest_at(scene, stepper.state()));
     left = right = 0;
     for (ElementIndex e : indices(scene.model.elements)) {
       if (e == ElementIndex{0}) continue;
+      for (const Point p : corners_of(scene, stepper.state(), e)) pile.lowest = std::min(pile.lowest, p.y);
       const double x = stepper.state().elements[e].centroid.x;
       left = std::min(left, x);
       right = std::max(right, x);
@@ -108,6 +115,15 @@ Pile fallen(double dt, double time) {
   }
   pile.reach = (right - left) / 2;
   return pile;
+}
+
+// Faces meet at nodes of four blocks, of which two touch with their corners alone. Such pairs were once lost while the glue of the start
+// dissolved, and blocks slipped past each other.
+TEST(CornerPile, the_settled_start_leaves_no_block_in_another) {
+  const Scene scene = column_scene(2e-3, 1);
+  const StandardStepper stepper(scene);
+  ASSERT_EQ(stepper.start_report().made.substr(0, 7), "settled");
+  EXPECT_LT(deepest_at(scene, stepper.state()), 1e-4 * kSide);
 }
 
 // Blocks once sank into each other by a third of their size and fell through the floor. Granular columns of this shape run out by about

@@ -29,7 +29,8 @@ Analysis heavy(double dt, int steps) {
 // A frame of 3 × 3 with a hole of 2 × 2 on a held floor, and a square metre in the hole, `above` its sill.
 Blocks frame_and_block(double above) {
   Blocks scene;
-  scene.blocks = {rectangle({-2, -1}, {5, 0}), rectangle({0, 0}, {3, 3}), rectangle({1, 0.5 + above}, {2, 1.5 + above})};
+  scene.blocks = {rectangle({-2, -1}, {5, 0}), rectangle({0, 0}, {3, 3}),
+                  rectangle({1, 0.5 + above}, {2, 1.5 + above})};
   scene.blocks[1].holes = {clockwise({0.5, 0.5}, {2.5, 2.5})};
   scene.fixed_points = {{{-1.5, -0.5}, 0, {}}, {{4.5, -0.5}, 0, {}}};
   return scene;
