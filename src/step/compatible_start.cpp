@@ -120,6 +120,8 @@ class Settling {
       for (std::size_t i = 0; i < touches_.size(); ++i) problem.b[tangential(i)] += v[tangential(i)];
       add_bolts(problem);
       problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
+      if (has_light_blocks())
+        problem.scale = diagonal_of(rows_, {scaled(dt, counted_as(1))}, problem.w.covers()) + problem.w.added();
       forces_ = solve(problem, forces_).forces;
     }
     acceleration_ = plus(product(rigid_, loads_), 1, answer(rows_, {rigid_}, forces_));
@@ -242,7 +244,7 @@ class Settling {
   // Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of pushes that
   // would close a gap by a large shift only to the elastic contact.
   void shift() {
-    const Table<ElementIndex, UnknownBlock> yielding = yielding_blocks();
+    const Table<ElementIndex, UnknownBlock> yielding = counted_as(kLightest);
     FrictionalProblem problem{ContactMatrix(rows_, {yielding}), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
     const std::vector<double> gaps = gaps_from_wanted();
     for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -270,13 +272,18 @@ class Settling {
       if (by[e].size() > 0) greatest_shift_ = std::max(greatest_shift_, by[e].head<2>().norm());
   }
 
-  // Which of two blocks a shift moves is open, so a light one counts as a share of the heaviest: beside what a block of a millionth of its
-  // mass would yield, the gap between two heavy ones is round-off.
-  Table<ElementIndex, UnknownBlock> yielding_blocks() const {
+  // Beside what a block of a millionth of their mass yields, what two heavy blocks do to each other is round-off. Which of two a shift moves is
+  // open, and by which of them a force is judged: light ones count as a share of the heaviest.
+  Table<ElementIndex, UnknownBlock> counted_as(double share) const {
     Table<ElementIndex, UnknownBlock> blocks = rigid_;
     for (ElementIndex e : indices(blocks))
-      if (blocks[e].rows() > 0) blocks[e] *= std::min(1.0, scene_.bodies[e].mass(0, 0) / (kLightest * heaviest_));
+      if (blocks[e].rows() > 0) blocks[e] *= std::min(1.0, scene_.bodies[e].mass(0, 0) / (share * heaviest_));
     return blocks;
+  }
+  bool has_light_blocks() const {
+    return std::ranges::any_of(scene_.bodies, [&](const Body& body) {
+      return body.mass.rows() > 0 && body.mass(0, 0) < kLightest * heaviest_;
+    });
   }
 
   // Gaps, counted from those that the forces want.

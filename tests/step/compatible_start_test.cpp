@@ -151,7 +151,8 @@ TEST(CompatibleStart, bolts_that_the_loads_do_not_stretch_stay_as_they_are) {
   for (const BoltState& bolt : stepper.state().bolts) EXPECT_NEAR(bolt.force, 100, 2) << "by the strain of the block";
 }
 
-// A block of a millionth of the mass between two heavy ones: shifts once left 4 % of the gaps, and the heavy ones were thrown aside.
+// A block of a millionth of the mass between two heavy ones: forces were once judged by what they do to the light one, so that none of the
+// weight was borne, and shifts left 4 % of the gaps. Springs let the column ring by 1 % for a second.
 TEST(CompatibleStart, a_light_block_between_heavy_ones_bears_the_upper_one) {
   constexpr double kHeavy = 2.6e6, kLight = 2.6;
   for (const Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
@@ -176,7 +177,7 @@ TEST(CompatibleStart, a_light_block_between_heavy_ones_bears_the_upper_one) {
     EXPECT_LT(stepper.start_report().misfit, 1e-6);
     support::run_to(stepper, 0.2);
     const Stress stress = stepper.state().elements[ElementIndex{2}].stress;
-    EXPECT_NEAR(stress.yy / (9.81 * kHeavy), -1, 1e-5);
+    EXPECT_NEAR(stress.yy / (9.81 * kHeavy), -1, enforcement == Enforcement::penalty ? 0.01 : 1e-5);
     EXPECT_NEAR(stress.xx / (9.81 * kHeavy), 0, 1e-5);
   }
 }
