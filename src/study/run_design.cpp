@@ -28,6 +28,7 @@ struct Base {
   bool has_blocks = true;
   Settings settings;
   CoverPlan plan;
+  std::size_t blocks = 0;
   std::vector<double> times;  ///< of expected values
 
   bool is_standard() const { return settings.dynamics == Dynamics::standard; }
@@ -43,7 +44,11 @@ Base base_of(const StudyCase& chosen, const std::string& profile) {
   base.has_blocks = !base.has_cover_file && !(base.has_plan && problem.covers->mesh.materials.empty());
   if (base.has_plan) base.plan = *problem.covers;
   base.is_solved_at_once = is_solved_at_once(problem, profile, left);
-  if (!base.is_solved_at_once) base.settings = prepare(problem, profile, left).scene.settings;
+  if (!base.is_solved_at_once) {
+    const Scene scene = prepare(problem, profile, left).scene;
+    base.settings = scene.settings;
+    base.blocks = scene.model.elements.size();
+  }
   for (const ExpectedValue& e : chosen.expected) base.times.push_back(e.time);
   return base;
 }
@@ -70,6 +75,8 @@ std::string factor_name(const char* of, double factor) {
 }
 
 constexpr std::array<double, 3> kCoarser{8, 4, 2};
+// Of so many blocks there are assemblies of contacts, whose forces are solved to a tolerance.
+constexpr std::size_t kManyBlocks = 20;
 constexpr int kFinest = 4;  // part of the step or the side
 
 // Behind the next coarser level or, the first that is finer than the case's own, behind that.
@@ -156,6 +163,30 @@ Axis tolerance_axis(const Base& base) {
   return axis;
 }
 
+Axis integrator_axis(const Base& base) {
+  Axis axis{"integrator", {}};
+  const Integrator own = base.settings.standard.integrator;
+  if (own != Integrator::weighted) axis.levels.push_back({"weighted", {{"integrator", "weighted"}}});
+  if (own != Integrator::newmark) axis.levels.push_back({"Newmark", {{"integrator", "newmark"}}});
+  if (own != Integrator::generalized_alpha)
+    axis.levels.push_back({"generalised alpha", {{"integrator", "generalized_alpha"}}});
+  return axis;
+}
+
+Axis impact_axis(const Base& base) {
+  const bool is_jump = base.settings.standard.impact == ImpactLaw::jump;
+  if (is_jump) return {"impact", {{"impact on springs", {{"impact", "springs"}, {"enforcement", "penalty"}}}}};
+  return {"impact", {{"impact as a jump", {{"impact", "jump"}}}}};
+}
+
+// Residual that contact forces of assemblies may leave, over the heaviest load on a block; of fewer contacts they leave none.
+Axis forces_axis() {
+  Axis axis{"forces", {}};
+  for (const char* tolerance : {"1e-3", "1e-4", "1e-9"})
+    axis.levels.push_back({fmt::format("forces to {}", tolerance), {{"force_tolerance", tolerance}}});
+  return axis;
+}
+
 std::vector<Axis> axes_of(const Base& base, int finest) {
   std::vector<Axis> axes;
   if (base.has_plan) axes.push_back(functions_axis("functions", base.plan.functions));
@@ -170,7 +201,9 @@ std::vector<Axis> axes_of(const Base& base, int finest) {
   const bool is_dynamic = base.settings.standard.motion == MotionRule::dynamic;
   if (!base.is_standard() || !is_dynamic) return axes;
   axes.push_back(tolerance_axis(base));
-  axes.push_back({"integrator", {{"generalised alpha", {{"integrator", "generalized_alpha"}}}}});
+  axes.push_back(integrator_axis(base));
+  axes.push_back(impact_axis(base));
+  if (base.blocks >= kManyBlocks) axes.push_back(forces_axis());
   return axes;
 }
 
