@@ -54,12 +54,17 @@ constexpr double kForcing = 0.001;
 
 class Newton {
  public:
-  Newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem& kept)
-      : problem_(problem), solution_(std::move(so_far)), kept_(kept), base_(base_weights()), is_unique_(is_unique()) {}
+  Newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem& kept, Tried first)
+      : problem_(problem),
+        solution_(std::move(so_far)),
+        kept_(kept),
+        base_(base_weights()),
+        is_unique_(is_unique()),
+        tried_(std::move(first)) {}
 
   FrictionalSolution run() {
     if (is_left_as_is()) return std::move(solution_);
-    tried_ = tried(problem_, solution_.forces);
+    if (tried_.forces.size() == 0) tried_ = tried(problem_, solution_.forces);
     double weight = is_unique_ ? 0 : 1;
     double lost_at = std::numeric_limits<double>::infinity();
     double lost_residual = 0;
@@ -227,13 +232,14 @@ class Newton {
 }  // namespace
 
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
-  const Tried first = tried(problem, start);
-  return newton(problem, {start, residual(problem, first), 0, 0, is_acceptable(problem, first), {}});
+  Tried first = tried(problem, start);
+  FrictionalSolution so_far{start, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
+  return newton(problem, std::move(so_far), nullptr, std::move(first));
 }
 
-FrictionalSolution newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem* kept) {
+FrictionalSolution newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem* kept, Tried first) {
   KeptSystem own;
-  return Newton(problem, std::move(so_far), kept ? *kept : own).run();
+  return Newton(problem, std::move(so_far), kept ? *kept : own, std::move(first)).run();
 }
 
 }  // namespace keyblock

@@ -14,6 +14,7 @@ namespace keyblock {
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start);
 
 /// The same from an earlier solution, whose counts go on; `kept` as in `solve`.
-FrictionalSolution newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem* kept = nullptr);
+FrictionalSolution newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem* kept = nullptr,
+                          Tried first = {});
 
 }  // namespace keyblock

@@ -107,11 +107,16 @@ bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forc
 }
 
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start, KeptSystem* kept) {
-  const Tried first = tried(problem, start);
-  FrictionalSolution solution{start, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
-  if (problem.has_many() && !solution.converged && solution.residual > kFarOff * problem.acceptable)
+  return solve(problem, tried(problem, start), kept);
+}
+
+FrictionalSolution solve(const FrictionalProblem& problem, Tried first, KeptSystem* kept) {
+  FrictionalSolution solution{first.forces, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
+  if (problem.has_many() && !solution.converged && solution.residual > kFarOff * problem.acceptable) {
     solution = sweep(problem, std::move(solution), kFirstSweeps);
-  solution = newton(problem, std::move(solution), kept);
+    first = {};
+  }
+  solution = newton(problem, std::move(solution), kept, std::move(first));
   FrictionalSolution best = solution;
   const int most_turns = problem.has_many() ? kTurnsOfMany : kMostTurns;
   // Of some hundred pairs the goal itself is worth another turn, of very many it is not.
@@ -130,13 +135,15 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
   if (!solution.converged && solution.undecided.empty())
     solution.undecided = unsettled(problem, tried(problem, solution.forces));
   // Round-off on an open touch would pass for a closed one.
-  const NaturalMap map = natural_map(problem, solution.forces);
+  const Tried last = tried(problem, solution.forces);
+  const NaturalMap map = natural_map(problem, last);
   for (std::size_t i = 0; i < problem.count(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
     if (is_open(map.grips[i])) solution.forces[n] = problem.laws[i].least;
     if (map.grips[i] == Grip::open) solution.forces[n + 1] = 0;
   }
-  solution.converged = solution.converged && is_acceptable(problem, solution.forces);
+  solution.converged = solution.converged && (solution.forces == last.forces ? is_acceptable(problem, last)
+                                                                             : is_acceptable(problem, solution.forces));
   return solution;
 }
 

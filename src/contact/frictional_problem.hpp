@@ -119,5 +119,6 @@ struct KeptSystem;
 /// in turn from the best forces seen. Many pairs whose start is far off are swept a little first. The forces of open touches are
 /// exactly zero. `kept` is used where its system is that of an active set, and holds the last one after.
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start, KeptSystem* kept = nullptr);
+FrictionalSolution solve(const FrictionalProblem& problem, Tried start, KeptSystem* kept = nullptr);
 
 }  // namespace keyblock

@@ -55,8 +55,10 @@ class ClosedContacts {
  private:
   friend void describe(Archive& archive, ClosedContacts& contacts, VertexIndex vertices);
 
-  std::vector<ClosedContact> by_touch_;   ///< sorted
-  std::vector<std::uint32_t> by_facing_;  ///< places above of those that have a facing, sorted by it
+  std::vector<ClosedContact> by_touch_;         ///< sorted
+  std::vector<std::uint32_t> by_facing_;        ///< places above of those that have a facing, sorted by it
+  std::vector<std::uint32_t> first_of_vertex_;  ///< in `by_touch_`, by vertex
+  std::vector<std::uint32_t> first_of_facing_;  ///< in `by_facing_`, by the lower edge
 };
 
 /// Saves or restores; every index lies below `vertices`.

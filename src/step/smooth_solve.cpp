@@ -113,9 +113,10 @@ class SmoothSolve {
         free_.covers = covers_->free_increment();
       }
       set_right_side(increments_);
-      unsolved = residual(problem_, result_.forces);
+      Tried now = tried(problem_, result_.forces);
+      unsolved = residual(problem_, now);
       if (round > 0 && !rows_moved && is_good_enough(unsolved)) break;
-      UnknownsTable next = next_increments();
+      UnknownsTable next = next_increments(std::move(now));
       change = greatest_change(increments_, next);
       increments_ = std::move(next);
     }
@@ -229,10 +230,10 @@ class SmoothSolve {
            });
   }
 
-  UnknownsTable next_increments() {
+  UnknownsTable next_increments(Tried now) {
     problem_.most_systems = std::max(kFewestSystems, tolerance_.most_systems - result_.solves);
     problem_.enough_systems = std::max(0, tolerance_.enough_systems - result_.solves);
-    const FrictionalSolution solution = solve(problem_, result_.forces, &kept_);
+    const FrictionalSolution solution = solve(problem_, std::move(now), &kept_);
     result_.forces = solution.forces;
     result_.solves += solution.solves;
     result_.sweeps += solution.sweeps;
