@@ -21,7 +21,8 @@ def run(program, files, profile, steps, folder):
                "-o", folder, "--force"]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode not in (0, 1):
-        raise RuntimeError(done.stderr.strip().splitlines()[-1] if done.stderr.strip() else f"exit code {done.returncode}")
+        errors = [line for line in done.stderr.splitlines() if "error" in line]
+        raise RuntimeError(errors[-1] if errors else f"exit code {done.returncode}")
     return json.loads((pathlib.Path(folder) / "run.json").read_text())
 
 
