@@ -50,10 +50,19 @@ class Cutter {
       if (!bridge(whole, loops)) return {};
     if (std::ranges::count(whole.is_inner, false) == 0) return {};
     cut(whole);
+    if (has_bridges_ && !std::ranges::all_of(pieces_, [&](const ConvexPiece& piece) { return is_convex(piece); }))
+      return {};
     return std::move(pieces_);
   }
 
  private:
+  bool is_convex(const ConvexPiece& p) const {
+    for (std::size_t i = 0; i < p.corners.size(); ++i)
+      if (sine_of_turn(corner(p, i + p.corners.size() - 1), corner(p, i), corner(p, i + 1)) < -kStraightSine)
+        return false;
+    return true;
+  }
+
   ConvexPiece corners_of(VertexIndex first, int size) const {
     const std::vector<VertexIndex> ring = distinct(first, size);
     ConvexPiece loop;
@@ -84,7 +93,8 @@ class Cutter {
       for (std::size_t i = 0; i < ring.corners.size(); ++i) {
         for (std::size_t k = 0; k < holes[h].corners.size(); ++k) {
           const double size = distance(corner(ring, i), corner(holes[h], k));
-          if (size >= least || !in_cone(ring, i, corner(holes[h], k)) || !in_cone(holes[h], k, corner(ring, i))) continue;
+          if (size >= least || !in_cone(ring, i, corner(holes[h], k)) || !in_cone(holes[h], k, corner(ring, i)))
+            continue;
           const Segment way{corner(ring, i), corner(holes[h], k)};
           const auto is_hit = [&](const ConvexPiece& loop) { return meets(loop, way); };
           if (is_hit(ring) || std::ranges::any_of(holes, is_hit)) continue;

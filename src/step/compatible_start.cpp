@@ -23,6 +23,7 @@ constexpr int kStaticRounds = 3;
 constexpr int kMostRounds = 20;
 constexpr double kRoundOff = 1e-9;         // share of block size, or of acceleration, that the rounding of files leaves
 constexpr double kFits = 1e-9;             // misfit over the gaps that were to be closed
+constexpr double kUnbalanced = 1e-6;       // of the greatest acceleration by the loads
 constexpr double kShiftTolerance = 1e-13;  // of the gaps to be closed
 // A block that shifts by more than this times all gaps together is thrown about, not settled.
 constexpr double kLeverage = 10;
@@ -64,7 +65,7 @@ class Settling {
 
   CompatibleStart run() {
     if (tolerance_ == 0) return {std::move(motion_), {}};
-    for (int round = 0; round < kStaticRounds || (round < kMostRounds && misfit() > kFits); ++round) {
+    for (int round = 0; round < kStaticRounds || (round < kMostRounds && (misfit() > kFits || !balances())); ++round) {
       settle(round >= kStaticRounds);
       while (break_open_bonds() || stretch_bolts()) settle(round >= kStaticRounds);
       add_overlapping();
@@ -72,7 +73,7 @@ class Settling {
     remember();
     const std::string failure = greatest_shift_ > kLeverage * asked_ ? too_far() : std::string();
     const double left = misfit();
-    return {std::move(motion_), failure, left, carrying_bolts()};
+    return {std::move(motion_), failure, left, carrying_bolts(), weak_bolts_.empty() && balances()};
   }
 
  private:
@@ -190,11 +191,13 @@ class Settling {
   // on. Rigid motion is kept finite by a mass over a long time squared.
   void distribute() {
     if (rows_.empty()) return;
+    double softest = scene_.normal_stiffness();
+    for (std::size_t i = 0; i < bolts_.size(); ++i) softest = std::min(softest, bolt(i).stiffness);
     Table<ElementIndex, UnknownBlock> flexibility;
     UnknownsTable increments;
     for (ElementIndex e : indices(scene_.bodies)) {
       const Body& body = scene_.bodies[e];
-      const UnknownBlock a = body.sum_of(scene_.normal_stiffness() / (kLong * heaviest_), 1);
+      const UnknownBlock a = body.sum_of(softest / (kLong * heaviest_), 1);
       flexibility.push_back(a.rows() > 0 ? UnknownBlock(a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()))) : a);
       const Unknowns unbalanced =
           loads_[e] + body.initial_stress - body.elastic_force(motion_.q[e]) - body.mass * acceleration_[e];
@@ -305,6 +308,16 @@ class Settling {
     return sum;
   }
 
+  // Whether forces that elasticity distributed still give the accelerations, where bolts are among them: contacts have their gaps for that.
+  bool balances() const {
+    if (bolts_.empty()) return true;
+    const UnknownsTable made = plus(product(rigid_, loads_), 1, answer(rows_, {rigid_}, forces_));
+    for (ElementIndex e : indices(made))
+      if (made[e].size() > 0 && (made[e] - acceleration_[e]).head<2>().norm() > kUnbalanced * acceleration_of_loads_)
+        return false;
+    return true;
+  }
+
   double misfit() const {
     const double left = missing();
     return left > kRoundOff * scales_.size ? left / asked_ : 0;
@@ -341,7 +354,12 @@ class Settling {
       closed.push_back({touches_[i], memory_of(law, normal(i), forces_[tangential(i)])});
     }
     motion_.closed = ClosedContacts(std::move(closed));
-    for (std::size_t i = 0; i < bolts_.size(); ++i) motion_.ties.bolt_forces[bolts_[i]] += tension(i);
+    const Eigen::VectorXd longer = elongations(scene_.model, scene_.reference, motion_.q);
+    for (std::size_t i = 0; i < scene_.model.bolts.size(); ++i) {
+      const Bolt& bolt = scene_.model.bolts[i];
+      if (bolt.is_spring() && !motion_.ties.broken[i])
+        motion_.ties.bolt_forces[i] = bolt.pretension + bolt.stiffness * longer[static_cast<Eigen::Index>(i)];
+    }
     motion_.ties.point_forces = forces_.tail(static_cast<Eigen::Index>(2 * scene_.held.size()));
   }
 

@@ -10,9 +10,10 @@ namespace keyblock {
 
 struct CompatibleStart {
   Motion motion;
-  std::string failure;  ///< one sentence, if there is none; empty otherwise
-  double misfit = 0;    ///< what is left of the gaps that shifts were to close, over those of the first round
-  int bolts = 0;        ///< that the loads stretch beyond their pretension
+  std::string failure;    ///< one sentence, if there is none; empty otherwise
+  double misfit = 0;      ///< what is left of the gaps that shifts were to close, over those of the first round
+  int bolts = 0;          ///< that the loads stretch beyond their pretension
+  bool balances = false;  ///< whether no bolt is to break at once, and forces and accelerations fit
 };
 
 /// (a) rigid accelerations and contact forces from 0 ≤ g̈ ⊥ λn ≥ 0 with Coulomb friction; (b) strains from

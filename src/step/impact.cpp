@@ -162,9 +162,10 @@ class Separation {
       UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
       if (push.converged || is_much_better(room, pushed))
         result_.q = std::move(pushed);
-      else if (has_very_many() || (has_many() && result_.locked > 0))
-        is_soft = push_softly(room, near);
-      else
+      else if (has_very_many() || (has_many() && result_.locked > 0)) {
+        if (!push_softly(room, near)) break;
+        is_soft = true;
+      } else
         leave_locked(rows, room, std::move(problem));
     }
     return std::move(result_);

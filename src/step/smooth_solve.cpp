@@ -238,7 +238,8 @@ class SmoothSolve {
     result_.solves += solution.solves;
     result_.sweeps += solution.sweeps;
     result_.residual = solution.residual;
-    result_.converged = solution.converged || solution.residual <= tolerance_.tolerated;
+    result_.is_tolerated = !solution.converged && solution.residual <= tolerance_.tolerated;
+    result_.converged = solution.converged || result_.is_tolerated;
     result_.undecided = solution.undecided;
     return plus(free_, 1, answer(*rows_, inverse_, solution.forces));
   }

@@ -37,6 +37,7 @@ struct SmoothMotion {
   int solves = 0;  ///< linear systems factorised
   int sweeps = 0;  ///< of the fall-back
   bool converged = false;
+  bool is_tolerated = false;           ///< converged by what is tolerated alone
   std::vector<std::size_t> undecided;  ///< touches that would not settle
 };
 

@@ -82,8 +82,10 @@ std::string unsupported(const StandardScene& scene) {
       return fmt::format("expected elements without holes, found one in element {}: a finer mesh has none",
                          e.value + 1);
     if (scene.pieces[e].empty() && !element.is_on_covers())
-      return fmt::format("expected holes inside their block that do not meet each other, found others in block {}",
-                         e.value + 1);
+      return fmt::format(
+          "expected holes inside their block, clockwise, that meet neither each other nor its outline, found others in "
+          "block {}",
+          e.value + 1);
     if (std::ranges::any_of(scene.pieces[e], [](const ConvexPiece& piece) { return piece.corners.size() < 3; }))
       return fmt::format("expected blocks with three corners at least, found block {} without area", e.value + 1);
   }

@@ -111,7 +111,7 @@ class Attempt {
     step_.residual = scales_.force > 0 ? smooth_.residual / scales_.force : 0;
     step_.converged = smooth_.converged;
     if (!step_.converged) return std::move(step_);
-    if (smooth_.residual <= acceptable_) step_.undecided.clear();
+    if (!smooth_.is_tolerated) step_.undecided.clear();
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
     step_.motion.a = smooth_.a;
@@ -145,7 +145,6 @@ class Attempt {
         is_many ? std::max(least_force_, scene_.settings.standard.force_tolerance * scales_.force) : least_force_;
     const double share = is_many ? kForceAcceptableOfMany : kForceAcceptable;
     ForceTolerance tolerance{goal, std::max(share * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
-    acceptable_ = tolerance.acceptable;
     if (is_many && is_last_)
       tolerance.tolerated =
           std::max(kForceToleratedOfMany * scales_.force, kMomentumToleratedOfMany * scales_.momentum / dt_);
@@ -306,14 +305,14 @@ class Attempt {
   Scales scales_;
   FoundTouches found_;
   double least_force_ = 0;
-  double acceptable_ = 0;  ///< residual of the forces
   Split parts_;
   SmoothMotion smooth_;
   StandardStep step_;
 };
 
 StandardStep in_parts(const StandardScene& scene, const Motion& start, double time, double dt, int halvings_left) {
-  StandardStep whole = Attempt(scene, start, time, dt, halvings_left == 0).run();
+  StandardStep whole =
+      Attempt(scene, start, time, dt, halvings_left == 0 && scene.settings.step_control == StepControl::constant).run();
   whole.least = dt;
   if (whole.converged || halvings_left == 0) return whole;
   StandardStep first = in_parts(scene, start, time, dt / 2, halvings_left - 1);

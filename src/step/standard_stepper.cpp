@@ -81,7 +81,7 @@ struct First {
   StartReport report;
 };
 
-// "its weight and 2 point loads"
+// "the weight and 2 point loads"
 std::string loads_in_words(const StandardScene& scene) {
   std::size_t points = 0;
   for (const CarriedPoint& point : scene.model.loading_points) points += length(point.curve.at(0)) > 0 ? 1 : 0;

@@ -76,7 +76,7 @@ void expect_convex_and_full(const std::vector<Point>& outer, const std::vector<s
     sum += area(loop);
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Point a = loop[i], b = loop[(i + 1) % loop.size()], c = loop[(i + 2) % loop.size()];
-        EXPECT_GE(cross(b - a, c - b), -1e-12);
+      EXPECT_GE(cross(b - a, c - b), -1e-12);
       inner += piece.is_inner[i] ? 1 : 0;
     }
   }
@@ -104,6 +104,14 @@ TEST(ConvexPieces, holes_are_cut_around) {
     circle.push_back(Point{3, 3} + 2.0 * Point{std::cos(-i * 0.2617993878), std::sin(-i * 0.2617993878)});
   expect_convex_and_full(square, {circle});
   expect_convex_and_full({{0, 0}, {6, 0}, {6, 6}, {3, 4}, {0, 6}}, {{{1, 1}, {1, 2}, {5, 2}, {5, 1}}});
+}
+
+// Pieces beside them would not be convex: blocks would fall through rock.
+TEST(ConvexPieces, holes_that_meet_each_other_or_the_outline_have_none) {
+  const BlockLoop square = loop_of({{0, 0}, {6, 0}, {6, 6}, {0, 6}});
+  const BlockLoop low = loop_of({{1, 1}, {1, 3}, {3, 3}, {3, 1}});
+  EXPECT_TRUE(pieces_of(square, {low, loop_of({{3, 3}, {3, 5}, {5, 5}, {5, 3}})}).empty());
+  EXPECT_TRUE(pieces_of(square, {loop_of({{0, 2}, {2, 4}, {2, 1}})}).empty());
 }
 
 }  // namespace keyblock::convex_pieces_test

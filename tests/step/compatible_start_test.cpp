@@ -148,7 +148,8 @@ TEST(CompatibleStart, bolts_that_the_loads_do_not_stretch_stay_as_they_are) {
   scene.fixed_points.push_back({{-0.5, -0.5}, 2, {}});
   scene.fixed_points.push_back({{2.5, -0.5}, 2, {}});
   StandardStepper stepper(standard_scene_of(scene, analysis, standard_settings(analysis)));
-  for (const BoltState& bolt : stepper.state().bolts) EXPECT_NEAR(bolt.force, 100, 2) << "by the strain of the block";
+  for (const BoltState& bolt : stepper.state().bolts)
+    EXPECT_NEAR(bolt.force, 100, 3) << "the block gives by 2.4 µm under its weight";
 }
 
 // A block of a millionth of the mass between two heavy ones: forces were once judged by what they do to the light one, so that none of the
@@ -179,6 +180,20 @@ TEST(CompatibleStart, a_light_block_between_heavy_ones_bears_the_upper_one) {
     const Stress stress = stepper.state().elements[ElementIndex{2}].stress;
     EXPECT_NEAR(stress.yy / (9.81 * kHeavy), -1, enforcement == Enforcement::penalty ? 0.01 : 1e-5);
     EXPECT_NEAR(stress.xx / (9.81 * kHeavy), 0, 1e-5);
+  }
+}
+
+// Three bolts are one more than statics needs: each pulls by its stiffness, and together they bear the weight.
+TEST(CompatibleStart, three_bolts_share_the_weight_by_their_stiffness) {
+  const Analysis analysis = of_hung_block();
+  for (const double middle : {1.0, 10.0, 0.1}) {
+    Blocks blocks = hung_block(0, 0);
+    blocks.bolts.push_back({{{1, 4}, {1, 1}}, 0, 1, middle * kBolt, 0, 0});
+    StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
+    const std::vector<BoltState> bolts = stepper.state().bolts;
+    for (const std::size_t i : {0U, 1U, 2U})
+      EXPECT_NEAR(bolts[i].force, kWeight * (i == 2 ? middle : 1) / (2 + middle), 1e-3 * kWeight) << middle;
+    EXPECT_NEAR(bolts[0].force + bolts[1].force + bolts[2].force, kWeight, 1e-5 * kWeight) << middle;
   }
 }
 
