@@ -98,10 +98,8 @@ std::string balanced_by(const StandardScene& scene, const std::string& what) {
   const std::string loads = loads_in_words(scene);
   return loads.empty()
              ? loads
-             : fmt::format(
-                   "at t = 0 {} fit {} and the first accelerations, so that nothing rings; start = sudden begins "
-                   "without them",
-                   what, loads);
+             : fmt::format("at t = 0 {} fit {} and the first accelerations; start = sudden begins without them", what,
+                           loads);
 }
 
 First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {

@@ -111,8 +111,16 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   Touches sorted = known.touches;
   std::set<Touch> added;
   bool is_sorted = false;  // few steps have a touch to look up
+  std::vector<Facing> facings;
+  // New by name; a bonded touch also at the same end of the same two faces, where the other edge leads now: its bond is counted.
   const auto is_new = [&](const Touch& touch) {
-    if (!std::exchange(is_sorted, true)) std::ranges::sort(sorted);
+    if (!std::exchange(is_sorted, true)) {
+      std::ranges::sort(sorted);
+      for (const Touch& one : sorted)
+        if (one.facing.lower && lies_over_edge(one, vertices)) facings.push_back(one.facing);
+      std::ranges::sort(facings);
+    }
+    if (start.bonds.contains(touch.facing) && std::ranges::binary_search(facings, touch.facing)) return false;
     return !std::ranges::binary_search(sorted, touch) && !added.contains(touch);
   };
   const double overlap = kNewOverlap * scales.size;
