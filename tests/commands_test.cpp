@@ -215,6 +215,37 @@ TEST(Commands, a_run_that_cannot_go_on_says_why_saves_its_state_and_exits_4) {
   EXPECT_TRUE(contains(read_text(out + "/fields.pvd"), ".vtu"));
 }
 
+// The old rules throw a dropped block up with 1.4 times the energy it came with; `standard` at e = 0 does not.
+TEST(Commands, a_run_that_makes_energy_ends_with_1_and_the_reason) {
+  const std::string out = fresh_folder("doubts") + "/out";
+  const std::vector<std::string> old{"run", kCases + "restitution/e_000", "-o", out, "--force", "--profile", "legacy"};
+  const ProgramRun run = run_keyblock(old);
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "the results are not to be trusted: energy came from nothing")) << run.messages;
+  const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
+  EXPECT_EQ(record["outcome"]["end"], "finished");
+  EXPECT_EQ(record["outcome"]["doubts"].size(), 1u);
+  std::vector<std::string> allowed = old;
+  allowed.insert(allowed.end(), {"--set", "energy_limit=2"});
+  EXPECT_EQ(run_keyblock(allowed).exit_code, 0);
+  EXPECT_EQ(run_keyblock({"run", kCases + "restitution/e_000", "-o", out, "--force"}).exit_code, 0);
+}
+
+TEST(Commands, limits_of_penetration_and_crushing_end_a_run_with_1) {
+  const std::string out = fresh_folder("limits") + "/out";
+  const auto doubt_of = [&](const std::string& place, const std::string& profile, const std::string& set) {
+    const ProgramRun run =
+        run_keyblock({"run", kCases + place, "-o", out, "--force", "--profile", profile, "--set", set});
+    EXPECT_EQ(run.exit_code, 1) << place << ' ' << profile << ' ' << set << '\n' << run.messages;
+    const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
+    return record["outcome"]["doubts"].empty() ? "" : record["outcome"]["doubts"][0].get<std::string>();
+  };
+  for (const char* profile : {"legacy", "standard"}) {
+    EXPECT_TRUE(contains(doubt_of("block_at_rest/static", profile, "crushing_limit=0.999999999"), "of its area"));
+    EXPECT_TRUE(contains(doubt_of("toppling_column/springs_a30_r050", profile, "penetration_limit=1e-9"), "as deep"));
+  }
+}
+
 TEST(Commands, a_run_at_a_limit_of_processor_time_saves_its_state_and_exits_5) {
   const std::string out = fresh_folder("at_limit") + "/out";
   const std::string rest = kCases + "block_at_rest/dynamic/dynamic";

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/exit_code.hpp"
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
 #include "formats/registry.hpp"
@@ -37,6 +38,13 @@ std::vector<std::string> profiles_of(const BatchPlan& plan) {
 void fail(CatalogueRow& row, const std::string& message) {
   if (row.outcome != "failed") row.message = message;
   row.outcome = "failed";
+}
+
+void doubt(CatalogueRow& row, const std::string& message) {
+  ++row.warnings;
+  if (row.outcome != "ok") return;
+  row.message = message;
+  row.outcome = "warnings";
 }
 
 /// The last line of the log that speaks of an error.
@@ -83,7 +91,12 @@ CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const 
   std::vector<std::string> arguments = with_inputs("run", plan, job);
   arguments.insert(arguments.end(), {"-o", (folder / profile).string(), "--profile", profile, "--threads", "1"});
   const ChildEnd end = run_logged(plan, folder, profile, arguments);
-  if (end.exit_code == 0) return study::answer_in(folder / profile, profile);
+  const bool came_to_its_end = end.exit_code == int(ExitCode::ok) || end.exit_code == int(ExitCode::check_failed);
+  if (came_to_its_end) {
+    CatalogueAnswer answer = study::answer_in(folder / profile, profile);
+    if (!answer.doubt.empty()) doubt(row, fmt::format("{}: {}", profile, answer.doubt));
+    return answer;
+  }
   const std::string why = why_it_ended(end, plan.limits, folder / (profile + ".log"));
   CatalogueAnswer answer = study::answer_in(folder / profile, profile);
   const bool has_result = answer.end != "no result";

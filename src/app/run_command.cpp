@@ -13,6 +13,7 @@
 #include "app/command.hpp"
 #include "app/cover_run.hpp"
 #include "app/progress.hpp"
+#include "app/run_doubts.hpp"
 #include "app/run_folder.hpp"
 #include "app/run_report.hpp"
 #include "app/run_warnings.hpp"
@@ -145,12 +146,14 @@ void print_summary(const Prepared& prepared, const RunRecord& record, const std:
   if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
+  if (record.outcome.end == RunEnd::finished && !record.doubts.empty())
+    spdlog::error("keyblock: error: the results are not to be trusted: {}", record.doubts.front().sentence);
 }
 
-ExitCode exit_code(RunEnd end) {
-  switch (end) {
+ExitCode exit_code(const RunRecord& record) {
+  switch (record.outcome.end) {
     case RunEnd::finished:
-      return ExitCode::ok;
+      return record.doubts.empty() ? ExitCode::ok : ExitCode::check_failed;
     case RunEnd::failed:
       return ExitCode::numerical_failure;
     case RunEnd::stopped:
@@ -272,15 +275,17 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   record.timings.run = watch.lap();
   record.warnings = joined(record.warnings, watch_steps.warnings(loaded.problem.analysis->place));
   record.extremes = folder.extremes();
-  record.warnings = joined(record.warnings,
-                           outcome_warnings(prepared, record.outcome, record.extremes, loaded.problem.analysis->place));
+  record.warnings = joined(record.warnings, outcome_warnings(prepared, record.outcome, loaded.problem.analysis->place));
+
+  record.is_static = watch_steps.is_static();
+  record.doubts = doubts(prepared, record, loaded.problem.analysis->place);
+  record.warnings = joined(record.warnings, record.doubts);
 
   const std::string title =
       fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);
   folder.finish(title, history, record.traced, {record.outcome.ledger_scope, record.ledger.rows()},
                 record.outcome.field);
   record.outputs = folder.outputs();
-  record.is_static = watch_steps.is_static();
   if (record.outcome.end != RunEnd::failed) record.equilibrium_way = watch_steps.equilibrium_way();
   const std::string json =
       run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -288,7 +293,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   if (record.outcome.end != RunEnd::stopped) folder.remove_checkpoint();
   if (options.as_json) fmt::print("{}\n", json);
   print_summary(prepared, record, options.folder);
-  return exit_code(record.outcome.end);
+  return exit_code(record);
 }
 
 // Asks again what the run was asked, from the folder that names of its files were taken from.

@@ -96,7 +96,8 @@ Json start_json(const StartReport& start) {
           {"unsolved_steps", start.unsolved_steps}};
 }
 
-Json outcome_json(const RunOutcome& outcome) {
+Json outcome_json(const RunRecord& record) {
+  const RunOutcome& outcome = record.outcome;
   Json contacts = Json::array();
   for (std::size_t c : outcome.contacts) contacts.push_back(c + 1);
   Json json = {{"end", word_for(outcome.end)}, {"steps", outcome.steps}, {"time", outcome.time}};
@@ -104,6 +105,9 @@ Json outcome_json(const RunOutcome& outcome) {
     json["reason"] = outcome.reason;
     json["contacts"] = contacts;
   }
+  Json doubts = Json::array();
+  for (const Warning& doubt : record.doubts) doubts.push_back(doubt.sentence);
+  json["doubts"] = doubts;
   return json;
 }
 
@@ -195,7 +199,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"program", "keyblock"},
       {"version", KEYBLOCK_VERSION},
       {"profile", record.profile},
-      {"outcome", outcome_json(record.outcome)},
+      {"outcome", outcome_json(record)},
       {"extremes", json_of(record.extremes)},
       {"start", start_json(record.outcome.start)},
       {"inputs", inputs_json(record.inputs)},

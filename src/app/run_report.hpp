@@ -46,11 +46,12 @@ struct RunRecord {
   LedgerSums ledger_sums;
   LedgerRows ledger;
   RunOutcome outcome;
-  Extremes extremes;                              ///< of the last frame
+  Extremes extremes;  ///< of the last frame
   bool is_static = false;
   std::optional<EquilibriumWay> equilibrium_way;  ///< of static runs that came to their end
   Timings timings;
   Warnings warnings;
+  Warnings doubts;  ///< why a run that came to its end is not trusted; among `warnings` too
   int record_every = 1;
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "material/elastic.hpp"
 #include "model/material_choices.hpp"
 #include "result/describe.hpp"
 
@@ -162,8 +161,7 @@ Warnings StepWatch::far_from_equilibrium(const Place& place) const {
                        steps_, way->last_step_ratio, how_far)}};
 }
 
-Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Extremes& extremes,
-                          const Place& place) {
+Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place) {
   Warnings warnings;
   for (const std::string& sentence : start_complaints(outcome.start))
     warnings.push_back({"start_not_as_asked", place, sentence});
@@ -176,14 +174,6 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
   for (const CarriedPoint& point : prepared.scene.model.loading_points)
     warn_held("load_held_after_table", "load", point.curve);
   warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
-  const bool is_on_covers = prepared.scene.settings.dynamics == Dynamics::standard &&
-                            !prepared.scene.model.elements.empty() &&
-                            prepared.scene.model.elements[ElementIndex{extremes.crushed_element}].is_on_covers();
-  if (is_on_covers && extremes.area_share < kSofteningStretch)
-    warnings.push_back({"crushed_beyond_law", place,
-                        fmt::format("element {} is pressed to {:.2g} of its area; the elastic law gives way below a "
-                                    "stretch of {:.2g}: do not trust what is near it",
-                                    extremes.crushed_element + 1, extremes.area_share, kSofteningStretch)});
   return warnings;
 }
 

@@ -53,8 +53,7 @@ class StepWatch {
   double last_ = 0;
 };
 
-/// Of a start not as asked, of tables that end before the run does, and of elements crushed beyond their law.
-Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Extremes& extremes,
-                          const Place& place);
+/// Of a start not as asked, and of tables that end before the run does.
+Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place);
 
 }  // namespace keyblock

@@ -251,7 +251,8 @@ Action configure_tradeoff(CLI::App& options) {
   add_study_options(options, *chosen);
   options
       .add_option("--vary", chosen->vary,
-                  "only these choices: basis, step, enforcement, penalty, tolerance, integrator, impact, forces, functions, mesh")
+                  "only these choices: basis, step, enforcement, penalty, tolerance, integrator, impact, forces, "
+                  "functions, mesh")
       ->delimiter(',');
   options.add_flag("--full", chosen->is_full, "all combinations, not only single choices and the usual pairs");
   options.add_option("--most", chosen->most, "runs of --full at most (default: 200)")->check(above_zero());

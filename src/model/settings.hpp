@@ -53,6 +53,13 @@ struct BodyAcceleration {
 /// Unknowns of a block that may move, three or six.
 enum class BlockBasis { rigid, affine };
 
+/// What a run may show and still be trusted: beyond it, it does not end well (exit code 1, or 4 where it cannot go on).
+struct TrustLimits {
+  double penetration = 0.1;  ///< depth of elements in one another over the size of the smaller
+  double crushing = 0.58;    ///< least area of an element at the end over that at the start; there the elastic law gives way
+  double energy = 0.01;      ///< kinetic, strain and gravity energy that nothing gave, over the largest there was
+};
+
 /// Everything a run decides besides the scene itself. Units are those of the input.
 struct Settings {
   NodeMerging node_merging = NodeMerging::in_order_found;
@@ -81,6 +88,7 @@ struct Settings {
   BerkeleyQuirks quirks;
   Dynamics dynamics = Dynamics::shi;
   Bookkeeping ledger = Bookkeeping::on;  ///< energy and momentum, step by step
+  TrustLimits trust;
   StandardChoices standard;              ///< read by Dynamics::standard alone
 };
 

@@ -51,7 +51,6 @@ struct StandardChoices {
   double least_step_share = 1e-4;  ///< of the time step, below which it is not cut
   double force_tolerance =
       1e-6;  ///< of contact forces over the heaviest load, where more than fifty touches are settled together
-  double penetration_limit = 0.1;  ///< of the smaller block's size, beyond which a run ends
   SpringPoints spring_points = SpringPoints::ends;
   ImpactLaw impact = ImpactLaw::jump;
   PerMaterial<double> restitution = 0;  ///< rebound over approach speed of an impact; by joint material

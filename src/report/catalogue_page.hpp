@@ -34,6 +34,7 @@ struct CatalogueAnswer {
   double dx = 0;        ///< its displacement since the start, in the file's unit
   double dy = 0;
   std::optional<CatalogueMeasures> measures;
+  std::string doubt = {};  ///< why a run that came to its end is not trusted; empty where it is
 };
 
 struct CatalogueRow {

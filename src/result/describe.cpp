@@ -111,6 +111,10 @@ void describe(Archive& a, LedgerSums& sums) {
   a.value("is_begun", sums.is_begun);
   a.group("first", [&] { describe(a, sums.first); });
   a.value("largest", sums.largest);
+  a.value("largest_stored", sums.largest_stored);
+  a.value("least", sums.least);
+  a.value("made", sums.made);
+  a.value("above_start", sums.above_start);
   a.value("energy_gap", sums.energy_gap);
   a.value("linear_gap", sums.linear_gap);
   a.value("linear_size", sums.linear_size);
@@ -131,6 +135,7 @@ void describe(Archive& a, StepTotals& totals) {
   a.value("unresolved_parts", totals.unresolved_parts);
   a.value("locked_overlaps", totals.locked_overlaps);
   a.value("greatest_penetration", totals.greatest_penetration);
+  a.value("penetration_share", totals.penetration_share);
   a.value("greatest_displacement_ratio", totals.greatest_displacement_ratio);
   a.value("greatest_residual", totals.greatest_residual);
   a.value("least_dt", totals.least_dt);
@@ -150,6 +155,7 @@ void describe(Archive& a, StepReport& report) {
   a.value("penalty", report.penalty);
   a.value("displacement_ratio", report.displacement_ratio);
   a.value("greatest_penetration", report.greatest_penetration);
+  a.value("penetration_share", report.penetration_share);
   a.value("residual", report.residual);
   a.value("unresolved_parts", report.unresolved_parts);
   a.value("locked_overlaps", report.locked_overlaps);

@@ -49,7 +49,14 @@ Momentum& Momentum::operator+=(const Momentum& other) {
 
 void LedgerSums::add(const LedgerRow& row) {
   if (!is_begun) first = row;
+  const double given = row.stored.total() - row.flow.external;
+  const double apart_from_contact = given - row.stored.contact;
+  if (!is_begun) least = given;
   is_begun = true;
+  made = std::max(made, apart_from_contact - least);
+  above_start = std::max(above_start, apart_from_contact - (first.stored.total() - first.stored.contact));
+  least = std::min(least, given);
+  largest_stored = std::max(largest_stored, largest_of(row.stored, first.stored));
   largest = std::max({largest, largest_of(row.stored, first.stored), largest_of(row.flow)});
   const double change = row.stored.total() - first.stored.total();
   energy_gap = std::max(energy_gap, std::abs(change - row.flow.gained() + row.flow.lost()));
@@ -69,6 +76,10 @@ double LedgerSums::linear_momentum_closure() const {
 
 double LedgerSums::angular_momentum_closure() const {
   return over(angular_gap, angular_size);
+}
+
+double LedgerSums::energy_made(const LedgerScope& scope) const {
+  return over(scope.has_flows ? made : above_start, largest_stored);
 }
 
 LedgerSums sums_of(const Ledger& ledger) {

@@ -18,6 +18,7 @@ void StepTotals::add(const StepReport& step) {
   unresolved_parts += step.unresolved_parts;
   locked_overlaps += step.locked_overlaps;
   greatest_penetration = std::max(greatest_penetration, step.greatest_penetration);
+  penetration_share = std::max(penetration_share, step.penetration_share);
   greatest_displacement_ratio = std::max(greatest_displacement_ratio, step.displacement_ratio);
   greatest_residual = std::max(greatest_residual, step.residual);
   least_dt = std::min(least_dt, step.dt);

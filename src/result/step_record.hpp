@@ -25,6 +25,7 @@ struct StepTotals {
   int unresolved_parts = 0;
   int locked_overlaps = 0;
   double greatest_penetration = 0;
+  double penetration_share = 0;
   double greatest_displacement_ratio = 0;
   double greatest_residual = 0;
   double least_dt = std::numeric_limits<double>::max();

@@ -17,6 +17,7 @@ struct StepReport {
   double penalty = 0;             ///< contact stiffness, force / length
   double displacement_ratio = 0;  ///< greatest vertex displacement over the allowed one
   double greatest_penetration = 0;  ///< of the closed contacts, length, ≥ 0
+  double penetration_share = 0;     ///< greatest of theirs over the size of the smaller element, ≥ 0
   /// Dynamics `shi`: largest relative residual of the step's linear solves; `standard`: forces out of balance over the largest
   /// load on a block.
   double residual = 0;

@@ -33,6 +33,12 @@ auto at(T OpenCloseConstants::*member) {
   };
 }
 template <class T>
+auto at(T TrustLimits::*member) {
+  return [member](auto& s) -> auto& {
+    return s.trust.*member;
+  };
+}
+template <class T>
 auto at(T StandardChoices::*member) {
   return [member](auto& s) -> auto& {
     return s.standard.*member;
@@ -168,6 +174,22 @@ std::vector<SettingRow> rows_of_contact_and_steps() {
   };
 }
 
+std::vector<SettingRow> rows_of_trust() {
+  return {
+      row("penetration_limit",
+          "depth of blocks in one another, over the size of the smaller, beyond which a run is not trusted; under "
+          "dynamics standard one that no spring bears ends it",
+          at(&TrustLimits::penetration), real({0, true, 1})),
+      row("crushing_limit",
+          "area of a block at the end over that at the start, below which a run is not trusted; 0: no limit",
+          at(&TrustLimits::crushing), real(kShare)),
+      row("energy_limit",
+          "kinetic, strain and gravity energy that no load gave, over the largest there was, beyond which a run is not "
+          "trusted; under dynamics shi looked at where weight alone acts",
+          at(&TrustLimits::energy), real(kAboveZero)),
+  };
+}
+
 std::vector<SettingRow> rows_of_quirks() {
   using Q = BerkeleyQuirks;
   return {
@@ -223,9 +245,6 @@ std::vector<SettingRow> rows_of_standard() {
           "settled "
           "together",
           at(&C::force_tolerance), real({0, true, 1e-3})),
-      row("penetration_limit",
-          "depth of blocks in one another that no spring bears, over the size of the smaller, beyond which a run ends",
-          at(&C::penetration_limit), real({0, true, 1})),
       row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
           one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
       under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},
@@ -275,7 +294,7 @@ const std::vector<SettingRow>& table() {
   static const std::vector<SettingRow> rows = [] {
     std::vector<SettingRow> all;
     for (const auto& part :
-         {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(), rows_of_quirks()})
+         {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(), rows_of_trust(), rows_of_quirks()})
       all.insert(all.end(), part.begin(), part.end());
     for (const SettingRow& row : rows_of_standard()) all.push_back(of(Dynamics::standard, row));
     return all;

@@ -187,6 +187,7 @@ class Attempts {
     report_.penalty = used_penalty_;
     report_.displacement_ratio = ratio_;
     report_.greatest_penetration = misfit(stepping_.contacts).penetration;
+    report_.penetration_share = penetration_share(stepping_.contacts, scene_.model, stepping_.state);
     report_.unsettled_contacts = static_cast<int>(outcome.still_changing.size());
     stepping_.history = {dt_, ratio_, report_.greatest_penetration, used_penalty_};
     stepping_.penalty = penalty_;

@@ -24,6 +24,23 @@ Misfit misfit(const Contacts& contacts) {
   return greatest;
 }
 
+double penetration_share(const Contacts& contacts, const Model& model, const State& state) {
+  const auto size_of = [&](ElementIndex e) {
+    double size = 0;
+    for (VertexIndex v : model.elements[e].vertices())
+      size = std::max(size, distance(state.vertices[v], state.elements[e].centroid));
+    return size;
+  };
+  double greatest = 0;
+  for (const Contact& contact : contacts) {
+    if (contact.is_open() || contact.distance >= 0) continue;
+    const double one = size_of(model.vertices[contact.active().vertex].element);
+    const double other = size_of(model.vertices[contact.active().start].element);
+    greatest = std::max(greatest, -contact.distance / std::min(one, other));
+  }
+  return greatest;
+}
+
 AdaptedPenalty adapt(double penalty, const Misfit& misfit, double scale, const Settings& settings) {
   if (settings.penalty_control == PenaltyControl::constant) return {penalty, false};
   const double opening = misfit.opening / scale / (2 * settings.allowed_displacement_ratio);

@@ -4,7 +4,9 @@
 
 #include "contact/contact.hpp"
 #include "contact/rules.hpp"
+#include "model/model.hpp"
 #include "model/settings.hpp"
+#include "model/state.hpp"
 
 namespace keyblock {
 
@@ -14,6 +16,10 @@ struct Misfit {
   double penetration = 0;
 };
 Misfit misfit(const Contacts& contacts);
+
+/// Greatest penetration of the closed contacts over the size of the smaller element, that is the largest distance of its
+/// vertices from its centroid; ≥ 0.
+double penetration_share(const Contacts& contacts, const Model& model, const State& state);
 
 /// The adapted stiffness, and whether penetration was so deep that the step must be redone with it
 /// (legacy-rules 11.3).

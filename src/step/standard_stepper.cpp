@@ -66,11 +66,11 @@ std::string too_deep(const StandardScene& scene, const Motion& motion, const Sta
     if (scene.model.elements[vertex].is_on_covers() || scene.model.elements[edge].is_on_covers()) continue;
     const double size = std::min(scene.bodies[vertex].size, scene.bodies[edge].size);
     const double depth = -gap_of(touch, end.vertices) - memory.compression;
-    if (!(depth > scene.settings.standard.penetration_limit * size)) continue;
+    if (!(depth > scene.settings.trust.penetration * size)) continue;
     return fmt::format(
         "block {} and block {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "
         "(penetration_limit) nothing that follows can be trusted",
-        vertex.value + 1, edge.value + 1, depth, depth / size, scene.settings.standard.penetration_limit);
+        vertex.value + 1, edge.value + 1, depth, depth / size, scene.settings.trust.penetration);
   }
   return {};
 }
@@ -368,8 +368,13 @@ StepReport StandardStepper::report_of(const ControlledStep& made) const {
   report.penalty = scene_.has_springs() ? scene_.normal_stiffness() : 0;
   report.residual = made.step.residual;
   report.displacement_ratio = made.displacement / (scene_.settings.allowed_displacement_ratio * scene_.model.scale);
-  for (const auto& [touch, memory] : motion_.closed.all())
-    report.greatest_penetration = std::max(report.greatest_penetration, -gap_of(touch, state_.vertices));
+  for (const auto& [touch, memory] : motion_.closed.all()) {
+    const double depth = -gap_of(touch, state_.vertices);
+    const Body& one = scene_.bodies[scene_.model.vertices[touch.vertex].element];
+    const Body& other = scene_.bodies[scene_.model.vertices[touch.start].element];
+    report.greatest_penetration = std::max(report.greatest_penetration, depth);
+    report.penetration_share = std::max(report.penetration_share, depth / std::min(one.size, other.size));
+  }
   return report;
 }
 

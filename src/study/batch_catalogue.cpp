@@ -45,12 +45,14 @@ Json json_of(const CatalogueAnswer& a) {
   return {{"profile", a.profile}, {"end", a.end},
           {"steps", a.steps},     {"time", a.time},
           {"of_what", a.of_what}, {"dx", a.dx},
-          {"dy", a.dy},           {"measures", a.measures ? json_of(*a.measures) : Json()}};
+          {"dy", a.dy},           {"measures", a.measures ? json_of(*a.measures) : Json()},
+          {"doubt", a.doubt}};
 }
 
 CatalogueAnswer answer_of(const Json& json) {
-  return {json.at("profile"), json.at("end"), json.at("steps"), json.at("time"),
-          json.at("of_what"), json.at("dx"),  json.at("dy"),    measures_of(json.at("measures"))};
+  return {json.at("profile"),     json.at("end"), json.at("steps"), json.at("time"),
+          json.at("of_what"),     json.at("dx"),  json.at("dy"),    measures_of(json.at("measures")),
+          json.value("doubt", "")};
 }
 
 std::string cell(const std::string& text) {

@@ -45,6 +45,44 @@ TEST(LedgerSums, gains_and_losses_have_opposite_signs_in_the_balance) {
   EXPECT_EQ(sums_of(ledger).energy_closure(), 0);
 }
 
+// 100 J fall and 60 of them rise again: 160 would be made of nothing.
+TEST(LedgerSums, energy_beyond_what_was_stored_before_and_given_is_made) {
+  Ledger ledger = falling_and_rubbing();
+  EXPECT_EQ(sums_of(ledger).energy_made(ledger.scope), 0);
+  LedgerRow later = ledger.rows.back();
+  later.stored.gravity = -20;  // of the 60 kinetic ones 20 came from elsewhere
+  later.stored.kinetic = 0;
+  ledger.rows.push_back(later);
+  EXPECT_DOUBLE_EQ(sums_of(ledger).energy_made(ledger.scope), 0.2);
+  ledger.rows.back().flow.external = 20;
+  EXPECT_EQ(sums_of(ledger).energy_made(ledger.scope), 0);
+}
+
+TEST(LedgerSums, what_contact_springs_give_back_is_not_made) {
+  Ledger ledger = falling_and_rubbing();
+  LedgerRow pressed = ledger.rows.back();
+  pressed.stored.kinetic = 0;
+  pressed.stored.contact = 60;
+  LedgerRow rebound = ledger.rows.back();
+  ledger.rows.push_back(pressed);
+  ledger.rows.push_back(rebound);
+  EXPECT_EQ(sums_of(ledger).energy_made(ledger.scope), 0);
+  ledger.rows.back().stored.kinetic = 90;
+  EXPECT_DOUBLE_EQ(sums_of(ledger).energy_made(ledger.scope), 0.3);
+}
+
+// Without flows nothing says what contact holds: only more than at the start is made.
+TEST(LedgerSums, without_flows_energy_counts_from_the_start) {
+  Ledger ledger = falling_and_rubbing();
+  ledger.scope.has_flows = false;
+  ledger.rows.back().stored.kinetic = 20;
+  ledger.rows.push_back(ledger.rows.back());
+  ledger.rows.back().stored.kinetic = 100;
+  EXPECT_EQ(sums_of(ledger).energy_made(ledger.scope), 0);
+  ledger.rows.back().stored.kinetic = 150;
+  EXPECT_DOUBLE_EQ(sums_of(ledger).energy_made(ledger.scope), 50.0 / 150);
+}
+
 TEST(LedgerSums, a_scene_at_rest_closes) {
   EXPECT_EQ(sums_of({{}, {{}, {}}}).energy_closure(), 0);
 }

@@ -351,7 +351,7 @@ TEST(StandardImpact, a_run_ends_where_blocks_lie_too_deep_in_one_another) {
   }
   EXPECT_NE(reason.find("deep in one another"), std::string::npos) << reason;
   EXPECT_NE(reason.find("penetration_limit"), std::string::npos) << reason;
-  settings.standard.penetration_limit = 1;
+  settings.trust.penetration = 1;
   StandardStepper tolerant(standard_scene_of(blocks, analysis, settings));
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(std::holds_alternative<StepReport>(tolerant.advance()));
 }
