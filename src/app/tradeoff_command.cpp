@@ -70,7 +70,8 @@ bool is_on_front(const Tradeoff& result, std::size_t run) {
 std::string error_text(const Tradeoff& result, std::size_t i) {
   const double error = study::error_of(result.runs[i], result.reference);
   if (!std::isfinite(error)) return "-";
-  return error < result.prices[i].error ? fmt::format("<{:.1e}", result.prices[i].error) : fmt::format("{:.2e}", error);
+  const bool is_told_apart = error >= std::max(study::kLeastError, result.reference.uncertainty);
+  return fmt::format("{}{:.{}e}", is_told_apart ? "" : "<", result.prices[i].error, is_told_apart ? 2 : 1);
 }
 
 // Cheapest first, those without a result last.
@@ -172,6 +173,7 @@ Json json_of(const Tradeoff& result, const study::StudyCase& chosen, const study
                     {"cpu_seconds", run.seconds},
                     {"timings", run.timings},
                     {"error", json_number(study::error_of(run, result.reference))},
+                    {"error_bound", json_number(result.prices[i].error)},
                     {"on_front", is_on_front(result, i)},
                     {"over_front", json_number(over_front(result.prices, i))}});
   }
@@ -218,7 +220,10 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
       throw UsageError(error.what());
     }
   }();
-  const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run);
+  const study::Search search{wish, [&](const study::RunPlan& plan, int parts) {
+                               return study::refined(chosen, options.profile, plan, parts);
+                             }};
+  const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run, search);
   const bool chooses = options.has_wish() && !result.is_stopped;
   const auto choice = chooses ? study::choice_for(result.prices, wish) : std::nullopt;
   if (!options.picture.empty()) write_file(options.picture, picture_of(result));

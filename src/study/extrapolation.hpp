@@ -12,7 +12,8 @@ struct Limit {
   std::vector<double> values;
   std::optional<double> order;  ///< observed, of h; nothing where the three are the same
   bool is_extrapolated = false;
-  /// Of `values`, relative: what extrapolation added to the finest run or, without it, how far the others are from that at most.
+  /// Of `values`, relative: what extrapolation of at most second order adds to the finest run or, without it, how far the others
+  /// are from that at most.
   double uncertainty = 0;
 };
 

@@ -34,9 +34,10 @@ struct Base {
   bool is_standard() const { return settings.dynamics == Dynamics::standard; }
 };
 
-Base base_of(const StudyCase& chosen, const std::string& profile) {
+Base base_of(const StudyCase& chosen, const std::string& profile, const std::vector<Override>& more = {}) {
   Base base;
-  const std::vector<Override> overrides = chosen.overrides(profile);
+  std::vector<Override> overrides = chosen.overrides(profile);
+  overrides.insert(overrides.end(), more.begin(), more.end());
   Problem problem = with_named_files(chosen.input.problem, overrides, chosen.folder);
   const std::vector<Override> left = set_plan(problem, overrides);
   base.has_plan = problem.covers.has_value();
@@ -315,6 +316,57 @@ std::vector<RunPlan> refinements(const StudyCase& chosen, const std::string& pro
     if (level.refinement > 1) plans.push_back(plan_of(profile, {{&axis, &level}}));
   plans.erase(plans.begin(), plans.end() - std::min<std::ptrdiff_t>(3, std::ssize(plans)));
   return plans;
+}
+
+namespace {
+
+/// What refinement changes, and what the level is called: relative to the case's own under the profile of the plan.
+struct Refinement {
+  std::string of;  ///< "step", "side", "tolerance"
+  std::string name;
+  std::vector<Override> set;
+};
+
+Refinement refinement_of(const Base& own, const Base& now, int parts) {
+  if (now.is_solved_at_once) {
+    const std::vector<Override> set = mesh_overrides(now.plan.mesh, 1.0 / parts);
+    const bool by_side = own.plan.mesh.side > 0;
+    const double factor = by_side ? now.plan.mesh.side / own.plan.mesh.side
+                                  : static_cast<double>(own.plan.mesh.half_rows) / now.plan.mesh.half_rows;
+    return {"side", factor_name("side", factor / parts), set};
+  }
+  if (now.settings.step_control == StepControl::error) {
+    const std::string tolerance = fmt::format("{:.2g}", now.settings.standard.step_tolerance / parts);
+    return {"tolerance", "tolerance " + tolerance, {{"step_tolerance", tolerance}}};
+  }
+  const double factor = static_cast<double>(own.settings.step_count) / now.settings.step_count / parts;
+  return {"step", factor_name("step", factor), step_overrides(now, 1.0 / parts)};
+}
+
+// "rigid, step /4" is "rigid" without its step, and "step /4" nothing.
+std::string without_level(const std::string& name, const std::string& of) {
+  const std::size_t at = name.rfind(of + ' ');
+  if (at == std::string::npos || (at > 0 && name[at - 1] != ' ')) return name;
+  return at == 0 ? "" : name.substr(0, at - 2);
+}
+
+}  // namespace
+
+std::optional<RunPlan> refined(const StudyCase& chosen, const std::string& profile, const RunPlan& plan, int parts) {
+  const Base now = base_of(chosen, plan.profile, plan.set);
+  const Refinement finer = refinement_of(base_of(chosen, plan.profile), now, parts);
+  if (finer.set.empty()) return std::nullopt;
+  RunPlan made = plan;
+  const std::string rest = plan.name == profile ? "" : without_level(plan.name, finer.of);
+  made.name = rest.empty() ? finer.name : rest + ", " + finer.name;
+  made.group = plan.group == "profile" ? finer.of : plan.group;
+  made.coarser = plan.name;
+  made.growth = 1.5;
+  for (const Override& setting : finer.set) {
+    std::erase_if(made.set, [&](const Override& old) { return old.first == setting.first; });
+    made.set.push_back(setting);
+  }
+  return made;
 }
 
 std::vector<RunPlan> penalty_step_map(const StudyCase& chosen, const std::string& profile,

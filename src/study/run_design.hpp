@@ -43,6 +43,10 @@ std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& pro
 /// last three of the halvings down to that part.
 std::vector<RunPlan> refinements(const StudyCase& chosen, const std::string& profile, int finest);
 
+/// `plan`, one of the designs under `profile`, with steps (or sides of the mesh, or where steps go by their error its tolerance)
+/// of a part of its own; nothing where there is nothing left to divide. `parts`: a power of two. Throws as `axes_of`.
+std::optional<RunPlan> refined(const StudyCase& chosen, const std::string& profile, const RunPlan& plan, int parts);
+
 /// Every penalty with every step, factors of the case's own, steps fastest. Contact is by springs, whose stiffness stays. Throws
 /// as `axes_of`, and std::invalid_argument for a case that has neither.
 std::vector<RunPlan> penalty_step_map(const StudyCase& chosen, const std::string& profile,

@@ -21,6 +21,7 @@ struct Reference {
   double uncertainty = 0;        ///< of a limit, relative: errors below it are not told apart
   std::optional<double> order;   ///< observed, of a limit
   bool is_extrapolated = false;  ///< of a limit; otherwise it is the finest run itself
+  bool is_resolved = true;       ///< false: a limit not known well enough to hold errors against; `words` say why
   std::string words;             ///< how errors are measured, one sentence
 };
 
@@ -31,7 +32,7 @@ struct Tradeoff {
   std::string name;
   Reference reference;
   std::vector<MeasuredRun> runs;
-  std::vector<Price> prices;       ///< of the runs, errors no less than what can be told apart
+  std::vector<Price> prices;       ///< of the runs; errors with what the limit may be off: the true ones are no greater
   std::vector<std::size_t> front;  ///< cheapest first
   bool is_stopped = false;         ///< before all runs were made
 };
@@ -39,11 +40,18 @@ struct Tradeoff {
 /// Told of every run: how many are done, of how many.
 using OnRun = std::function<void(const MeasuredRun&, std::size_t done, std::size_t of)>;
 
+/// What a study may add to its plans: refinements of them (nothing where there is none), so that the limit is resolved and the wish
+/// is met or its budget used. Without `refine` nothing is added.
+struct Search {
+  Wish wish;
+  std::function<std::optional<RunPlan>(const RunPlan&, int parts)> refine = {};
+};
+
 /// Runs the plans, and before them those of `limit_from`, coarsest first, where the case expects no values; what both hold is run
 /// once. A plan that refines another is left out where that one shows it to be over the limit, and all are once a stop is asked
-/// for. Throws std::runtime_error where the refined runs give no limit.
+/// for. Then goes on as `search` says, each run within the limits. Throws std::runtime_error where the refined runs give no limit.
 Tradeoff tradeoff(const StudyCase& chosen, const std::vector<RunPlan>& plans, const std::vector<RunPlan>& limit_from,
-                  const RunLimits& limits, const OnRun& on_run);
+                  const RunLimits& limits, const OnRun& on_run, const Search& search = {});
 
 /// Of the values of a run: with expected values the greatest error over its scale, else root mean square over that of the
 /// reference. Infinite where a value was not reached.

@@ -54,7 +54,7 @@ TEST(TradeoffCommand, picks_settings_that_run_takes) {
                                                      "choice", "settings_file"}));
   EXPECT_EQ(keys_of(json["runs"][0]),
             (std::vector<std::string>{"name", "group", "profile", "set", "end", "reason", "steps", "unknowns",
-                                      "cpu_seconds", "timings", "error", "on_front", "over_front"}));
+                                      "cpu_seconds", "timings", "error", "error_bound", "on_front", "over_front"}));
   EXPECT_TRUE(contains(read_text(picture), "</svg>"));
   EXPECT_TRUE(contains(read_text(file), "profile = "));
   const ProgramRun run = run_keyblock(
