@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "formats/case.hpp"
+#include "formats/csv.hpp"
+#include "formats/registry.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
 #include "study/trace.hpp"
@@ -27,7 +29,54 @@ void expect_followed(const CaseFolder& folder) {
       difference.stress, fmt::join(difference.unequal, "\n"));
 }
 
+/// A scene of reference_runs/scaling beside what the old program printed of it, kept in findings/traces: every block and step.
+struct Scaling {
+  std::string name;      // of the drawing
+  std::string analysis;  // without its ending
+  int steps = 0;
+};
+
+void expect_followed(const Scaling& scene, const std::filesystem::path& shared) {
+  const std::filesystem::path scaling = shared / "reference_runs" / "scaling";
+  const auto table = [&](const char* what) {
+    return formats::read_csv(
+        formats::load((shared / "findings" / "traces" / (scene.name + "_" + what + ".csv")).string()));
+  };
+  const formats::CsvTable blocks = table("blocks");  // step, time, block, cx, cy, area
+  const formats::CsvTable steps = table("steps");    // step, time, dt, passes_total, contacts, penalty
+  const formats::Case loaded =
+      formats::load_case({(scaling / (scene.name + ".geo")).string(), (scaling / (scene.analysis + ".ana")).string()});
+  std::vector<Frame> frames;
+  int passes = 0;
+  Observer observer;
+  observer.on_frame = [&](const Frame& frame) { frames.push_back(frame); };
+  observer.on_step = [&](const StepReport& step) {
+    passes += step.passes;
+    const formats::CsvRow& row = steps.rows.at(static_cast<std::size_t>(step.step));
+    EXPECT_EQ(passes, formats::csv_real(steps, row, 3)) << scene.name << " step " << step.step;
+    EXPECT_EQ(step.contacts, formats::csv_real(steps, row, 4)) << scene.name << " step " << step.step;
+  };
+  run(prepare(loaded.problem, "legacy", {{"steps", std::to_string(scene.steps)}}).scene, 1, observer);
+  ASSERT_EQ(blocks.rows.size(), frames.size() * frames.front().elements.size()) << scene.name;
+  double apart = 0;
+  for (const formats::CsvRow& row : blocks.rows) {
+    const auto step = static_cast<std::size_t>(formats::csv_real(blocks, row, 0));
+    const auto block = static_cast<std::size_t>(formats::csv_real(blocks, row, 2)) - 1;
+    const Point then{formats::csv_real(blocks, row, 3), formats::csv_real(blocks, row, 4)};
+    apart = std::max(apart, distance(frames.at(step).elements.at(block).centroid, then));
+  }
+  EXPECT_LT(apart, 1e-9) << scene.name;  // of coordinates of 10, printed with 10 to 12 digits
+}
+
 }  // namespace
+
+// Where four blocks meet, angles that are equal but for rounding choose the entrance lines: every crossing of joints.
+TEST(Traces, legacy_profile_follows_a_slope_and_a_grid_block_by_block) {
+  if (!std::filesystem::exists(shared_folder() / "findings" / "traces"))
+    GTEST_SKIP() << "the traces of jointed slopes lie only in ../shared";
+  expect_followed(Scaling{"slope10", "slope_N10", 40}, shared_folder());
+  expect_followed(Scaling{"grid10", "scale_N10_maxd_0.01", 40}, shared_folder());
+}
 
 TEST(Traces, legacy_profile_follows_all_sixteen_traces_in_the_repository) {
   const std::vector<CaseFolder> folders = find_cases({kTraces});

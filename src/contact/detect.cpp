@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "base/loop.hpp"
 #include "contact/candidates.hpp"
@@ -31,8 +30,12 @@ constexpr double kSureSquare = 1 + 1e-9;
 // vertex-vertex).
 constexpr double kTieShare = 0.3;
 
+// The π of the old program (legacy-rules, Conventions). Where four blocks meet, the bisectors of opposite wedges have sines that are
+// equal but for rounding; this π makes them differ by 1e-10, and so decides which entrance line is taken.
+constexpr double kOldPi = 3.1415926535;
+
 double sine_of(double degrees) {
-  return std::sin(degrees * std::numbers::pi / 180);
+  return std::sin(degrees * kOldPi / 180);
 }
 
 class Detector {
