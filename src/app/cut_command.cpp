@@ -35,6 +35,7 @@ struct CutOptions {
   std::string output;
   std::string picture;
   NodeMerging merging = NodeMerging::nearest_first;
+  NearPieces near_pieces = NearPieces::led_through;
   MeshOptions mesh;
   bool absorbs = false;
   bool may_overwrite = false;
@@ -62,6 +63,7 @@ Json json_of(const CutResult& cut) {
           {"edges", r.edges},
           {"dangling_edges", r.dangling_edges},
           {"bridge_edges", r.bridge_edges},
+          {"near_pieces_deleted", r.deleted},
           {"scale", r.tolerances.scale},
           {"merging_distance", r.tolerances.merge},
           {"snaps", std::move(snaps)},
@@ -133,7 +135,8 @@ ExitCode cut_file(const CutOptions& options) {
     }
   const formats::Case loaded = formats::load_case({options.drawing});
   const Drawing& drawing = drawing_of(loaded, options.drawing);
-  BodyCut bodies = has_mesh ? cut_bodies(drawing, options.merging) : BodyCut{cut_blocks(drawing, options.merging), {}};
+  BodyCut bodies = has_mesh ? cut_bodies(drawing, options.merging, options.near_pieces)
+                            : BodyCut{cut_blocks(drawing, options.merging, options.near_pieces), {}};
   CutResult& cut = bodies.blocks;
   cut.warnings = joined(loaded.warnings, cut.warnings);
   log_warnings(cut.warnings);
@@ -172,6 +175,11 @@ Action configure_cut(CLI::App& app) {
          "as the old programs and profile legacy do")
       ->transform(CLI::CheckedTransformer(std::map<std::string, NodeMerging>{
           {"nearest_first", NodeMerging::nearest_first}, {"in_order_found", NodeMerging::in_order_found}}));
+  app.add_option("--near-pieces", options->near_pieces,
+                 "what becomes of a piece that passes a node nearer than the drawing's distance: led_through, or "
+                 "deleted, as the old programs and profile legacy do")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, NearPieces>{{"led_through", NearPieces::led_through},
+                                                                            {"deleted", NearPieces::deleted}}));
   add_mesh_options(app, options->mesh);
   app.add_flag("--absorb", options->absorbs,
                "give pieces alone on a cover and below 0.2 of the mean area the covers of their neighbour, as the old "

@@ -37,8 +37,8 @@ enum class LooseEnds { removed, slits };
 /// One cutting, from stage to stage.
 class Cutting {
  public:
-  Cutting(const Drawing& drawing, NodeMerging merging, LooseEnds loose_ends)
-      : drawing_(drawing), merging_(merging), loose_ends_(loose_ends) {
+  Cutting(const Drawing& drawing, NodeMerging merging, NearPieces near_pieces, LooseEnds loose_ends)
+      : drawing_(drawing), merging_(merging), near_pieces_(near_pieces), loose_ends_(loose_ends) {
     lines_ = used_lines();
     result_.report.tolerances = cut_tolerances(drawing);
     result_.report.lines = static_cast<int>(lines_.segments.size());
@@ -238,7 +238,7 @@ class Cutting {
 
   /// What merging has bent is made a plane drawing again.
   void straighten_out() {
-    Planarized planar = planarize(std::move(arrangement_), lines_.boundary_count, tolerances());
+    Planarized planar = planarize(std::move(arrangement_), lines_.boundary_count, tolerances(), near_pieces_);
     for (const Detour& d : planar.detours) {
       result_.snaps.push_back(
           {Snap::Kind::edge_rerouted, d.from, planar.arrangement.nodes[d.node].position, place(d.line)});
@@ -250,7 +250,10 @@ class Cutting {
            fmt::format("{} pieces pass a node nearer than {:.6g} and are led through it", planar.detours.size(),
                        tolerances().near_pass));
     }
-    if (planar.detours.empty() && planar.crossings == 0) {
+    result_.report.deleted = static_cast<int>(planar.deleted.size());
+    report_removed("near_pieces_deleted", "pass a node too near, or cross another, as the old programs see it,",
+                   planar.deleted);
+    if (planar.detours.empty() && planar.crossings == 0 && planar.deleted.empty()) {
       arrangement_ = std::move(planar.arrangement);
     } else {
       prune_edges(std::move(planar.arrangement));
@@ -341,6 +344,7 @@ class Cutting {
 
   const Drawing& drawing_;
   NodeMerging merging_;
+  NearPieces near_pieces_;
   LooseEnds loose_ends_;
   UsedLines lines_;
   Arrangement arrangement_;
@@ -352,12 +356,12 @@ class Cutting {
 
 }  // namespace
 
-CutResult cut_blocks(const Drawing& drawing, NodeMerging merging) {
-  return Cutting(drawing, merging, LooseEnds::removed).run().blocks;
+CutResult cut_blocks(const Drawing& drawing, NodeMerging merging, NearPieces near_pieces) {
+  return Cutting(drawing, merging, near_pieces, LooseEnds::removed).run().blocks;
 }
 
-BodyCut cut_bodies(const Drawing& drawing, NodeMerging merging) {
-  return Cutting(drawing, merging, LooseEnds::slits).run();
+BodyCut cut_bodies(const Drawing& drawing, NodeMerging merging, NearPieces near_pieces) {
+  return Cutting(drawing, merging, near_pieces, LooseEnds::slits).run();
 }
 
 }  // namespace keyblock

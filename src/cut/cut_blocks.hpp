@@ -23,6 +23,7 @@ struct CutReport {
   int placed_otherwise = 0;  ///< nodes not at the crossing that the old programs would have found first
   int reached = 0;           ///< lines prolonged by the reach to meet another
   int detours = 0;           ///< pieces led through a node beside them
+  int deleted = 0;           ///< pieces that passed a node too near, or crossed, where such are deleted
   int late_crossings = 0;    ///< pieces that crossed after merging and got a node
   int dangling_edges = 0;    ///< removed: they hang loose
   int bridge_edges = 0;      ///< removed: the same face on both sides
@@ -40,7 +41,8 @@ struct CutResult {
 
 /// The blocks of a drawing in the order and with the starting vertices of the old programs. Throws InputError
 /// where the lines close no block.
-CutResult cut_blocks(const Drawing& drawing, NodeMerging merging = NodeMerging::nearest_first);
+CutResult cut_blocks(const Drawing& drawing, NodeMerging merging = NodeMerging::nearest_first,
+                     NearPieces near_pieces = NearPieces::led_through);
 
 struct BodyCut {
   CutResult blocks;
@@ -49,6 +51,7 @@ struct BodyCut {
 
 /// The same blocks with the joints that end inside them, which `cut_blocks` removes: slits. An end that passes the last
 /// line by less than the merging distance is an overshoot, not a slit.
-BodyCut cut_bodies(const Drawing& drawing, NodeMerging merging = NodeMerging::nearest_first);
+BodyCut cut_bodies(const Drawing& drawing, NodeMerging merging = NodeMerging::nearest_first,
+                   NearPieces near_pieces = NearPieces::led_through);
 
 }  // namespace keyblock

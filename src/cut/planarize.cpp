@@ -170,8 +170,40 @@ bool split_crossings(Planarized& p) {
 
 }  // namespace
 
-Planarized planarize(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances) {
-  Planarized result{std::move(arrangement), {}, 0};
+namespace {
+
+// Of two pieces that cross the one of the later line goes, boundaries stay (legacy-formats 3.6, step 4).
+Planarized without_near_pieces(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances) {
+  Planarized result{std::move(arrangement), {}, 0, {}};
+  Arrangement& a = result.arrangement;
+  const auto is_boundary = [&](const Edge& e) { return e.line < static_cast<int>(boundary_count); };
+  std::vector<char> goes(a.edges.size(), 0);
+  const std::vector<Segment> pieces = segments_of(a);
+  SegmentGrid grid(pieces, 0);
+  for (int i = 0; i < static_cast<int>(a.edges.size()); ++i) {
+    if (a.edges[i].is_on_line || goes[i]) continue;
+    for (const int j : grid.near(pieces[i], static_cast<int>(pieces.size()))) {
+      if (goes[i] || goes[j] || !cross_each_other(a, a.edges[i], a.edges[j])) continue;
+      const bool i_goes = is_boundary(a.edges[j]) || (!is_boundary(a.edges[i]) && a.edges[i].line > a.edges[j].line);
+      goes[i_goes ? i : j] = 1;
+    }
+  }
+  NodeGrid nodes(a, tolerances.near_pass);
+  for (std::size_t i = 0; i < a.edges.size(); ++i)
+    if (!is_boundary(a.edges[i]) && !nodes.beside(a, a.edges[i], tolerances.near_pass).empty()) goes[i] = 1;
+  std::vector<Edge> kept;
+  for (std::size_t i = 0; i < a.edges.size(); ++i) (goes[i] ? result.deleted : kept).push_back(a.edges[i]);
+  a.edges = std::move(kept);
+  return result;
+}
+
+}  // namespace
+
+Planarized planarize(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances,
+                     NearPieces near_pieces) {
+  if (near_pieces == NearPieces::deleted)
+    return without_near_pieces(std::move(arrangement), boundary_count, tolerances);
+  Planarized result{std::move(arrangement), {}, 0, {}};
   for (int round = 0; round < kMaxRounds; ++round) {
     Detours(result, boundary_count, tolerances).make();
     if (!split_crossings(result)) break;

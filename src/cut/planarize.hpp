@@ -21,12 +21,14 @@ struct Detour {
 struct Planarized {
   Arrangement arrangement;
   std::vector<Detour> detours;
-  int crossings = 0;  ///< nodes put where pieces crossed
+  int crossings = 0;          ///< nodes put where pieces crossed
+  std::vector<Edge> deleted;  ///< pieces, as the old programs do
 };
 
 /// Boundary pieces make detours within round-off only, as the old programs never delete them; other pieces
 /// those programs delete instead, which comes to the same where the way through the node is there already,
 /// and opens blocks where it is not.
-Planarized planarize(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances);
+Planarized planarize(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances,
+                     NearPieces near_pieces = NearPieces::led_through);
 
 }  // namespace keyblock

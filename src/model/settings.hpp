@@ -63,6 +63,7 @@ struct TrustLimits {
 /// Everything a run decides besides the scene itself. Units are those of the input.
 struct Settings {
   NodeMerging node_merging = NodeMerging::in_order_found;
+  NearPieces near_pieces = NearPieces::deleted;
   int step_count = 0;
   double time_step = 0;  ///< g1
   StepControl step_control = StepControl::constant;

@@ -52,6 +52,12 @@ enum class NodeMerging {
   in_order_found,  ///< as the old programs: a crossing joins the first node found before it that is near, and that one stays
 };
 
+/// What becomes of a piece of a joint that passes a node nearer than the drawing's distance, or crosses another once nodes have moved.
+enum class NearPieces {
+  led_through,  ///< it goes through the node
+  deleted,      ///< as the old programs: it is lost, and what it bounded may be open
+};
+
 /// The drawing of a geometry file. Lengths in the file's unit, indices from 0.
 struct Drawing {
   double edge_node_ratio = 0;      ///< e0: snapping distance over the domain scale (Shi, line file token 1)

@@ -55,7 +55,7 @@ Continuum planned(Manifold manifold, const Problem& problem, const Settings& set
 class Mixed {
  public:
   Mixed(const Problem& problem, const Settings& settings)
-      : problem_(problem), cut_(blocks_of(problem, settings.node_merging)), parts_(meshed()) {
+      : problem_(problem), cut_(blocks_of(problem, settings)), parts_(meshed()) {
     if (parts_.manifold.elements.empty())
       throw InputError(problem.covers->mesh.place, "expected a block of the materials that covers name, found none");
     const Analysis& analysis = *problem.analysis;
@@ -148,8 +148,9 @@ CoverModel of_cover_file(const Cover& cover, const Analysis& analysis, const Set
 
 }  // namespace
 
-CutResult blocks_of(const Problem& problem, NodeMerging merging) {
-  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return cut_blocks(*drawing, merging);
+CutResult blocks_of(const Problem& problem, const Settings& settings) {
+  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry))
+    return cut_blocks(*drawing, settings.node_merging, settings.near_pieces);
   return {std::get<Blocks>(problem.geometry), {}, {}, {}};
 }
 

@@ -10,7 +10,7 @@
 namespace keyblock {
 
 /// The blocks of a drawing, cut, or those that are given.
-CutResult blocks_of(const Problem& problem, NodeMerging merging);
+CutResult blocks_of(const Problem& problem, const Settings& settings);
 
 struct CoverModel {
   Model model;

@@ -91,7 +91,7 @@ struct Geometry {
 };
 
 Geometry of_blocks(const Problem& problem, const Settings& settings) {
-  CutResult cut = blocks_of(problem, settings.node_merging);
+  CutResult cut = blocks_of(problem, settings);
   if (cut.blocks.blocks.empty()) throw InputError(cut.blocks.place, "expected at least one block, found none");
   require_motions(cut.blocks.fixed_points.size(), *problem.analysis);
   Model model = model_from_blocks(cut.blocks, *problem.analysis);

@@ -67,6 +67,7 @@ Settings standard(const Analysis& analysis) {
   Settings settings = legacy(analysis);
   settings.dynamics = Dynamics::standard;
   settings.node_merging = NodeMerging::nearest_first;
+  settings.near_pieces = NearPieces::led_through;
   settings.step_control = StepControl::constant;
   settings.penalty_control = PenaltyControl::constant;
   settings.rotation = Rotation::exact;

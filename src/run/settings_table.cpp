@@ -85,6 +85,11 @@ std::vector<SettingRow> rows_of_the_run() {
       row("node_merging", "how near crossings become one node when a drawing is cut", at(&Settings::node_merging),
           one_of<NodeMerging>(
               {{NodeMerging::nearest_first, "nearest_first"}, {NodeMerging::in_order_found, "in_order_found"}})),
+      row("near_pieces",
+          "what becomes of a piece of a joint that passes a node nearer than the drawing's distance, when a drawing is "
+          "cut",
+          at(&Settings::near_pieces),
+          one_of<NearPieces>({{NearPieces::led_through, "led_through"}, {NearPieces::deleted, "deleted"}})),
       row("steps", "number of time steps", at(&Settings::step_count), whole(1)),
       row("time_step",
           "step size; under dynamics standard with step_control shi or error the interval of reports and the upper "
@@ -293,8 +298,8 @@ std::vector<SettingRow> rows_of_standard() {
 const std::vector<SettingRow>& table() {
   static const std::vector<SettingRow> rows = [] {
     std::vector<SettingRow> all;
-    for (const auto& part :
-         {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(), rows_of_trust(), rows_of_quirks()})
+    for (const auto& part : {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(),
+                             rows_of_trust(), rows_of_quirks()})
       all.insert(all.end(), part.begin(), part.end());
     for (const SettingRow& row : rows_of_standard()) all.push_back(of(Dynamics::standard, row));
     return all;

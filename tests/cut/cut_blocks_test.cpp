@@ -177,6 +177,21 @@ TEST(CutBlocks, a_line_beside_another_nearer_than_the_tolerance_is_led_through_i
   EXPECT_EQ(cut_blocks(kept).blocks.blocks.size(), 2U) << "boundary lines are never moved";
 }
 
+// The old program cuts it into two blocks (findings of legacy, defect C): it loses the piece that passes near a node.
+TEST(CutBlocks, a_piece_that_passes_a_node_too_near_is_led_through_it_or_lost_as_in_the_old_program) {
+  const Drawing drawing = drawing_of({{{-1.01, 0}, {34.55700538, 0}},
+                                      {{19.995, 20.00866025}, {31.55200538, -0.008660254038}},
+                                      {{7.294653722, 20.0025}, {26.3548382, 8.998097359}},
+                                      {{21.97717505, -0.004531538935}, {26.25626918, 9.172015431}},
+                                      {{19.61594631, -0.004531538935}, {24.95004037, 11.4344701}}},
+                                     0.01);
+  EXPECT_EQ(cut_blocks(drawing, NodeMerging::in_order_found).blocks.blocks.size(), 3U);
+  const CutResult old = cut_blocks(drawing, NodeMerging::in_order_found, NearPieces::deleted);
+  EXPECT_EQ(old.blocks.blocks.size(), 2U);
+  EXPECT_GE(old.report.deleted, 1);
+  EXPECT_TRUE(std::ranges::any_of(old.warnings, [](const Warning& w) { return w.name == "near_pieces_deleted"; }));
+}
+
 TEST(CutBlocks, an_end_that_falls_short_by_less_than_the_reach_meets_the_line) {
   const CutResult cut = cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{5, 5e-7}, {5, 10}}}, 0.01));
   EXPECT_EQ(cut.blocks.blocks.size(), 2U);
