@@ -79,6 +79,29 @@ TEST(Traces, legacy_profile_follows_a_slope_and_a_grid_block_by_block) {
   expect_followed(Scaling{"slope20", "slope_N20", 10}, shared_folder());  // of 516 blocks the old program loses one
 }
 
+// From 300 blocks on systems are solved by iterations, whose errors must not reach contact decisions.
+TEST(Traces, a_grid_of_401_blocks_moves_alike_by_iterations_and_by_the_factor) {
+  const std::filesystem::path scaling = shared_folder() / "reference_runs" / "scaling";
+  if (!std::filesystem::exists(scaling)) GTEST_SKIP() << "grids lie only in ../shared";
+  const formats::Case loaded =
+      formats::load_case({(scaling / "grid20.geo").string(), (scaling / "scale_N20_maxd_0.01.ana").string()});
+  std::vector<Frame> ends;
+  std::vector<int> passes;
+  for (const char* method : {"automatic", "factor"}) {
+    passes.push_back(0);
+    Observer observer;
+    observer.on_step = [&](const StepReport& step) { passes.back() += step.passes; };
+    observer.on_frame = [&](const Frame& frame) {
+      if (frame.step == 40) ends.push_back(frame);
+    };
+    run(prepare(loaded.problem, "legacy", {{"steps", "40"}, {"linear_method", method}}).scene, 40, observer);
+  }
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_EQ(passes.front(), passes.back());
+  for (std::size_t i = 0; i < ends[0].elements.size(); ++i)
+    EXPECT_LT(distance(ends[0].elements[i].centroid, ends[1].elements[i].centroid), 1e-10) << "block " << i + 1;
+}
+
 TEST(Traces, legacy_profile_follows_all_sixteen_traces_in_the_repository) {
   const std::vector<CaseFolder> folders = find_cases({kTraces});
   EXPECT_EQ(folders.size(), 16U);
