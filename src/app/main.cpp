@@ -21,7 +21,6 @@
 #include "app/command.hpp"
 #include "app/usage_error.hpp"
 #include "base/error.hpp"
-#include "base/heap.hpp"
 
 namespace keyblock {
 namespace {
@@ -81,7 +80,6 @@ int run_program(int argc, char** argv) {
 }  // namespace keyblock
 
 int main(int argc, char** argv) {
-  keyblock::keep_freed_memory();
   spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
   spdlog::set_pattern("%v");
   try {

@@ -12,7 +12,7 @@
 namespace keyblock {
 
 /// Rows of steps to be kept of one table, beside the extremes and the last.
-constexpr int kMostRows = 20'000;
+constexpr int kMostRows = 5'000;
 
 /// The stride under which a run of so many steps leaves at most kMostRows: 1, where it has no more.
 constexpr int stride_of(int steps) {
