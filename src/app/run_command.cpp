@@ -166,6 +166,7 @@ ExitCode list_settings() {
 
 RunRequest request_of(const RunOptions& options, const RunRecord& record, const Settings& settings) {
   RunRequest request{this_program(),
+                     std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder)).string(),
                      std::filesystem::current_path().string(),
                      options.files,
                      record.profile,
@@ -228,16 +229,17 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   StepWatch watch_steps(prepared);
   History history{!prepared.scene.model.measured_points.empty(), {}};
   const Trace trace = options.trace ? Trace::yes : Trace::no;
-  RunFolder folder = goes_on
-                         ? RunFolder(options.folder, trace)
-                         : RunFolder(options.folder, options.force || saved ? Overwrite::yes : Overwrite::no, trace);
+  RunFolder folder = saved ? RunFolder(options.folder, trace)
+                           : RunFolder(options.folder, options.force ? Overwrite::yes : Overwrite::no, trace);
   std::unique_ptr<Stepper> stepper;
-  if (!goes_on) folder.write_checkpoint(bytes_before_steps(request));
   if (goes_on) {
     describe_told(*saved, folder, history, record, watch_steps);
     saved->group("stepper", [&] { stepper = restored_stepper(prepared.scene, *saved); });
-    folder.drop_what_followed();
   }
+  if (saved)
+    folder.drop_what_followed();
+  else
+    folder.begin(bytes_before_steps(request));
   ProgressLine progress(prepared.scene.settings.step_count, stepper ? stepper->state().step : 0);
   spdlog::info("{}, {} unknowns, {} steps",
                counted(prepared.scene.model.elements.size(), prepared.scene.model.nodes.empty() ? "block" : "element"),
@@ -266,8 +268,13 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
                             folder.write_checkpoint(saved_bytes(request, folder, history, record, watch_steps, now));
                             clock.written();
                           }};
-  record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
-                           : run(prepared.scene, record.record_every, observer);
+  try {
+    record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
+                             : run(prepared.scene, record.record_every, observer);
+  } catch (const InputError&) {
+    if (!saved) folder.take_back();
+    throw;
+  }
   progress.finish();
   record.timings.run = watch.lap();
   record.warnings = joined(record.warnings, watch_steps.warnings(loaded.problem.analysis->place));
@@ -298,6 +305,7 @@ ExitCode resume_run(const RunOptions& options) {
   Archive saved = read_checkpoint(checkpoint_in(again.folder));
   RunRequest request;
   saved.group("request", [&] { describe(saved, request); });
+  require_own(checkpoint_in(again.folder), request);
   std::error_code error;
   std::filesystem::current_path(request.working_folder, error);
   if (error) saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));
