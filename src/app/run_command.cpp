@@ -21,6 +21,7 @@
 #include "app/study_options.hpp"
 #include "app/usage_error.hpp"
 #include "base/sha256.hpp"
+#include "base/stop.hpp"
 #include "run/cover_settings.hpp"
 #include "run/profile.hpp"
 #include "run/settings_file.hpp"
@@ -131,15 +132,21 @@ std::string passes_in_words(const Settings& settings, const StepTotals& totals) 
   return words;
 }
 
+std::string stopped_how() {
+  return is_at_time_limit() ? "stopped at the limit of processor time" : "stopped by request";
+}
+
+std::string how_to_go_on(const std::string& folder) {
+  return fmt::format("keyblock run --resume {} goes on", folder);
+}
+
 void print_summary(const Prepared& prepared, const RunRecord& record, const std::string& folder) {
   log_warnings(record.warnings);
   if (record.outcome.end == RunEnd::failed) {
     spdlog::error("keyblock: error: {}", record.outcome.reason);
     print_hint(prepared.scene.settings);
   }
-  if (record.outcome.end == RunEnd::stopped)
-    spdlog::warn("stopped {}; keyblock run --resume {} goes on",
-                 is_at_time_limit() ? "at the limit of processor time" : "by request", folder);
+  if (record.outcome.end == RunEnd::stopped) spdlog::warn("{}; {}", stopped_how(), how_to_go_on(folder));
   if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)
     spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
   if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
@@ -231,6 +238,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   const Trace trace = options.trace ? Trace::yes : Trace::no;
   RunFolder folder = saved ? RunFolder(options.folder, trace)
                            : RunFolder(options.folder, options.force ? Overwrite::yes : Overwrite::no, trace);
+  listen_for_stops();  // from here on something is left that a stop should leave whole
   std::unique_ptr<Stepper> stepper;
   if (goes_on) {
     describe_told(*saved, folder, history, record, watch_steps);
@@ -246,7 +254,6 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
   if (stepper) spdlog::info("going on after step {}", stepper->state().step);
   if (saved && !stepper) spdlog::info("the run ended before its first checkpoint: it begins again");
-  listen_for_stops();
   CheckpointClock clock(options.checkpoint_every);
   bool stops = false;
   const Observer observer{[&](const Frame& frame) { folder.add(frame); },
@@ -271,6 +278,9 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   try {
     record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
                              : run(prepared.scene, record.record_every, observer);
+  } catch (const StopRequested&) {
+    spdlog::warn("{} before the first step; {}", stopped_how(), how_to_go_on(options.folder));
+    return exit_code(RunEnd::stopped);
   } catch (const InputError&) {
     if (!saved) folder.take_back();
     throw;
