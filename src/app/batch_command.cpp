@@ -140,6 +140,7 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
   std::error_code error;
   fs::create_directories(plan.folder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", plan.folder.string()));
+  remove_drafts(plan.folder);
   write_file(plan.folder / "journal.jsonl", journal.lines);
   return journal;
 }

@@ -84,6 +84,19 @@ TEST(ResultFolder, drafts_of_a_killed_run_go_and_the_user_s_drafts_stay) {
   EXPECT_EQ(read_text(out + "/checkpoint.h5.part"), kNotARuns);
 }
 
+TEST(ResultFolder, drafts_of_a_killed_batch_go_too) {
+  const std::string folder = fresh_folder("batch_drafts");
+  fs::create_directory(folder + "/in");
+  for (const char* ending : {".geo", ".ana"}) fs::copy_file(kStack + ending, folder + "/in/stack" + ending);
+  const std::vector<std::string> batch{"batch", folder + "/in", "--check", "-o", folder + "/out"};
+  ASSERT_EQ(run_keyblock(batch).exit_code, 0);
+  write_text(folder + "/out/.keyblock_draft_1_0", "half a file");
+  auto resumed = batch;
+  resumed.emplace_back("--resume");
+  EXPECT_EQ(run_keyblock(resumed).exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder + "/out/.keyblock_draft_1_0"));
+}
+
 TEST(ResultFolder, a_frame_that_was_changed_or_cut_short_is_refused) {
   const std::string out = fresh_folder("damaged_frame") + "/out";
   stop_after_frame_80(out);

@@ -50,7 +50,7 @@ std::vector<Case> all_cases() {
           shared_case("wall of 916 bricks", wall, of_wall, {"--set", "steps=12"}),
           shared_case("wall of 916 bricks, sudden", wall, of_wall, {"--set", "steps=12", "--set", "start=sudden"}),
           body_on_covers("sudden_load_on_covers/damped", {"--set", "steps=60"}),
-          body_on_covers("sliding_block_on_covers/a30_p20", {"--set", "steps=200"}),
+          body_on_covers("sliding_block_on_covers/a30_p20", {"--set", "steps=60"}),
           shared_case("manifold of old files", manifold + "cv04", manifold + "mf04", {})};
 }
 
