@@ -18,7 +18,7 @@ run: packages ## the sliding block: displacement beside theory, picture in out/s
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(JOBS) --target keyblock
 	@mkdir -p out
-	build/keyblock compare legacy_cases/sliding_block/a30_p20 --picture out/sliding_block.svg
+	build/keyblock compare legacy_cases/sliding_block/a30_p20 --picture out/sliding_block.svg --force
 	@echo "picture: out/sliding_block.svg"
 
 test: build ## build and pass every test

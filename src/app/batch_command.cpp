@@ -137,6 +137,10 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
     throw UsageError(fmt::format("{} holds a batch of another task ({}, now {}); give another folder",
                                  plan.folder.string(), journal.task, task));
   if (journal.task.empty()) journal.add(study::journal_head(task));
+  std::error_code error;
+  fs::create_directories(plan.folder, error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}", plan.folder.string()));
+  remove_drafts(plan.folder);
   write_file(plan.folder / "journal.jsonl", journal.lines);
   return journal;
 }

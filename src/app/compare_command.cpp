@@ -32,6 +32,7 @@ struct CompareOptions {
   bool as_json = false;
   bool with_sources = false;
   bool with_slow = false;
+  bool force = false;
 
   std::vector<std::string> profiles() const { return profile.empty() ? rule_names() : std::vector{profile}; }
 };
@@ -169,6 +170,7 @@ ExitCode compare(const CompareOptions& options) {
   const auto with_values = std::ranges::count_if(folders, &study::CaseFolder::has_expected);
   if (!options.picture.empty() && with_values != 1)
     throw UsageError(fmt::format("--picture: expected one case with expected values, found {}", with_values));
+  require_writable({options.picture}, {}, options.force ? Overwrite::yes : Overwrite::no);
   // Slow cases alone were asked for by name.
   const bool only_slow = std::ranges::all_of(folders, [](const study::CaseFolder& f) { return is_slow(f); });
   for (const study::CaseFolder& folder : folders) {
@@ -184,7 +186,7 @@ ExitCode compare(const CompareOptions& options) {
   }
   if (!options.picture.empty()) {
     if (all.cases.size() != 1) throw UsageError("--picture: the case was not run");
-    write_file(options.picture, picture_of(all.cases.front()));
+    write_output(options.picture, picture_of(all.cases.front()));
   }
   if (options.as_json)
     print_json(all);
@@ -207,6 +209,7 @@ Action configure_compare(CLI::App& options) {
   add_thread_option(options);
   options.add_flag("--all", chosen->with_slow, "run slow cases too");
   options.add_option("--picture", chosen->picture, "write a picture of the one case given (SVG)");
+  options.add_flag("--force", chosen->force, "overwrite the picture if it exists");
   options.add_flag("--sources", chosen->with_sources, "print the reasons of the tolerances too");
   options.add_flag("--json", chosen->as_json, "print the tables as JSON");
   return [chosen] { return compare(*chosen); };

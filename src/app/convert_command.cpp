@@ -74,7 +74,8 @@ void keep_backup(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return;
   std::filesystem::path backup = file;
   backup += ".bak";
-  for (int i = 2; std::filesystem::exists(backup); ++i) backup = file.string() + fmt::format(".bak{}", i);
+  for (int i = 2; std::filesystem::exists(std::filesystem::symlink_status(backup)); ++i)
+    backup = file.string() + fmt::format(".bak{}", i);
   std::filesystem::copy_file(file, backup);
   spdlog::info("{} kept as {}", file.string(), backup.string());
 }
@@ -89,13 +90,10 @@ Json json_of(const study::Conversion& conversion, const std::vector<std::string>
 ExitCode convert_files(const ConvertOptions& options) {
   if (options.output.empty()) throw UsageError("convert: expected -o OUT");
   const study::Target& target = target_of(options);
-  require_folder_of(options.output);
-  for (const study::Target::Part& part : target.parts)
-    for (const std::string& input : options.files) {
-      const std::filesystem::path file = path_of(options, target, part.ending);
-      require_not_input(file, input);
-      require_free(file, options.may_overwrite ? Overwrite::yes : Overwrite::no);
-    }
+  std::vector<std::filesystem::path> files;
+  for (const study::Target::Part& part : target.parts) files.push_back(path_of(options, target, part.ending));
+  require_writable(files, {options.files.begin(), options.files.end()},
+                   options.may_overwrite ? Overwrite::yes : Overwrite::no);
   const study::Conversion conversion = study::convert(
       formats::read_files(options.files), target, options.takes_faults ? study::Faults::berkeley : study::Faults::none);
   log_warnings(conversion.warnings);
@@ -105,7 +103,7 @@ ExitCode convert_files(const ConvertOptions& options) {
     if (is_refused) break;
     const std::filesystem::path path = path_of(options, target, file.ending);
     keep_backup(path);
-    write_file(path, file.text);
+    write_output(path, file.text);
     outputs.push_back(path.string());
   }
   if (options.as_json) {

@@ -81,6 +81,7 @@ std::string sentence_of(const CoverCounts& counts) {
 ExitCode run_covers(const formats::Case& loaded, const CoverRunRequest& request) {
   const CoverCase cover_case(loaded.problem, request.profile);
   RunFolder folder(request.folder, request.overwrite, Trace::no);
+  bool has_begun = false;
   spdlog::info("{}", sentence_of(cover_case.counts()));
   const Warnings warnings = joined(loaded.warnings, cover_case.warnings());
   log_warnings(warnings);
@@ -94,13 +95,26 @@ ExitCode run_covers(const formats::Case& loaded, const CoverRunRequest& request)
     end = step.field;
     measured = step.frame.measured_points;
   };
-  keep(cover_case.start());
-  cover_case.run([&](const SolvedStep& step) {
+  // Not before a step is solved: loads that turn out not to be finite leave nothing, and earlier results stay.
+  const auto begin = [&] {
+    if (has_begun) return;
+    has_begun = true;
+    folder.begin();
+    keep(cover_case.start());
+  };
+  const auto on_step = [&](const SolvedStep& step) {
+    begin();
     keep(step);
     steps.push_back(json_of(step));
     spdlog::info("load step {}: residual {:.1e}, forces balance to {:.1e}, {:.2f} s", step.step, step.residual,
                  unbalanced(step.balance), step.seconds);
-  });
+  };
+  try {
+    cover_case.run(on_step);
+  } catch (const InputError&) {
+    if (has_begun) folder.take_back();
+    throw;
+  }
   folder.finish(
       report::field_picture({fmt::format("{}, {} functions, {} unknowns", request.title,
                                          name_of(cover_case.counts().functions), cover_case.counts().unknowns),

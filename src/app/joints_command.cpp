@@ -120,11 +120,9 @@ Drawn drawn(const JointsOptions& options) {
 }
 
 ExitCode make_joints(const JointsOptions& options) {
-  if (!options.specification.empty()) require_not_input(options.output, options.specification);
-  require_folder_of(options.output);
-  require_free(options.output, options.may_overwrite ? Overwrite::yes : Overwrite::no);
+  require_writable({options.output}, {options.specification}, options.may_overwrite ? Overwrite::yes : Overwrite::no);
   const auto [scene, drawing] = drawn(options);
-  write_file(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}));
+  write_output(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}));
   fmt::print("{}: {} joint lines, {} boundary lines; joint sets: {}, tunnels: {}\n", options.output,
              drawing.joints.size() - drawing.boundary_count, drawing.boundary_count, scene.sets.size(),
              scene.tunnels.size());

@@ -2,20 +2,24 @@
 // To add a command: 1) write `NAME_command.cpp` beside this file, 2) declare its `configure_NAME` in
 // command.hpp, 3) add a row to the table below, 4) run its help text in tests/commands_test.cpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <memory>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/command.hpp"
@@ -76,10 +80,37 @@ int run_program(int argc, char** argv) {
   return static_cast<int>(code);
 }
 
+// The first file opened would otherwise take the place of a stream that is closed, and what is printed would go into it. What
+// cannot be said is not said; what cannot be printed is an error once it is asked for.
+void fill_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+ExitCode out_of_memory(const char* for_what) {
+  const bool is_limited = has_memory_limit();
+  spdlog::error("keyblock: error: there is not enough memory for {}{}", for_what,
+                is_limited ? " within the limit" : "");
+  return is_limited ? ExitCode::limit : ExitCode::numerical_failure;
+}
+
+// Of the system: threads need memory, and tables write to standard output.
+ExitCode code_of(const std::system_error& error) {
+  if (error.code() == std::errc::resource_unavailable_try_again) return out_of_memory("another thread");
+  if (std::ferror(stdout) != 0)
+    spdlog::error("keyblock: error: cannot write to standard output: {}", error.code().message());
+  else
+    spdlog::error("keyblock: error: {}", error.what());
+  return ExitCode::numerical_failure;
+}
+
 }  // namespace
 }  // namespace keyblock
 
 int main(int argc, char** argv) {
+  keyblock::fill_closed_streams();
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file that grows beyond its limit is one that cannot be written, and is told as such
   spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
   spdlog::set_pattern("%v");
   try {
@@ -94,9 +125,9 @@ int main(int argc, char** argv) {
     spdlog::error("{}: error: {}", error.path1().string(), error.code().message());
     return static_cast<int>(keyblock::ExitCode::usage);
   } catch (const std::bad_alloc&) {
-    const bool is_limited = keyblock::has_memory_limit();
-    spdlog::error("keyblock: error: there is not enough memory for this{}", is_limited ? " within the limit" : "");
-    return static_cast<int>(is_limited ? keyblock::ExitCode::limit : keyblock::ExitCode::numerical_failure);
+    return static_cast<int>(keyblock::out_of_memory("this"));
+  } catch (const std::system_error& error) {
+    return static_cast<int>(keyblock::code_of(error));
   } catch (const std::exception& error) {
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::numerical_failure);

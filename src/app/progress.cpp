@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <string>
 
 namespace keyblock {
 namespace {
@@ -15,6 +16,12 @@ constexpr double kLogSeconds = 5;         // between two lines in a log
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
+}
+
+// Nobody may be there to read it, or no room where it goes: the run goes on.
+void show(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
 }
 
 }  // namespace
@@ -32,15 +39,14 @@ void ProgressLine::show(const StepReport& report) {
   if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : kLogSeconds)) return;
   shown_ = now;
   const double left = seconds(now - started_) / (report.step - steps_done_) * (step_count_ - report.step);
-  fmt::print(stderr, "{}step {} of {}  time {:.6g}  dt {:.4g}  passes {}  {:.0f} s left{}",
-             on_terminal_ ? "\r\x1b[K" : "", report.step, step_count_, report.time, report.dt, report.passes, left,
-             on_terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  keyblock::show(fmt::format("{}step {} of {}  time {:.6g}  dt {:.4g}  passes {}  {:.0f} s left{}",
+                             on_terminal_ ? "\r\x1b[K" : "", report.step, step_count_, report.time, report.dt,
+                             report.passes, left, on_terminal_ ? "" : "\n"));
   line_open_ = on_terminal_;
 }
 
 void ProgressLine::finish() {
-  if (line_open_) fmt::print(stderr, "\n");
+  if (line_open_) keyblock::show("\n");
   line_open_ = false;
 }
 

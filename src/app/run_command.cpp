@@ -22,6 +22,7 @@
 #include "app/study_options.hpp"
 #include "app/usage_error.hpp"
 #include "base/sha256.hpp"
+#include "base/stop.hpp"
 #include "run/cover_settings.hpp"
 #include "run/profile.hpp"
 #include "run/settings_file.hpp"
@@ -132,15 +133,21 @@ std::string passes_in_words(const Settings& settings, const StepTotals& totals) 
   return words;
 }
 
+std::string stopped_how() {
+  return is_at_time_limit() ? "stopped at the limit of processor time" : "stopped by request";
+}
+
+std::string how_to_go_on(const std::string& folder) {
+  return fmt::format("keyblock run --resume {} goes on", folder);
+}
+
 void print_summary(const Prepared& prepared, const RunRecord& record, const std::string& folder) {
   log_warnings(record.warnings);
   if (record.outcome.end == RunEnd::failed) {
     spdlog::error("keyblock: error: {}", record.outcome.reason);
     print_hint(prepared.scene.settings);
   }
-  if (record.outcome.end == RunEnd::stopped)
-    spdlog::warn("stopped {}; keyblock run --resume {} goes on",
-                 is_at_time_limit() ? "at the limit of processor time" : "by request", folder);
+  if (record.outcome.end == RunEnd::stopped) spdlog::warn("{}; {}", stopped_how(), how_to_go_on(folder));
   if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)
     spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
   if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
@@ -169,6 +176,7 @@ ExitCode list_settings() {
 
 RunRequest request_of(const RunOptions& options, const RunRecord& record, const Settings& settings) {
   RunRequest request{this_program(),
+                     std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder)).string(),
                      std::filesystem::current_path().string(),
                      options.files,
                      record.profile,
@@ -231,23 +239,24 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   StepWatch watch_steps(prepared);
   History history{!prepared.scene.model.measured_points.empty(), {}};
   const Trace trace = options.trace ? Trace::yes : Trace::no;
-  RunFolder folder = goes_on
-                         ? RunFolder(options.folder, trace)
-                         : RunFolder(options.folder, options.force || saved ? Overwrite::yes : Overwrite::no, trace);
+  RunFolder folder = saved ? RunFolder(options.folder, trace)
+                           : RunFolder(options.folder, options.force ? Overwrite::yes : Overwrite::no, trace);
+  listen_for_stops();  // from here on something is left that a stop should leave whole
   std::unique_ptr<Stepper> stepper;
-  if (!goes_on) folder.write_checkpoint(bytes_before_steps(request));
   if (goes_on) {
     describe_told(*saved, folder, history, record, watch_steps);
     saved->group("stepper", [&] { stepper = restored_stepper(prepared.scene, *saved); });
-    folder.drop_what_followed();
   }
+  if (saved)
+    folder.drop_what_followed();
+  else
+    folder.begin(bytes_before_steps(request));
   ProgressLine progress(prepared.scene.settings.step_count, stepper ? stepper->state().step : 0);
   spdlog::info("{}, {} unknowns, {} steps",
                counted(prepared.scene.model.elements.size(), prepared.scene.model.nodes.empty() ? "block" : "element"),
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
   if (stepper) spdlog::info("going on after step {}", stepper->state().step);
   if (saved && !stepper) spdlog::info("the run ended before its first checkpoint: it begins again");
-  listen_for_stops();
   CheckpointClock clock(options.checkpoint_every);
   bool stops = false;
   const Observer observer{[&](const Frame& frame) { folder.add(frame); },
@@ -269,8 +278,17 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
                             folder.write_checkpoint(saved_bytes(request, folder, history, record, watch_steps, now));
                             clock.written();
                           }};
-  record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
-                           : run(prepared.scene, record.record_every, observer);
+  try {
+    record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
+                             : run(prepared.scene, record.record_every, observer);
+  } catch (const StopRequested&) {
+    spdlog::warn("{} before the first step; {}", stopped_how(), how_to_go_on(options.folder));
+    record.outcome.end = RunEnd::stopped;
+    return exit_code(record);
+  } catch (const InputError&) {
+    if (!saved) folder.take_back();
+    throw;
+  }
   progress.finish();
   record.timings.run = watch.lap();
   record.warnings = joined(record.warnings, watch_steps.warnings(loaded.problem.analysis->place));
@@ -303,6 +321,7 @@ ExitCode resume_run(const RunOptions& options) {
   Archive saved = read_checkpoint(checkpoint_in(again.folder));
   RunRequest request;
   saved.group("request", [&] { describe(saved, request); });
+  require_own(checkpoint_in(again.folder), request);
   std::error_code error;
   std::filesystem::current_path(request.working_folder, error);
   if (error) saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));

@@ -9,7 +9,9 @@
 #include <set>
 
 #include "app/usage_error.hpp"
+#include "base/sha256.hpp"
 #include "formats/csv.hpp"
+#include "formats/registry.hpp"
 #include "formats/vtk.hpp"
 #include "report/energy_picture.hpp"
 #include "report/field_picture.hpp"
@@ -26,9 +28,9 @@ constexpr const char* kRecord = "run.json";
 constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
 
-// What a run writes at its end, and everything it may leave in its folder.
-constexpr std::array kResults{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
-                              "field.svg", "steps.csv",   "blocks.csv", "points.csv"};
+// The files that a run may leave in its folder, and all that it may leave.
+constexpr std::array kFiles{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
+                            "field.svg", "steps.csv",   "blocks.csv", "points.csv",  kCheckpoint};
 constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg", "field.svg",
                             "steps.csv", "blocks.csv",  "points.csv", kFrameFolder,  kCheckpoint};
 
@@ -89,38 +91,81 @@ RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace) : folder
   if (fs::exists(folder_) && !fs::is_directory(folder_))
     throw UsageError(fmt::format("{} is a file, not a folder", folder_.string()));
   for (const char* name : kNames) require_free(folder_ / name, overwrite);
-  // What an earlier run left is no part of this one.
-  std::error_code error;
-  for (const char* name : kNames) {
-    fs::remove_all(folder_ / name, error);
-    if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
-  }
-  fs::create_directories(folder_ / kFrameFolder, error);
-  if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
+  if (const fs::path frames = folder_ / kFrameFolder;
+      fs::exists(fs::symlink_status(frames)) && !fs::is_directory(frames))
+    throw UsageError(fmt::format("{} is a file, not a folder", frames.string()));
 }
 
 RunFolder::RunFolder(fs::path folder, Trace trace) : folder_(std::move(folder)), trace_(trace) {}
 
+namespace {
+
+/// As `write_frame` names them; whatever else lies beside them is the user's.
+bool is_frame(const fs::directory_entry& entry) {
+  const std::string stem = entry.path().stem().string();
+  return entry.path().extension() == ".vtu" && stem.size() >= 8 &&
+         std::ranges::all_of(stem, [](char c) { return c >= '0' && c <= '9'; }) &&
+         fs::is_regular_file(entry.symlink_status());
+}
+
+void remove_frames(const fs::path& folder, const std::set<fs::path>& kept) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (is_frame(entry) && !kept.contains(entry.path())) files.push_back(entry.path());
+  for (const fs::path& file : files) fs::remove(file, error);
+  remove_drafts(folder);
+}
+
+}  // namespace
+
+void RunFolder::clear() {
+  std::error_code error;
+  for (const char* name : kFiles) {
+    fs::remove(folder_ / name, error);
+    if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
+  }
+  remove_frames(folder_ / kFrameFolder, {});
+  remove_drafts(folder_);
+}
+
+void RunFolder::begin(const std::string& checkpoint) {
+  clear();
+  std::error_code error;
+  made_folder_ = fs::create_directories(folder_, error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
+  if (!checkpoint.empty()) write_durably(checkpoint_in(folder_), checkpoint, Overwrite::no);
+  fs::create_directory(folder_ / kFrameFolder, error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));
+}
+
+void RunFolder::take_back() {
+  std::error_code error;
+  for (const FrameFile& file : frame_files_) fs::remove(folder_ / file.name, error);
+  fs::remove(checkpoint_in(folder_), error);
+  fs::remove(folder_ / kFrameFolder, error);  // unless something else lies there
+  if (made_folder_) fs::remove(folder_, error);
+}
+
 void RunFolder::drop_what_followed() {
   std::error_code error;
-  for (const char* name : kResults) fs::remove(folder_ / name, error);
+  fs::remove(folder_ / kRecord, error);  // where it stands the run is over; the other results are written again
   std::set<fs::path> kept;
-  for (const auto& [time, name] : frame_files_) kept.insert(folder_ / name);
-  std::vector<fs::path> later;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / kFrameFolder))
-    if (!kept.contains(entry.path())) later.push_back(entry.path());
-  for (const fs::path& file : later) fs::remove(file, error);
+  for (const FrameFile& file : frame_files_) kept.insert(folder_ / file.name);
+  remove_frames(folder_ / kFrameFolder, kept);
+  remove_drafts(folder_);
+  fs::create_directory(folder_ / kFrameFolder, error);
 }
 
 void RunFolder::flush_frames() {
   for (; flushed_frames_ < frame_files_.size(); ++flushed_frames_)
-    flush_to_disk(folder_ / frame_files_[flushed_frames_].second);
+    flush_to_disk(folder_ / frame_files_[flushed_frames_].name);
   flush_to_disk(folder_ / kFrameFolder);
 }
 
 void RunFolder::write_checkpoint(const std::string& bytes) {
   flush_frames();
-  write_durably(checkpoint_in(folder_), bytes);
+  write_durably(checkpoint_in(folder_), bytes, Overwrite::yes);
 }
 
 void RunFolder::remove_checkpoint() {
@@ -132,17 +177,21 @@ void RunFolder::remove_checkpoint() {
 }
 
 void RunFolder::describe(Archive& archive) {
-  archive.list("files", frame_files_, [&](std::pair<double, std::string>& file) {
-    archive.value("time", file.first);
-    archive.value("name", file.second);
+  archive.list("files", frame_files_, [&](FrameFile& file) {
+    archive.value("time", file.time);
+    archive.value("name", file.name);
+    archive.value("sha256", file.sha256);
   });
   archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
   if (!archive.is_restoring()) return;
   flushed_frames_ = frame_files_.size();
   if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
-  for (const auto& [time, name] : frame_files_)
-    if (!fs::is_regular_file(folder_ / name))
-      archive.refuse(name, "expected every frame written so far, found one gone");
+  for (const FrameFile& file : frame_files_) {
+    if (!fs::is_regular_file(folder_ / file.name))
+      archive.refuse(file.name, "expected every frame written so far, found one gone");
+    if (sha256(formats::load((folder_ / file.name).string()).text) != file.sha256)
+      archive.refuse(file.name, "expected every frame as it was written, found one changed");
+  }
 }
 
 void RunFolder::write(const std::string& name, const std::string& text) {
@@ -150,17 +199,32 @@ void RunFolder::write(const std::string& name, const std::string& text) {
   outputs_.push_back(name);
 }
 
+void RunFolder::write_frame(int step, double time, const std::string& text) {
+  const std::string name = fmt::format("{}/{:08}.vtu", kFrameFolder, step);
+  write_file(folder_ / name, text);
+  frame_files_.push_back({time, name, sha256(text)});
+}
+
 void RunFolder::add(const Frame& frame) {
-  const std::string name = fmt::format("{}/{:08}.vtu", kFrameFolder, frame.step);
-  write_file(folder_ / name, formats::vtu(frame));
-  frame_files_.emplace_back(frame.time, name);
+  write_frame(frame.step, frame.time, formats::vtu(frame));
   if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
   frames_.push_back(frame);
 }
 
+// The list would name what is not there.
+void RunFolder::write_list_of_frames() {
+  std::vector<std::pair<double, std::string>> files;
+  for (const FrameFile& file : frame_files_) {
+    if (!fs::is_regular_file(folder_ / file.name))
+      throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / file.name).string()));
+    files.emplace_back(file.time, file.name);
+  }
+  write("fields.pvd", formats::pvd(files));
+}
+
 void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
                        const Ledger& ledger, const FieldFrame& field) {
-  write("fields.pvd", formats::pvd(frame_files_));
+  write_list_of_frames();
   write("history.csv", formats::history_csv(history));
   write("picture.svg", report::run_picture({title,
                                             frames_.front(),
@@ -180,13 +244,11 @@ void RunFolder::finish(const std::string& title, const History& history, const s
 }
 
 void RunFolder::add(const FieldFrame& frame) {
-  const std::string name = fmt::format("{}/{:08}.vtu", kFrameFolder, frame.step);
-  write_file(folder_ / name, formats::vtu(frame));
-  frame_files_.emplace_back(frame.time, name);
+  write_frame(frame.step, frame.time, formats::vtu(frame));
 }
 
 void RunFolder::finish(const std::string& picture, const History& history) {
-  write("fields.pvd", formats::pvd(frame_files_));
+  write_list_of_frames();
   write("history.csv", formats::history_csv(history));
   write("points.csv", formats::points_csv(history));
   write("picture.svg", picture);

@@ -22,17 +22,26 @@ enum class Trace { no, yes };
 
 class RunFolder {
  public:
-  /// Makes the folder. Throws UsageError if it holds a run already and may not be overwritten.
+  /// For a new run; nothing is changed before `begin`. Throws UsageError if there is a run already that may not be overwritten.
   RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace);
 
-  /// The folder of a run that goes on: `describe` has to follow, and then `drop_what_followed`. Nothing is changed before.
+  /// The folder of a run that goes on: `describe` has to follow, and then `drop_what_followed`, which changes it first.
   RunFolder(std::filesystem::path folder, Trace trace);
 
-  /// What is known of the frames. Throws InputError where one that was written is gone.
+  /// Makes the folder; what an earlier run left there goes, all else stays. The first checkpoint, if the run has any, comes before
+  /// the folder of frames: wherever that stands, the run can be resumed. Throws UsageError if another has just begun there.
+  void begin(const std::string& checkpoint = {});
+
+  /// What `begin` made and the frames since, for a run whose input turns out to be unusable.
+  void take_back();
+
+  /// What is known of the frames. Throws InputError where one that was written is gone or is another.
   void describe(Archive& archive);
 
-  /// Removes what an interrupted run left beyond its checkpoint.
+  /// Removes what an interrupted run left beyond its checkpoint, and nothing that is not a run's.
   void drop_what_followed();
+
+  bool has_frames() const { return !frame_files_.empty(); }
 
   /// Puts `bytes` where `checkpoint_in` says, once the frames that they count on are on the disk.
   void write_checkpoint(const std::string& bytes);
@@ -62,15 +71,25 @@ class RunFolder {
   const std::vector<std::string>& outputs() const { return outputs_; }
 
  private:
+  struct FrameFile {
+    double time = 0;
+    std::string name;
+    std::string sha256;
+  };
+
   void write(const std::string& name, const std::string& text);
+  void write_frame(int step, double time, const std::string& text);
+  void write_list_of_frames();
+  void clear();
   void flush_frames();
 
   std::filesystem::path folder_;
-  std::vector<std::pair<double, std::string>> frame_files_;
+  std::vector<FrameFile> frame_files_;
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   std::vector<std::string> outputs_;
   std::size_t flushed_frames_ = 0;
+  bool made_folder_ = false;
 };
 
 /// Where a run's folder has its checkpoint.

@@ -28,6 +28,7 @@ void describe(Archive& archive, const char* name, std::vector<std::string>& text
 
 void describe(Archive& archive, RunRequest& request) {
   archive.value("program", request.program);
+  archive.value("folder", request.folder);
   archive.value("working_folder", request.working_folder);
   describe(archive, "files", request.files);
   archive.value("profile", request.profile);
@@ -85,6 +86,19 @@ Archive read_checkpoint(const fs::path& file) {
     throw UsageError(fmt::format("nothing to resume: expected {}, found none; run … -o {} --force begins a run there",
                                  file.string(), file.parent_path().string()));
   return archive_of_checkpoint(file.string(), {std::istreambuf_iterator<char>(stream), {}});
+}
+
+void require_own(const fs::path& checkpoint, const RunRequest& saved) {
+  const fs::path folder = checkpoint.parent_path();
+  std::error_code error;
+  const bool is_moved =
+      !fs::exists(checkpoint_in(saved.folder), error) && !fs::exists(fs::path(saved.folder) / "run.json", error);
+  if (fs::equivalent(folder, saved.folder, error) || is_moved) return;
+  throw InputError(
+      {checkpoint.string(), 0, 0},
+      fmt::format("expected the checkpoint of the run in {}, found that of a run in {}, which still stands "
+                  "there; --resume that one",
+                  folder.string(), saved.folder));
 }
 
 void require_same(const fs::path& checkpoint, const RunRequest& saved, const RunRequest& now) {

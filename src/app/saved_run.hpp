@@ -18,6 +18,7 @@ namespace keyblock {
 /// A run's command line, and what it found behind it.
 struct RunRequest {
   std::string program;         ///< `this_program` of the one that began the run
+  std::string folder;          ///< of the results, its full path
   std::string working_folder;  ///< that names of files are taken from
   std::vector<std::string> files;
   std::string profile;
@@ -64,6 +65,9 @@ class CheckpointClock {
 
 /// The checkpoint of a run's folder, by its full path. Throws UsageError where there is none, InputError where it cannot be used.
 Archive read_checkpoint(const std::filesystem::path& file);
+
+/// Throws InputError where the checkpoint is that of another folder, whose run still stands there: not where the folder was moved.
+void require_own(const std::filesystem::path& checkpoint, const RunRequest& saved);
 
 /// Throws InputError where a file, the program or a setting is not that of the checkpoint any more.
 void require_same(const std::filesystem::path& checkpoint, const RunRequest& saved, const RunRequest& now);

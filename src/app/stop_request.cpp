@@ -5,33 +5,47 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <ctime>
 #include <string_view>
+
+#include "base/stop.hpp"
 
 namespace keyblock {
 namespace {
 
 std::atomic<int> last_signal = 0;
-std::atomic<std::time_t> first_interrupt = 0;
+std::atomic<std::int64_t> first_asked = 0;
 
-// Programs that pass an interrupt on may send it twice at once: only one that comes later is a second one.
-constexpr std::time_t kLater = 2;  // seconds
+// Programs that pass a signal on may send it twice at once, as `timeout` does: only one that comes later is a second one.
+constexpr std::int64_t kLater = 1'000;  // milliseconds
 
-constexpr std::string_view kStopping = "stopping after the step at hand; Ctrl-C again in two seconds ends it at once\n";
+constexpr std::string_view kStopping = "stopping; asked again in a second, it ends at once\n";
+
+std::int64_t milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return 1'000 * static_cast<std::int64_t>(now.tv_sec) + now.tv_nsec / 1'000'000;
+}
 
 // What is done here is safe in a handler. The limit of processor time signals every second.
 extern "C" void remember_signal(int signal) {
+  const int error = errno;
   last_signal = signal;
-  if (signal != SIGINT) return;
-  const std::time_t now = std::time(nullptr);
-  if (first_interrupt == 0) {
-    first_interrupt = now;
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, kStopping.data(), kStopping.size());
-  } else if (now - first_interrupt >= kLater) {
-    std::signal(SIGINT, SIG_DFL);
-    std::raise(SIGINT);
+  request_stop();
+  if (signal != SIGXCPU) {
+    const std::int64_t now = milliseconds();
+    if (first_asked == 0) {
+      first_asked = now;
+      [[maybe_unused]] const auto written = write(STDERR_FILENO, kStopping.data(), kStopping.size());
+    } else if (now - first_asked >= kLater) {
+      std::signal(signal, SIG_DFL);
+      std::raise(signal);
+    }
   }
+  errno = error;
 }
 
 }  // namespace

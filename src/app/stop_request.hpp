@@ -1,11 +1,11 @@
-// Ctrl-C and its kin ask a command to stop; it looks when it can.
+// Ctrl-C and its kin ask a command to stop; its computations hear it by `base/stop`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 namespace keyblock {
 
-/// From here on the signals that ask a program to end (SIGINT, SIGTERM, SIGHUP, SIGXCPU) are only remembered; a SIGINT
-/// that comes seconds after another ends it.
+/// From here on the signals that ask a program to end (SIGINT, SIGTERM, SIGHUP, SIGXCPU) request a stop; one of the first three that
+/// comes a second or more after another of them ends the program at once.
 void listen_for_stops();
 
 /// The last of them; 0: none came.

@@ -83,12 +83,6 @@ study::StudyCase case_asked(const StudyOptions& options) {
   return chosen;
 }
 
-void require_writable(const std::string& file, bool force) {
-  if (file.empty()) return;
-  require_folder_of(file);
-  require_free(file, force ? Overwrite::yes : Overwrite::no);
-}
-
 void tell_run(const study::MeasuredRun& run, std::size_t done, std::size_t of) {
   if (run.end == study::MeasuredEnd::finished)
     spdlog::info("{} of {}: {}, {:.3g} s", done, of, run.plan.name, run.seconds);

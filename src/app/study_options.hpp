@@ -37,9 +37,6 @@ std::vector<Override> overrides_of(const std::vector<std::string>& sets);
 /// values are asked for that are not there.
 study::StudyCase case_asked(const StudyOptions& options);
 
-/// Throws UsageError where `file` cannot be written: it is there already, or its folder is not. Nothing for an empty name.
-void require_writable(const std::string& file, bool force);
-
 /// On the standard error, run by run.
 void tell_run(const study::MeasuredRun& run, std::size_t done, std::size_t of);
 

@@ -136,8 +136,8 @@ std::string picture_of(const Map& map) {
 
 ExitCode run_sweep(const SweepOptions& options) {
   const study::StudyCase chosen = case_asked(options);
-  require_writable(options.table, options.force);
-  require_writable(options.picture, options.force);
+  require_writable({options.table, options.picture}, {options.paths.begin(), options.paths.end()},
+                   options.force ? Overwrite::yes : Overwrite::no);
   const auto designed = [&] {
     try {
       return std::pair(study::penalty_step_map(chosen, options.profile, options.penalties, options.steps),
@@ -148,8 +148,8 @@ ExitCode run_sweep(const SweepOptions& options) {
   }();
   const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run);
   const Map map{options, result};
-  if (!options.picture.empty()) write_file(options.picture, picture_of(map));
-  if (!options.table.empty()) write_file(options.table, csv_of(map));
+  if (!options.picture.empty()) write_output(options.picture, picture_of(map));
+  if (!options.table.empty()) write_output(options.table, csv_of(map));
   if (options.as_json)
     fmt::print("{}\n", json_of(map).dump(1, ' ', false, Json::error_handler_t::replace));
   else

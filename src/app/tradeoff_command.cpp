@@ -209,8 +209,8 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
     throw UsageError("-o is for the settings that meet --budget or --error: neither is given");
   const study::StudyCase chosen = case_asked(options);
   const std::string file = output_of(options, chosen);
-  require_writable(file, options.force);
-  require_writable(options.picture, options.force);
+  require_writable({file, options.picture}, {options.paths.begin(), options.paths.end()},
+                   options.force ? Overwrite::yes : Overwrite::no);
   const auto designed = [&] {
     try {
       return std::pair(options.is_full ? study::full_design(chosen, options.profile, options.most, options.vary)
@@ -226,13 +226,13 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run, search);
   const bool chooses = options.has_wish() && !result.is_stopped;
   const auto choice = chooses ? study::choice_for(result.prices, wish) : std::nullopt;
-  if (!options.picture.empty()) write_file(options.picture, picture_of(result));
+  if (!options.picture.empty()) write_output(options.picture, picture_of(result));
   if (choice) {
     const MeasuredRun& run = result.runs[*choice];
-    write_file(file,
-               settings_text(settings_of(chosen, run.plan, file),
-                             fmt::format("{}: \"{}\", {:.3g} s of processor time, error {}\nfor {}", result.name,
-                                         run.plan.name, run.seconds, error_text(result, *choice), wish_words(wish))));
+    write_output(file,
+                 settings_text(settings_of(chosen, run.plan, file),
+                               fmt::format("{}: \"{}\", {:.3g} s of processor time, error {}\nfor {}", result.name,
+                                           run.plan.name, run.seconds, error_text(result, *choice), wish_words(wish))));
   }
   if (options.as_json)
     fmt::print("{}\n", json_of(result, chosen, wish, choice, file).dump(1, ' ', false, Json::error_handler_t::replace));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/stop.hpp"
 #include "contact/forces_of_blocks.hpp"
 
 namespace keyblock {
@@ -161,6 +162,7 @@ std::optional<Eigen::MatrixXd> ActiveForces::flexibility(const std::vector<Eigen
   const auto count = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd answer(count, count);
   for (Eigen::Index j = 0; j < count; ++j) {
+    leave_if_stopped();
     const Eigen::Index row = rows[static_cast<std::size_t>(j)];
     if (sparse_) {
       answer.col(j) = sparse_->rates_under(row, rows);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/stop.hpp"
 #include "contact/active_forces.hpp"
 
 namespace keyblock {
@@ -93,7 +94,8 @@ class Small {
   void sweep(int count) {
     Eigen::VectorXd forces = best_;
     const auto wanted = [&](Eigen::Index i) { return forces[i] - (p_.w.row(i).dot(forces) + p_.b[i]) / scale_[i]; };
-    for (int s = 0; s < count; ++s)
+    for (int s = 0; s < count; ++s) {
+      leave_if_stopped();
       for (std::size_t i = 0; i < p_.laws.size(); ++i) {
         const ForceLaw& law = p_.laws[i];
         const Eigen::Index n = keyblock::normal(i);
@@ -103,6 +105,7 @@ class Small {
         const double limit = open ? law.limit_open() : law.limit(normal);
         forces[n + 1] = std::clamp(wanted(n + 1), -limit, limit);
       }
+    }
     keep(forces, of(forces).residual);
   }
 

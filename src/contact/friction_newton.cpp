@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stop.hpp"
 #include "contact/active_forces.hpp"
 #include "contact/contended_pairs.hpp"
 #include "contact/friction_sweeps.hpp"
@@ -108,6 +109,7 @@ class Newton {
     bool is_loose = true;
     const int most = problem_.has_many() ? kMostSetsOfMany : kMostSets;
     for (int i = 0; i < most && has_systems_left(); ++i) {
+      leave_if_stopped();
       visited.push_back(grips);
       factorise(grips, proximal.weights);
       const double left = is_loose && system().iterates() ? kForcing * residual(problem_, tried_) : 0;

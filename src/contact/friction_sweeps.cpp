@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "base/stop.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -100,6 +102,7 @@ FrictionalSolution sweep(const FrictionalProblem& problem, FrictionalSolution so
   Sweep sweeps(problem, solution.forces);
   solution.converged = is_acceptable(problem, solution.forces);
   for (int i = 1; i <= most_sweeps && !solution.converged; ++i) {
+    leave_if_stopped();
     sweeps.once();
     ++solution.sweeps;
     if (i % kLook != 0 && i != most_sweeps) continue;

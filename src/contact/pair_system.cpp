@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "base/loop.hpp"
+#include "base/stop.hpp"
 #include "contact/pair_operator.hpp"
 
 namespace keyblock {
@@ -68,6 +69,7 @@ class Corrections {
     double beta = 0;
     double omega = 0;
     while (result.products + 2 <= most_products) {
+      leave_if_stopped();
       for_each_entry(count, [&](std::size_t e) {
         p[e].add(-static_cast<float>(omega), q[e]);
         Block next = r[e];

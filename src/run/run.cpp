@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run.hpp"
 
+#include "base/stop.hpp"
 #include "run/record.hpp"
 
 namespace keyblock {
@@ -29,7 +30,15 @@ class Loop {
         outcome.end = RunEnd::stopped;
         break;
       }
-      const auto made = stepper_.advance();
+      std::variant<StepReport, StepFailure> made;
+      try {
+        made = stepper_.advance();
+      } catch (const StopRequested&) {
+        if (observer_.wants_stop) observer_.wants_stop();  // so that it knows
+        if (observer_.between_steps) observer_.between_steps(stepper_);
+        outcome.end = RunEnd::stopped;
+        break;
+      }
       if (const auto* failure = std::get_if<StepFailure>(&made)) {
         outcome.end = RunEnd::failed;
         outcome.reason = failure->reason;

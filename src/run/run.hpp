@@ -43,7 +43,8 @@ struct RunOutcome {
 };
 
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever
-/// the end was.
+/// the end was. Where a stop is requested in the middle of a step the run ends before it; throws StopRequested where that is in the
+/// search for the start, before anything was told.
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer);
 
 /// The rest of a run, as if it had not been left between two steps; what was told before is not told again.

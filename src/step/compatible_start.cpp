@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "base/stop.hpp"
 #include "contact/friction_newton.hpp"
 #include "contact/gap.hpp"
 #include "contact/ties.hpp"
@@ -79,6 +80,7 @@ class Settling {
  private:
   void settle(bool by_elasticity) {
     do {
+      leave_if_stopped();
       make_rows();
       find_forces();
     } while (break_sheared_bonds() || let_go_of_weak_bolts());

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/stop.hpp"
 #include "contact/friction_newton.hpp"
 #include "contact/frictional_problem.hpp"
 #include "contact/gap.hpp"
@@ -143,6 +144,7 @@ class Separation {
   Separated run() {
     bool is_soft = false;
     for (int pass = 0; pass < kMostPasses; ++pass) {
+      leave_if_stopped();
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
       const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();

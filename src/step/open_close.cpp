@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/stop.hpp"
 #include "contact/springs.hpp"
 #include "step/cover_unknowns.hpp"
 
@@ -42,6 +43,7 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
   const int bound = settings.quirks.fixed_pass_bound ? kBerkeleyPassBound : settings.pass_limit;
   System system({});  // keeps its memory from pass to pass
   while (outcome.passes < bound) {
+    leave_if_stopped();
     ++outcome.passes;
     system = without_contact;
     add_springs(outcome.contacts, model, state, rules, penalty, system);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/loop.hpp"
+#include "base/stop.hpp"
 #include "base/worse.hpp"
 #include "contact/active_forces.hpp"
 #include "contact/gap.hpp"
@@ -101,6 +102,7 @@ class SmoothSolve {
     double unsolved = std::numeric_limits<double>::infinity();
     double before = change;
     for (int round = 0; round < most_rounds() && change > kSettled && result_.converged; ++round) {
+      leave_if_stopped();
       const double same = is_coarse() ? kSameRowsOfMany : kSameRows;
       const bool rows_moved = round > 0 && round < kMostRows && greatest_change(increments_, linearised_) > same;
       const bool falls_slowly = covers_ != nullptr && round > 1 && change > kWorstGain * before;

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "base/counted.hpp"
+#include "base/stop.hpp"
 #include "contact/gap.hpp"
 #include "material/elastic.hpp"
 #include "model/body_load.hpp"
@@ -261,7 +262,14 @@ Stress StandardStepper::stress_at(ElementIndex e, Point start) const {
 
 std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
-  ControlledStep made = make_step();
+  const double load_share = scene_.load_share;
+  ControlledStep made;
+  try {
+    made = make_step();
+  } catch (const StopRequested&) {
+    scene_.load_share = load_share;
+    throw;
+  }
   if (!made.step.converged || !made.step.failure.empty()) return failure_of(made.step);
   State end = state_of(scene_, made.step.motion);
   made.step.failure = impossible(end);

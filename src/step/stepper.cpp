@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/stepper.hpp"
 
+#include "base/stop.hpp"
 #include "step/describe_memory.hpp"
 #include "step/shi_ledger.hpp"
 #include "step/standard_stepper.hpp"
@@ -17,7 +18,17 @@ class ShiStepper : public Stepper {
 
   const State& state() const override { return stepping_.state; }
   const StartPlaces& unloaded() const override { return unloaded_; }
-  std::variant<StepReport, StepFailure> advance() override { return keyblock::advance(scene_, stepping_); }
+  std::variant<StepReport, StepFailure> advance() override {
+    const bool had_solved = stepping_.has_solved;
+    const bool gave_up = stepping_.solver.gave_up_iterations;
+    try {
+      return keyblock::advance(scene_, stepping_);
+    } catch (const StopRequested&) {
+      stepping_.has_solved = had_solved;
+      stepping_.solver.gave_up_iterations = gave_up;
+      throw;
+    }
+  }
   LedgerRow ledger() const override { return stored_row(scene_.model, scene_.settings, state(), unloaded_); }
   LedgerScope ledger_scope() const override { return stored_scope(unloaded_); }
   void save(Archive& archive) override { describe(archive, stepping_); }

@@ -23,7 +23,7 @@ class Stepper {
   /// At the point of an element that lay at `start` before any load: on covers there, else that of the element.
   virtual Stress stress_at(ElementIndex e, Point) const { return state().elements[e].stress; }
   virtual StartReport start_report() const { return {}; }
-  /// On failure the state is unchanged.
+  /// On failure the state is unchanged, and where it throws StopRequested in the middle of a step.
   virtual std::variant<StepReport, StepFailure> advance() = 0;
 
   /// The books at the end of the last accepted step; of zeros where the settings keep none.

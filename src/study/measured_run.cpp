@@ -13,6 +13,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/stop.hpp"
 #include "run/cover_case.hpp"
 #include "run/cover_settings.hpp"
 #include "run/profile.hpp"
@@ -223,6 +224,8 @@ MeasuredRun measured_run(const StudyCase& chosen, const RunPlan& plan, const Run
   }
   try {
     measure(chosen, limits, measured);
+  } catch (const StopRequested& error) {
+    tell(measured, MeasuredEnd::stopped, error.what());
   } catch (const InputError& error) {
     if (error.place().file.text() == (chosen.folder / "expected.csv").string()) throw;
     tell(measured, MeasuredEnd::refused, error.what());

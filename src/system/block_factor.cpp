@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "base/stop.hpp"
 #include "system/fours.hpp"
 
 namespace keyblock {
@@ -94,6 +95,7 @@ class KernelOf : public BlockFactor::Kernel {
     Reaching reaching(*pattern_);
     std::vector<int> places(diagonal_.size());  // entry of each row in the column at hand
     for (int j = 0; j < pattern_->block_count(); ++j) {
+      leave_if_stopped();
       const int begin = pattern_->begin(j);
       const int end = pattern_->begin(j + 1);
       for (int entry = begin; entry < end; ++entry) places[at(pattern_->row(entry))] = entry;

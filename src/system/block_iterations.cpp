@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/loop.hpp"
+#include "base/stop.hpp"
 #include "system/fours.hpp"
 
 namespace keyblock {
@@ -282,6 +283,7 @@ class InnerGradients {
     double least = 1;
     int idle = 0;
     while (made.residual_norm > target && made.iterations < most && idle < kIdleIterations) {
+      leave_if_stopped();
       const double squared = factor.solve(r, z_);
       if (!(squared > 0)) break;
       const auto beta = static_cast<float>(squared_ > 0 ? squared / squared_ : 0);
@@ -395,6 +397,7 @@ IterationResult sweeps(const BlockMatrix& matrix, const Eigen::VectorXd& b, cons
     return std::sqrt(sum) / size;
   };
   while (!(result.converged = (result.residual = residual()) <= limits.residual) && result.iterations < limits.count) {
+    leave_if_stopped();
     for (int i = 0; i < rows.count(); ++i) {
       PaddedVector<N> r = right[at(i)];
       r.add(-1, rows.times(i, x));

@@ -15,9 +15,11 @@ struct EndRow {
 std::array<EndRow, 2> rows_of(const Bolt& bolt, const BoltState& now, const StepContext& context) {
   const Point along = (1 / distance(now.first, now.second)) * (now.second - now.first);
   const Eigen::Vector2d direction(along.x, along.y);
-  const auto at = [&](ElementIndex e, Point x) { return basis_at(context.model, context.state, e, x).transpose(); };
-  return {{{bolt.first.element.value, -(at(bolt.first.element, now.first) * direction)},
-           {bolt.second.element.value, at(bolt.second.element, now.second) * direction}}};
+  const auto elongation = [&](ElementIndex e, Point end) -> Unknowns {
+    return basis_at(context.model, context.state, e, end).transpose() * direction;
+  };
+  return {{{bolt.first.element.value, -elongation(bolt.first.element, now.first)},
+           {bolt.second.element.value, elongation(bolt.second.element, now.second)}}};
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "base/stop.hpp"
+#include "run/checkpoint.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock::run_test {
@@ -107,6 +109,50 @@ TEST(Run, the_same_scene_gives_the_same_bits) {
     return points;
   };
   EXPECT_EQ(places(), places());
+}
+
+/// One block at rest on a held one.
+Scene resting_block(int steps) {
+  return legacy_scene({{rectangle({0, 0}, {3, 1}), rectangle({1, 1}, {2, 2})},
+                       {},
+                       {{{0.1, 0.5}, 0, {}}, {{2.9, 0.5}, 0, {}}},
+                       {},
+                       {{{1.5, 2}, 1, {}}},
+                       {}},
+                      plain_analysis(1e-3, steps));
+}
+
+// The request stands when the third step begins, though nobody looks at it between the steps.
+TEST(Run, stopped_within_a_step_ends_before_it_and_lets_its_state_be_saved) {
+  for (const Dynamics dynamics : {Dynamics::shi, Dynamics::standard}) {
+    Scene scene = resting_block(5);
+    scene.settings.dynamics = dynamics;
+    Archive at_third;
+    Archive at_end;
+    int looks = 0;
+    Observer observer;
+    observer.between_steps = [&](Stepper& now) {
+      if (now.state().step != 2) return;
+      now.save(++looks == 1 ? at_third : at_end);
+      request_stop();
+    };
+    const RunOutcome outcome = run(scene, 1, observer);
+    forget_stop_request();
+    EXPECT_EQ(outcome.end, RunEnd::stopped);
+    EXPECT_EQ(outcome.steps, 2);
+    ASSERT_EQ(looks, 2) << "before the step, and where it was left";
+    EXPECT_EQ(checkpoint_bytes(at_third), checkpoint_bytes(at_end));
+  }
+}
+
+TEST(Run, stopped_in_the_search_for_its_start_tells_nothing) {
+  Scene scene = resting_block(5);
+  scene.settings.dynamics = Dynamics::standard;
+  Listener listener;
+  request_stop();
+  EXPECT_THROW(listener.run(scene, 1), StopRequested);
+  forget_stop_request();
+  EXPECT_EQ(listener.heard, "");
 }
 
 }  // namespace keyblock::run_test

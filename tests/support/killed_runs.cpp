@@ -21,6 +21,9 @@ namespace {
 // Between two checkpoints: a few steps of a small scene.
 const std::vector<std::string> kOften{"--checkpoint-every", "0.003"};
 
+// Each part of a run has another number of them.
+const std::vector<std::string> kThreads{"1", "2", "4", "7"};
+
 std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -62,21 +65,24 @@ KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, u
   }
   std::mt19937 dice(seed);
   const auto moment = [&] { return length * static_cast<double>(dice()) / 4294967296.0; };
+  const auto on_threads = [&](const std::vector<std::string>& words) {
+    return joined(words, {"--threads", kThreads.at(dice() % kThreads.size())});
+  };
   KilledRuns result;
   for (int i = 0; i < moments && result.differs.empty(); ++i) {
     const std::vector<std::string> begin = joined(command, {"-o", folder + "/out", "--force"});
     const std::vector<std::string> resume = joined({"run", "--resume", folder + "/out"}, kOften);
-    ProgramRun run = kill_keyblock(begin, moment());
+    ProgramRun run = kill_keyblock(on_threads(begin), moment());
     if (run.exit_code == 128 + SIGKILL) {
       ++result.killed;
       const bool can_resume = fs::exists(folder + "/out/checkpoint.h5");
       if (can_resume) ++result.resumed;
       const std::vector<std::string>& again = can_resume ? resume : begin;
       const bool twice = i % 3 == 2;
-      run = twice ? kill_keyblock(again, moment()) : run_keyblock(again);
+      run = twice ? kill_keyblock(on_threads(again), moment()) : run_keyblock(on_threads(again));
       if (run.exit_code == 128 + SIGKILL) {
         ++result.killed_twice;
-        run = run_keyblock(fs::exists(folder + "/out/checkpoint.h5") ? resume : begin);
+        run = run_keyblock(on_threads(fs::exists(folder + "/out/checkpoint.h5") ? resume : begin));
       }
     }
     result.differs = run.exit_code == expected ? first_difference(contents(whole + "/out"), contents(folder + "/out"))

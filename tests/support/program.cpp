@@ -57,9 +57,7 @@ std::string fresh_folder(const std::string& name) {
 namespace {
 
 // `meanwhile` is called once, with the process that was started.
-ProgramRun run_program(const std::vector<std::string>& arguments, const std::function<void(pid_t)>& meanwhile) {
-  std::vector<std::string> words{KEYBLOCK_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+ProgramRun run_words(const std::vector<std::string>& words, const std::function<void(pid_t)>& meanwhile) {
   const fs::path folder = fs::temp_directory_path() / ("keyblock_test_" + std::to_string(getpid()));
   fs::create_directories(folder);
   const std::string output = (folder / "stdout").string();
@@ -74,6 +72,12 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::fun
           seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024};
 }
 
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::function<void(pid_t)>& meanwhile) {
+  std::vector<std::string> words{KEYBLOCK_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_words(words, meanwhile);
+}
+
 }  // namespace
 
 ProgramRun run_keyblock(const std::vector<std::string>& arguments) {
@@ -85,6 +89,18 @@ ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const s
     while (!fs::exists(file) && is_running(child)) usleep(kMicrosecondsBetweenLooks);
     kill(child, signal);
   });
+}
+
+ProgramRun run_keyblock(const std::vector<std::string>& arguments, const std::string& file,
+                        const std::function<void()>& meanwhile) {
+  return run_program(arguments, [&](pid_t child) {
+    while (!fs::exists(file) && is_running(child)) usleep(kMicrosecondsBetweenLooks);
+    meanwhile();
+  });
+}
+
+ProgramRun run_script(const std::string& script) {
+  return run_words({"/bin/sh", "-c", "K='" KEYBLOCK_PROGRAM "'\n" + script}, [](pid_t) {});
 }
 
 ProgramRun kill_keyblock(const std::vector<std::string>& arguments, double seconds) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <csignal>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,13 @@ ProgramRun run_keyblock(const std::vector<std::string>& arguments);
 
 /// The same, sent `signal` as soon as `file` exists.
 ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file, int signal = SIGINT);
+
+/// The same; `meanwhile` is called as soon as `file` exists.
+ProgramRun run_keyblock(const std::vector<std::string>& arguments, const std::string& file,
+                        const std::function<void()>& meanwhile);
+
+/// A script of the shell, in which $K is the program.
+ProgramRun run_script(const std::string& script);
 
 /// The same, killed (SIGKILL) after so many seconds, if it still runs.
 ProgramRun kill_keyblock(const std::vector<std::string>& arguments, double seconds);

@@ -1,0 +1,183 @@
+// The folder of a run holds what the run wrote and what the user put there: neither is lost, mixed up or taken for the other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/support/killed_runs.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::result_folder_test {
+namespace {
+
+namespace fs = std::filesystem;
+using support::contents;
+using support::fresh_folder;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
+
+const std::string kStack = KEYBLOCK_SOURCE_DIR "/legacy_cases/stack/five_blocks/five_blocks";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::vector<std::string> stack_into(const std::string& out, const std::string& steps = "4000") {
+  return {"run", kStack + ".geo", kStack + ".ana", "--set", "steps=" + steps, "-o", out};
+}
+
+void stop_after_frame_80(const std::string& out, const std::string& steps = "4000") {
+  const auto run = support::interrupt_keyblock(stack_into(out, steps), out + "/frames/00000080.vtu");
+  ASSERT_EQ(run.exit_code, 130) << run.messages;
+}
+
+void expect_refused_unchanged(const std::string& out, const std::string& sentence) {
+  const auto before = contents(out);
+  const auto run = run_keyblock({"run", "--resume", out});
+  EXPECT_EQ(run.exit_code, 3) << run.messages;
+  EXPECT_TRUE(contains(run.messages, sentence)) << run.messages;
+  EXPECT_TRUE(contents(out) == before);
+}
+
+const char* const kNotARuns = "a note of the user's";
+
+}  // namespace
+
+TEST(ResultFolder, resuming_leaves_what_no_run_wrote) {
+  const std::string out = fresh_folder("foreign") + "/out";
+  stop_after_frame_80(out);
+  const std::vector<std::string> notes{"/notes.txt", "/steps.csv", "/frames/notes.txt", "/frames/80.vtu"};
+  for (const std::string& name : notes) write_text(out + name, kNotARuns);
+  fs::create_directory(out + "/frames/00000080.vtu.d");
+  const auto run = run_keyblock({"run", "--resume", out});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  for (const std::string& name : notes) EXPECT_EQ(read_text(out + name), kNotARuns) << name;
+  EXPECT_TRUE(fs::exists(out + "/frames/00000080.vtu.d"));
+}
+
+TEST(ResultFolder, force_overwrites_results_and_leaves_the_rest) {
+  const std::string out = fresh_folder("forced") + "/out";
+  ASSERT_EQ(run_keyblock(stack_into(out, "400")).exit_code, 0);
+  fs::create_directory(out + "/frames/mine");
+  write_text(out + "/frames/mine/notes.txt", kNotARuns);
+  write_text(out + "/frames/notes.txt", kNotARuns);
+  auto again = stack_into(out, "4");
+  again.emplace_back("--force");
+  EXPECT_EQ(run_keyblock(again).exit_code, 0);
+  EXPECT_EQ(read_text(out + "/frames/notes.txt"), kNotARuns);
+  EXPECT_EQ(read_text(out + "/frames/mine/notes.txt"), kNotARuns);
+  EXPECT_FALSE(fs::exists(out + "/frames/00000400.vtu")) << "a frame of the earlier run";
+  EXPECT_TRUE(fs::exists(out + "/frames/00000004.vtu"));
+}
+
+TEST(ResultFolder, drafts_of_a_killed_run_go_and_the_user_s_drafts_stay) {
+  const std::string out = fresh_folder("drafts") + "/out";
+  stop_after_frame_80(out);
+  write_text(out + "/.keyblock_draft_1_0", "half a file");
+  write_text(out + "/frames/.keyblock_draft_1_7", "half a file");
+  write_text(out + "/checkpoint.h5.part", kNotARuns);
+  EXPECT_EQ(run_keyblock({"run", "--resume", out}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out + "/.keyblock_draft_1_0"));
+  EXPECT_FALSE(fs::exists(out + "/frames/.keyblock_draft_1_7"));
+  EXPECT_EQ(read_text(out + "/checkpoint.h5.part"), kNotARuns);
+}
+
+TEST(ResultFolder, drafts_of_a_killed_batch_go_too) {
+  const std::string folder = fresh_folder("batch_drafts");
+  fs::create_directory(folder + "/in");
+  for (const char* ending : {".geo", ".ana"}) fs::copy_file(kStack + ending, folder + "/in/stack" + ending);
+  const std::vector<std::string> batch{"batch", folder + "/in", "--check", "-o", folder + "/out"};
+  ASSERT_EQ(run_keyblock(batch).exit_code, 0);
+  write_text(folder + "/out/.keyblock_draft_1_0", "half a file");
+  auto resumed = batch;
+  resumed.emplace_back("--resume");
+  EXPECT_EQ(run_keyblock(resumed).exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder + "/out/.keyblock_draft_1_0"));
+}
+
+TEST(ResultFolder, a_frame_that_was_changed_or_cut_short_is_refused) {
+  const std::string out = fresh_folder("damaged_frame") + "/out";
+  stop_after_frame_80(out);
+  const std::string frame = out + "/frames/00000040.vtu";
+  const std::string bytes = read_text(frame);
+  write_text(frame, bytes.substr(0, 100));
+  expect_refused_unchanged(out, "expected every frame as it was written, found one changed");
+  std::string other = bytes;
+  other[bytes.size() / 2] ^= 1;
+  write_text(frame, other);
+  expect_refused_unchanged(out, "found one changed (folder: frames/00000040.vtu)");
+  write_text(frame, bytes);
+  EXPECT_EQ(run_keyblock({"run", "--resume", out}).exit_code, 0);
+}
+
+TEST(ResultFolder, the_checkpoint_of_another_run_is_refused) {
+  const std::string folder = fresh_folder("other_run");
+  stop_after_frame_80(folder + "/a");
+  stop_after_frame_80(folder + "/b", "8000");
+  fs::copy_file(folder + "/a/checkpoint.h5", folder + "/b/checkpoint.h5", fs::copy_options::overwrite_existing);
+  expect_refused_unchanged(folder + "/b", "found that of a run in " + folder + "/a, which still stands there");
+  // Nor where the other folder is gone: its frames are not these.
+  fs::remove_all(folder + "/a");
+  fs::remove(folder + "/b/frames/00000080.vtu");
+  expect_refused_unchanged(folder + "/b", "found one");
+}
+
+TEST(ResultFolder, a_folder_that_was_moved_is_gone_on_with) {
+  const std::string folder = fresh_folder("moved");
+  stop_after_frame_80(folder + "/first");
+  fs::rename(folder + "/first", folder + "/then");
+  const auto run = run_keyblock({"run", "--resume", folder + "/then"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  ASSERT_EQ(run_keyblock(stack_into(folder + "/whole")).exit_code, 0);
+  EXPECT_TRUE(contents(folder + "/then") == contents(folder + "/whole"));
+}
+
+TEST(ResultFolder, a_folder_taken_away_ends_the_run_and_is_not_made_again) {
+  const std::string folder = fresh_folder("taken_away");
+  const auto run = run_keyblock(stack_into(folder + "/out", "1000000"), folder + "/out/frames/00000000.vtu",
+                                [&] { fs::rename(folder + "/out", folder + "/elsewhere"); });
+  EXPECT_EQ(run.exit_code, 4) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "cannot write " + folder + "/out/frames/")) << run.messages;
+  EXPECT_FALSE(fs::exists(folder + "/out"));
+  EXPECT_TRUE(fs::exists(folder + "/elsewhere/checkpoint.h5"));
+}
+
+TEST(ResultFolder, a_list_of_frames_names_none_that_is_gone) {
+  const std::string folder = fresh_folder("frame_gone");
+  const auto run = run_keyblock(stack_into(folder + "/out"), folder + "/out/frames/00000080.vtu",
+                                [&] { fs::remove(folder + "/out/frames/00000040.vtu"); });
+  EXPECT_EQ(run.exit_code, 4) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "00000040.vtu")) << run.messages;
+  EXPECT_FALSE(fs::exists(folder + "/out/fields.pvd"));
+}
+
+TEST(ResultFolder, input_refused_late_leaves_nothing_and_loses_nothing) {
+  const std::string folder = fresh_folder("refused_late");
+  std::string text = read_text(KEYBLOCK_SOURCE_DIR "/legacy_cases/cook_membrane/coarse/coarse.json");
+  write_text(folder + "/right.json", text);
+  const std::string load = "\"y\": \"1/16\"";
+  ASSERT_TRUE(contains(text, load)) << text;
+  text.replace(text.find(load), load.size(), "\"y\": \"1/0\"");
+  write_text(folder + "/wrong.json", text);
+  const auto refused = run_keyblock({"run", folder + "/wrong.json", "-o", folder + "/out"});
+  EXPECT_EQ(refused.exit_code, 3) << refused.messages;
+  EXPECT_FALSE(fs::exists(folder + "/out"));
+  ASSERT_EQ(run_keyblock({"run", folder + "/right.json", "-o", folder + "/out"}).exit_code, 0);
+  const auto before = contents(folder + "/out");
+  EXPECT_EQ(run_keyblock({"run", folder + "/wrong.json", "-o", folder + "/out", "--force"}).exit_code, 3);
+  EXPECT_TRUE(contents(folder + "/out") == before);
+}
+
+// No file may grow: not even the first checkpoint can be written.
+TEST(ResultFolder, frames_come_after_the_first_checkpoint) {
+  const std::string out = fresh_folder("no_checkpoint") + "/out";
+  const auto run = support::run_script("ulimit -f 0; exec \"$K\" run " + kStack + ".geo " + kStack + ".ana -o " + out);
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_FALSE(fs::exists(out + "/frames"));
+  EXPECT_FALSE(fs::exists(out + "/checkpoint.h5"));
+  EXPECT_EQ(run_keyblock(stack_into(out, "4")).exit_code, 0) << "nothing is in its way";
+}
+
+}  // namespace keyblock::result_folder_test
