@@ -18,6 +18,9 @@
 namespace keyblock::formats {
 namespace {
 
+constexpr int kMostColours = 256;  // the AutoCAD colour index; the last is that of the layer
+constexpr int kByLayer = 256;
+
 class DrawingMaker {
  public:
   DrawingMaker(DxfShapes shapes, double scale) : shapes_(std::move(shapes)), scale_(scale) {}
@@ -53,8 +56,10 @@ class DrawingMaker {
     }
   }
 
-  /// Layers by their names; those without a known word get the first joint materials not yet taken.
+  /// Layers by their names; those without a known word get the first joint materials not yet taken, but for drawings of the old
+  /// Windows program: there the colour says the joint material.
   void name_layers() {
+    find_marks();
     std::set<int> taken;
     std::vector<UnknownLayer> unknown;
     std::map<std::string_view, std::size_t> positions;
@@ -66,7 +71,7 @@ class DrawingMaker {
                                        in_quotes(shape.layer)));
         if (layer->role == DxfRole::joint || layer->role == DxfRole::boundary) taken.insert(layer->index);
         layers_[shape.layer] = *layer;
-      } else if (!shape.is_point) {
+      } else if (!shape.is_point && !has_marks_) {
         const auto [at, is_new] = positions.try_emplace(shape.layer, unknown.size());
         if (is_new) unknown.push_back({shape.layer, shape.place, 0});
         ++unknown[at->second].entities;
@@ -84,22 +89,56 @@ class DrawingMaker {
     }
   }
 
+  /// The convention of the old Windows program, known by its marks on layers that name nothing.
+  void find_marks() {
+    const auto is_mark = [](const DxfShape& shape) { return shape.mark != 0 && !layer_of(shape.layer); };
+    const auto first = std::ranges::find_if(shapes_.shapes, is_mark);
+    has_marks_ = first != shapes_.shapes.end();
+    if (!has_marks_) return;
+    result_.warnings.push_back(
+        {"dxf_old_marks", first->place,
+         fmt::format("{} texts F, L, M, H on layers that name no part of a drawing: read as the old Windows program "
+                     "did, as fixed, loading, measured and hole points; there the joint material of a line is its "
+                     "colour + 1",
+                     std::ranges::count_if(shapes_.shapes, is_mark))});
+  }
+
+  void add_by_old_marks(const DxfShape& shape) {
+    if (!shape.is_point) {
+      if (shape.colour < 0 || shape.colour > kMostColours)
+        throw InputError(shape.place, fmt::format("expected a colour from 0 to {} (group 62), found {}", kMostColours,
+                                                  shape.colour));
+      const int colour = shape.colour == kByLayer ? 0 : shape.colour;
+      return add_sides(shape, {DxfRole::joint, colour, false});
+    }
+    constexpr std::array<std::pair<char, DxfRole>, 4> kRoles{
+        {{'F', DxfRole::fixed}, {'L', DxfRole::load}, {'M', DxfRole::measured}, {'H', DxfRole::hole}}};
+    for (const auto& [mark, role] : kRoles)
+      if (shape.mark == mark) return add_point(shape, {role, 0, false});
+    skip(shape);
+  }
+
   void skip(const DxfShape& shape) {
     shapes_.skipped.add(fmt::format("{} on layer {}", shape.type, in_quotes(shape.layer)), shape.place);
   }
 
   void add(const DxfShape& shape) {
     const auto found = layers_.find(shape.layer);
-    if (found == layers_.end()) return skip(shape);
+    if (found == layers_.end()) return has_marks_ ? add_by_old_marks(shape) : skip(shape);
     if (shape.is_point) return add_point(shape, found->second);
     const bool is_block = found->second.role == DxfRole::block;
     if (holds_points_only(found->second.role) || (is_block && !shape.is_closed)) return skip(shape);
+    if (!is_block) return add_sides(shape, found->second);
     count_chords(shape);
-    if (is_block) return add_block(shape, found->second);
+    add_block(shape, found->second);
+  }
+
+  void add_sides(const DxfShape& shape, const DxfLayer& layer) {
+    count_chords(shape);
     const std::size_t sides = shape.points.size() - (shape.is_closed ? 0 : 1);
-    if (found->second.role == DxfRole::boundary) make_room(boundaries_, sides);
-    if (found->second.role == DxfRole::joint) make_room(result_.drawing.joints, sides);
-    for (std::size_t i = 0; i < sides; ++i) add_line(shape, side(shape, i), found->second);
+    if (layer.role == DxfRole::boundary) make_room(boundaries_, sides);
+    if (layer.role == DxfRole::joint) make_room(result_.drawing.joints, sides);
+    for (std::size_t i = 0; i < sides; ++i) add_line(shape, side(shape, i), layer);
   }
 
   /// Room for `more` and an eighth: doubling would hold thrice the list for a moment.
@@ -188,6 +227,7 @@ class DrawingMaker {
   std::size_t curves_ = 0;      ///< of shapes that are not skipped
   std::size_t chords_ = 0;
   Place first_curve_;
+  bool has_marks_ = false;  ///< of the old Windows program
   DxfDrawing result_;
 };
 

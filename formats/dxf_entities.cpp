@@ -53,6 +53,7 @@ class EntityReader {
     if (type == "ARC") return read_arc(record);
     if (type == "LWPOLYLINE") return read_light_polyline(record);
     if (type == "POLYLINE") return read_polyline(record);
+    if (mark_of(record) != 0) return read_mark(record);
     if (type == "SEQEND") return;  // of the attributes of an INSERT that is skipped
     skip(shown(type), record);
   }
@@ -113,7 +114,10 @@ class EntityReader {
   }
 
   DxfShape shape_of(const DxfRecord& record, std::vector<Point> points) const {
-    return {record.head.value, layer_of(record), document_.place(record.head), false, false, std::move(points), {}, {}};
+    DxfShape shape{
+        record.head.value, layer_of(record), document_.place(record.head), false, false, std::move(points), {}, {}};
+    if (const DxfGroup* group = record.find(62)) shape.colour = document_.integer(*group, "the colour", shape.type);
+    return shape;
   }
 
   /// Curves lie in a plane of their own, seen from below where its normal points down.
@@ -145,6 +149,24 @@ class EntityReader {
     if (!is_flat(record, {30})) return skip_solid(record);
     DxfShape shape = shape_of(record, {point(record, 10, "x", "y")});
     shape.is_point = true;
+    result_.shapes.push_back(std::move(shape));
+  }
+
+  /// The letter of a text that is one of the marks of the old Windows program; 0 for every other entity.
+  static char mark_of(const DxfRecord& record) {
+    constexpr std::string_view kMarks = "FLMH";
+    const bool is_text = record.head.value == "MTEXT" || record.head.value == "TEXT";
+    const DxfGroup* text = is_text ? record.find(1) : nullptr;
+    const bool is_mark =
+        text != nullptr && text->value.size() == 1 && kMarks.find(text->value.front()) != std::string_view::npos;
+    return is_mark ? text->value.front() : '\0';
+  }
+
+  void read_mark(const DxfRecord& record) {
+    if (!is_flat(record, {30})) return skip_solid(record);
+    DxfShape shape = shape_of(record, {point(record, 10, "x", "y")});
+    shape.is_point = true;
+    shape.mark = mark_of(record);
     result_.shapes.push_back(std::move(shape));
   }
 

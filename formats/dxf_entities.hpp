@@ -26,6 +26,8 @@ struct DxfShape {
   std::optional<std::array<double, 3>> bolt;  ///< extended data: stiffness, strength, pre-tension
   std::uint32_t curves = 0;                   ///< arcs, circles and bulges in it
   std::uint32_t chords = 0;                   ///< that they became
+  int colour = 0;                             ///< group 62; 0 where it has none of its own
+  char mark = 0;  ///< F, L, M or H: a text of that letter alone, at its point; 0 for all else
 };
 
 struct DxfShapes {

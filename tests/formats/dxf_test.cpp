@@ -190,6 +190,38 @@ TEST(Dxf, layers_without_a_known_word_are_joints_with_the_first_numbers_not_yet_
   EXPECT_NE(sentence(reading, "dxf_layer_as_joints").find("joint material 3"), std::string::npos);
 }
 
+// The convention of the old Windows program (findings of legacy, defect F).
+TEST(Dxf, texts_f_l_m_h_make_points_and_colours_joint_types_as_in_the_old_windows_program) {
+  const auto mark = [](char letter, int x) {
+    return fmt::format("0\nMTEXT\n8\n0\n10\n{}\n20\n0.5\n40\n1\n1\n{}\n", x, letter);
+  };
+  const Reading reading =
+      read_entities(line("0", "62\n3\n") + line("0") + line("0", "62\n256\n") + mark('F', 1) + mark('L', 2) +
+                    mark('M', 3) + mark('H', 4) + "0\nMTEXT\n8\n0\n10\n0\n20\n0\n40\n1\n1\nHinge\n");
+  const auto& drawing = *reading.content.drawing;
+  ASSERT_EQ(drawing.joints.size(), 3U);
+  EXPECT_EQ(drawing.joints[0].joint_material, 3);  // type 4: colour + 1
+  EXPECT_EQ(drawing.joints[1].joint_material, 0);
+  EXPECT_EQ(drawing.joints[2].joint_material, 0);
+  ASSERT_EQ(drawing.fixed_lines.size(), 1U);
+  EXPECT_EQ(drawing.fixed_lines[0].segment.start, (Point{1, 0.5}));
+  EXPECT_EQ(drawing.fixed_lines[0].segment.end, (Point{1, 0.5}));
+  ASSERT_EQ(drawing.loading_points.size(), 1U);
+  EXPECT_EQ(drawing.loading_points[0].position, (Point{2, 0.5}));
+  ASSERT_EQ(drawing.measured_points.size(), 1U);
+  EXPECT_EQ(drawing.measured_points[0].position, (Point{3, 0.5}));
+  ASSERT_EQ(drawing.hole_points.size(), 1U);
+  EXPECT_EQ(drawing.hole_points[0].position, (Point{4, 0.5}));
+  EXPECT_NE(sentence(reading, "dxf_old_marks").find("4 texts F, L, M, H"), std::string::npos);
+  EXPECT_EQ(sentence(reading, "dxf_layer_as_joints"), "");
+}
+
+TEST(Dxf, colours_say_nothing_without_the_old_marks) {
+  const Reading reading = read_entities(line("0", "62\n3\n"));
+  EXPECT_EQ(reading.content.drawing->joints.at(0).joint_material, 0);
+  EXPECT_NE(sentence(reading, "dxf_layer_as_joints"), "");
+}
+
 TEST(Dxf, an_edge_node_ratio_that_is_not_said_is_a_named_default) {
   std::string text = dxf_text(line("JOINT_1"));
   text.erase(0, text.find("0\nSECTION"));
