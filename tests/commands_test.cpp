@@ -231,6 +231,19 @@ TEST(Commands, a_run_that_makes_energy_ends_with_1_and_the_reason) {
   EXPECT_EQ(run_keyblock({"run", kCases + "restitution/e_000", "-o", out, "--force"}).exit_code, 0);
 }
 
+TEST(Commands, what_is_balanced_at_the_start_is_said_once) {
+  const std::string out = fresh_folder("balanced") + "/out";
+  const std::vector<std::string> rest{"run", kCases + "block_at_rest/dynamic", "-o", out, "--force"};
+  const ProgramRun run = run_keyblock(rest);
+  const std::string sentence = "at t = 0 contact forces and strains fit the weight and the first accelerations";
+  EXPECT_TRUE(contains(run.messages, "start: " + sentence)) << run.messages;
+  const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
+  EXPECT_TRUE(contains(record["start"]["balanced"], sentence)) << record["start"];
+  std::vector<std::string> sudden = rest;
+  sudden.insert(sudden.end(), {"--set", "start=sudden"});
+  EXPECT_FALSE(contains(run_keyblock(sudden).messages, "start: ")) << "nothing is balanced";
+}
+
 TEST(Commands, limits_of_penetration_and_crushing_end_a_run_with_1) {
   const std::string out = fresh_folder("limits") + "/out";
   const auto doubt_of = [&](const std::string& place, const std::string& profile, const std::string& set) {

@@ -85,6 +85,40 @@ TEST(Tradeoff, the_design_of_a_block_case_varies_every_choice_and_has_each_run_o
   EXPECT_EQ(plans.front().name, "standard");
 }
 
+TEST(Tradeoff, integrators_and_rules_of_impact_are_varied_and_forces_where_there_are_many_blocks) {
+  const std::vector<RunPlan> slide = usual_design(study_case({kCases + "sliding_block/a30_p20"}), "standard");
+  for (const char* name : {"Newmark", "generalised alpha", "impact on springs"})
+    EXPECT_NE(named(slide, name), nullptr) << name;
+  EXPECT_EQ(named(slide, "forces to 1e-3"), nullptr);
+  const std::vector<RunPlan> wall = usual_design(study_case({kCases + "voussoir_beam/elastic_slender"}), "standard");
+  ASSERT_NE(named(wall, "forces to 1e-3"), nullptr);
+  EXPECT_EQ(value_of(*named(wall, "forces to 1e-3"), "force_tolerance"), "1e-3");
+}
+
+TEST(Tradeoff, a_plan_is_refined_by_its_step_its_tolerance_or_its_mesh) {
+  const StudyCase slide = study_case({kCases + "sliding_block/a30_p20"});
+  const RunPlan own{"standard", "profile", "standard", {}, {}, 1};
+  const auto quarter = refined(slide, "standard", own, 4);
+  ASSERT_TRUE(quarter);
+  EXPECT_EQ(quarter->name, "step /4");
+  EXPECT_EQ(value_of(*quarter, "steps"), "4000");
+  EXPECT_EQ(refined(slide, "standard", *quarter, 2)->name, "step /8");
+  EXPECT_EQ(value_of(*refined(slide, "standard", *quarter, 2), "steps"), "8000");
+  const RunPlan rigid{"rigid, step x2",
+                      "basis and step",
+                      "standard",
+                      {{"basis", "rigid"}, {"time_step", "0.002"}, {"steps", "500"}},
+                      {},
+                      1};
+  EXPECT_EQ(refined(slide, "standard", rigid, 4)->name, "rigid, step /2");
+  const RunPlan by_error{
+      "tolerance 1e-3", "tolerance", "standard", {{"step_control", "error"}, {"step_tolerance", "1e-3"}}, {}, 1};
+  EXPECT_EQ(std::stod(value_of(*refined(slide, "standard", by_error, 4), "step_tolerance")), 2.5e-4);
+  const auto mesh = refined(study_case({kCases + "cook_membrane/coarse"}), "standard", own, 2);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->name, "side /2");
+}
+
 // The file: 1000 steps of 1 ms, values expected at quarters of a second.
 TEST(Tradeoff, steps_are_varied_so_that_the_run_ends_at_the_same_time) {
   const std::vector<RunPlan> plans = usual_design(study_case({kCases + "sliding_block/a30_p20"}), "standard");
