@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
@@ -22,6 +23,7 @@
 #include "app/usage_error.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
+#include "base/printable.hpp"
 
 namespace keyblock {
 namespace {
@@ -54,6 +56,23 @@ bool has_memory_limit() {
   return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
+/// Every message passes here: what files say must not speak to the terminal.
+class PrintableMessage : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& line) override {
+    const std::string text = printable({message.payload.data(), message.payload.size()});
+    line.append(text.data(), text.data() + text.size());
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<PrintableMessage>(); }
+};
+
+void print_messages_plainly() {
+  spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<PrintableMessage>('*').set_pattern("%*");
+  spdlog::set_formatter(std::move(formatter));
+}
+
 int run_program(int argc, char** argv) {
   if (argc > 1) require_known(argv[1]);
   CLI::App program{
@@ -82,8 +101,7 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   keyblock::keep_freed_memory();
-  spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
-  spdlog::set_pattern("%v");
+  keyblock::print_messages_plainly();
   try {
     return keyblock::run_program(argc, argv);
   } catch (const keyblock::InputError& error) {
