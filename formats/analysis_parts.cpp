@@ -82,6 +82,7 @@ std::pair<Analysis, MaterialCounts> next_controls(Cursor& cursor, AnalysisDialec
   counts.blocks = next_material_count(cursor, "the number of block materials");
   counts.joints = next_material_count(cursor, "the number of joint materials");
   analysis.allowed_displacement_ratio = cursor.next_real("the allowed displacement ratio", kPositive);
+  analysis.time_step_place = cursor.place();
   analysis.time_step = cursor.next_real("the upper limit of the time step", kPositive);
   return {std::move(analysis), counts};
 }

@@ -52,7 +52,7 @@ bool needs_geometry(const FileReading& file) {
 FileReading open(const std::string& path) {
   FileReading file{path, {}, {}, {}, {}};
   try {
-    file.source = load(path);
+    file.source = load_text(path);
     Opened opened(file.source);
     file.choice = opened.recognise();
     if (!needs_geometry(file)) file.reading = opened.read_as(*file.choice);

@@ -8,6 +8,7 @@
 #include <initializer_list>
 
 #include "formats/numbers.hpp"
+#include "formats/tokens.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -27,7 +28,7 @@ class CsvScanner {
     line_start_ = text_.data();
   }
 
-  /// The next row that is not an empty line; without cells at the end of the text.
+  /// LF, CRLF and a lone CR end a line. The next row that is not an empty line; without cells at the end of the text.
   CsvRow next_row() {
     while (skip_line_end()) {
     }
@@ -50,9 +51,8 @@ class CsvScanner {
   }
 
   bool skip_line_end() {
-    const bool carriage_return = text_.starts_with("\r\n");
-    if (carriage_return) text_.remove_prefix(1);
-    if (!skip('\n')) return false;
+    const bool carriage_return = skip('\r');
+    if (!skip('\n') && !carriage_return) return false;
     begin_line();
     return true;
   }
@@ -64,10 +64,9 @@ class CsvScanner {
 
   std::string next_cell() {
     if (skip('"')) return quoted_cell();
-    const std::size_t end = std::min(text_.find_first_of(",\n"), text_.size());
+    const std::size_t end = std::min(text_.find_first_of(",\n\r"), text_.size());
     std::string cell(text_.substr(0, end));
     text_.remove_prefix(end);
-    if (cell.ends_with('\r') && (text_.empty() || text_.starts_with('\n'))) cell.pop_back();
     return cell;
   }
 
@@ -76,7 +75,7 @@ class CsvScanner {
     std::string cell;
     while (!text_.empty()) {
       if (skip('"') && !text_.starts_with('"')) return cell;
-      const bool ends_line = text_.starts_with('\n');
+      const bool ends_line = text_.starts_with('\n') || (text_.starts_with('\r') && !text_.starts_with("\r\n"));
       cell += text_.front();
       text_.remove_prefix(1);
       if (ends_line) begin_line();
@@ -170,17 +169,17 @@ CsvTable read_csv(const Source& source) {
 std::size_t csv_column(const CsvTable& table, std::string_view heading) {
   const auto found = std::ranges::find(table.header, heading);
   if (found == table.header.end())
-    throw InputError({table.name, 1, 0},
-                     fmt::format("expected a column \"{}\", found \"{}\"", heading, fmt::join(table.header, ",")));
+    throw InputError({table.name, 1, 0}, fmt::format("expected a column \"{}\", found {}", heading,
+                                                     in_quotes(fmt::format("{}", fmt::join(table.header, ",")))));
   return static_cast<std::size_t>(found - table.header.begin());
 }
 
 double csv_real(const CsvTable& table, const CsvRow& row, std::size_t column) {
   const std::optional<double> value = parse_real(row.cells.at(column));
   if (!value)
-    throw InputError(
-        {table.name, row.line, row.columns[column]},
-        fmt::format("expected a number in column \"{}\", found \"{}\"", table.header.at(column), row.cells[column]));
+    throw InputError({table.name, row.line, row.columns[column]},
+                     fmt::format("expected a number in column {}, found {}", in_quotes(table.header.at(column)),
+                                 in_quotes(row.cells[column])));
   return *value;
 }
 

@@ -77,6 +77,7 @@ struct Range {
   int material = 0;
   int first = 0;  ///< slot, from 0
   int size = 0;
+  Place place;
 };
 
 std::vector<Range> next_ranges(Cursor& cursor, int blocks, int slots) {
@@ -84,6 +85,7 @@ std::vector<Range> next_ranges(Cursor& cursor, int blocks, int slots) {
   int start = 0;
   for (int i = 0; i < blocks; ++i) {
     cursor.enter({"block", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(blocks)});
+    const Place start_of_row = cursor.place();
     const int material = cursor.next_index("the block material");
     const Place place = cursor.place();
     const int first = cursor.next_index("the first vertex slot");
@@ -94,7 +96,7 @@ std::vector<Range> next_ranges(Cursor& cursor, int blocks, int slots) {
                        fmt::format("expected vertex slots of block {} of {} (from {} on, 3 or more, at most {}), "
                                    "found \"{} {}\"",
                                    i + 1, blocks, start + 1, slots - kSpareSlots, first + 1, last + 1));
-    ranges.push_back({material, first, last - first + 1});
+    ranges.push_back({material, first, last - first + 1, start_of_row});
     start = last + 1 + static_cast<int>(kSpareSlots);
   }
   return ranges;
@@ -127,6 +129,7 @@ std::vector<BlockBolt> next_bolts(Cursor& cursor, int count, int blocks) {
   for (int i = 0; i < count; ++i) {
     cursor.enter({"bolt", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
     BlockBolt bolt;
+    bolt.place = cursor.place();
     bolt.segment.start.x = cursor.next_real("x of the start");
     bolt.segment.start.y = cursor.next_real("y of the start");
     bolt.segment.end.x = cursor.next_real("x of the end");
@@ -203,18 +206,19 @@ std::vector<BlockPolygon> polygons(const std::vector<Range>& ranges, const std::
   for (const Range& range : ranges) {
     BlockPolygon block;
     block.material = range.material;
+    block.place = range.place;
     block.outer.assign(slots.begin() + range.first, slots.begin() + range.first + range.size);
     blocks.push_back(std::move(block));
   }
   return blocks;
 }
 
-Warnings bolt_warnings(const std::vector<BlockBolt>& bolts, const Place& place) {
+Warnings bolt_warnings(const std::vector<BlockBolt>& bolts) {
   Warnings warnings;
   for (const BlockBolt& bolt : bolts)
     if (bolt.first_block < 0 || bolt.second_block < 0)
       add_warning(warnings,
-                  {"bolt_outside_blocks", place, "a bolt with an end in block 0, that is in none, is left out"});
+                  {"bolt_outside_blocks", bolt.place, "a bolt with an end in block 0, that is in none, is left out"});
   return warnings;
 }
 
@@ -260,7 +264,7 @@ Reading read_tokens(const Tokens& tokens, const ReadHint&) {
   const Head head = next_head(cursor);
   Blocks blocks = next_blocks(cursor, head, point_size(head, tokens.numbers.size()).value_or(4));
   refuse_outside(blocks.loading_points);
-  Warnings warnings = joined(fraction_warnings(tokens, head), bolt_warnings(blocks.bolts, start));
+  Warnings warnings = joined(fraction_warnings(tokens, head), bolt_warnings(blocks.bolts));
   warnings = joined(std::move(warnings), outside_warnings(blocks.fixed_points, "a fixed point"));
   warnings = joined(std::move(warnings), outside_warnings(blocks.measured_points, "a measured point"));
   blocks = without_outsiders(std::move(blocks));

@@ -183,6 +183,7 @@ class AnalysisReader {
   }
 
   void read_time_step(const Element& element) {
+    analysis_.time_step_place = element.place();
     analysis_.time_step = attribute_real(element, "maxtimestep", kPositive);
   }
 

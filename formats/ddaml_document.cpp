@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -48,6 +49,22 @@ void refuse_tags_only(const Source& source) {
     throw InputError({source.name}, "expected a DDAML file, found hardly anything but tags");
 }
 
+/// pugixml takes them; XML has each attribute of an element once.
+void refuse_repeated_attributes(const pugi::xml_node root, const DocumentText& text) {
+  pugi::xml_node node = root;
+  while (node) {
+    std::vector<std::string_view> names;
+    for (const pugi::xml_attribute attribute : node.attributes()) names.emplace_back(attribute.name());
+    std::ranges::stable_sort(names);
+    if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
+      throw InputError(text.map->place(text.offset_of((twice + 1)->data()).value_or(0)),
+                       fmt::format("expected each attribute of {} once, found {} again", node.name(), *twice));
+    pugi::xml_node next = node.first_child();
+    for (; !next && node != root; node = node.parent()) next = node.next_sibling();
+    node = next;
+  }
+}
+
 }  // namespace
 
 std::optional<std::size_t> DocumentText::offset_of(const char* position) const {
@@ -63,6 +80,15 @@ Document::Document(const Source& source) {
   const pugi::xml_parse_result result =
       document_.load_buffer_inplace(text_->buffer.data(), text_->buffer.size(), kParseFlags, pugi::encoding_utf8);
   if (!result) refuse(*text_, result);
+  refuse_second_root();
+  for (const pugi::xml_node node : document_.children()) refuse_repeated_attributes(node, *text_);
+}
+
+void Document::refuse_second_root() const {
+  for (pugi::xml_node node = document_.document_element().next_sibling(); node; node = node.next_sibling())
+    if (node.type() == pugi::node_element)
+      throw InputError(Element(node, *text_).place(),
+                       fmt::format("expected one root element, found a second, {}", Element(node, *text_).name()));
 }
 
 std::string_view Element::name() const {

@@ -59,6 +59,8 @@ class Document {
   Element root() const { return {document_.document_element(), *text_}; }
 
  private:
+  void refuse_second_root() const;
+
   std::unique_ptr<DocumentText> text_;  // elements point at it: it must not move
   pugi::xml_document document_;
 };

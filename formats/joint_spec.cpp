@@ -11,6 +11,7 @@ namespace keyblock::formats {
 namespace {
 
 constexpr Demand kAnyNumber{[](double) { return true; }, "a number"};
+constexpr Demand kDip{[](double v) { return v >= -360 && v <= 360; }, "-360 to 360 degrees"};
 constexpr Demand kFaceAngle{[](double v) { return v > 0 && v <= 90; }, "above 0 to 90 degrees"};
 constexpr Demand kSeed{[](double v) { return v >= 0 && is_whole(v); }, "a whole number, 0 or more"};
 constexpr Demand kLifts{[](double v) { return v >= 1 && v <= 1000 && is_whole(v); }, "a whole number from 1 to 1000"};
@@ -98,7 +99,7 @@ JointSet set_of(const PlacedJson& value, int number, int seed) {
   const JsonFields fields(value, fmt::format("joint set {}", number), kSetKeys);
   const LengthReader reader(fields);
   JointSet set;
-  set.dip_deg = fields.real("dip", kAnyNumber);
+  set.dip_deg = fields.real("dip", kDip);
   set.dip_scatter = fields.real("dip_scatter", kShare, reader.scatter());
   set.spacing = reader.length("spacing", kPositive);
   const RandomLength trace = reader.length("trace", kPositive, 0);

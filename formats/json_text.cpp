@@ -9,6 +9,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/printable.hpp"
+
 namespace keyblock::formats {
 namespace {
 
@@ -57,7 +59,7 @@ bool is_of_number(char c) {
 }
 
 std::string clipped(std::string_view text) {
-  return std::string(text.substr(0, kQuoted)) + (text.size() > kQuoted ? "…" : "");
+  return printable(text.substr(0, kQuoted)) + (text.size() > kQuoted ? "…" : "");
 }
 
 }  // namespace
@@ -98,13 +100,14 @@ class JsonReader {
     const std::string found = at == text_.size() ? "the end of the file" : "\"" + clipped(text_.substr(at)) + "\"";
     throw InputError(
         into_.map_.place(at),
-        fmt::format("expected {}, found {}", is_number ? "a number of double precision" : "sound JSON",
-                    is_number || last.empty() || at == text_.size() ? found : "\"" + clipped(printable(last)) + "\""));
+        fmt::format(
+            "expected {}, found {}", is_number ? "a number of double precision" : "sound JSON",
+            is_number || last.empty() || at == text_.size() ? found : "\"" + clipped(without_line_ends(last)) + "\""));
   }
 
  private:
   // The parser shows control characters as <U+000A>, but line ends within a value as they are.
-  static std::string printable(std::string text) {
+  static std::string without_line_ends(std::string text) {
     std::erase_if(text, [](unsigned char c) { return c < ' '; });
     return text;
   }

@@ -63,7 +63,7 @@ void check(const Blocks& blocks) {
     const BlockPolygon& block = blocks.blocks[i];
     const auto require_corners = [&](const BlockLoop& loop) {
       if (loop.size() < kFewestCorners)
-        fail(blocks.place, fmt::format("{} corners at least in each loop of block {}", kFewestCorners, i + 1),
+        fail(block.place, fmt::format("{} corners at least in each loop of block {}", kFewestCorners, i + 1),
              static_cast<long long>(loop.size()));
     };
     require_corners(block.outer);
@@ -72,7 +72,7 @@ void check(const Blocks& blocks) {
   for (const auto* points : {&blocks.fixed_points, &blocks.loading_points, &blocks.measured_points})
     for (const BlockPoint& point : *points) require_one_of(point.block, count, "block", point.place);
   for (const BlockBolt& bolt : blocks.bolts)
-    for (const int block : {bolt.first_block, bolt.second_block}) require_one_of(block, count, "block", blocks.place);
+    for (const int block : {bolt.first_block, bolt.second_block}) require_one_of(block, count, "block", bolt.place);
 }
 
 // The first slot stands again behind the last one.
@@ -86,8 +86,8 @@ void require_slots(const SlotRange& range, std::size_t count, std::string_view n
 
 void check(const Cover& cover) {
   for (const CoverElement& element : cover.elements) {
-    require_slots(element.vertices, cover.vertices.size(), "vertex slot", cover.place);
-    for (const int node : element.covers) require_one_of(node, cover.nodes.size(), "physical cover", cover.place);
+    require_slots(element.vertices, cover.vertices.size(), "vertex slot", element.place);
+    for (const int node : element.covers) require_one_of(node, cover.nodes.size(), "physical cover", element.place);
   }
   for (const SlotRange& loop : cover.loops) require_slots(loop, cover.loop_vertices.size(), "loop vertex", cover.place);
   for (const LoopVertex& vertex : cover.loop_vertices)
@@ -245,6 +245,9 @@ Reading read(const Source& source, const ReadHint&) {
   if (content.analysis)
     reading.warnings =
         joined(std::move(reading.warnings), weightless_materials(*content.analysis, *text.root().member("analysis")));
+  if (content.analysis)
+    if (const auto step = text.root().member("analysis")->member("time_step"))
+      content.analysis->time_step_place = step->place();
   if (content.units) check(*content.units, text.root().member("units")->place());
   check(content.drawing);
   check(content.blocks);

@@ -15,13 +15,14 @@
 #include "formats/numbers.hpp"
 #include "formats/split.hpp"
 #include "formats/tokens.hpp"
+#include "geometry/polygon.hpp"
 
 namespace keyblock::formats {
 namespace {
 
 constexpr std::size_t kHeadSize = 8;
 constexpr std::size_t kManyNumbers = 1000000;  // some milliseconds of work: worth a thread
-constexpr int kSlotsAnElement = 4;  // three corners and the first again
+constexpr int kSlotsAnElement = 4;             // three corners and the first again
 
 struct Head {
   int elements, fixed, loading, measured, slots, covers, loops, loop_slots;
@@ -73,7 +74,7 @@ Recognition recognise(const Tokens& tokens) {
 /// Walks over a cover file. Every list is as long as its count, which the words of the file have already borne out.
 class CoverReader {
  public:
-  explicit CoverReader(const Tokens& tokens) : cursor_(tokens) {}
+  explicit CoverReader(const Tokens& tokens) : tokens_(tokens), cursor_(tokens) {}
 
   Reading read() {
     read_head();
@@ -81,6 +82,7 @@ class CoverReader {
     read_points("loading point", head_.loading, 1, cover_.loading_points);
     read_points("measured point", head_.measured, 0, cover_.measured_points);
     read_lists();
+    place_odd_elements();
     cursor_.leave();
     Reading reading;
     reading.content.cover = std::move(cover_);
@@ -189,6 +191,19 @@ class CoverReader {
     }
   }
 
+  /// Of those that a check will name: places of all would take longer than reading them.
+  void place_odd_elements() {
+    const std::size_t points = cover_points();
+    for (std::size_t i = 0; i < cover_.elements.size(); ++i)
+      if (!(area(cover_.polygon(cover_.elements[i])) > 0))
+        cover_.elements[i].place = tokens_.place_of(kHeadSize + 3 * (points + i));
+  }
+
+  std::size_t cover_points() const {
+    return static_cast<std::size_t>(head_.fixed) + static_cast<std::size_t>(head_.loading) +
+           static_cast<std::size_t>(head_.measured);
+  }
+
   void read_covers_of_elements() {
     for (int i = 0; i < head_.elements; ++i) {
       enter("element", i, head_.elements);
@@ -214,6 +229,7 @@ class CoverReader {
     }
   }
 
+  const Tokens& tokens_;
   Cursor cursor_;
   Head head_{};
   Cover cover_;

@@ -111,6 +111,14 @@ void refuse_other_files(const Source& source) {
   if (text[first] == '<' && is_html(text)) refuse(TextMap(source.name, text).place(first), "an HTML page");
 }
 
+/// Long files of bytes that are refused by their first ones are not read on: a disk image may be larger than memory.
+constexpr std::size_t kHead = 1 << 16;
+
+bool no_text_begins_with(const std::string& head) {
+  return find_binary(without_bom(head)) != std::string_view::npos &&
+         kBerkeleyMeasured.recognise({"", head}).fit == Fit::none;
+}
+
 Recognition recognition_of(const Format& format, const Source& source, const Tokens& tokens) {
   if (format.recognise) return format.recognise(source);
   return format.recognise_numbers ? format.recognise_numbers(tokens) : Recognition{};
@@ -151,13 +159,28 @@ const Format* find_format(std::string_view name) {
   return found == kFormats.end() ? nullptr : *found;
 }
 
-Source load(const std::string& path) {
+namespace {
+
+void require_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError({path}, "expected a file, found none");
   if (std::filesystem::is_directory(status)) throw InputError({path}, "expected a file, found a directory");
   if (!std::filesystem::is_regular_file(status))
     throw InputError({path}, "expected a regular file, found a device or pipe");
+}
+
+}  // namespace
+
+Source load(const std::string& path) {
+  require_file(path);
+  return {path, file_bytes(path)};
+}
+
+Source load_text(const std::string& path) {
+  require_file(path);
+  if (std::string head = file_head(path, kHead); head.size() == kHead && no_text_begins_with(head))
+    return {path, std::move(head)};
   return {path, file_bytes(path)};
 }
 

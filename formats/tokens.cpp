@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/printable.hpp"
 #include "formats/numbers.hpp"
 
 namespace keyblock::formats {
@@ -27,12 +28,7 @@ constexpr Roles kRunRoles = [] {
 }  // namespace
 
 std::string in_quotes(std::string_view word) {
-  std::string text = "\"";
-  for (const char c : word.substr(0, kLongestQuote)) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return text + (word.size() > kLongestQuote ? "…\"" : "\"");
+  return '"' + printable(word.substr(0, kLongestQuote)) + (word.size() > kLongestQuote ? "…\"" : "\"");
 }
 
 TextMap::Mark TextMap::advanced(Mark mark, std::size_t first, std::size_t last) const {

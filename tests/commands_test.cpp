@@ -358,6 +358,45 @@ TEST(Commands, compare_exits_1_when_a_value_is_missed) {
   EXPECT_TRUE(contains(missed.output, "MISSED"));
 }
 
+// Two gigabytes of a disk image were read whole before the first byte said what it is.
+TEST(Commands, a_long_file_that_is_no_text_is_refused_by_its_beginning) {
+  const std::string file = fresh_folder("sparse") + "/disk.img";
+  support::write_text(file, "");
+  std::filesystem::resize_file(file, 2'000'000'000);
+  const ProgramRun check = run_keyblock({"check", file});
+  EXPECT_EQ(check.exit_code, 3);
+  EXPECT_TRUE(contains(check.messages,
+                       file + ":1:1: error: expected a DDA geometry, block or analysis file, found a binary file"))
+      << check.messages;
+  EXPECT_LT(check.peak_megabytes, 1000);
+}
+
+// The least number there is: history.csv was written, and the picture of its curves ended the program by a signal.
+TEST(Commands, a_run_of_steps_as_short_as_numbers_go_has_its_picture) {
+  const std::string folder = fresh_folder("denormal") + "/out";
+  const std::string rests = kCases + "sliding_block/a30_p35/a30_p35";
+  const ProgramRun run = run_keyblock({"run", rests + ".geo", rests + ".ana", "-o", folder, "--set", "steps=10",
+                                       "--set", "motion=static", "--set", "time_step=5e-324"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_TRUE(contains(read_text(folder + "/picture.svg"), "</svg>")) << run.messages;
+  EXPECT_TRUE(std::filesystem::exists(folder + "/run.json"));
+}
+
+// Under 1e15 N a block is past the floor after one step: no contact says how deep it once was.
+TEST(Commands, a_step_that_throws_a_block_through_others_is_not_to_be_trusted) {
+  const std::string folder = fresh_folder("thrown");
+  support::write_text(folder + "/thrown.json", R"({"keyblock": 1,
+    "blocks": {"blocks": [{"outer": [[0, -1, 1], [10, -1, 1], [10, 0, 1], [0, 0, 1]]},
+                          {"outer": [[1, 0, 1], [2, 0, 1], [2, 1, 1], [1, 1, 1]]}],
+               "fixed_points": [[1, -0.5, 1], [9, -0.5, 1]], "loading_points": [[1.5, 0.5, 2]]},
+    "analysis": {"step_count": 3, "time_step": 0.001, "velocity_carry_over": 1, "allowed_displacement_ratio": 0.01,
+                 "joint_materials": [{"friction_angle_deg": 30}], "point_loads": [[[0, 0, -1e15]]],
+                 "block_materials": [{"density": 2500, "unit_weight": 24525, "youngs_modulus": 5e9,
+                                      "poissons_ratio": 0.25}]}})");
+  const ProgramRun run = run_keyblock({"run", folder + "/thrown.json", "-o", folder + "/out"});
+  EXPECT_TRUE(contains(run.messages, "it may have passed through others unseen")) << run.messages;
+}
+
 TEST(Commands, a_missing_file_is_exit_3) {
   const ProgramRun run = run_keyblock({"run", "no_such.geo", kSlide + ".ana", "-o", fresh_folder("none") + "/out"});
   EXPECT_EQ(run.exit_code, 3);

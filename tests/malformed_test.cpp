@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -87,7 +88,56 @@ void expect_result(const Expectation& row, const std::string& folder) {
   EXPECT_NEAR(dy, row.final_dy, 1e-5 * std::abs(row.final_dy)) << "measured point";
 }
 
+struct HostileRow {
+  std::string input;
+  std::string command;  ///< check, run (profile legacy) or joints
+  std::string outcome;  ///< warning or error
+  std::string place;    ///< line and column; empty: the file
+  std::string says;     ///< part of the sentence
+};
+
+std::vector<HostileRow> hostile_rows() {
+  const formats::CsvTable table = formats::read_csv(formats::load(kFolder + "hostile/expected.csv"));
+  std::vector<HostileRow> rows;
+  for (const formats::CsvRow& row : table.rows)
+    rows.push_back({row.cells[0], row.cells[1], row.cells[2], row.cells[3], row.cells[4]});
+  return rows;
+}
+
+support::ProgramRun run_hostile(const HostileRow& row, const std::string& out) {
+  const std::string input = kFolder + "hostile/" + row.input;
+  if (row.command == "check") return support::run_keyblock({"check", input});
+  if (row.command == "joints") return support::run_keyblock({"joints", input, "-o", out});
+  return support::run_keyblock({"run", input, "-o", out, "--profile", "legacy"});
+}
+
+bool has_control_characters(const std::string& text) {
+  return std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n'; });
+}
+
 }  // namespace
+
+// Numbers, places and shapes that no engineer writes and a program that writes files may: what once crashed, hung, was computed to
+// nothing or was passed over in silence. The table is our own wording, as that beside it.
+TEST(Malformed, hostile_inputs_are_refused_or_named_at_their_place) {
+  const std::vector<HostileRow> rows = hostile_rows();
+  ASSERT_GE(rows.size(), 29U);
+  for (const HostileRow& row : rows) {
+    SCOPED_TRACE(row.command + " " + row.input);
+    const std::string out = support::fresh_folder("hostile") + "/out";
+    const support::ProgramRun run = run_hostile(row, out);
+    const bool is_error = row.outcome == "error";
+    const std::string file = kFolder + "hostile/" + row.input + (row.place.empty() ? "" : ":") + row.place;
+    EXPECT_EQ(run.exit_code, is_error ? 3 : 0) << run.messages;
+    const std::string all = run.messages + run.output;
+    EXPECT_TRUE(contains(all, file + (is_error ? ": error: expected " : ": warning: "))) << all;
+    EXPECT_TRUE(contains(all, row.says)) << all;
+    EXPECT_FALSE(has_control_characters(all)) << all;
+    EXPECT_FALSE(is_error && std::filesystem::exists(out)) << "nothing is written for input that cannot be used";
+    EXPECT_LT(run.cpu_seconds, kMostSeconds);
+    EXPECT_LT(run.peak_megabytes, kMostMegabytes);
+  }
+}
 
 TEST(Malformed, every_input_gets_the_answer_of_the_table_quickly_and_in_little_memory) {
   const std::vector<Expectation> rows = expectations();

@@ -13,6 +13,8 @@
 #include "app/command.hpp"
 #include "app/cover_run.hpp"
 #include "app/run_report.hpp"
+#include "base/printable.hpp"
+#include "cut/from_cover.hpp"
 #include "formats/case.hpp"
 #include "run/prepare.hpp"
 #include "run/profile.hpp"
@@ -111,13 +113,13 @@ std::string text_of(const Json& counts) {
 }
 
 void print(const Warnings& warnings) {
-  for (const Warning& warning : warnings) fmt::print("  {}\n", to_string(warning));
+  for (const Warning& warning : warnings) fmt::print("  {}\n", printable(to_string(warning)));
 }
 
 void print(const formats::FileReading& file) {
   if (file.choice)
-    fmt::print("{}: {} [{}]: {}\n", file.path, file.choice->format->title, file.choice->format->name,
-               file.choice->recognition.evidence);
+    fmt::print("{}: {} [{}]: {}\n", printable(file.path), file.choice->format->title, file.choice->format->name,
+               printable(file.choice->recognition.evidence));
   if (file.reading) {
     const std::string counts = text_of(counts_of(file.reading->content));
     fmt::print("  {}\n", counts.empty() ? "holds no geometry, analysis or results" : counts);
@@ -168,6 +170,8 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     const Checked checked = check(formats::pair(contents));
     CaseReport report{checked.warnings, {}, std::nullopt, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
+    if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
+      manifold_of(*cover);  // throws where elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
     const std::string chosen = profile_of(checked.problem, profile);
     if (is_solved_at_once(checked.problem, chosen, {})) {

@@ -15,6 +15,7 @@
 #include "app/mesh_options.hpp"
 #include "app/run_report.hpp"
 #include "app/usage_error.hpp"
+#include "base/printable.hpp"
 #include "cut/absorb.hpp"
 #include "cut/cut_blocks.hpp"
 #include "cut/cut_cover.hpp"
@@ -145,7 +146,7 @@ ExitCode cut_file(const CutOptions& options) {
   if (options.as_json) {
     fmt::print("{}\n", counts.dump(2, ' ', false, Json::error_handler_t::replace));
   } else {
-    fmt::print("{}: {} blocks from {} lines, {} fixed, {} loading and {} measured points\n", options.drawing,
+    fmt::print("{}: {} blocks from {} lines, {} fixed, {} loading and {} measured points\n", printable(options.drawing),
                cut.blocks.blocks.size(), cut.report.lines, cut.blocks.fixed_points.size(),
                cut.blocks.loading_points.size(), cut.blocks.measured_points.size());
     if (has_mesh)

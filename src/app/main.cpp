@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
@@ -25,6 +26,7 @@
 #include "app/command.hpp"
 #include "app/usage_error.hpp"
 #include "base/error.hpp"
+#include "base/printable.hpp"
 
 namespace keyblock {
 namespace {
@@ -55,6 +57,23 @@ void require_known(const std::string& command) {
 bool has_memory_limit() {
   rlimit limit{};
   return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+/// Every message passes here: what files say must not speak to the terminal.
+class PrintableMessage : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& line) override {
+    const std::string text = printable({message.payload.data(), message.payload.size()});
+    line.append(text.data(), text.data() + text.size());
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<PrintableMessage>(); }
+};
+
+void print_messages_plainly() {
+  spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<PrintableMessage>('*').set_pattern("%*");
+  spdlog::set_formatter(std::move(formatter));
 }
 
 int run_program(int argc, char** argv) {
@@ -109,10 +128,9 @@ ExitCode code_of(const std::system_error& error) {
 
 int main(int argc, char** argv) {
   keyblock::fill_closed_streams();
-  std::signal(SIGXFSZ,
-              SIG_IGN);  // a file that grows beyond its limit is one that cannot be written, and is told as such
-  spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
-  spdlog::set_pattern("%v");
+  // A file that grows beyond its limit is one that cannot be written, and is told as such.
+  std::signal(SIGXFSZ, SIG_IGN);
+  keyblock::print_messages_plainly();
   try {
     return keyblock::run_program(argc, argv);
   } catch (const keyblock::InputError& error) {

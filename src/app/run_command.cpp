@@ -141,8 +141,9 @@ std::string how_to_go_on(const std::string& folder) {
   return fmt::format("keyblock run --resume {} goes on", folder);
 }
 
-void print_summary(const Prepared& prepared, const RunRecord& record, const std::string& folder) {
-  log_warnings(record.warnings);
+/// `told`: how many of the warnings were printed at the start.
+void print_summary(const Prepared& prepared, const RunRecord& record, std::size_t told, const std::string& folder) {
+  log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
   if (record.outcome.end == RunEnd::failed) {
     spdlog::error("keyblock: error: {}", record.outcome.reason);
     print_hint(prepared.scene.settings);
@@ -255,6 +256,8 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   spdlog::info("{}, {} unknowns, {} steps",
                counted(prepared.scene.model.elements.size(), prepared.scene.model.nodes.empty() ? "block" : "element"),
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
+  const std::size_t told = record.warnings.size();
+  log_warnings(record.warnings);
   if (stepper) spdlog::info("going on after step {}", stepper->state().step);
   if (saved && !stepper) spdlog::info("the run ended before its first checkpoint: it begins again");
   CheckpointClock clock(options.checkpoint_every);
@@ -310,7 +313,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   folder.write_record(json + "\n");
   if (record.outcome.end != RunEnd::stopped) folder.remove_checkpoint();
   if (options.as_json) fmt::print("{}\n", json);
-  print_summary(prepared, record, options.folder);
+  print_summary(prepared, record, told, options.folder);
   return exit_code(record);
 }
 

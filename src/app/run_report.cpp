@@ -31,8 +31,10 @@ const char* word_for(RunEnd end) {
 
 Json all_settings_json(const Settings& settings) {
   Json all = Json::object();
-  for (const SettingText& setting : list(settings))
-    all[setting.name] = setting.is_number ? Json::parse(setting.value) : Json(setting.value);
+  for (const SettingText& setting : list(settings)) {
+    Json value = setting.is_number ? Json::parse(setting.value, nullptr, false) : Json(setting.value);
+    all[setting.name] = value.is_discarded() ? Json() : value;  // infinite: no JSON
+  }
   return all;
 }
 

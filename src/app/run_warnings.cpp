@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "model/material_choices.hpp"
@@ -55,6 +56,9 @@ StepWatch::StepWatch(const Prepared& prepared) {
   const bool cut_stays = settings.quirks.cut_step_stays;
   const bool is_standard = settings.dynamics == Dynamics::standard;
   const bool is_moving = is_standard && settings.standard.motion == MotionRule::dynamic;
+  const bool searches_pairs = model.nodes.empty() && model.elements.size() > 1 && !balances_;
+  const double allowed = settings.allowed_displacement_ratio * model.scale;
+  const double block_size = std::sqrt(model.mean_area);
   const double deep = kDeepPenetrations * settings.open_close.allowed_penetration * prepared.scene.model.scale;
   kinds_ = {
       {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
@@ -74,6 +78,14 @@ StepWatch::StepWatch(const Prepared& prepared) {
              "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps; a smaller "
              "time_step, or step_control = shi or error, resolves it",
              s.step, s.displacement_ratio, concerned, steps);
+       }},
+      {"step_passes_blocks",
+       [=](const StepReport& s) { return searches_pairs && s.displacement_ratio * allowed > block_size; },
+       [=](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: a block moves {:.3g}, further than blocks are wide ({:.3g}), as in {} of {} steps: it may have "
+             "passed through others unseen; do not trust what follows",
+             s.step, s.displacement_ratio * allowed, block_size, concerned, steps);
        }},
       {"step_above_limit", [=](const StepReport& s) { return !constant && s.dt > time_step; },
        [=](const StepReport& s, int, int) {

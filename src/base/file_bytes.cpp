@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
@@ -61,21 +62,31 @@ void make_long(std::string& text, std::size_t size, Fill fill) {
 #endif
 }
 
-}  // namespace
-
-std::string file_bytes(const std::string& path) {
-  const OpenFile file(path);
-  const std::size_t parts = threads_for_bytes(file.size());
+/// The first `size` bytes.
+std::string bytes_of(const OpenFile& file, const std::string& path, std::size_t size) {
+  const std::size_t parts = threads_for_bytes(size);
   std::atomic<bool> is_whole = true;
   std::string text;
-  reserve_large(text, file.size());
-  make_long(text, file.size(), [&](char* room) {
+  reserve_large(text, size);
+  make_long(text, size, [&](char* room) {
     at_once(parts, [&](std::size_t i) {
-      if (!file.read(room, file.size() * i / parts, file.size() * (i + 1) / parts)) is_whole = false;
+      if (!file.read(room, size * i / parts, size * (i + 1) / parts)) is_whole = false;
     });
   });
   if (!is_whole) throw InputError({path}, "expected a readable file, found one that breaks off");
   return text;
+}
+
+}  // namespace
+
+std::string file_bytes(const std::string& path) {
+  const OpenFile file(path);
+  return bytes_of(file, path, file.size());
+}
+
+std::string file_head(const std::string& path, std::size_t most) {
+  const OpenFile file(path);
+  return bytes_of(file, path, std::min(file.size(), most));
 }
 
 }  // namespace keyblock

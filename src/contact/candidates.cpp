@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 
 namespace keyblock {
 

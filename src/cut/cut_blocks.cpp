@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
+#include "base/listed.hpp"
 #include "cut/crossings.hpp"
 #include "cut/faces.hpp"
 #include "cut/nodes.hpp"
@@ -29,6 +32,14 @@ struct UsedLines {
 
 bool is_finite(const Segment& s) {
   return std::isfinite(s.start.x) && std::isfinite(s.start.y) && std::isfinite(s.end.x) && std::isfinite(s.end.y);
+}
+
+/// The same whichever way the line runs.
+std::array<double, 4> ends_of(const Segment& s) {
+  const std::pair start(s.start.x, s.start.y);
+  const std::pair end(s.end.x, s.end.y);
+  const auto& [low, high] = std::minmax(start, end);
+  return {low.first, low.second, high.first, high.second};
 }
 
 /// What becomes of joints that bound nothing.
@@ -71,6 +82,8 @@ class Cutting {
 
   UsedLines used_lines() {
     UsedLines used;
+    std::set<std::array<double, 4>> met;  // n lines in one place would make n² crossings
+    std::vector<std::size_t> repeated;
     for (std::size_t i = 0; i < drawing_.joints.size(); ++i) {
       const JointLine& line = drawing_.joints[i];
       if (!is_finite(line.segment)) throw InputError(line.place, "expected finite coordinates of a line");
@@ -78,11 +91,26 @@ class Cutting {
         warn("zero_length_line", line.place, "the line has no length and is left out");
         continue;
       }
+      if (!met.insert(ends_of(line.segment)).second) {
+        repeated.push_back(i + 1);
+        continue;
+      }
       used.segments.push_back(line.segment);
       used.sources.push_back(&line);
       if (i < drawing_.boundary_count) ++used.boundary_count;
     }
+    report_repeated(repeated);
     return used;
+  }
+
+  /// By the numbers of the lines in the file.
+  void report_repeated(const std::vector<std::size_t>& lines) {
+    if (lines.empty()) return;
+    const bool several = lines.size() > 1;
+    warn("duplicate_line", drawing_.joints[lines.front() - 1].place,
+         fmt::format("line{} {} {} earlier line{} and {} left out; the joint material is that of the earlier one",
+                     several ? "s" : "", listed(lines), several ? "repeat" : "repeats an", several ? "s" : "",
+                     several ? "are" : "is"));
   }
 
   /// Crossings and nodes, with what is to be said of them.
@@ -131,10 +159,9 @@ class Cutting {
       const bool is_pair =
           is_first && k + 1 < found.size() && found[k + 1].line == c.line && found[k + 1].other == c.other;
       if (!c.is_end || !is_pair) continue;
-      const bool is_same = has_same_ends(lines_.segments[c.line], lines_.segments[c.other]);
-      warn(is_same ? "duplicate_line" : "overlapping_lines", place(c.line),
-           fmt::format("the line {} line {}; the joint material is that of the earlier one",
-                       is_same ? "repeats" : "partly covers", number(c.other)));
+      warn("overlapping_lines", place(c.line),
+           fmt::format("the line partly covers line {}; the joint material is that of the earlier one",
+                       number(c.other)));
     }
   }
 
@@ -159,8 +186,6 @@ class Cutting {
          fmt::format("{} of {} lines have parts that hang loose and are removed; this is the first",
                      std::count(is_dangling_.begin(), is_dangling_.end(), 1), is_dangling_.size()));
   }
-
-  static bool has_same_ends(const Segment& a, const Segment& b) { return a == b || a == Segment{b.end, b.start}; }
 
   /// As the file counts lines, from 1.
   std::size_t number(int line) const {

@@ -14,6 +14,7 @@
 namespace keyblock {
 namespace {
 
+constexpr double kLeastSide = 1e-12;    // of the farthest coordinate: some thousand of its last digits
 constexpr double kMostTriangles = 4e6;  // of any mesh: minutes and gigabytes
 
 void require_fewer(double triangles, double side) {
@@ -43,14 +44,26 @@ void require_length(double length, const char* what) {
     throw std::invalid_argument(fmt::format("{}: expected a finite length above 0, found {}", what, length));
 }
 
+/// Corners of shorter sides would fall on one another: refinement would not end.
+void require_resolved(double side, const Box& box, const char* what) {
+  const double farthest =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  const double least = kLeastSide * farthest;
+  if (side < least)
+    throw std::invalid_argument(
+        fmt::format("expected {} of at least {:.3g}, which coordinates still resolve, found {}", what, least, side));
+}
+
 TriangleMesh unstructured(const MeshPlan& plan, const BodyGraph& graph, const Box& box) {
   require_length(plan.side, "the side of the mesh");
+  require_resolved(plan.side, box, "the side of the mesh");
   MeshSize size;
   size.side = plan.side;
   size.refined = plan.refined;
-  double triangles = box.size().x * box.size().y / (plan.side * plan.side);
+  double triangles = (box.size().x / plan.side + 1) * (box.size().y / plan.side + 1);
   for (const RefinedPoint& point : size.refined) {
     require_length(point.side, "the side at a refined point of the mesh");
+    require_resolved(point.side, box, "the side at a refined point of the mesh");
     if (!std::isfinite(point.at.x) || !std::isfinite(point.at.y))
       throw std::invalid_argument("a refined point of the mesh: expected finite coordinates");
     triangles += std::log(std::max(1.0, plan.side / point.side)) / (size.growth * size.growth);

@@ -46,6 +46,10 @@ class FromCover {
 
  private:
   [[noreturn]] void fail(const std::string& what) const { throw InputError(cover_.place, what); }
+  [[noreturn]] void fail(std::size_t element, const std::string& what) const {
+    const Place& place = cover_.elements[element].place;
+    throw InputError(place.line > 0 ? place : cover_.place, what);
+  }
 
   Point position(int slot) const { return cover_.vertices[slot]; }
   std::string text_of(Point a, Point b) const { return fmt::format("from ({}, {}) to ({}, {})", a.x, a.y, b.x, b.y); }
@@ -81,7 +85,8 @@ class FromCover {
     const auto is_outer = [&](const Slots& loop) { return area(points_of(loop)) > 0; };
     std::ranges::stable_partition(loops, is_outer);
     if (!is_outer(loops.front()) || std::ranges::count_if(loops, is_outer) > 1)
-      fail(fmt::format("expected element {} counter-clockwise around one area, found another shape",
+      fail(manifold_.elements.size(),
+           fmt::format("expected element {} counter-clockwise around one area, found another shape",
                        manifold_.elements.size() + 1));
     element.outer = add_loop(loops.front());
     element.holes = {static_cast<int>(manifold_.holes.size()), static_cast<int>(loops.size()) - 1};
@@ -97,7 +102,8 @@ class FromCover {
       corners[k] = manifold_.mesh.nodes[nodes[k]];
     }
     if (!(cross(corners[1] - corners[0], corners[2] - corners[0]) > 0))
-      fail(fmt::format("expected the nodes of the covers of element {} counter-clockwise, found covers {}, {} and {}",
+      fail(manifold_.elements.size(),
+           fmt::format("expected the nodes of the covers of element {} counter-clockwise, found covers {}, {} and {}",
                        manifold_.elements.size() + 1, covers[0] + 1, covers[1] + 1, covers[2] + 1));
     const auto [at, is_new] = triangles_.try_emplace(nodes, static_cast<int>(manifold_.mesh.triangles.size()));
     if (is_new) manifold_.mesh.triangles.push_back(nodes);
@@ -206,10 +212,11 @@ class FromCover {
     }
     if (waiting.empty()) return;
     const int lone = waiting.begin()->second;
-    fail(fmt::format(
-        "expected the edge {} of element {} in a loop or in a neighbour that shares two covers, found it in neither",
-        text_of(manifold_.corners[lone].position, manifold_.corners[next_corner_[lone]].position),
-        element_of_corner_[lone] + 1));
+    fail(static_cast<std::size_t>(element_of_corner_[lone]),
+         fmt::format("expected the edge {} of element {} in a loop or in a neighbour that shares two covers, found it "
+                     "in neither",
+                     text_of(manifold_.corners[lone].position, manifold_.corners[next_corner_[lone]].position),
+                     element_of_corner_[lone] + 1));
   }
 
   bool is_boundary(int corner) const { return manifold_.corners[corner].joint_material >= 0; }

@@ -102,7 +102,8 @@ class Placer {
       warnings_.push_back(
           {"bolt_in_one_block", bolt.place, "both ends of the bolt lie in one block: it holds nothing"});
     }
-    blocks_.bolts.push_back({bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension});
+    blocks_.bolts.push_back(
+        {bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension, bolt.place});
   }
 
   // Loads belong to loading points by their order: leaving one out would give its load to the next.

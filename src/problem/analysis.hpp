@@ -102,6 +102,7 @@ struct Analysis {
   std::vector<TimeCurve> point_loads;  ///< one a loading point, in order; fewer than points: the rest carry none
   TimeCurve body_acceleration;         ///< of a side file, acts on all blocks; empty: none
   Place place;                         ///< the file
+  Place time_step_place = {};          ///< where it says its time step
 };
 
 }  // namespace keyblock

@@ -35,8 +35,12 @@ struct BlockPolygon {
   int material = 0;  ///< block material, index from 0
   BlockLoop outer;
   std::vector<BlockLoop> holes;
+  Place place = {};  ///< where a file says so
 
-  bool operator==(const BlockPolygon&) const = default;
+  /// The same block, wherever it is written.
+  bool operator==(const BlockPolygon& other) const {
+    return material == other.material && outer == other.outer && holes == other.holes;
+  }
 };
 
 /// A point carried by a block.
@@ -54,6 +58,7 @@ struct BlockBolt {
   double stiffness = 0;   ///< force / length
   double strength = 0;    ///< force
   double pretension = 0;  ///< force
+  Place place = {};       ///< where a file says so
 };
 
 /// The blocks of a scene and their points. Lengths in the file's unit.

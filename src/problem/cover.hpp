@@ -25,8 +25,12 @@ struct CoverElement {
   SlotRange vertices;
   int material = -1;          ///< block material, index from 0; -1: not assigned
   std::array<int, 3> covers;  ///< physical covers, index from 0
+  Place place = {};           ///< where a file says so
 
-  bool operator==(const CoverElement&) const = default;
+  /// The same element, wherever it is written.
+  bool operator==(const CoverElement& other) const {
+    return vertices == other.vertices && material == other.material && covers == other.covers;
+  }
 };
 
 /// A corner of a contact loop. `joint_material` belongs to the edge that leaves here (to the next corner), index from 0.

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <optional>
 
+#include "problem/magnitudes.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -88,6 +90,9 @@ bool is_number(const Formula& formula) {
 Compiled::Compiled(const Formula& formula, std::span<const std::string_view> variables) {
   if (const auto number = number_in(formula.text)) {
     number_ = *number;
+    if (std::abs(number_) > kGreatestQuantity)
+      throw InputError(formula.place, fmt::format("expected a number from {:g} to {:g}, found {:g}", -kGreatestQuantity,
+                                                  kGreatestQuantity, number_));
     return;
   }
   expression_ = std::make_shared<Expression>();
@@ -101,7 +106,7 @@ double Compiled::operator()(std::initializer_list<double> values) const {
   if (!expression_) return number_;
   std::copy(values.begin(), values.end(), expression_->values.begin());
   const double value = expression_->parser.Eval();
-  if (std::isfinite(value)) return value;
+  if (std::abs(value) <= kGreatestQuantity) return value;
   std::string where;
   for (std::size_t i = 0; i < expression_->names.size(); ++i)
     where += fmt::format("{}{} = {:g}", i == 0 ? "" : ", ", expression_->names[i], expression_->values[i]);

@@ -11,6 +11,8 @@
 
 #include "geometry/polygon.hpp"
 #include "problem/ground_motion.hpp"
+#include "problem/magnitudes.hpp"
+#include "problem/shared_ground.hpp"
 
 namespace keyblock {
 namespace {
@@ -66,8 +68,9 @@ Warnings zero_length_lines(const Drawing& drawing) {
 
 Warnings zero_length_bolts(const Blocks& blocks) {
   const auto has_no_length = [](const BlockBolt& bolt) { return is_point(bolt.segment); };
-  if (std::ranges::none_of(blocks.bolts, has_no_length)) return {};
-  return {{"zero_length_bolt", blocks.place, kZeroLengthBolt}};
+  const auto first = std::ranges::find_if(blocks.bolts, has_no_length);
+  if (first == blocks.bolts.end()) return {};
+  return {{"zero_length_bolt", place_of(*first, blocks), kZeroLengthBolt}};
 }
 
 Warnings unusual_ratio(const Drawing& drawing) {
@@ -108,7 +111,7 @@ std::vector<InputError> impossible_blocks(const Blocks& blocks) {
   std::vector<InputError> errors;
   for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
     if (const double size = area(points_of(blocks.blocks[i].outer)); !(size > 0))
-      errors.emplace_back(blocks.place,
+      errors.emplace_back(place_of(blocks.blocks[i], blocks),
                           fmt::format("expected block {} of {} counter-clockwise with an area, found area {}", i + 1,
                                       blocks.blocks.size(), size));
   return errors;
@@ -118,7 +121,7 @@ std::vector<InputError> impossible_elements(const Cover& cover) {
   std::vector<InputError> errors;
   for (std::size_t i = 0; i < cover.elements.size(); ++i)
     if (const double size = area(cover.polygon(cover.elements[i])); !(size > 0))
-      errors.emplace_back(cover.place,
+      errors.emplace_back(cover.elements[i].place.line > 0 ? cover.elements[i].place : cover.place,
                           fmt::format("expected element {} of {} counter-clockwise with an area, found area {}", i + 1,
                                       cover.elements.size(), size));
   return errors;
@@ -130,6 +133,8 @@ class Checker {
   explicit Checker(Problem problem) : checked_{std::move(problem), {}, {}} {}
 
   Checked check() {
+    fail(immeasurable(checked_.problem));
+    if (!checked_.errors.empty()) return std::move(checked_);
     std::visit([this](auto& geometry) { look_at(geometry); }, checked_.problem.geometry);
     if (checked_.problem.analysis && checked_.problem.motion) take_motion();
     return std::move(checked_);
@@ -166,7 +171,9 @@ class Checker {
     std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return is_point(bolt.segment); });
     if (!checked_.problem.covers) warn(no_fixed_points(blocks.fixed_points.size(), blocks.place));
     fail(impossible_blocks(blocks));
-    fail(bolts_that_push(blocks.bolts, [&](const BlockBolt&) { return blocks.place; }));
+    fail(misplaced_holes(blocks));
+    if (checked_.errors.empty()) warn(shared_ground(blocks));
+    fail(bolts_that_push(blocks.bolts, [&](const BlockBolt& bolt) { return place_of(bolt, blocks); }));
     if (!checked_.problem.analysis) return;
     clamp_materials(blocks, *checked_.problem.analysis);
     warn(curves_and_points(*checked_.problem.analysis, blocks.loading_points.size(), blocks.place));
@@ -207,10 +214,11 @@ class Checker {
     Clamp joint("joint material", analysis.joint_materials.size());
     Clamp material("block material", analysis.block_materials.size());
     for (BlockPolygon& block : blocks.blocks) {
-      block.material = material(block.material, blocks.place);
-      for (BlockVertex& vertex : block.outer) vertex.joint_material = joint(vertex.joint_material, blocks.place);
+      const Place& place = place_of(block, blocks);
+      block.material = material(block.material, place);
+      for (BlockVertex& vertex : block.outer) vertex.joint_material = joint(vertex.joint_material, place);
       for (BlockLoop& hole : block.holes)
-        for (BlockVertex& vertex : hole) vertex.joint_material = joint(vertex.joint_material, blocks.place);
+        for (BlockVertex& vertex : hole) vertex.joint_material = joint(vertex.joint_material, place);
     }
     warn(joint.warnings("joint_material_clamped", "edges"));
     warn(material.warnings("block_material_clamped", "blocks"));

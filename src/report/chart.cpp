@@ -17,10 +17,14 @@ namespace {
 constexpr std::size_t kStretches = 1000;  // more than a picture has columns
 constexpr std::size_t kMostMarkers = 40;
 
-std::vector<Point> finite_points(const Curve& curve) {
+bool is_drawable(double value) {
+  return std::abs(value) <= kGreatestDrawn;  // no NaN either
+}
+
+std::vector<Point> drawable_points(const Curve& curve) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
-    if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) points.push_back({curve.x[i], curve.y[i]});
+    if (is_drawable(curve.x[i]) && is_drawable(curve.y[i])) points.push_back({curve.x[i], curve.y[i]});
   return points;
 }
 
@@ -47,7 +51,7 @@ std::vector<Point> condensed(const std::vector<Point>& points) {
 }
 
 void draw_curve(SvgPage& page, const Plot& plot, const Curve& curve, std::string_view colour) {
-  std::vector<Point> points = finite_points(curve);
+  std::vector<Point> points = drawable_points(curve);
   points = curve.style == Curve::Style::points ? thinned(points) : condensed(points);
   std::ranges::transform(points, points.begin(), [&plot](Point p) { return plot(p); });
   if (curve.style == Curve::Style::line)
@@ -77,13 +81,13 @@ void draw_curves(SvgPage& page, const Plot& plot, const std::vector<Curve>& curv
 }  // namespace
 
 bool has_points(const std::vector<Curve>& curves) {
-  return std::ranges::any_of(curves, [](const Curve& curve) { return !finite_points(curve).empty(); });
+  return std::ranges::any_of(curves, [](const Curve& curve) { return !drawable_points(curve).empty(); });
 }
 
 void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& curves, const AxisLabels& labels) {
   Box box;
   for (const Curve& curve : curves)
-    for (Point p : finite_points(curve)) box.include(p);
+    for (Point p : drawable_points(curve)) box.include(p);
   if (box.empty()) return;
   const std::vector<LegendEntry> legend = make_legend(curves);
   const double width = size.x - kPlotLeft - kPlotRight;

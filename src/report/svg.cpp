@@ -8,6 +8,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/printable.hpp"
+
 namespace keyblock::report {
 namespace {
 
@@ -124,7 +126,7 @@ std::string SvgPage::str() const {
 std::string escape_xml(std::string_view text) {
   std::string safe;
   safe.reserve(text.size());
-  for (char c : text) {
+  for (char c : valid_utf8(text)) {
     switch (c) {
       case '&':
         safe += "&amp;";

@@ -22,11 +22,14 @@ int decimals(double interval) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(interval) - 1e-9)), 0, 15);
 }
 
+/// Below it a fifth of a span, or a thousandth of its unit, is no full number any more: such values are drawn as 0.
+constexpr double kLeastSpan = 1e-290;
+
 /// An interval on which numbers of this size can still be told apart.
 double safe_span(double low, double high) {
   const double size = std::max(std::abs(low), std::abs(high));
-  if (high - low > 1e-12 * size) return high - low;
-  return size > 0 ? 0.1 * size : 1;
+  if (size < kLeastSpan) return 1;
+  return std::max(high - low > 1e-12 * size ? high - low : 0.1 * size, kLeastSpan);
 }
 
 }  // namespace
@@ -39,6 +42,8 @@ double round_down(double value) {
 }
 
 Axis make_axis(double low, double high, int wanted) {
+  low = std::clamp(low, -kGreatestDrawn, kGreatestDrawn);
+  high = std::clamp(high, -kGreatestDrawn, kGreatestDrawn);
   const double span = safe_span(low, high);
   double interval = round_down(span / wanted);
   if (span / interval > 1.6 * wanted) interval = round_down(2.5 * interval);

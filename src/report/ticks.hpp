@@ -20,7 +20,10 @@ struct Axis {
   double high() const { return ticks.back(); }
 };
 
-/// About `wanted` intervals from at or below `low` to at or above `high`.
+/// What is greater has no place on an axis: its span would overflow.
+inline constexpr double kGreatestDrawn = 1e300;
+
+/// About `wanted` intervals from at or below `low` to at or above `high`, both cut to `kGreatestDrawn`.
 Axis make_axis(double low, double high, int wanted);
 
 /// The same for an axis of powers of ten, of values > 0: ticks are logarithms, at decades, or at 1, 2 and 5 of each where there

@@ -54,6 +54,14 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
     warn("unit_weight_without_effect",
          "some unit weight is not density times gravity; as in the Berkeley program, density times gravity is used "
          "(quirk.weight_of_first_material=off takes the unit weights)");
+  const auto is_thrown = [](const BlockMaterial& m) { return m.initial_velocity != Velocity{}; };
+  const bool takes_slots = settings.quirks.start_velocity_slots && analysis.dialect != AnalysisDialect::ddaml;
+  if (takes_slots && std::ranges::any_of(analysis.block_materials, is_thrown))
+    warn("initial_velocity_without_effect",
+         "initial velocities are read, but blocks do not start with them: as in the Berkeley program they start with "
+         "the "
+         "values of the stress gradient (quirk.start_velocity_slots=off, or dialect ddaml of a case file, takes the "
+         "velocities)");
   const auto is_strained = [](const BlockMaterial& m) { return m.initial_strain != std::array<double, 3>{}; };
   if (std::ranges::any_of(analysis.block_materials, is_strained))
     warn("initial_strain_without_effect", "initial strains are read, but move nothing, as in the old program");

@@ -30,6 +30,8 @@ double read_real(const Range& range, const std::string& name, const std::string&
   const std::optional<double> value = parse<double>(text);
   const bool in_range = value && std::isfinite(*value) && *value <= range.greatest &&
                         (range.open ? *value > range.least : *value >= range.least);
+  if (value && std::isfinite(*value) && std::abs(*value) > kGreatestQuantity)
+    refuse_value(name, fmt::format("a number of at most {:g} in size", kGreatestQuantity), text);
   if (!in_range) refuse_value(name, words_for(range), text);
   return *value;
 }

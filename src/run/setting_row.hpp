@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/settings.hpp"
+#include "problem/magnitudes.hpp"
 
 namespace keyblock {
 
@@ -24,9 +25,9 @@ struct ValueText {
 
 /// `open`: the least value itself is excluded.
 struct Range {
-  double least = -std::numeric_limits<double>::max();
+  double least = -kGreatestQuantity;
   bool open = false;
-  double greatest = std::numeric_limits<double>::max();
+  double greatest = kGreatestQuantity;
 };
 
 ValueText<double> real(Range range);

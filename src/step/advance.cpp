@@ -3,11 +3,11 @@
 #include "step/advance.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/listed.hpp"
 #include "contact/carry.hpp"
 #include "contact/detect.hpp"
 #include "model/from_blocks.hpp"
@@ -209,7 +209,7 @@ class Attempts {
   }
   static std::string one_based(std::vector<std::size_t> numbers) {
     for (std::size_t& n : numbers) ++n;
-    return fmt::format("{}", fmt::join(numbers, ", "));
+    return listed(numbers);
   }
 
   const Scene& scene_;

@@ -3,10 +3,10 @@
 #include "step/equilibrium.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "base/listed.hpp"
 #include "base/worse.hpp"
 #include "contact/ties.hpp"
 #include "step/acceleration.hpp"
@@ -35,7 +35,8 @@ bool is_held(const StandardScene& scene, ElementIndex e) {
 
 double size_of_force(const Unknowns& force, double size) {
   if (force.size() == 0) return 0;
-  return worse(force.head<2>().norm(), force.tail(force.size() - 2).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / size);
+  return worse(force.head<2>().stableNorm(),
+               force.tail(force.size() - 2).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / size);
 }
 
 // Of each held point, from where it is wanted.
@@ -109,7 +110,7 @@ std::string no_equilibrium(const StandardScene& scene, const std::vector<Element
   for (ElementIndex e : blocks) numbers.push_back(e.value + 1);
   const bool several = numbers.size() > 1;
   const bool is_of_body = std::ranges::any_of(blocks, [&](ElementIndex e) { return scene.reference.is_on_covers(e); });
-  return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", fmt::join(numbers, ", "),
+  return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", listed(numbers),
                      several ? "" : "s", is_of_body ? "; no two fixed points hold what it is part of" : "");
 }
 

@@ -113,7 +113,7 @@ First settled_first(const StandardScene& scene, Motion motion, const std::string
            why, 0, made.unsolved_steps}};
 }
 
-First first_motion(const StandardScene& scene) {
+First asked_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
@@ -135,6 +135,14 @@ First first_motion(const StandardScene& scene) {
                                                           counted(static_cast<std::size_t>(start.bolts), "bolt"));
   return {
       std::move(start.motion), std::move(start.failure), {"compatible", balanced_by(scene, what), {}, start.misfit, 0}};
+}
+
+// Loads that press a block through itself have no start: such a run ends with the scene as drawn.
+First first_motion(const StandardScene& scene) {
+  First first = asked_motion(scene);
+  const std::string what = impossible(state_of(scene, first.motion));
+  if (!first.failure.empty() || what.empty()) return first;
+  return {{}, fmt::format("no start under the first loads: {}", what), {}};
 }
 
 ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, StandardStep step, double dt) {

@@ -57,6 +57,11 @@ class StaticSolve {
 
   StandardStep run() {
     if (!choose_scales()) return finished();
+    if (!std::isfinite(load_)) {
+      result_.residual = 1;
+      result_.failure = "the loads are too great to be calculated with";
+      return finished();
+    }
     const Balance at_start = balance_of(scene_, start_, time_, load_);
     result_.residual = at_start.share;
     if (at_start.holds()) return finished();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/solve.hpp"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,7 @@ BlockFactor factor_of(const BlockMatrix& matrix, std::shared_ptr<const BlockPatt
 
 double relative_residual(const System& system, const Eigen::VectorXd& residual) {
   const double load = system.load.norm();
+  if (!std::isfinite(load)) return load;  // its square overflows: nothing is small against it
   return load > 0 ? residual.norm() / load : residual.norm();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/sparse_solve.hpp"
 
+#include <cmath>
+
 namespace keyblock {
 namespace {
 
@@ -20,7 +22,7 @@ SparseSolution solve(const SparseSystem& system, Definiteness definiteness) {
   solution.factor_entries = factor.entries();
   const Eigen::VectorXd left = system.load() - system.times(solution.x);
   const double norm = system.load().norm();
-  solution.residual = norm > 0 ? left.norm() / norm : left.norm();
+  solution.residual = !std::isfinite(norm) ? norm : norm > 0 ? left.norm() / norm : left.norm();
   if (!(solution.residual < kCarried)) throw NotPositiveDefinite("the load moves a body that is not held");
   return solution;
 }

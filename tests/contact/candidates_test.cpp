@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "contact/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock::candidates_test {

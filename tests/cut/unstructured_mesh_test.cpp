@@ -9,6 +9,7 @@
 
 #include "cut/cut_blocks.hpp"
 #include "cut/cut_cover.hpp"
+#include "cut/fit_mesh.hpp"
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 
@@ -89,6 +90,20 @@ TEST(UnstructuredMesh, is_the_same_every_time) {
   const TriangleMesh second = unstructured_mesh(kBox, kGraded);
   EXPECT_EQ(first.nodes, second.nodes);
   EXPECT_EQ(first.triangles, second.triangles);
+}
+
+// Sides of 1e-16 at a point of coordinates about 1 fall on one another: refinement would not end.
+TEST(UnstructuredMesh, sides_that_coordinates_do_not_resolve_are_refused) {
+  const BodyGraph graph = cut_bodies(drawing_of(rectangle_sides({0, 0}, {10, 10}), 0)).graph;
+  MeshPlan plan;
+  plan.kind = MeshKind::unstructured;
+  plan.side = 5;
+  plan.refined = {{{5, 5}, 1e-6}};
+  EXPECT_FALSE(fitted_mesh(plan, graph).mesh.triangles.empty());
+  for (const double side : {1e-16, 5e-324}) {
+    plan.refined[0].side = side;
+    EXPECT_THROW(fitted_mesh(plan, graph), std::invalid_argument) << side;
+  }
 }
 
 }  // namespace keyblock::unstructured_mesh_test

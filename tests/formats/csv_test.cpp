@@ -108,6 +108,20 @@ TEST(Csv, mark_carriage_returns_empty_lines_and_a_missing_last_line_end_are_pass
   EXPECT_EQ(table.rows[1].line, 4);
 }
 
+TEST(Csv, a_lone_carriage_return_ends_a_line) {
+  const CsvTable table = read_csv({"a.csv", "a,b\r1,2\r\"x\ry\",4\r5,6"});
+  EXPECT_EQ(table.header, (std::vector<std::string>{"a", "b"}));
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[0].cells, (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(table.rows[1].cells, (std::vector<std::string>{"x\ry", "4"}));
+  EXPECT_EQ(table.rows[2].line, 5);
+}
+
+TEST(Csv, a_message_shows_forty_characters_of_what_was_found) {
+  const std::string message = complaint(std::string(100, 'x') + "\n1\n");
+  EXPECT_EQ(message, "a.csv:1: error: expected a column \"value\", found \"" + std::string(40, 'x') + "…\"");
+}
+
 TEST(Csv, faults_are_named_with_their_line) {
   EXPECT_EQ(complaint(""), "a.csv: error: expected a header line, found nothing");
   EXPECT_EQ(complaint("value,b\n1,2\n3\n"), "a.csv:3: error: expected 2 cells as in the header, found 1");

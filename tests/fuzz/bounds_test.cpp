@@ -162,10 +162,10 @@ TEST_F(Bounds, a_case_file_of_the_shortest_items_is_read_within_the_limits) {
 }
 
 TEST_F(Bounds, what_fuzzing_once_found_is_stood_by_every_reader) {
-  const std::filesystem::path corpus = std::filesystem::path(KEYBLOCK_SOURCE_DIR) / "tests/fuzz/corpus";
-  for (const auto& entry : std::filesystem::directory_iterator(corpus))
-    for (const Reader& reader : all_readers())
-      expect_within_limits(reader, load(entry.path().string()).text, entry.path().filename().string(), exercise);
+  for (const char* folder : {"tests/fuzz/corpus", "tests/malformed/hostile"})
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(KEYBLOCK_SOURCE_DIR) / folder))
+      for (const Reader& reader : all_readers())
+        expect_within_limits(reader, load(entry.path().string()).text, entry.path().filename().string(), exercise);
 }
 
 }  // namespace keyblock::support

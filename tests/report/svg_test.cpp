@@ -17,6 +17,15 @@ TEST(Svg, words_are_made_safe_and_control_characters_dropped) {
   EXPECT_STREQ(document.child("svg").child("text").text().get(), "a < b & \"c\"");
 }
 
+TEST(Svg, a_name_that_is_no_utf8_leaves_the_page_well_formed) {
+  SvgPage page(10, 10);
+  page.text({1, 1}, "B\xf6schung");
+  page.begin_group("\xff");
+  page.end_group();
+  EXPECT_NE(page.str().find("B\xef\xbf\xbdschung"), std::string::npos);
+  for (const char byte : {'\xf6', '\xff'}) EXPECT_EQ(page.str().find(byte), std::string::npos);
+}
+
 TEST(Svg, shapes_that_are_not_finite_are_left_out) {
   SvgPage page(10, 10);
   page.circle({std::numeric_limits<double>::quiet_NaN(), 0}, 1, {});

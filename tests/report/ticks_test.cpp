@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 namespace keyblock::report::ticks_test {
@@ -36,6 +37,20 @@ TEST(Ticks, any_data_is_covered_by_few_ticks_with_different_labels) {
     EXPECT_LE(axis.ticks.size(), 12U) << low << ' ' << high;
     EXPECT_GE(axis.ticks.size(), 2U);
     EXPECT_EQ(std::set(axis.labels.begin(), axis.labels.end()).size(), axis.labels.size()) << low << ' ' << high;
+  }
+}
+
+// The smallest number there is divided by five is 0, and the span of the greatest is none.
+TEST(Ticks, the_least_and_the_greatest_numbers_have_an_axis_too) {
+  const double cases[][2] = {{0, 5e-324},      {-5e-324, 5e-324},   {0, 1e-300},
+                             {1e-291, 3e-291}, {-1.7e308, 1.7e308}, {0, 1.7e308}};
+  for (const auto& [low, high] : cases) {
+    const Axis axis = make_axis(low, high, 6);
+    ASSERT_GE(axis.ticks.size(), 2U) << low << ' ' << high;
+    EXPECT_LE(axis.ticks.size(), 12U) << low << ' ' << high;
+    EXPECT_LT(axis.low(), axis.high());
+    EXPECT_TRUE(std::isfinite(axis.high() - axis.low()));
+    EXPECT_EQ(axis.labels.size(), axis.ticks.size());
   }
 }
 

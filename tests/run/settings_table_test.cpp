@@ -32,6 +32,8 @@ TEST(SettingsTable, wrong_names_and_values_are_refused) {
                                                                   {"steps", "2x"},
                                                                   {"time_step", "0"},
                                                                   {"time_step", "nan"},
+                                                                  {"time_step", "1e308"},
+                                                                  {"gravity.x", "-1e155"},
                                                                   {"velocity_carry_over", "1.5"},
                                                                   {"rotation", "linear"},
                                                                   {"quirk.stale_contact_list", "true"},

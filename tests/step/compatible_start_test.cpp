@@ -197,4 +197,22 @@ TEST(CompatibleStart, three_bolts_share_the_weight_by_their_stiffness) {
   }
 }
 
+// Weight that presses a block through itself, and lengths whose forces underflow, gave frames of NaN or of blocks inside out.
+TEST(CompatibleStart, a_start_that_is_none_leaves_the_scene_as_drawn_and_ends_the_run) {
+  Blocks blocks;
+  blocks.blocks = {support::rectangle({0, -1}, {10, 0}), support::rectangle({1, 0}, {2, 1})};
+  blocks.fixed_points = {{{1, -0.5}, 0, {}}, {{9, -0.5}, 0, {}}};
+  Analysis analysis = plain_analysis(kStep, 10);
+  analysis.block_materials[0].unit_weight = 1e12;
+  Settings settings = standard_settings(analysis);
+  settings.gravity = {0, -1e12 / 2500};
+  StandardStepper stepper(standard_scene_of(blocks, analysis, settings));
+  EXPECT_EQ(impossible(stepper.state()), "");
+  EXPECT_EQ(stepper.state().elements[ElementIndex{1}].centroid, (Point{1.5, 0.5}));
+  const auto made = stepper.advance();
+  ASSERT_TRUE(std::holds_alternative<StepFailure>(made));
+  const std::string reason = std::get<StepFailure>(made).reason;
+  EXPECT_NE(reason.find("no start under the first loads: block 2"), std::string::npos) << reason;
+}
+
 }  // namespace keyblock::compatible_start_test

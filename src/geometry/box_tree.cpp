@@ -1,11 +1,10 @@
 // The only file that sees Boost's trees.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <iterator>
 
 namespace keyblock {
 namespace {
@@ -23,18 +22,23 @@ TreeBox grown(const Box& box, double by) {
 
 }  // namespace
 
-std::vector<std::pair<int, int>> touching_by_tree(const std::vector<Box>& boxes, double distance) {
+void visit_touching(const std::vector<Box>& boxes, double distance, const std::function<bool(int, int)>& visit) {
   std::vector<Entry> entries;
   for (const Box& box : boxes) entries.emplace_back(grown(box, 0), static_cast<int>(entries.size()));
   const index::rtree<Entry, index::rstar<kEntriesOfNode>> tree(entries);
-  std::vector<std::pair<int, int>> pairs;
-  std::vector<Entry> met;
   for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
-    met.clear();
-    tree.query(index::intersects(grown(boxes[static_cast<std::size_t>(i)], distance)), std::back_inserter(met));
-    for (const auto& [box, j] : met)
-      if (j > i) pairs.emplace_back(i, j);
+    const auto reach = index::intersects(grown(boxes[static_cast<std::size_t>(i)], distance));
+    for (auto met = tree.qbegin(reach); met != tree.qend(); ++met)
+      if (met->second > i && !visit(i, met->second)) return;
   }
+}
+
+std::vector<std::pair<int, int>> touching_by_tree(const std::vector<Box>& boxes, double distance) {
+  std::vector<std::pair<int, int>> pairs;
+  visit_touching(boxes, distance, [&](int i, int j) {
+    pairs.emplace_back(i, j);
+    return true;
+  });
   return pairs;
 }
 

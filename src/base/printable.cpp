@@ -1,0 +1,66 @@
+// Byte by byte; see printable.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/printable.hpp"
+
+#include <fmt/format.h>
+
+namespace keyblock {
+namespace {
+
+unsigned char byte(char c) {
+  return static_cast<unsigned char>(c);
+}
+
+/// Bytes of a character by its first; 0 where none begins so.
+std::size_t size_by_first(unsigned char first) {
+  if (first < 0x80) return 1;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  return first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+}
+
+/// Bytes of the character that begins the text; 0 where none does (RFC 3629: no overlong form, no surrogate).
+std::size_t character_size(std::string_view text) {
+  const unsigned char first = byte(text[0]);
+  const std::size_t size = size_by_first(first);
+  if (size < 2 || text.size() < size) return size == 1 ? 1 : 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if ((byte(text[i]) & 0xc0) != 0x80) return 0;
+  const unsigned char second = byte(text[1]);
+  const bool is_overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool is_beyond = (first == 0xed && second > 0x9f) || (first == 0xf4 && second > 0x8f);
+  return is_overlong || is_beyond ? 0 : size;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string safe;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned char c = byte(text[i]);
+    const bool is_second_control =
+        c == 0xc2 && i + 1 < text.size() && byte(text[i + 1]) >= 0x80 && byte(text[i + 1]) < 0xa0;
+    if (is_second_control) {
+      safe += fmt::format("\\x{:02x}", byte(text[++i]));
+    } else if (c < 0x20 || c == 0x7f) {
+      safe += fmt::format("\\x{:02x}", c);
+    } else {
+      safe += text[i];
+    }
+  }
+  return safe;
+}
+
+std::string valid_utf8(std::string_view text) {
+  std::string valid;
+  while (!text.empty()) {
+    const std::size_t size = character_size(text);
+    if (size == 0)
+      valid += "\xef\xbf\xbd";
+    else
+      valid += text.substr(0, size);
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+  return valid;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,17 @@
+// Names and words of files as they may stand on a terminal.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace keyblock {
+
+/// The text with its control characters written out, `\x1b`, those of two bytes (U+0080 to U+009F) too: a name in a file
+/// must not clear the screen of who reads it.
+std::string printable(std::string_view text);
+
+/// UTF-8, and a text that is none with a question mark in a lozenge (U+FFFD) for each byte that fits nowhere.
+std::string valid_utf8(std::string_view text);
+
+}  // namespace keyblock

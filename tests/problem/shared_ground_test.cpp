@@ -1,0 +1,72 @@
+// Blocks in one place and holes outside their blocks are told of; neighbours and joints as wide as a cutter's tolerance are not.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "problem/shared_ground.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace keyblock::shared_ground_test {
+namespace {
+
+BlockPolygon rectangle(Point low, Point high) {
+  return {0, {{low, 0}, {{high.x, low.y}, 0}, {high, 0}, {{low.x, high.y}, 0}}, {}};
+}
+
+Blocks of(std::vector<BlockPolygon> polygons) {
+  Blocks blocks;
+  blocks.blocks = std::move(polygons);
+  blocks.place = {"b"};
+  return blocks;
+}
+
+std::string sentence_of(const Blocks& blocks) {
+  const Warnings warnings = shared_ground(blocks);
+  return warnings.empty() ? "" : warnings.front().sentence;
+}
+
+}  // namespace
+
+TEST(SharedGround, the_first_pair_is_named_with_its_share_and_the_number_of_all) {
+  const BlockPolygon block = rectangle({1, 0}, {2, 1});
+  const Blocks blocks = of({rectangle({0, -1}, {10, 0.25}), block, block, block});
+  EXPECT_EQ(
+      sentence_of(blocks),
+      "block 2 lies in block 1 by 25 % of the smaller one; so do 5 other pairs: contact drives them apart, or lets "
+      "them be");
+}
+
+TEST(SharedGround, neighbours_and_overlaps_of_a_cutter_are_not_told) {
+  EXPECT_EQ(sentence_of(of({rectangle({0, 0}, {1, 1}), rectangle({1, 0}, {2, 1}), rectangle({0, 1}, {2, 2})})), "");
+  EXPECT_EQ(sentence_of(of({rectangle({0, 0}, {1, 1}), rectangle({0.995, 0}, {2, 1})})), "");
+}
+
+// 3,000 blocks in one place are 4.5 million pairs.
+TEST(SharedGround, of_very_many_pairs_a_thousand_are_counted) {
+  const std::string sentence = sentence_of(of(std::vector<BlockPolygon>(3000, rectangle({0, 0}, {1, 1}))));
+  EXPECT_NE(sentence.find("so do at least 999 other pairs"), std::string::npos) << sentence;
+}
+
+TEST(SharedGround, a_hole_lies_in_its_block_and_turns_the_other_way) {
+  const auto with_hole = [](BlockLoop hole) {
+    BlockPolygon block = rectangle({0, 0}, {4, 4});
+    block.place = {"b", 3, 5};
+    block.holes = {std::move(hole)};
+    return of({block});
+  };
+  BlockLoop hole = rectangle({1, 1}, {3, 3}).outer;
+  const auto turned_wrongly = misplaced_holes(with_hole(hole));
+  ASSERT_EQ(turned_wrongly.size(), 1U);
+  EXPECT_STREQ(turned_wrongly.front().what(),
+               "b:3:5: error: expected hole 1 of block 1 clockwise with an area, found area 4");
+  std::ranges::reverse(hole);
+  EXPECT_TRUE(misplaced_holes(with_hole(hole)).empty());
+  for (BlockVertex& vertex : hole) vertex.position.x += 2.5;
+  const auto outside = misplaced_holes(with_hole(hole));
+  ASSERT_EQ(outside.size(), 1U);
+  EXPECT_NE(std::string(outside.front().what()).find("within its outer loop, found a corner of it at (5.5, 3)"),
+            std::string::npos)
+      << outside.front().what();
+}
+
+}  // namespace keyblock::shared_ground_test
