@@ -282,4 +282,19 @@ TEST(StaticStep, a_held_strip_on_covers_bends_further_than_its_size) {
   }
 }
 
+// The square of 1e155 overflows: against it all that is out of balance was nothing, and the blocks stood still.
+TEST(StaticStep, loads_whose_squares_overflow_are_not_taken_for_balanced) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({0, -1}, {10, 0}), rectangle({1, 0}, {2, 1})};
+  blocks.fixed_points = {{{1, -0.5}, 0, {}}, {{9, -0.5}, 0, {}}};
+  for (const double weight : {1e155, 1e300}) {
+    Analysis analysis = plain_analysis(1e-3, 1);
+    analysis.gravity.reset();
+    analysis.velocity_carry_over = 0;
+    analysis.block_materials[0].unit_weight = weight;
+    StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
+    EXPECT_TRUE(std::holds_alternative<StepFailure>(stepper.advance())) << weight;
+  }
+}
+
 }  // namespace keyblock::static_step_test
