@@ -8,10 +8,10 @@
 #include <array>
 #include <utility>
 
-#include "formats/analysis_parts.hpp"
-#include "formats/dda_analysis.hpp"
-#include "formats/dxf.hpp"
-#include "formats/nmm_analysis.hpp"
+#include "formats/dxf/dxf.hpp"
+#include "formats/shi/analysis_parts.hpp"
+#include "formats/shi/dda_analysis.hpp"
+#include "formats/shi/nmm_analysis.hpp"
 
 namespace keyblock::formats {
 namespace {

@@ -10,7 +10,7 @@ namespace keyblock::formats {
 namespace {
 
 constexpr std::array<Knowledge, 18> kTable{{
-    {"keyblock-case", "documented here: formats/keyblock_case.hpp, `keyblock formats --schema`",
+    {"keyblock-case", "documented here: formats/case_file/keyblock_case.hpp, `keyblock formats --schema`",
      R"({
  "keyblock": 1,
  "units": {"length": "m", "mass": "kg", "time": "s"},
@@ -73,7 +73,7 @@ constexpr std::array<Knowledge, 18> kTable{{
     {"motion-shake", "public source; no real file seen", "a quake\n3\n.1 .2 .3\n"},
     {"motion-matlab", "public source; no real file seen", ".01 3\n.1\n.2\n.3\n"},
     {"vtk", "documented by VTK; written for viewers, not read", ""},
-    {"csv", "documented here: formats/views.hpp; not read", ""},
+    {"csv", "documented here: formats/views/views.hpp; not read", ""},
 }};
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "formats/format.hpp"
-#include "formats/tokens.hpp"
+#include "formats/text/tokens.hpp"
 
 namespace keyblock::formats {
 

@@ -1,7 +1,7 @@
 """Writes the files of a case (block file, DDAML analysis, expected.csv, case.json) for the make_input.py of the cases, and
 integrates the equations of motion that their expected values come from.
 
-Layouts: formats/dda_blocks.hpp and formats/ddaml_analysis.hpp. Python 3, standard library only.
+Layouts: formats/shi/dda_blocks.hpp and formats/berkeley/ddaml_analysis.hpp. Python 3, standard library only.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv

@@ -1,6 +1,6 @@
 """Writes the files of a case (block file, Shi's analysis file, expected.csv, case.json) for the make_input.py of the cases.
 
-Layouts: formats/dda_blocks.hpp and formats/dda_analysis.hpp. Python 3, standard library only.
+Layouts: formats/shi/dda_blocks.hpp and formats/shi/dda_analysis.hpp. Python 3, standard library only.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv

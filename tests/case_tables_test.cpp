@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "formats/csv.hpp"
+#include "formats/text/csv.hpp"
 
 namespace keyblock::formats::case_tables_test {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <ostream>
 
-#include "run/profile.hpp"
-#include "study/compare.hpp"
+#include "settings/profile.hpp"
+#include "study/cases/compare.hpp"
 
 namespace keyblock::study::cases_test {
 

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "formats/csv.hpp"
 #include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "formats/csv.hpp"
 #include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "formats/case.hpp"
-#include "formats/csv.hpp"
+#include "formats/text/csv.hpp"
 
 namespace keyblock::toppling_column_test {
 namespace {

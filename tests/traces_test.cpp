@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "formats/case.hpp"
-#include "formats/csv.hpp"
 #include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
-#include "study/trace.hpp"
+#include "study/cases/trace.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/shared_folder.hpp"
 #include "tests/support/text_files.hpp"

@@ -24,7 +24,6 @@
 #include <vector>
 
 #include "app/command.hpp"
-#include "app/usage_error.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 

@@ -1,4 +1,4 @@
-// What is said about input: where it stands, the one error that stops a run, and the warnings that do not.
+// What can go wrong with input, the command line and output: the errors that stop a run, the warnings that do not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -77,5 +77,17 @@ inline Warnings joined(Warnings first, const Warnings& second) {
 
 /// `file:line:column: warning: sentence [name]`.
 std::string to_string(const Warning& warning);
+
+/// What the user asked for cannot be done as asked; exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Results that cannot be written: a disk that is full, a folder taken away during the run; exit code 4.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 }  // namespace keyblock

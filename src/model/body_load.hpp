@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "model/settings.hpp"
+#include "settings/settings.hpp"
 
 namespace keyblock {
 

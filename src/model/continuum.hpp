@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "model/cover_basis.hpp"
-#include "model/settings.hpp"
 #include "problem/analysis.hpp"
 #include "problem/manifold.hpp"
+#include "settings/settings.hpp"
 
 namespace keyblock {
 

@@ -7,7 +7,7 @@
 #include "geometry/simplex.hpp"
 #include "model/cover_kinematics.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "settings/settings.hpp"
 
 namespace keyblock {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "settings/settings.hpp"
 
 namespace keyblock {
 

@@ -7,7 +7,7 @@
 
 #include "geometry/simplex.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "settings/settings.hpp"
 
 namespace keyblock {
 

@@ -7,9 +7,9 @@
 #include <set>
 #include <vector>
 
-#include "report/colours.hpp"
-#include "report/scene.hpp"
-#include "report/svg.hpp"
+#include "report/drawing/colours.hpp"
+#include "report/drawing/scene.hpp"
+#include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "report/svg.hpp"
+#include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
 namespace {

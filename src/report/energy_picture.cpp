@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "report/chart.hpp"
+#include "report/drawing/chart.hpp"
 
 namespace keyblock::report {
 namespace {

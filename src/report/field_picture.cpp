@@ -9,11 +9,11 @@
 #include <cmath>
 #include <functional>
 
-#include "report/colours.hpp"
+#include "report/drawing/colours.hpp"
+#include "report/drawing/scene.hpp"
+#include "report/drawing/svg.hpp"
+#include "report/drawing/ticks.hpp"
 #include "report/page.hpp"
-#include "report/scene.hpp"
-#include "report/svg.hpp"
-#include "report/ticks.hpp"
 
 namespace keyblock::report {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "report/colours.hpp"
+#include "report/drawing/colours.hpp"
+#include "report/drawing/scene.hpp"
 #include "report/page.hpp"
-#include "report/scene.hpp"
 
 namespace keyblock::report {
 namespace {

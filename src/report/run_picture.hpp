@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/chart.hpp"
+#include "report/drawing/chart.hpp"
 #include "result/frame.hpp"
 
 namespace keyblock::report {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "report/svg.hpp"
+#include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
 namespace {

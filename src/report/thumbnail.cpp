@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/polygon.hpp"
-#include "report/colours.hpp"
-#include "report/svg.hpp"
+#include "report/drawing/colours.hpp"
+#include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
 namespace {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "report/colours.hpp"
-#include "report/plot.hpp"
-#include "report/scene.hpp"
+#include "report/drawing/colours.hpp"
+#include "report/drawing/plot.hpp"
+#include "report/drawing/scene.hpp"
 
 namespace keyblock::report {
 namespace {

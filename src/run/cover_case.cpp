@@ -11,12 +11,12 @@
 #include <stdexcept>
 
 #include "geometry/polygon.hpp"
-#include "model/free_pieces.hpp"
+#include "model/setup/free_pieces.hpp"
 #include "run/cover_plan_parts.hpp"
 #include "run/planned_bodies.hpp"
 #include "run/prepare.hpp"
-#include "run/profile.hpp"
-#include "run/settings_table.hpp"
+#include "settings/profile.hpp"
+#include "settings/settings_table.hpp"
 
 namespace keyblock {
 namespace {

@@ -11,7 +11,7 @@
 #include "problem/problem.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
-#include "step/linear_static.hpp"
+#include "step/bodies/linear_static.hpp"
 
 namespace keyblock {
 

@@ -9,15 +9,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "cut/cut_cover.hpp"
-#include "cut/fit_mesh.hpp"
-#include "cut/from_cover.hpp"
-#include "cut/mesh_blocks.hpp"
-#include "cut/to_cover.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/covers/from_cover.hpp"
+#include "cut/covers/mesh_blocks.hpp"
+#include "cut/covers/to_cover.hpp"
+#include "cut/mesh/fit_mesh.hpp"
 #include "model/continuum.hpp"
-#include "model/from_blocks.hpp"
-#include "model/from_manifold.hpp"
-#include "model/join.hpp"
+#include "model/setup/from_blocks.hpp"
+#include "model/setup/from_manifold.hpp"
+#include "model/setup/join.hpp"
 #include "run/cover_plan_parts.hpp"
 #include "run/planned_bodies.hpp"
 

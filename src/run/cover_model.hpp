@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cut/cut_blocks.hpp"
+#include "cut/bodies/cut_blocks.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
 #include "problem/problem.hpp"
+#include "settings/settings.hpp"
 
 namespace keyblock {
 

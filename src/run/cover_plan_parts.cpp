@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "cut/to_cover.hpp"
+#include "cut/covers/to_cover.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"

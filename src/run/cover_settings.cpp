@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "cut/fit_mesh.hpp"
+#include "cut/mesh/fit_mesh.hpp"
 #include "model/cover_basis.hpp"
 
 namespace keyblock {

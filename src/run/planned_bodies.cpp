@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "cut/cut_cover.hpp"
-#include "cut/excavate.hpp"
-#include "cut/fit_mesh.hpp"
-#include "cut/join_manifolds.hpp"
+#include "cut/bodies/excavate.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/covers/join_manifolds.hpp"
+#include "cut/mesh/fit_mesh.hpp"
 
 namespace keyblock {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "cut/cut_blocks.hpp"
+#include "cut/bodies/cut_blocks.hpp"
 #include "problem/manifold.hpp"
 #include "problem/problem.hpp"
 

@@ -10,19 +10,19 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "cut/from_cover.hpp"
-#include "model/choose_basis.hpp"
-#include "model/from_blocks.hpp"
-#include "model/from_manifold.hpp"
-#include "model/hanging.hpp"
-#include "model/joint_strength.hpp"
+#include "cut/covers/from_cover.hpp"
+#include "legacy/step/hanging.hpp"
+#include "model/setup/choose_basis.hpp"
+#include "model/setup/from_blocks.hpp"
+#include "model/setup/from_manifold.hpp"
+#include "model/setup/joint_strength.hpp"
 #include "run/cover_model.hpp"
 #include "run/planned_bodies.hpp"
-#include "run/profile.hpp"
-#include "run/setting_row.hpp"
-#include "run/settings_table.hpp"
-#include "step/enforcement.hpp"
-#include "step/standard_scene.hpp"
+#include "settings/profile.hpp"
+#include "settings/setting_row.hpp"
+#include "settings/settings_table.hpp"
+#include "step/scene/enforcement.hpp"
+#include "step/scene/standard_scene.hpp"
 #include "system/sparse_factor.hpp"
 
 namespace keyblock {
@@ -286,7 +286,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(cut.warnings),
-          std::move(needs),      scene_of(std::move(model), settings, problem.analysis->dialect)};
+          std::move(needs),      Scene{std::move(model), settings}};
 }
 
 }  // namespace keyblock

@@ -7,15 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "cut/cut_blocks.hpp"
-#include "model/requirements.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "model/scene.hpp"
+#include "model/setup/requirements.hpp"
 #include "problem/problem.hpp"
-#include "step/advance.hpp"
+#include "settings/settings_table.hpp"
 
 namespace keyblock {
-
-/// A setting the user gave on top of the profile: name and value as text.
-using Override = std::pair<std::string, std::string>;
 
 /// A scene, what it takes, and how it came about.
 struct Prepared {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/union_find.hpp"
+#include "model/shared_covers.hpp"
 
 namespace keyblock {
 namespace {
@@ -41,27 +41,6 @@ std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const
     frames.push_back({states[i].position, states[i].displacement, points[i].element.value,
                       state.elements[points[i].element].stress});
   return frames;
-}
-
-// Elements that hang together, of each element the number of its body, counted from 0 in their order.
-std::vector<int> bodies_of(const Model& model) {
-  std::vector<int> first_of_cover;  // the first element on it, or -1
-  UnionFind groups(model.elements.size());
-  for (ElementIndex e : indices(model.elements)) {
-    for (const int cover : model.elements[e].covers) {
-      const auto c = static_cast<std::size_t>(cover);
-      if (c >= first_of_cover.size()) first_of_cover.resize(c + 1, -1);
-      if (first_of_cover[c] < 0) first_of_cover[c] = e.value;
-      groups.unite(first_of_cover[c], e.value);
-    }
-  }
-  std::vector<int> bodies;
-  int count = 0;
-  for (ElementIndex e : indices(model.elements)) {
-    const int lowest = groups.find(e.value);
-    bodies.push_back(lowest == e.value ? count++ : bodies[static_cast<std::size_t>(lowest)]);
-  }
-  return bodies;
 }
 
 }  // namespace
@@ -119,7 +98,7 @@ FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const StartPlaces& start = stepper.unloaded();
   FieldFrame field{state.step, state.time, {}};
   if (model.nodes.empty()) return field;
-  const std::vector<int> bodies = bodies_of(model);
+  const std::vector<int> bodies = body_numbers(model);
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const Point centroid = start.elements[e].centroid;

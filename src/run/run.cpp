@@ -4,6 +4,7 @@
 
 #include "base/stop.hpp"
 #include "run/record.hpp"
+#include "run/steppers.hpp"
 
 namespace keyblock {
 namespace {
@@ -53,7 +54,7 @@ class Loop {
     if (!is_framed()) show();
     outcome.steps = state().step;
     outcome.time = state().time;
-    outcome.field = field_of(scene_.model, stepper_);
+    outcome.field = field_of(stepper_.model(), stepper_);
     return outcome;
   }
 
@@ -63,17 +64,17 @@ class Loop {
 
   void show() {
     if (!observer_.on_frame) return;
-    Frame frame = frame_of(scene_.model, state(), stepper_.unloaded(), scene_.settings);
-    put_point_stress(frame.measured_points, scene_.model, stepper_);
+    Frame frame = frame_of(stepper_.model(), state(), stepper_.unloaded(), scene_.settings);
+    put_point_stress(frame.measured_points, stepper_.model(), stepper_);
     observer_.on_frame(frame);
   }
 
   void keep_row() {
-    const bool measures = !scene_.model.measured_points.empty();
+    const bool measures = !stepper_.model().measured_points.empty();
     const bool is_due = measures || is_framed() || state().step == scene_.settings.step_count;
     if (!observer_.on_row || !is_due) return;
-    HistoryRow row = history_row(scene_.model, state(), stepper_.unloaded());
-    if (measures) put_point_stress(row.points, scene_.model, stepper_);
+    HistoryRow row = history_row(stepper_.model(), state(), stepper_.unloaded());
+    if (measures) put_point_stress(row.points, stepper_.model(), stepper_);
     observer_.on_row(row);
   }
 

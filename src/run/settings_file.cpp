@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "run/cover_settings.hpp"
-#include "run/profile.hpp"
-#include "run/settings_table.hpp"
+#include "settings/profile.hpp"
+#include "settings/settings_table.hpp"
 
 namespace keyblock {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "run/prepare.hpp"
+#include "settings/settings_table.hpp"
 
 namespace keyblock {
 

@@ -1,4 +1,4 @@
-// One line a member.
+// Saves and restores a motion, member by member.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/describe_memory.hpp"
 
@@ -8,30 +8,6 @@
 
 namespace keyblock {
 namespace {
-
-void describe(Archive& a, const char* name, Triple& triple, VertexIndex vertices) {
-  a.group(name, [&] {
-    a.index("vertex", triple.vertex, vertices);
-    a.index("start", triple.start, vertices);
-    a.index("end", triple.end, vertices);
-  });
-}
-
-void describe(Archive& a, Contact& contact, VertexIndex vertices) {
-  a.choice("kind", contact.kind, ContactKind::vertex_vertex);
-  describe(a, "first", contact.first, vertices);
-  describe(a, "second", contact.second, vertices);
-  a.value("parallel_pair", contact.parallel_pair);
-  a.index("neighbour", contact.neighbour, vertices);
-  a.choice("state", contact.state, ContactState::on_second_line);
-  a.choice("state_before", contact.state_before, ContactState::on_second_line);
-  a.value("distance", contact.distance);
-  a.value("slip", contact.slip);
-  a.value("ratio", contact.ratio);
-  a.value("length", contact.length);
-  a.value("penalty", contact.penalty);
-  a.value("bonded", contact.bonded);
-}
 
 void describe(Archive& a, Facing& facing, VertexIndex vertices) {
   a.index("lower", facing.lower, vertices);
@@ -86,19 +62,6 @@ void describe(Archive& a, const char* name, UnknownsTable& table) {
 }
 
 }  // namespace
-
-void describe(Archive& a, Stepping& stepping) {
-  a.group("state", [&] { describe(a, stepping.state); });
-  const VertexIndex vertices = stepping.state.vertices.end_index();
-  a.list("contacts", stepping.contacts, [&](Contact& contact) { describe(a, contact, vertices); });
-  a.value("dt", stepping.history.dt);
-  a.value("displacement_ratio", stepping.history.displacement_ratio);
-  a.value("penetration", stepping.history.penetration);
-  a.value("last_penalty", stepping.history.penalty);
-  a.value("penalty", stepping.penalty);
-  a.value("has_solved", stepping.has_solved);
-  a.value("gave_up_iterations", stepping.solver.gave_up_iterations);
-}
 
 void describe(Archive& a, ClosedContacts& contacts, VertexIndex vertices) {
   a.list("contacts", contacts.by_touch_, [&](ClosedContact& contact) {

@@ -12,21 +12,21 @@
 
 #include "base/counted.hpp"
 #include "base/stop.hpp"
-#include "contact/gap.hpp"
+#include "contact/rows/gap.hpp"
 #include "material/elastic.hpp"
 #include "model/body_load.hpp"
 #include "result/describe.hpp"
-#include "step/acceleration.hpp"
-#include "step/compatible_start.hpp"
-#include "step/contact_laws.hpp"
 #include "step/describe_memory.hpp"
-#include "step/enforcement.hpp"
-#include "step/equilibrium.hpp"
-#include "step/ledger.hpp"
-#include "step/relaxation.hpp"
-#include "step/settled_start.hpp"
-#include "step/static_step.hpp"
-#include "step/touch_search.hpp"
+#include "step/rest/compatible_start.hpp"
+#include "step/rest/relaxation.hpp"
+#include "step/rest/settled_start.hpp"
+#include "step/rest/static_step.hpp"
+#include "step/scene/acceleration.hpp"
+#include "step/scene/contact_laws.hpp"
+#include "step/scene/enforcement.hpp"
+#include "step/scene/equilibrium.hpp"
+#include "step/scene/touch_search.hpp"
+#include "step/time/ledger.hpp"
 
 namespace keyblock {
 namespace {
@@ -224,7 +224,8 @@ State state_of(const StandardScene& scene, const Motion& motion) {
   return state;
 }
 
-StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(scene.model, scene.settings)) {
+StandardStepper::StandardStepper(Scene scene)
+    : scene_(standard_scene(std::move(scene.model), std::move(scene.settings))) {
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
   unloaded_ = places_of(state_of(scene_, start_motion(scene_)));
@@ -237,8 +238,8 @@ StandardStepper::StandardStepper(const Scene& scene) : scene_(standard_scene(sce
   if (scene_.settings.ledger == Bookkeeping::on) ledger_ = ledger_row(scene_, motion_);
 }
 
-StandardStepper::StandardStepper(const Scene& scene, Archive& saved)
-    : scene_(standard_scene(scene.model, scene.settings)), motion_(start_motion(scene_)) {
+StandardStepper::StandardStepper(Scene scene, Archive& saved)
+    : scene_(standard_scene(std::move(scene.model), std::move(scene.settings))), motion_(start_motion(scene_)) {
   unloaded_ = places_of(state_of(scene_, motion_));
   describe(saved);
 }

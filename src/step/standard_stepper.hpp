@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "step/controlled_step.hpp"
 #include "step/stepper.hpp"
+#include "step/time/controlled_step.hpp"
 
 namespace keyblock {
 
 class StandardStepper : public Stepper {
  public:
   /// Throws std::invalid_argument for a scene that is `unsupported`.
-  explicit StandardStepper(const Scene& scene);
+  explicit StandardStepper(Scene scene);
   /// As it was saved, of the same scene.
-  StandardStepper(const Scene& scene, Archive& saved);
+  StandardStepper(Scene scene, Archive& saved);
 
+  const Model& model() const override { return scene_.model; }
   const State& state() const override { return state_; }
   const StartPlaces& unloaded() const override { return unloaded_; }
   Stress stress_at(ElementIndex e, Point start) const override;

@@ -2,20 +2,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "base/archive.hpp"
+#include "model/scene.hpp"
+#include "model/state.hpp"
 #include "result/ledger.hpp"
 #include "result/start_report.hpp"
-#include "step/advance.hpp"
+#include "result/step_report.hpp"
 
 namespace keyblock {
+
+/// A step that could not be made: the state is that of the last accepted step.
+struct StepFailure {
+  std::string reason;                 ///< one sentence
+  std::vector<std::size_t> contacts;  ///< numbers (from 0) of the contacts that would not settle
+};
 
 class Stepper {
  public:
   virtual ~Stepper() = default;
 
+  /// What the next step will be made on.
+  virtual const Model& model() const = 0;
   /// At the end of the last accepted step.
   virtual const State& state() const = 0;
   /// Before any load: displacements are counted from here.
@@ -26,18 +37,12 @@ class Stepper {
   /// On failure the state is unchanged, and where it throws StopRequested in the middle of a step.
   virtual std::variant<StepReport, StepFailure> advance() = 0;
 
-  /// The books at the end of the last accepted step; of zeros where the settings keep none.
+  /// Energy ledger after the last accepted step; all zero if `ledger = off`.
   virtual LedgerRow ledger() const = 0;
   virtual LedgerScope ledger_scope() const = 0;
 
   /// Everything that the coming steps depend on. Saving changes nothing.
   virtual void save(Archive& archive) = 0;
 };
-
-/// The stepper of the scene's choice of dynamics; the scene must outlive it.
-std::unique_ptr<Stepper> stepper_for(const Scene& scene);
-
-/// The stepper as it was saved, of the same scene; its start is not searched again. Throws InputError.
-std::unique_ptr<Stepper> restored_stepper(const Scene& scene, Archive& archive);
 
 }  // namespace keyblock

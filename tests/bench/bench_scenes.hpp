@@ -77,7 +77,7 @@ inline Scene scene_for(const Blocks& blocks, const std::string& profile, double 
   analysis.time_step *= std::sqrt(ratio / kRatioOfBricks);
   const Settings settings = profile_settings(profile, analysis);
   if (settings.dynamics == Dynamics::standard) return support::standard_scene_of(blocks, analysis, settings);
-  return scene_of(model_from_blocks(blocks, analysis), settings, analysis.dialect);
+  return {model_from_blocks(blocks, analysis), settings};
 }
 
 }  // namespace keyblock::bench

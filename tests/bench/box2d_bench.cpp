@@ -10,9 +10,9 @@
 
 #include "base/heap.hpp"
 #include "base/loop.hpp"
-#include "model/choose_basis.hpp"
-#include "model/from_blocks.hpp"
-#include "step/stepper.hpp"
+#include "model/setup/choose_basis.hpp"
+#include "model/setup/from_blocks.hpp"
+#include "run/steppers.hpp"
 #include "tests/bench/bench_scenes.hpp"
 
 namespace keyblock::bench {
@@ -97,7 +97,7 @@ Scene rigid_scene(const Blocks& blocks, const std::string& profile) {
   settings.standard.start = StartRule::sudden;
   settings.ledger = Bookkeeping::off;
   if (settings.dynamics == Dynamics::standard) return support::standard_scene_of(blocks, analysis, settings);
-  return scene_of(with_moving_bases(model_from_blocks(blocks, analysis), settings.basis), settings, analysis.dialect);
+  return {with_moving_bases(model_from_blocks(blocks, analysis), settings.basis), settings};
 }
 
 Outcome by_us(const Blocks& blocks, const std::vector<Box>& boxes, const std::string& profile) {

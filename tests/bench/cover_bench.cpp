@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "step/cover_motion.hpp"
-#include "step/linear_static.hpp"
+#include "step/bodies/cover_motion.hpp"
+#include "step/bodies/linear_static.hpp"
 #include "tests/support/continuum_benchmarks.hpp"
 
 namespace keyblock::bench {

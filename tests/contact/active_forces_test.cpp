@@ -1,6 +1,6 @@
 // The forces of an active set meet the equations that define it: few by a dense factor, many by way of the blocks, very many by iterations.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/active_forces.hpp"
+#include "contact/solve/active_forces.hpp"
 
 #include <gtest/gtest.h>
 

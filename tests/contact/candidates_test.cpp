@@ -1,6 +1,6 @@
 // The grid finds exactly the pairs that testing all against all finds.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/candidates.hpp"
+#include "contact/find/candidates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST(Candidates, sizes_over_three_decades_are_found_as_all_against_all_finds_the
     scattering.blocks.blocks.push_back(rectangle(low, high));
     scattering.boxes.push_back({low, high});
   }
-  const Scene scene = legacy_scene(scattering.blocks, plain_analysis(1e-3, 1));
+  const ShiScene scene = legacy_scene(scattering.blocks, plain_analysis(1e-3, 1));
   std::vector<Box> boxes;
   for (const auto& [low, high] : scattering.boxes) boxes.push_back({low, high});
   for (double distance : {0.0, 0.01, 1.0}) {
@@ -82,7 +82,7 @@ TEST(Candidates, sizes_over_three_decades_are_found_as_all_against_all_finds_the
 TEST(Candidates, grid_and_all_against_all_find_the_same_pairs) {
   for (double size : {1.0, 3.0, 40.0}) {  // the last: elements that cover the whole grid
     const Scattered scattering = scattered(300, size, 5);
-    const Scene scene = legacy_scene(scattering.blocks, plain_analysis(1e-3, 1));
+    const ShiScene scene = legacy_scene(scattering.blocks, plain_analysis(1e-3, 1));
     for (double distance : {0.0, 0.3, 5.0})
       EXPECT_EQ(close_pairs(scene.model, start(scene).state, distance), all_against_all(scattering, distance))
           << "size " << size << " distance " << distance;
@@ -90,7 +90,7 @@ TEST(Candidates, grid_and_all_against_all_find_the_same_pairs) {
 }
 
 TEST(Candidates, one_element_has_no_pair) {
-  const Scene scene = legacy_scene({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
+  const ShiScene scene = legacy_scene({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
   EXPECT_TRUE(close_pairs(scene.model, start(scene).state, 1).empty());
 }
 

@@ -1,12 +1,12 @@
 // Few pairs among others: their states as the whole problem has them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/contended_pairs.hpp"
+#include "contact/solve/contended_pairs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "contact/friction_newton.hpp"
+#include "contact/solve/friction_newton.hpp"
 
 namespace keyblock::contended_pairs_test {
 namespace {

@@ -1,6 +1,6 @@
 // Convex pieces: corners of convex blocks, cuts of others.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/convex_pieces.hpp"
+#include "contact/find/convex_pieces.hpp"
 
 #include <gtest/gtest.h>
 

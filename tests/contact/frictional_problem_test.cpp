@@ -1,13 +1,13 @@
 // Contact with friction, small enough to solve by hand, and redundant.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/frictional_problem.hpp"
+#include "contact/solve/frictional_problem.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "contact/friction_newton.hpp"
-#include "contact/friction_sweeps.hpp"
+#include "contact/solve/friction_newton.hpp"
+#include "contact/solve/friction_sweeps.hpp"
 
 namespace keyblock::frictional_problem_test {
 namespace {

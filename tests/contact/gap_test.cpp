@@ -1,10 +1,10 @@
 // Rows of gap and slip against differences of the gap itself; momentum of a pair of contact forces.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/gap.hpp"
+#include "contact/rows/gap.hpp"
 
 #include <gtest/gtest.h>
 
-#include "contact/contact_matrix.hpp"
+#include "contact/solve/contact_matrix.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::gap_test {

@@ -1,6 +1,6 @@
 // Elastic blocks on springs in a row, as springs in series.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/joined_blocks.hpp"
+#include "contact/rows/joined_blocks.hpp"
 
 #include <gtest/gtest.h>
 

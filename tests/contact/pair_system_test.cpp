@@ -1,6 +1,6 @@
 // Iterations on random blocks and pairs against a dense factor.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/pair_system.hpp"
+#include "contact/solve/pair_system.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Rows of bolts and held points against differences of lengths and places; what a bolt's forces do to momentum.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/ties.hpp"
+#include "contact/rows/ties.hpp"
 
 #include <gtest/gtest.h>
 
-#include "contact/contact_matrix.hpp"
+#include "contact/solve/contact_matrix.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::ties_test {

@@ -1,6 +1,6 @@
 // Which corners meet which edges, for the ways two convex blocks can face each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/touch.hpp"
+#include "contact/find/touch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cut/arrangement.hpp"
+#include "cut/lines/arrangement.hpp"
 
 namespace keyblock {
 

@@ -1,6 +1,6 @@
 // The regular mesh covers its box with equal triangles, and its density follows the old cutter's rule.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/background_mesh.hpp"
+#include "cut/mesh/background_mesh.hpp"
 
 #include <gtest/gtest.h>
 

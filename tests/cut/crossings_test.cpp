@@ -1,6 +1,6 @@
 // Which lines meet, where, and in which order along each line; what the reach adds.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/crossings.hpp"
+#include "cut/lines/crossings.hpp"
 
 #include <gtest/gtest.h>
 

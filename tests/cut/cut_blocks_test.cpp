@@ -1,6 +1,6 @@
 // Areas add up to the outline, blocks do not depend on how lines are given, and what is odd is said by name.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/cut_blocks.hpp"
+#include "cut/bodies/cut_blocks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // What joints make of a mesh: elements where they cut triangles, covers where they cut stars.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/cut_cover.hpp"
+#include "cut/covers/cut_cover.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/mesh/background_mesh.hpp"
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 

@@ -1,15 +1,15 @@
 // Digging out: what is left has the area of the difference, and each body its material.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/excavate.hpp"
+#include "cut/bodies/excavate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "cut/cut_cover.hpp"
-#include "cut/fit_mesh.hpp"
-#include "cut/join_manifolds.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/covers/join_manifolds.hpp"
+#include "cut/mesh/fit_mesh.hpp"
 #include "geometry/polygon.hpp"
 
 namespace keyblock::excavate_test {

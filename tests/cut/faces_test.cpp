@@ -1,6 +1,6 @@
 // Faces lie to the left of their chains, in the old programs' order, with their holes.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/faces.hpp"
+#include "cut/lines/faces.hpp"
 
 #include <gtest/gtest.h>
 

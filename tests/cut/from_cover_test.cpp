@@ -1,16 +1,16 @@
 // A cover file as a cut mesh: elements, covers, loops and materials are those of the file, and writing gives the file back.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/from_cover.hpp"
+#include "cut/covers/from_cover.hpp"
 
 #include <gtest/gtest.h>
 
 #include <tuple>
 
-#include "cut/absorb.hpp"
-#include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
-#include "cut/to_cover.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/absorb.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/covers/to_cover.hpp"
+#include "cut/mesh/background_mesh.hpp"
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 #include "tests/support/sample_covers.hpp"

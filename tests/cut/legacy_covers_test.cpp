@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "cut/absorb.hpp"
-#include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
-#include "cut/snap_nodes.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/absorb.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/mesh/background_mesh.hpp"
+#include "cut/mesh/snap_nodes.hpp"
 #include "formats/case.hpp"
 #include "tests/cut/manifolds.hpp"
 #include "tests/support/shared_folder.hpp"

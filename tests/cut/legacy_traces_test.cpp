@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "cut/cut_blocks.hpp"
+#include "cut/bodies/cut_blocks.hpp"
 #include "formats/case.hpp"
-#include "formats/csv.hpp"
+#include "formats/text/csv.hpp"
 #include "tests/cut/drawings.hpp"
 #include "tests/support/shared_folder.hpp"
 

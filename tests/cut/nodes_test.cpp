@@ -1,6 +1,6 @@
 // Which crossings become one node, and where it stands, under both ways of merging.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/nodes.hpp"
+#include "cut/lines/nodes.hpp"
 
 #include <gtest/gtest.h>
 

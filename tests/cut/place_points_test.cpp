@@ -1,10 +1,10 @@
 // Fixed lines become points inside blocks; points, bolts, holes and materials find their blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/place_points.hpp"
+#include "cut/bodies/place_points.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cut/cut_blocks.hpp"
+#include "cut/bodies/cut_blocks.hpp"
 #include "tests/cut/drawings.hpp"
 
 namespace keyblock::place_points_test {

@@ -1,6 +1,6 @@
 // Pieces that pass a node too near go through it; pieces that cross after nodes have moved get a node.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/planarize.hpp"
+#include "cut/lines/planarize.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // An edge stays if and only if it lies on a closed chain.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/prune.hpp"
+#include "cut/lines/prune.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/mesh/background_mesh.hpp"
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 #include "tests/validate/dice.hpp"

@@ -1,6 +1,6 @@
 // Edges about a node counter-clockwise, told apart by their lines where coordinates cannot.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/rotation.hpp"
+#include "cut/lines/rotation.hpp"
 
 #include <gtest/gtest.h>
 

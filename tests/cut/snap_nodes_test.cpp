@@ -1,6 +1,6 @@
 // Nodes near a line move to the foot of the perpendicular on the nearest one; all others stay.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/snap_nodes.hpp"
+#include "cut/mesh/snap_nodes.hpp"
 
 #include <gtest/gtest.h>
 

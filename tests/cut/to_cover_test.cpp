@@ -1,14 +1,14 @@
 // A cut mesh written as a cover file says the same: areas, loops, points, and holes on one chain.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/to_cover.hpp"
+#include "cut/covers/to_cover.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
-#include "formats/nmm_cover.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/mesh/background_mesh.hpp"
 #include "formats/registry.hpp"
+#include "formats/shi/nmm_cover.hpp"
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 

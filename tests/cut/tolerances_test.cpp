@@ -1,6 +1,6 @@
 // Tolerances scale with the drawing and vanish with its ratio.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/tolerances.hpp"
+#include "cut/lines/tolerances.hpp"
 
 #include <gtest/gtest.h>
 

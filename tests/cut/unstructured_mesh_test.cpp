@@ -1,15 +1,15 @@
 // Unstructured meshes keep their size and their angles, are cut like regular ones, and follow lines where asked to.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/unstructured_mesh.hpp"
+#include "cut/mesh/unstructured_mesh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
-#include "cut/fit_mesh.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/mesh/fit_mesh.hpp"
 #include "tests/cut/drawings.hpp"
 #include "tests/cut/manifolds.hpp"
 

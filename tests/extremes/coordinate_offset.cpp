@@ -4,7 +4,7 @@
 #include <array>
 
 #include "formats/case.hpp"
-#include "study/cases.hpp"
+#include "study/cases/cases.hpp"
 #include "tests/extremes/extreme.hpp"
 #include "tests/extremes/extreme_scenes.hpp"
 

@@ -1,6 +1,6 @@
 // Measured points in time: blocks of rows, the zero bytes the old program leaves, and files cut off.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/berkeley_measured.hpp"
+#include "formats/berkeley/berkeley_measured.hpp"
 
 #include <gtest/gtest.h>
 

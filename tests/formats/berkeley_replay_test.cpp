@@ -1,6 +1,6 @@
 // Replay files: frames of moving blocks, rows without meaning passed over, and a last frame cut off.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/berkeley_replay.hpp"
+#include "formats/berkeley/berkeley_replay.hpp"
 
 #include <gtest/gtest.h>
 

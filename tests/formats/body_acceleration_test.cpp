@@ -1,6 +1,6 @@
 // Tables of accelerations are read, and every fault is named with its cell.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/body_acceleration.hpp"
+#include "formats/berkeley/body_acceleration.hpp"
 
 #include <gtest/gtest.h>
 

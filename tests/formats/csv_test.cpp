@@ -1,7 +1,7 @@
 // Tables are written with the agreed columns and numbers that read back the same, and read with places for every
 // fault.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/csv.hpp"
+#include "formats/text/csv.hpp"
 
 #include <gtest/gtest.h>
 

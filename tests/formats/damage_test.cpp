@@ -7,9 +7,9 @@
 #include <random>
 
 #include "formats/case.hpp"
-#include "formats/dda_blocks.hpp"
-#include "formats/joint_spec.hpp"
+#include "formats/case_file/joint_spec.hpp"
 #include "formats/registry.hpp"
+#include "formats/shi/dda_blocks.hpp"
 #include "tests/formats/dxf_samples.hpp"
 #include "tests/support/mutated.hpp"
 #include "tests/support/two_triangles.hpp"

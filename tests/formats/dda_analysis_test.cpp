@@ -1,10 +1,10 @@
 // The native analysis files: Berkeley's and Shi's, with and without the geometry that Shi's needs.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/dda_analysis.hpp"
+#include "formats/shi/dda_analysis.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/ddaml.hpp"
+#include "formats/berkeley/ddaml.hpp"
 #include "formats/registry.hpp"
 #include "tests/formats/reading.hpp"
 

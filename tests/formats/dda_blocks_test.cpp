@@ -1,6 +1,6 @@
 // The block file: points of 3 and 4 numbers, scratch slots, and the edge a joint material belongs to.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/dda_blocks.hpp"
+#include "formats/shi/dda_blocks.hpp"
 
 #include <gtest/gtest.h>
 

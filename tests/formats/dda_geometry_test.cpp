@@ -1,6 +1,6 @@
 // The native geometry file: what is read, which variants, and where faults are found.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/dda_geometry.hpp"
+#include "formats/shi/dda_geometry.hpp"
 
 #include <gtest/gtest.h>
 

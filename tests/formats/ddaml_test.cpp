@@ -1,11 +1,11 @@
 // DDAML in every dress it comes in, and where its faults are found.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/ddaml.hpp"
+#include "formats/berkeley/ddaml.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/dda_geometry.hpp"
 #include "formats/registry.hpp"
+#include "formats/shi/dda_geometry.hpp"
 #include "tests/formats/reading.hpp"
 
 namespace keyblock::formats::ddaml_test {

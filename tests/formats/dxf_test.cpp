@@ -1,7 +1,7 @@
 // DXF: every entity lands in its place, curves keep their tolerance, what is skipped is listed, faults are found where
 // they stand, and what is written is read again.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/dxf.hpp"
+#include "formats/dxf/dxf.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cut/cut_blocks.hpp"
-#include "formats/dxf_curves.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "formats/dxf/dxf_curves.hpp"
 #include "geometry/polygon.hpp"
 #include "tests/formats/dxf_samples.hpp"
 #include "tests/formats/reading.hpp"

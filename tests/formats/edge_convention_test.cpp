@@ -1,6 +1,6 @@
 // Shared edges tell which edge a vertex's joint material belongs to.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/edge_convention.hpp"
+#include "formats/shi/edge_convention.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The specification of joint sets: every key lands in its place, defaults are as documented, others are refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/joint_spec.hpp"
+#include "formats/case_file/joint_spec.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // JSON values know where they stand, whatever is written between them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/json_text.hpp"
+#include "formats/text/json_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The case file: what it holds lands in its place, and what it must not hold is named where it stands.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/keyblock_case.hpp"
+#include "formats/case_file/keyblock_case.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "formats/case_meanings.hpp"
+#include "formats/case_file/case_meanings.hpp"
 #include "tests/formats/reading.hpp"
 
 namespace keyblock::formats::keyblock_case_test {

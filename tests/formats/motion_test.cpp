@@ -1,6 +1,6 @@
 // Ground motions in both formats, and what tells them from other files of numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/motion.hpp"
+#include "formats/berkeley/motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The manifold program's analysis file: alone, beside its cover, and where Shi's DDA dialect would fit as well.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/nmm_analysis.hpp"
+#include "formats/shi/nmm_analysis.hpp"
 
 #include <gtest/gtest.h>
 

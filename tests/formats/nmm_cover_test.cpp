@@ -1,6 +1,6 @@
 // The cover file: every record in its place, written back word by word, and faults named where they stand.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/nmm_cover.hpp"
+#include "formats/shi/nmm_cover.hpp"
 
 #include <gtest/gtest.h>
 

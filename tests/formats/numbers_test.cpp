@@ -1,6 +1,6 @@
 // Numbers of old files are read whatever their spelling, and written so that they read back the same.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/numbers.hpp"
+#include "formats/text/numbers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // JSON with places: values come through, keys know their line, faults are found where they stand.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/placed_json.hpp"
+#include "formats/text/placed_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Plain numbers are read eight characters at a time to the same bits as the C library reads them one by one.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/plain_real.hpp"
+#include "formats/text/plain_real.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Files that are known and not read: recognised by their beginnings, refused by name, and near misses left to others.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/recognised_only.hpp"
+#include "formats/berkeley/recognised_only.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/split.hpp"
+#include "formats/text/split.hpp"
 #include "tests/formats/reading.hpp"
 
 namespace keyblock::formats::recognised_only_test {

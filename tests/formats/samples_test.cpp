@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "formats/berkeley/ddaml.hpp"
 #include "formats/case.hpp"
-#include "formats/dda_analysis.hpp"
-#include "formats/dda_geometry.hpp"
-#include "formats/ddaml.hpp"
-#include "formats/nmm_analysis.hpp"
-#include "formats/nmm_cover.hpp"
-#include "formats/split.hpp"
-#include "formats/tokens.hpp"
+#include "formats/shi/dda_analysis.hpp"
+#include "formats/shi/dda_geometry.hpp"
+#include "formats/shi/nmm_analysis.hpp"
+#include "formats/shi/nmm_cover.hpp"
+#include "formats/text/split.hpp"
+#include "formats/text/tokens.hpp"
 #include "geometry/polygon.hpp"
 #include "tests/formats/reading.hpp"
 #include "tests/support/content_text.hpp"

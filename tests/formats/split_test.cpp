@@ -1,12 +1,12 @@
 // A text split on several threads, 64 characters at a time, gives the words that one walk over it gives.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/split.hpp"
+#include "formats/text/split.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "formats/numbers.hpp"
+#include "formats/text/numbers.hpp"
 
 namespace keyblock::formats::split_test {
 namespace {

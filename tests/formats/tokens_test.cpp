@@ -1,10 +1,10 @@
 // Words know their place whatever the line ends, and a cursor says what it expected where it stopped.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/tokens.hpp"
+#include "formats/text/tokens.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/split.hpp"
+#include "formats/text/split.hpp"
 
 namespace keyblock::formats::tokens_test {
 namespace {

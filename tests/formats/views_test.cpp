@@ -1,13 +1,13 @@
 // What the views leave out: every item they name is one of the case file, and has no part in what they write.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/views.hpp"
+#include "formats/views/views.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "formats/keyblock_case.hpp"
+#include "formats/case_file/keyblock_case.hpp"
 #include "tests/formats/reading.hpp"
 #include "tests/support/random_contents.hpp"
 

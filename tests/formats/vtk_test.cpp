@@ -1,6 +1,6 @@
 // Files for viewers are well-formed, count what they hold, and keep times and coordinates to the last digit.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/vtk.hpp"
+#include "formats/views/vtk.hpp"
 
 #include <gtest/gtest.h>
 

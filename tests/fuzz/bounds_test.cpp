@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "formats/keyblock_case.hpp"
+#include "formats/case_file/keyblock_case.hpp"
 #include "formats/knowledge.hpp"
 #include "formats/registry.hpp"
 #include "tests/fuzz/exercise.hpp"

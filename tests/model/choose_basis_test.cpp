@@ -1,10 +1,10 @@
 // Which blocks move, and with how many unknowns.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/choose_basis.hpp"
+#include "model/setup/choose_basis.hpp"
 
 #include <gtest/gtest.h>
 
-#include "model/requirements.hpp"
+#include "model/setup/requirements.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock::choose_basis_test {

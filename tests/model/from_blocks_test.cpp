@@ -1,6 +1,6 @@
-// Blocks become elements whose vertices know their neighbours; the first state has the material's stress and velocity.
+// Blocks become elements whose vertices know their neighbours.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/from_blocks.hpp"
+#include "model/setup/from_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(FromBlocks, vertices_of_a_hole_are_linked_within_their_own_loop) {
 TEST(FromBlocks, area_and_centroid_leave_out_the_hole) {
   const Analysis analysis = plain_analysis(1e-3, 1);
   const Model model = model_from_blocks({{square_with_hole()}, {}, {}, {}, {}, {}}, analysis);
-  const State state = start_state(model, analysis.dialect, profile_settings("legacy", analysis));
+  const State state = start_state(model, profile_settings("legacy", analysis));
   const ElementState& block = state.elements[ElementIndex{0}];
   EXPECT_DOUBLE_EQ(block.moments.area, 15);
   EXPECT_DOUBLE_EQ(block.centroid.x, (16 * 2 - 1.5) / 15);
@@ -42,34 +42,6 @@ TEST(FromBlocks, area_and_centroid_leave_out_the_hole) {
 TEST(FromBlocks, scale_is_half_the_greater_side_of_the_scene) {
   const Model model = model_from_blocks({{rectangle({0, 0}, {10, 4})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
   EXPECT_DOUBLE_EQ(model.scale, 5);
-}
-
-// Berkeley slots 8-10 (legacy-rules 7.5, 16.1): DDAML Ivelocity is velocity and stress gradient both.
-TEST(FromBlocks, ddaml_start_velocity_is_also_a_stress_gradient_under_the_quirk) {
-  Analysis analysis = plain_analysis(1e-3, 1);
-  analysis.block_materials[0].initial_velocity = {1, 0, 2};
-  const Model model = model_from_blocks({{rectangle({0, 2}, {2, 4})}, {}, {}, {}, {}, {}}, analysis);
-  Settings settings = profile_settings("legacy", analysis);
-  const State with = start_state(model, analysis.dialect, settings);
-  EXPECT_EQ(with.elements[ElementIndex{0}].stress, (Stress{3, 0, 6}));
-  settings.quirks.start_velocity_slots = false;
-  const State without = start_state(model, analysis.dialect, settings);
-  EXPECT_EQ(without.elements[ElementIndex{0}].stress, (Stress{0, 0, 0}));
-  EXPECT_EQ(without.elements[ElementIndex{0}].velocity[0], 1);
-}
-
-TEST(FromBlocks, native_stress_gradient_and_velocity_are_apart_without_the_quirk) {
-  Analysis analysis = plain_analysis(1e-3, 1);
-  analysis.dialect = AnalysisDialect::berkeley;
-  analysis.block_materials[0].initial_stress = {10, 20, 0};
-  analysis.block_materials[0].stress_gradient = {1, 2, 0};
-  analysis.block_materials[0].initial_velocity = {0, 5, 0};
-  const Model model = model_from_blocks({{rectangle({0, 2}, {2, 4})}, {}, {}, {}, {}, {}}, analysis);
-  Settings settings = profile_settings("legacy", analysis);
-  settings.quirks.start_velocity_slots = false;
-  const State state = start_state(model, analysis.dialect, settings);
-  EXPECT_EQ(state.elements[ElementIndex{0}].stress, (Stress{13, 26, 0}));
-  EXPECT_EQ(state.elements[ElementIndex{0}].velocity[1], 5);
 }
 
 TEST(FromBlocks, bolts_keep_their_ends_and_numbers) {

@@ -1,12 +1,12 @@
 // A model of elements on covers has the corners, covers and materials of the cut mesh, and knows which edges lie inside.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/from_manifold.hpp"
+#include "model/setup/from_manifold.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/mesh/background_mesh.hpp"
 #include "tests/cut/drawings.hpp"
 
 namespace keyblock::from_manifold_test {

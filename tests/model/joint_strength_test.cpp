@@ -1,6 +1,6 @@
 // One factor on the strength of all joints.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/joint_strength.hpp"
+#include "model/setup/joint_strength.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // A scene is asked only for the terms it needs.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/requirements.hpp"
+#include "model/setup/requirements.hpp"
 
 #include <gtest/gtest.h>
 
-#include "model/choose_basis.hpp"
+#include "model/setup/choose_basis.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock::requirements_test {

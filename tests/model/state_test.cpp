@@ -43,7 +43,7 @@ TEST(State, moments_about_the_origin_of_coordinates_lose_them) {
 TEST(State, near_the_origin_the_quirk_changes_nothing_but_last_digits) {
   const Analysis analysis = support::plain_analysis(1e-3, 1);
   const Model model = model_from_blocks({{support::rectangle({1, 2}, {4, 3})}, {}, {}, {}, {}, {}}, analysis);
-  const State state = start_state(model, analysis.dialect, profile_settings("legacy", analysis));
+  const State state = start_state(model, profile_settings("legacy", analysis));
   EXPECT_NEAR(state.elements[ElementIndex{0}].moments.xx, 27.0 / 12, 1e-13);
   EXPECT_NEAR(state.elements[ElementIndex{0}].moments.xy, 0, 1e-13);
 }
@@ -51,7 +51,7 @@ TEST(State, near_the_origin_the_quirk_changes_nothing_but_last_digits) {
 TEST(State, operators_are_taken_about_the_centroid_of_the_element) {
   const Analysis analysis = support::plain_analysis(1e-3, 1);
   const Model model = model_from_blocks({{support::rectangle({1, 2}, {4, 3})}, {}, {}, {}, {}, {}}, analysis);
-  const State state = start_state(model, analysis.dialect, profile_settings("legacy", analysis));
+  const State state = start_state(model, profile_settings("legacy", analysis));
   EXPECT_LT((basis_at(model, state, {0}, {4, 3}) - affine_basis().at({1.5, 0.5})).norm(), 1e-13);
 }
 

@@ -1,10 +1,10 @@
 // Traces are clipped to what lies inside the outline and outside tunnels, and the drawing cuts into blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/joint_drawing.hpp"
+#include "problem/joints/joint_drawing.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cut/cut_blocks.hpp"
+#include "cut/bodies/cut_blocks.hpp"
 #include "geometry/polygon.hpp"
 
 namespace keyblock::joint_drawing_test {

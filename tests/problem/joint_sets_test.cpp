@@ -1,6 +1,6 @@
 // Traces of joint sets have the statistics asked for: dip, spacing, length, gap.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/joint_sets.hpp"
+#include "problem/joints/joint_sets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Drawn lengths have the mean and the scatter asked for, and follow from the seed alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/random_value.hpp"
+#include "problem/joints/random_value.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A page is well-formed whatever it is given, and the map keeps shape and orientation of the plane.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/svg.hpp"
+#include "report/drawing/svg.hpp"
 
 #include <gtest/gtest.h>
 

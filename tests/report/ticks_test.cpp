@@ -1,6 +1,6 @@
 // Axes end on round ticks and their labels tell neighbours apart, for any size and offset of the data.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/ticks.hpp"
+#include "report/drawing/ticks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include <limits>
 
+#include "report/drawing/ticks.hpp"
 #include "report/sweep_picture.hpp"
-#include "report/ticks.hpp"
 
 namespace keyblock::report::tradeoff_picture_test {
 namespace {

@@ -13,8 +13,9 @@
 #include "result/describe.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
-#include "study/cases.hpp"
-#include "study/named_files.hpp"
+#include "run/steppers.hpp"
+#include "study/cases/cases.hpp"
+#include "study/cases/named_files.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock::checkpoint_test {

@@ -36,7 +36,7 @@ State moved(const State& first) {
 }  // namespace
 
 TEST(Record, loops_of_a_frame_are_the_outer_one_and_then_the_holes) {
-  const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
+  const ShiScene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
   const Frame frame = frame_of(scene.model, first, places_of(first), scene.settings);
   ASSERT_EQ(frame.elements.size(), 2U);
@@ -48,7 +48,7 @@ TEST(Record, loops_of_a_frame_are_the_outer_one_and_then_the_holes) {
 }
 
 TEST(Record, a_frame_counts_displacement_from_the_start_and_shows_the_end_velocity) {
-  const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
+  const ShiScene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
   const Frame frame = frame_of(scene.model, moved(first), places_of(first), scene.settings);
   EXPECT_EQ(frame.step, 1);
@@ -65,7 +65,7 @@ TEST(Record, a_frame_counts_displacement_from_the_start_and_shows_the_end_veloci
 
 // A rectangle a x b of density ρ has the mass ρ a b and the moment of inertia ρ a b (a² + b²)/12 about its centroid.
 TEST(Record, mass_and_moment_of_inertia_are_those_of_the_start) {
-  const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
+  const ShiScene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
   const Frame frame = frame_of(scene.model, moved(first), places_of(first), scene.settings);
   const double density = scene.model.block_materials[0].density;
@@ -77,7 +77,7 @@ TEST(Record, followed_are_the_measured_points_with_the_number_of_their_element) 
   Blocks blocks = frame_and_block();
   blocks.measured_points = {{{11, 1}, 1, {}}};
   blocks.fixed_points = {{{0.5, 0.5}, 0, {}}};
-  const Scene scene = legacy_scene(blocks, plain_analysis(1e-3, 1));
+  const ShiScene scene = legacy_scene(blocks, plain_analysis(1e-3, 1));
   const State first = start(scene).state;
   State state = moved(first);
   state.measured_points[0] = {{11.5, 0.75}, {0.5, -0.25}};
@@ -94,7 +94,7 @@ TEST(Record, followed_are_the_measured_points_with_the_number_of_their_element) 
 }
 
 TEST(Record, without_measured_points_the_centroid_of_every_element_is_followed) {
-  const Scene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
+  const ShiScene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
   const HistoryRow row = history_row(scene.model, moved(first), places_of(first));
   ASSERT_EQ(row.points.size(), 2U);

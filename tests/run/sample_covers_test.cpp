@@ -25,16 +25,16 @@ class SampleRuns : public ::testing::Test {
     if (!has_sample_covers()) GTEST_SKIP() << "no samples; name their folder in KEYBLOCK_SHARED";
   }
 
-  static Scene scene(const std::string& number) {
-    return prepare(check(sample_pair(number)).problem, "legacy", {}).scene;
+  static ShiScene scene(const std::string& number) {
+    return shi_scene(prepare(check(sample_pair(number)).problem, "legacy", {}).scene);
   }
 
   // Fixed points by 1e4 E, as in the prototype.
-  static double spring(const Scene& scene) { return 1e4 * scene.model.block_materials.front().youngs_modulus; }
-  static HeldStatics statics(const Scene& scene) { return held_statics(scene, spring(scene)); }
+  static double spring(const ShiScene& scene) { return 1e4 * scene.model.block_materials.front().youngs_modulus; }
+  static HeldStatics statics(const ShiScene& scene) { return held_statics(scene, spring(scene)); }
 
   // All steps of the file.
-  static Stepping rerun(const Scene& scene) {
+  static Stepping rerun(const ShiScene& scene) {
     Stepping stepping = start(scene);
     for (int i = 0; i < scene.settings.step_count; ++i) {
       const auto made = advance(scene, stepping);
@@ -61,18 +61,18 @@ TEST_F(SampleRuns, held_bodies_come_to_the_displacements_of_the_prototype) {
 }
 
 TEST_F(SampleRuns, the_apex_of_02_and_the_spring_of_07_go_where_the_prototype_found_them) {
-  const Scene wedge = scene("02");
+  const ShiScene wedge = scene("02");
   const Point apex = displacement_of(wedge, statics(wedge).increments, wedge.model.loading_points[0]);
   EXPECT_NEAR(apex.x, 0.184, 0.0005);
   EXPECT_NEAR(apex.y, 0.266, 0.0005);
-  const Scene clock = scene("07");
+  const ShiScene clock = scene("07");
   const HeldStatics spring = statics(clock);
   EXPECT_NEAR(displacement_of(clock, spring.increments, clock.model.loading_points[0]).y, -53.8, 0.05);
   EXPECT_NEAR(2 * std::numbers::pi / spring.omega, 102, 0.5);
 }
 
 TEST_F(SampleRuns, the_five_static_steps_of_02_stay_far_from_equilibrium) {
-  const Scene wedge = scene("02");
+  const ShiScene wedge = scene("02");
   const HeldStatics equilibrium = statics(wedge);
   const double apex = length(displacement_of(wedge, equilibrium.increments, wedge.model.loading_points[0]));
   const double reached = length(rerun(wedge).state.loading_points[0].displacement) / apex;
@@ -84,7 +84,7 @@ TEST_F(SampleRuns, the_five_static_steps_of_02_stay_far_from_equilibrium) {
 TEST_F(SampleRuns, files_run_to_their_last_step) {
   for (const char* number : {"01", "02", "04", "06", "09"}) {
     SCOPED_TRACE(number);
-    const Scene pair = scene(number);
+    const ShiScene pair = scene(number);
     const Stepping end = rerun(pair);
     EXPECT_EQ(end.state.step, pair.settings.step_count);
     EXPECT_EQ(impossible(end.state), "");

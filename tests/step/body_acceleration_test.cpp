@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "step/stepper.hpp"
+#include "run/steppers.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::step_body_acceleration_test {

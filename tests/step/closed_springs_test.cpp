@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "step/smooth_solve.hpp"
+#include "step/time/smooth_solve.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::closed_springs_test {

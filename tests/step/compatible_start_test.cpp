@@ -1,6 +1,6 @@
 // The start of blocks on springs: forces that fit the gaps, so that nothing rings, creeps or is kicked.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/compatible_start.hpp"
+#include "step/rest/compatible_start.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // When a bonded face is sheared off: its points together, not one by one.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/contact_laws.hpp"
+#include "step/scene/contact_laws.hpp"
 
 #include <gtest/gtest.h>
 

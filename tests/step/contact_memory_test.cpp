@@ -1,6 +1,6 @@
 // Closed contacts are found by their touch, else by the facing of their twin.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/contact_memory.hpp"
+#include "step/scene/contact_memory.hpp"
 
 #include <gtest/gtest.h>
 

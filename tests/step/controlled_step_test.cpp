@@ -1,6 +1,6 @@
 // Steps whose size is chosen by their error or by displacement, against closed forms.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/controlled_step.hpp"
+#include "step/time/controlled_step.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

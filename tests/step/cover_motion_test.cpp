@@ -1,13 +1,13 @@
 // Bodies on covers that fly, spin, swing and bend far, against closed forms: benchmarks nmm-02 and nmm-06, the elastica.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/cover_motion.hpp"
+#include "step/bodies/cover_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "cut/to_cover.hpp"
+#include "cut/covers/to_cover.hpp"
 #include "geometry/polygon.hpp"
 #include "terms/cover_inertia.hpp"
 #include "tests/support/continuum_benchmarks.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "step/stepper.hpp"
+#include "run/steppers.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::step_damping_test {

@@ -1,6 +1,6 @@
 // Rings of touching blocks are found, and decide between multipliers and springs where neither is asked for.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/enforcement.hpp"
+#include "step/scene/enforcement.hpp"
 
 #include <gtest/gtest.h>
 

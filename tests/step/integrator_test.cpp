@@ -1,13 +1,13 @@
 // Spectral radii of the integrators on one spring and mass, against closed forms (benchmark dda-12) and a matrix of its own.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/integrator.hpp"
+#include "step/bodies/integrator.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "step/step_equations.hpp"
+#include "step/bodies/step_equations.hpp"
 
 namespace keyblock::integrator_test {
 namespace {

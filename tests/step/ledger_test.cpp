@@ -1,6 +1,6 @@
 // The ledger closes to round-off, and each of its terms has the sign and the amount that theory gives it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/ledger.hpp"
+#include "step/time/ledger.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

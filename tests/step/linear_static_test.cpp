@@ -1,7 +1,7 @@
 // Patches of linear and quadratic fields, rigid motion, rates of convergence, and what is refused, on meshes that no side of
 // the body follows.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/linear_static.hpp"
+#include "step/bodies/linear_static.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "step/stepper.hpp"
+#include "run/steppers.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::material_choices_test {

@@ -1,6 +1,6 @@
 // The settled start of jointed blocks: which of them bear load, and what is said of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/settled_start.hpp"
+#include "step/rest/settled_start.hpp"
 
 #include <gtest/gtest.h>
 

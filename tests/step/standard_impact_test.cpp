@@ -6,9 +6,9 @@
 #include <array>
 #include <random>
 
-#include "step/impact.hpp"
-#include "step/ledger.hpp"
-#include "step/touch_search.hpp"
+#include "step/scene/touch_search.hpp"
+#include "step/time/impact.hpp"
+#include "step/time/ledger.hpp"
 #include "tests/support/ledger_runs.hpp"
 #include "tests/support/standard_scenes.hpp"
 

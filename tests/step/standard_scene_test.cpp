@@ -1,6 +1,6 @@
 // What Dynamics::standard solves for: the unknowns of the blocks that move, and no others.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/standard_scene.hpp"
+#include "step/scene/standard_scene.hpp"
 
 #include <gtest/gtest.h>
 

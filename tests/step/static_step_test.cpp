@@ -1,14 +1,14 @@
 // Static equilibria, found directly and by dynamic relaxation: benchmark dda-30, blocks held by contact alone, and blocks
 // that nothing holds.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/static_step.hpp"
+#include "step/rest/static_step.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "step/equilibrium.hpp"
+#include "step/scene/equilibrium.hpp"
 #include "tests/support/cover_scenes.hpp"
 
 namespace keyblock::static_step_test {

@@ -1,6 +1,6 @@
 // Step size rules, and what happens when a step cannot be made.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/step_size.hpp"
+#include "step/time/step_size.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(StepSize, first_automatic_step_reaches_the_allowed_displacement) {
   Analysis analysis = plain_analysis(1, 10);
   analysis.automatic_time_step = true;
   analysis.allowed_displacement_ratio = 0.01;
-  const Scene scene = legacy_scene(one_block(), analysis);
+  const ShiScene scene = legacy_scene(one_block(), analysis);
   EXPECT_NEAR(first_step_size(scene.model, start(scene).state, scene.settings, 0), std::sqrt(2 * 0.01 / 9.81), 1e-15);
 }
 
@@ -35,7 +35,7 @@ TEST(StepSize, without_anything_to_move_the_given_step_is_used) {
   Analysis analysis = plain_analysis(0.25, 10);
   analysis.automatic_time_step = true;
   analysis.block_materials[0].unit_weight = 0;
-  const Scene scene = legacy_scene(one_block(), analysis);
+  const ShiScene scene = legacy_scene(one_block(), analysis);
   EXPECT_EQ(first_step_size(scene.model, start(scene).state, scene.settings, 0), 0.25);
 }
 
@@ -43,7 +43,7 @@ TEST(StepSize, without_anything_to_move_the_given_step_is_used) {
 TEST(StepSize, a_step_that_moves_too_far_is_cut_and_stays_cut) {
   Analysis analysis = plain_analysis(0.1, 10);
   analysis.allowed_displacement_ratio = 0.01;
-  const Scene scene = legacy_scene(one_block(), analysis);
+  const ShiScene scene = legacy_scene(one_block(), analysis);
   Stepping stepping = start(scene);
   const StepReport first = step_once(scene, stepping);
   EXPECT_EQ(first.redos, 1);
@@ -56,7 +56,7 @@ TEST(StepSize, a_run_that_cannot_move_within_the_allowance_fails_and_says_so) {
   Analysis analysis = plain_analysis(1, 10);
   analysis.allowed_displacement_ratio = 1e-6;
   analysis.block_materials[0].initial_velocity = {100, 0, 0};
-  const Scene scene = legacy_scene(one_block(), analysis);
+  const ShiScene scene = legacy_scene(one_block(), analysis);
   Stepping stepping = start(scene);
   const auto made = advance(scene, stepping);
   ASSERT_TRUE(std::holds_alternative<StepFailure>(made));
@@ -67,7 +67,7 @@ TEST(StepSize, a_run_that_cannot_move_within_the_allowance_fails_and_says_so) {
 TEST(StepSize, a_state_that_is_not_finite_is_a_failure) {
   Analysis analysis = plain_analysis(1e100, 1);
   analysis.allowed_displacement_ratio = 1e300;
-  const Scene scene = legacy_scene(one_block(), analysis);
+  const ShiScene scene = legacy_scene(one_block(), analysis);
   Stepping stepping = start(scene);
   EXPECT_TRUE(std::holds_alternative<StepFailure>(advance(scene, stepping)));
   EXPECT_EQ(stepping.state.step, 0);
@@ -80,7 +80,7 @@ TEST(StepSize, a_solution_out_of_balance_is_a_failure) {
   Blocks blocks{{rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}};
   blocks.fixed_points = {{{-1.9, -0.9}, 0, {}}, {{2.9, -0.1}, 0, {}}};
   analysis.allowed_displacement_ratio = 0.01;
-  const Scene scene = legacy_scene(blocks, analysis);
+  const ShiScene scene = legacy_scene(blocks, analysis);
   Stepping stepping = start(scene);
   std::string reason;
   for (int i = 0; i < 5 && reason.empty(); ++i) {

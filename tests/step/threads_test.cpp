@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/loop.hpp"
+#include "run/steppers.hpp"
 #include "step/standard_stepper.hpp"
 #include "tests/bench/bench_scenes.hpp"
 

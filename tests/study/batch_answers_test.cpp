@@ -1,6 +1,6 @@
 // What a run of a batch came to: the last point of its history, or why there is none.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/batch_answers.hpp"
+#include "study/batch/batch_answers.hpp"
 
 #include <gtest/gtest.h>
 

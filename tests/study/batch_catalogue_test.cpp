@@ -1,10 +1,10 @@
 // A row of the catalogue comes back from its JSON, and its cells survive the table.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/batch_catalogue.hpp"
+#include "study/batch/batch_catalogue.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/csv.hpp"
+#include "formats/text/csv.hpp"
 
 namespace keyblock::study::batch_catalogue_test {
 namespace {

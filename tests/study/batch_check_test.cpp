@@ -1,6 +1,6 @@
 // A job looked at: counts and outcome in its row, faults told and not thrown, paths as the archive has them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/batch_check.hpp"
+#include "study/batch/batch_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // What files are by their content, which of them are looked at, and the counts by which they fit.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/batch_files.hpp"
+#include "study/batch/batch_files.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "formats/registry.hpp"
-#include "study/batch_journal.hpp"
+#include "study/batch/batch_journal.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 #include "tests/support/two_triangles.hpp"

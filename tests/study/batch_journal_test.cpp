@@ -1,11 +1,11 @@
 // Lines of the journal come back as they were, and what is torn does not count.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/batch_journal.hpp"
+#include "study/batch/batch_journal.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/csv.hpp"
-#include "study/batch_catalogue.hpp"
+#include "formats/text/csv.hpp"
+#include "study/batch/batch_catalogue.hpp"
 
 namespace keyblock::study::batch_journal_test {
 namespace {

@@ -1,6 +1,6 @@
 // Pairing by name, by number, by folder and by counts, and what is left alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/batch_pairs.hpp"
+#include "study/batch/batch_pairs.hpp"
 
 #include <gtest/gtest.h>
 

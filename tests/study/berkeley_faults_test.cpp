@@ -1,6 +1,6 @@
 // What the Berkeley program makes of its files, by the sentences of legacy-formats 2.1, 2.3.1, 2.6, 4 and legacy-rules 16.1.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/berkeley_faults.hpp"
+#include "study/convert/berkeley_faults.hpp"
 
 #include <gtest/gtest.h>
 

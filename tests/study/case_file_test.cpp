@@ -1,6 +1,6 @@
 // case.json: what it may say, and that whatever else it says is refused with file and key.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/case_file.hpp"
+#include "study/cases/case_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Cases are the folders with expected values or a trace, however deep.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/cases.hpp"
+#include "study/cases/cases.hpp"
 
 #include <gtest/gtest.h>
 

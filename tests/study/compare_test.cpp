@@ -1,6 +1,6 @@
 // What holds and what does not: no value, not a number, another quantity, a run that ended early.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/compare.hpp"
+#include "study/cases/compare.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

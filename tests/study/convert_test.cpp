@@ -1,6 +1,6 @@
 // From every kind of file to every target: what is lost is what conversion_losses.txt says, and the rest comes back equal.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/convert.hpp"
+#include "study/convert/convert.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,11 +12,11 @@
 #include <set>
 #include <sstream>
 
-#include "formats/dda_blocks.hpp"
-#include "formats/dda_geometry.hpp"
-#include "formats/keyblock_case.hpp"
+#include "formats/case_file/keyblock_case.hpp"
+#include "formats/shi/dda_blocks.hpp"
+#include "formats/shi/dda_geometry.hpp"
 #include "geometry/polygon.hpp"
-#include "study/derived_geometry.hpp"
+#include "study/convert/derived_geometry.hpp"
 #include "tests/support/content_text.hpp"
 #include "tests/support/random_contents.hpp"
 #include "tests/support/two_triangles.hpp"

@@ -1,12 +1,12 @@
 // One kind of geometry made of another: what has no place in it is refused or named.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/derived_geometry.hpp"
+#include "study/convert/derived_geometry.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "formats/dxf.hpp"
+#include "formats/dxf/dxf.hpp"
 #include "geometry/polygon.hpp"
 #include "tests/support/two_triangles.hpp"
 

@@ -1,13 +1,13 @@
 // Comments are counted as each format has them, and named at the first.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/dropped_comments.hpp"
+#include "study/convert/dropped_comments.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/dda_geometry.hpp"
-#include "formats/ddaml.hpp"
-#include "formats/dxf.hpp"
-#include "formats/keyblock_case.hpp"
+#include "formats/berkeley/ddaml.hpp"
+#include "formats/case_file/keyblock_case.hpp"
+#include "formats/dxf/dxf.hpp"
+#include "formats/shi/dda_geometry.hpp"
 
 namespace keyblock::study::dropped_comments_test {
 namespace {

@@ -1,6 +1,6 @@
 // Sequences whose limit and order are known.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/extrapolation.hpp"
+#include "study/trade/extrapolation.hpp"
 
 #include <gtest/gtest.h>
 

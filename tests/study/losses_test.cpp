@@ -1,6 +1,6 @@
 // Losses name what differs, where a case file has it, how often, and what became of the first.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/losses.hpp"
+#include "study/convert/losses.hpp"
 
 #include <gtest/gtest.h>
 

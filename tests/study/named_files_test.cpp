@@ -1,6 +1,6 @@
 // The table that `body_acceleration_file` names reaches the settings of the run; a missing one is the input's fault.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/named_files.hpp"
+#include "study/cases/named_files.hpp"
 
 #include <gtest/gtest.h>
 

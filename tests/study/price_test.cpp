@@ -1,6 +1,6 @@
 // The front of a made-up market, and what is chosen from it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/price.hpp"
+#include "study/trade/price.hpp"
 
 #include <gtest/gtest.h>
 

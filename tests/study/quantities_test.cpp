@@ -1,6 +1,6 @@
 // The quantities of blocks, points and the scene, against two blocks worked out by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/quantities.hpp"
+#include "study/cases/quantities.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The sentence of scenes whose bodies, supports and loads are counted by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/scene_sentence.hpp"
+#include "study/batch/scene_sentence.hpp"
 
 #include <gtest/gtest.h>
 

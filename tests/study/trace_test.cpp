@@ -1,6 +1,6 @@
 // A trace is followed only if everything in it was compared and found near: nothing missing, no number that is none.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/trace.hpp"
+#include "study/cases/trace.hpp"
 
 #include <gtest/gtest.h>
 

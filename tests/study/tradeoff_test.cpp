@@ -1,6 +1,6 @@
 // Errors against expected values and against the limit of refined runs; which runs are made.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/tradeoff.hpp"
+#include "study/trade/tradeoff.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "study/run_design.hpp"
+#include "study/trade/run_design.hpp"
 
 namespace keyblock::study::tradeoff_test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "study/run_design.hpp"
-#include "study/tradeoff.hpp"
+#include "study/trade/run_design.hpp"
+#include "study/trade/tradeoff.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cut/to_cover.hpp"
+#include "cut/covers/to_cover.hpp"
 
 namespace keyblock {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cut/background_mesh.hpp"
-#include "cut/cut_cover.hpp"
-#include "cut/to_cover.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/covers/to_cover.hpp"
+#include "cut/mesh/background_mesh.hpp"
 #include "geometry/quadrature.hpp"
 
 namespace keyblock {

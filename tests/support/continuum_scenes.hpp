@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "step/linear_static.hpp"
+#include "step/bodies/linear_static.hpp"
 
 namespace keyblock {
 

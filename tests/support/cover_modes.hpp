@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "step/cover_motion.hpp"
-#include "step/linear_static.hpp"
+#include "step/bodies/cover_motion.hpp"
+#include "step/bodies/linear_static.hpp"
 
 namespace keyblock {
 

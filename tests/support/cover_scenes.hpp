@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cut/background_mesh.hpp"
-#include "cut/mesh_blocks.hpp"
+#include "cut/covers/mesh_blocks.hpp"
+#include "cut/mesh/background_mesh.hpp"
 #include "model/continuum.hpp"
-#include "model/from_manifold.hpp"
-#include "model/join.hpp"
+#include "model/setup/from_manifold.hpp"
+#include "model/setup/join.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::support {
@@ -36,7 +36,7 @@ inline Scene mixed_scene_of(const Blocks& blocks, const std::vector<int>& meshed
   bodies.continuum = std::make_shared<Continuum>(
       continuum_of(std::move(parts.manifold), analysis.block_materials, settings, functions));
   Model model = joined(model_from_blocks(parts.rest, analysis), bodies);
-  return scene_of(with_bases(std::move(model), settings.basis), settings, analysis.dialect);
+  return {with_bases(std::move(model), settings.basis), settings};
 }
 
 }  // namespace keyblock::support

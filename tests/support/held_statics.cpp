@@ -9,20 +9,21 @@
 #include <map>
 #include <set>
 
+#include "legacy/step/cover_unknowns.hpp"
+#include "legacy/step/hanging.hpp"
+#include "legacy/terms/body_force.hpp"
+#include "legacy/terms/elastic.hpp"
+#include "legacy/terms/fixed_point.hpp"
+#include "legacy/terms/inertia.hpp"
+#include "legacy/terms/initial_stress.hpp"
+#include "legacy/terms/point_load.hpp"
 #include "material/elastic.hpp"
-#include "model/hanging.hpp"
-#include "step/cover_unknowns.hpp"
-#include "terms/body_force.hpp"
-#include "terms/elastic.hpp"
-#include "terms/fixed_point.hpp"
-#include "terms/inertia.hpp"
-#include "terms/initial_stress.hpp"
-#include "terms/point_load.hpp"
+#include "model/shared_covers.hpp"
 
 namespace keyblock::support {
 namespace {
 
-System of_terms(const Scene& scene, const State& state, const std::vector<Term>& terms) {
+System of_terms(const ShiScene& scene, const State& state, const std::vector<Term>& terms) {
   const double dt = std::sqrt(2.0);  // 2 M / dt² is M
   return CoverUnknowns(scene.model, state).of_covers(assemble(terms, {scene.model, state, scene.settings, dt}));
 }
@@ -40,7 +41,7 @@ Eigen::MatrixXd dense(const System& system, const std::vector<int>& rows) {
   return whole(rows, rows);
 }
 
-std::set<int> held_bodies_of(const Scene& scene, const std::vector<int>& bodies) {
+std::set<int> held_bodies_of(const ShiScene& scene, const std::vector<int>& bodies) {
   std::map<int, std::set<std::pair<double, double>>> points;
   for (const CarriedPoint& p : scene.model.fixed_points)
     points[bodies[static_cast<std::size_t>(p.element.value)]].insert({p.start.x, p.start.y});
@@ -56,18 +57,18 @@ double HeldStatics::remaining_share(double dt, int steps) const {
   return std::pow(1 + omega * omega * dt * dt / 2, -steps);
 }
 
-Point displacement_of(const Scene& scene, const Increments& increments, const CarriedPoint& point) {
+Point displacement_of(const ShiScene& scene, const Increments& increments, const CarriedPoint& point) {
   const State state = start(scene).state;
   const Eigen::Vector2d u = basis_at(scene.model, state, point.element, point.start) * increments[point.element];
   return {u.x(), u.y()};
 }
 
-HeldStatics held_statics(Scene scene, double spring) {
+HeldStatics held_statics(ShiScene scene, double spring) {
   scene.settings.fixed_point_factor = spring / scene.settings.contact_penalty;
   const Model& model = scene.model;
   const State state = start(scene).state;
   HeldStatics result;
-  const std::vector<int> bodies = bodies_of(model);
+  const std::vector<int> bodies = body_numbers(model);
   const std::set<int> held = held_bodies_of(scene, bodies);
   result.bodies = static_cast<int>(std::set<int>(bodies.begin(), bodies.end()).size());
   result.held_bodies = static_cast<int>(held.size());

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "contact/judge.hpp"
-#include "step/advance.hpp"
+#include "legacy/contact/judge.hpp"
+#include "legacy/step/advance.hpp"
 
 namespace keyblock::support {
 
@@ -25,9 +25,9 @@ struct HeldStatics {
 };
 
 /// `spring`: stiffness of a fixed point, force / length.
-HeldStatics held_statics(Scene scene, double spring);
+HeldStatics held_statics(ShiScene scene, double spring);
 
 /// Displacement of a carried point by `increments`.
-Point displacement_of(const Scene& scene, const Increments& increments, const CarriedPoint& point);
+Point displacement_of(const ShiScene& scene, const Increments& increments, const CarriedPoint& point);
 
 }  // namespace keyblock::support

@@ -9,16 +9,16 @@
 #include <numeric>
 #include <utility>
 
-#include "formats/dda_analysis.hpp"
-#include "formats/dda_blocks.hpp"
-#include "formats/dda_geometry.hpp"
-#include "formats/ddaml.hpp"
-#include "formats/dxf.hpp"
-#include "formats/keyblock_case.hpp"
-#include "formats/nmm_analysis.hpp"
-#include "formats/nmm_cover.hpp"
-#include "formats/numbers.hpp"
+#include "formats/berkeley/ddaml.hpp"
+#include "formats/case_file/keyblock_case.hpp"
+#include "formats/dxf/dxf.hpp"
 #include "formats/registry.hpp"
+#include "formats/shi/dda_analysis.hpp"
+#include "formats/shi/dda_blocks.hpp"
+#include "formats/shi/dda_geometry.hpp"
+#include "formats/shi/nmm_analysis.hpp"
+#include "formats/shi/nmm_cover.hpp"
+#include "formats/text/numbers.hpp"
 #include "tests/support/content_text.hpp"
 
 namespace keyblock::support {

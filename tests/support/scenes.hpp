@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/from_blocks.hpp"
-#include "run/profile.hpp"
-#include "step/advance.hpp"
+#include "legacy/step/advance.hpp"
+#include "legacy/step/start_state.hpp"
+#include "model/setup/from_blocks.hpp"
+#include "settings/profile.hpp"
 
 namespace keyblock::support {
 
@@ -32,12 +33,12 @@ inline Analysis plain_analysis(double dt, int steps) {
   return analysis;
 }
 
-inline Scene legacy_scene(const Blocks& blocks, const Analysis& analysis) {
-  return scene_of(model_from_blocks(blocks, analysis), profile_settings("legacy", analysis), analysis.dialect);
+inline ShiScene legacy_scene(const Blocks& blocks, const Analysis& analysis) {
+  return shi_scene({model_from_blocks(blocks, analysis), profile_settings("legacy", analysis)});
 }
 
 /// Advances once; a step that fails throws.
-inline StepReport step_once(const Scene& scene, Stepping& stepping) {
+inline StepReport step_once(const ShiScene& scene, Stepping& stepping) {
   return std::get<StepReport>(advance(scene, stepping));
 }
 

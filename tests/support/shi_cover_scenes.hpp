@@ -4,14 +4,14 @@
 
 #include <utility>
 
-#include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
-#include "cut/to_cover.hpp"
-#include "model/from_manifold.hpp"
-#include "model/hanging.hpp"
-#include "run/profile.hpp"
-#include "step/advance.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/covers/to_cover.hpp"
+#include "cut/mesh/background_mesh.hpp"
+#include "legacy/step/advance.hpp"
+#include "legacy/step/hanging.hpp"
+#include "model/setup/from_manifold.hpp"
+#include "settings/profile.hpp"
 
 namespace keyblock::support {
 
@@ -22,12 +22,12 @@ inline Manifold shi_cut(const BodyCut& bodies, int half_rows) {
   return cut_cover(bodies.graph, regular_triangles(box, centred_mesh(box, half_rows, MeshShape::equilateral)));
 }
 
-inline Scene shi_cover_scene(const Manifold& manifold, const ElementPoints& points, const Analysis& analysis) {
-  return scene_of(with_affine_elements(model_from_manifold(manifold, points, analysis)),
-                  profile_settings("legacy", analysis), analysis.dialect);
+inline ShiScene shi_cover_scene(const Manifold& manifold, const ElementPoints& points, const Analysis& analysis) {
+  return shi_scene(
+      {with_affine_elements(model_from_manifold(manifold, points, analysis)), profile_settings("legacy", analysis)});
 }
 
-inline Scene shi_cover_scene(const Drawing& drawing, int half_rows, const Analysis& analysis) {
+inline ShiScene shi_cover_scene(const Drawing& drawing, int half_rows, const Analysis& analysis) {
   const BodyCut bodies = cut_bodies(drawing);
   const Manifold manifold = shi_cut(bodies, half_rows);
   return shi_cover_scene(manifold, points_in_elements(manifold, bodies.blocks.blocks), analysis);

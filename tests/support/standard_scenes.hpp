@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/choose_basis.hpp"
 #include "model/kinematics.hpp"
+#include "model/setup/choose_basis.hpp"
 #include "step/standard_stepper.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -37,7 +37,7 @@ inline Settings standard_settings(const Analysis& analysis) {
 
 inline Scene standard_scene_of(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
   Model model = with_bases(model_from_blocks(blocks, analysis), settings.basis);
-  return scene_of(std::move(model), settings, analysis.dialect);
+  return {std::move(model), settings};
 }
 
 /// Steps until `time`; a step that fails throws.

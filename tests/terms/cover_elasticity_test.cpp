@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "step/elastic_bodies.hpp"
+#include "step/bodies/elastic_bodies.hpp"
 #include "terms/cover_stiffness.hpp"
 #include "tests/support/continuum_scenes.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "step/elastic_bodies.hpp"
+#include "step/bodies/elastic_bodies.hpp"
 #include "terms/cover_inertia.hpp"
 #include "tests/support/continuum_scenes.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "cut/cut_blocks.hpp"
+#include "cut/bodies/cut_blocks.hpp"
 #include "tests/validate/exact_arrangement.hpp"
 #include "tests/validate/random_drawings.hpp"
 

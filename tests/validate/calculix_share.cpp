@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "cut/cut_cover.hpp"
-#include "cut/fit_mesh.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/mesh/fit_mesh.hpp"
 #include "tests/support/continuum_scenes.hpp"
 
 namespace {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "cut/background_mesh.hpp"
-#include "cut/cut_blocks.hpp"
-#include "cut/cut_cover.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/mesh/background_mesh.hpp"
 #include "tests/validate/random_drawings.hpp"
 
 namespace keyblock {

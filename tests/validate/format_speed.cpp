@@ -13,8 +13,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "formats/nmm_cover.hpp"
 #include "formats/registry.hpp"
+#include "formats/shi/nmm_cover.hpp"
 
 namespace {
 

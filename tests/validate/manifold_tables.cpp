@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "report/chart.hpp"
+#include "report/drawing/chart.hpp"
 #include "report/page.hpp"
 #include "tests/support/continuum_benchmarks.hpp"
 

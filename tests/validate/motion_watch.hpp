@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "model/settings.hpp"
 #include "result/frame.hpp"
+#include "settings/settings.hpp"
 
 namespace keyblock {
 

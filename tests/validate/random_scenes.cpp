@@ -9,10 +9,10 @@
 #include <fstream>
 #include <numbers>
 
-#include "cut/cut_blocks.hpp"
-#include "formats/dda_analysis.hpp"
-#include "formats/dda_blocks.hpp"
-#include "formats/dda_geometry.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "formats/shi/dda_analysis.hpp"
+#include "formats/shi/dda_blocks.hpp"
+#include "formats/shi/dda_geometry.hpp"
 #include "tests/validate/dice.hpp"
 
 namespace keyblock {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "cut/to_cover.hpp"
-#include "report/chart.hpp"
+#include "cut/covers/to_cover.hpp"
+#include "report/drawing/chart.hpp"
 #include "report/page.hpp"
 #include "tests/support/continuum_benchmarks.hpp"
 #include "tests/support/cover_modes.hpp"

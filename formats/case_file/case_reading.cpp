@@ -1,0 +1,170 @@
+// Values with the demands they must meet, and the complaints about those that do not.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/case_file/case_reading.hpp"
+
+#include <cmath>
+
+#include "formats/text/numbers.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+// Bytes a byte of the file: an empty curve takes more than a reader may hold of the two characters it stands in.
+constexpr std::size_t kMostOfEmptyCurves = 12;
+
+}  // namespace
+
+CaseReading::CaseReading(JsonValue value, std::string_view noun) : from_(value), noun_(noun) {
+  if (value.kind() == JsonKind::array) in_row_ = value.begin();
+}
+
+void CaseReading::finish() const {
+  if (in_row_) {
+    if (*in_row_ != from_.end()) (**in_row_).fail(fmt::format("the end of {}: {}", noun_, fmt::join(known_, ", ")));
+    return;
+  }
+  std::vector<std::string_view> seen;
+  for (auto i = from_.begin(); i != from_.end(); ++i) {
+    const JsonValue key = *i;
+    ++i;
+    const std::string_view name = key.string();
+    if (std::ranges::find(known_, name) == known_.end())
+      key.fail(fmt::format("a key of {}: {}", noun_, fmt::join(known_, ", ")));
+    if (std::ranges::find(seen, name) != seen.end()) key.fail(fmt::format("each key of {} once", noun_));
+    seen.push_back(name);
+  }
+  if (!missing_.empty()) from_.fail(missing_);
+}
+
+bool CaseReading::take(std::string_view name) {
+  known_.push_back(name);
+  if (in_row_) {
+    if (*in_row_ == from_.end()) from_.fail(fmt::format("{} of {}", name, noun_));
+    value_ = **in_row_;
+    ++*in_row_;
+    return true;
+  }
+  value_ = from_.member(name);
+  return value_.has_value();
+}
+
+const JsonValue& CaseReading::of_kind(JsonKind kind, std::string_view name) const {
+  if (value_->kind() != kind)
+    value_->fail(fmt::format("{} of {}: an {}", name, noun_, kind == JsonKind::array ? "array" : "object"));
+  return *value_;
+}
+
+std::size_t CaseReading::size_of(const JsonValue& array) {
+  std::size_t size = 0;
+  for (auto i = array.begin(); i != array.end(); ++i) ++size;
+  return size;
+}
+
+void CaseReading::require(std::string_view name, std::size_t size, std::optional<std::size_t> least) {
+  if (!least) return;
+  if (value_ && size < *least) value_->fail(fmt::format("{} of {}: {} or more", name, noun_, *least));
+  if (!value_ && missing_.empty()) missing_ = fmt::format("the key {} of {}: an array", name, noun_);
+}
+
+void CaseReading::real(std::string_view name, double& value, const Demand& demand) {
+  const auto fail_at = [&](const JsonValue& at) { at.fail(fmt::format("{} of {}: {}", name, noun_, demand.wording)); };
+  if (take(name)) {
+    if (value_->kind() != JsonKind::number) fail_at(*value_);
+    value = value_->number();
+    if (!demand.holds(value)) fail_at(*value_);
+  } else if (!demand.holds(value)) {
+    if (missing_.empty()) missing_ = fmt::format("the key {} of {}: {}", name, noun_, demand.wording);
+  }
+}
+
+void CaseReading::index(std::string_view name, int& value) {
+  constexpr Demand number{[](double v) { return is_whole(v) && std::abs(v) <= std::numeric_limits<int>::max(); },
+                          "a whole number"};
+  double from_one = static_cast<double>(value) + 1;
+  real(name, from_one, number);
+  value = static_cast<int>(from_one - 1);
+}
+
+void CaseReading::flag(std::string_view name, bool& value) {
+  if (!take(name)) return;
+  if (value_->kind() != JsonKind::yes && value_->kind() != JsonKind::no)
+    value_->fail(fmt::format("{} of {}: true or false", name, noun_));
+  value = value_->kind() == JsonKind::yes;
+}
+
+void CaseReading::text(std::string_view name, std::string& value) {
+  if (!take(name)) return;
+  if (value_->kind() != JsonKind::string) value_->fail(fmt::format("{} of {}: a word", name, noun_));
+  value = value_->string();
+}
+
+void CaseReading::formula(std::string_view name, Formula& formula) {
+  if (!take(name)) return;
+  if (value_->kind() != JsonKind::number && value_->kind() != JsonKind::string)
+    value_->fail(fmt::format("{} of {}: a number or an expression in quotes", name, noun_));
+  formula.place = value_->place();
+  formula.text = value_->kind() == JsonKind::number ? format_real(value_->number()) : std::string(value_->string());
+}
+
+void CaseReading::optional_real(std::string_view name, std::optional<double>& value, const Demand& demand) {
+  if (!from_.member(name)) {
+    known_.push_back(name);
+    return;
+  }
+  real(name, value.emplace(), demand);
+}
+
+void CaseReading::optional_integer(std::string_view name, std::optional<int>& value, const Demand& demand) {
+  if (!from_.member(name)) {
+    known_.push_back(name);
+    return;
+  }
+  integer(name, value.emplace(), demand);
+}
+
+TimeCurve CaseReading::curve_of(const JsonValue& from, std::string_view name) {
+  if (from.kind() != JsonKind::array) from.fail(fmt::format("{}: an array of rows time, x, y", name));
+  TimeCurve curve;
+  curve.place = from.place();
+  for (const JsonValue item : from) {
+    if (item.kind() != JsonKind::array) item.fail(fmt::format("{}: a row time, x, y", name));
+    CaseReading row(item, name);
+    row.real("time", curve.times.emplace_back());
+    row.real("x", curve.values.emplace_back().x);
+    row.real("y", curve.values.back().y);
+    row.finish();
+    if (curve.times.size() > 1 && curve.times.back() <= curve.times[curve.times.size() - 2])
+      item.fail(fmt::format("{}: a time after the one before", name));
+  }
+  return curve;
+}
+
+void CaseReading::curve(std::string_view name, TimeCurve& curve) {
+  if (take(name)) curve = curve_of(*value_, name);
+}
+
+void CaseReading::optional_curve(std::string_view name, std::optional<TimeCurve>& curve) {
+  if (take(name)) curve = curve_of(*value_, name);
+}
+
+void CaseReading::curves(std::string_view name, std::vector<TimeCurve>& curves) {
+  if (!take(name)) return;
+  const std::size_t size = size_of(of_kind(JsonKind::array, name));
+  if (size * sizeof(TimeCurve) > kMostOfEmptyCurves * value_->file_size())
+    value_->fail(fmt::format("{} of {}: curves with rows, not {} of which almost all are empty", name, noun_, size));
+  curves.reserve(size);
+  for (const JsonValue item : *value_) curves.push_back(curve_of(item, name));
+}
+
+void CaseReading::pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>& pairs) {
+  if (!take(name)) return;
+  const JsonValue from = of_kind(JsonKind::object, name);
+  for (auto i = from.begin(); i != from.end(); ++i) {
+    const JsonValue key = *i;
+    ++i;
+    if ((*i).kind() != JsonKind::string) (*i).fail(fmt::format("{} of {}: a word in quotes", key.string(), name));
+    pairs.emplace_back(key.string(), (*i).string());
+  }
+}
+
+}  // namespace keyblock::formats

@@ -1,0 +1,126 @@
+// The visitor that fills structs from a case file: unknown keys and missing values are errors at their place.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "formats/text/demands.hpp"
+#include "formats/text/json_text.hpp"
+#include "problem/formula.hpp"
+
+namespace keyblock::formats {
+
+/// Reads the fields of one JSON value into one struct: by key where it is an object, in order where it is an array (a row).
+class CaseReading {
+ public:
+  static constexpr bool is_writing = false;
+
+  CaseReading(JsonValue value, std::string_view noun);
+  /// Throws InputError at a key or value that no field has taken, then for the first key that is missing.
+  void finish() const;
+
+  void real(std::string_view name, double& value, const Demand& demand = {[](double) { return true; }, "a number"});
+  template <class Integer>
+  void integer(std::string_view name, Integer& value, const Demand& demand) {
+    double number = static_cast<double>(value);
+    real(name, number, demand);
+    value = static_cast<Integer>(number);
+  }
+  void index(std::string_view name, int& value);
+  void flag(std::string_view name, bool& value);
+  void text(std::string_view name, std::string& value);
+  void formula(std::string_view name, Formula& formula);
+  template <class Enum>
+  void word(std::string_view name, Enum& value, std::span<const std::string_view> words) {
+    std::string found(words[static_cast<std::size_t>(value)]);
+    text(name, found);
+    const auto at = std::ranges::find(words, found);
+    if (at == words.end()) value_->fail(fmt::format("{} of {}: one of {}", name, noun_, fmt::join(words, ", ")));
+    value = static_cast<Enum>(at - words.begin());
+  }
+  void optional_real(std::string_view name, std::optional<double>& value, const Demand& demand);
+  void optional_integer(std::string_view name, std::optional<int>& value, const Demand& demand);
+
+  template <class T>
+  void row(std::string_view name, T& value) {
+    if (take(name)) fill(of_kind(JsonKind::array, name), name, value);
+  }
+  template <class T>
+  void object(std::string_view name, T& value) {
+    if (take(name)) fill(of_kind(JsonKind::object, name), name, value);
+  }
+  template <class T>
+  void optional_object(std::string_view name, std::optional<T>& value) {
+    if (take(name)) fill(of_kind(JsonKind::object, name), name, value.emplace());
+  }
+  template <class T>
+  void rows(std::string_view name, std::vector<T>& values, std::optional<std::size_t> least = std::nullopt) {
+    list(name, JsonKind::array, values);
+    require(name, values.size(), least);
+  }
+  template <class T>
+  void objects(std::string_view name, std::vector<T>& values) {
+    list(name, JsonKind::object, values);
+  }
+  template <class T>
+  void lists(std::string_view name, std::vector<std::vector<T>>& values,
+             std::optional<std::size_t> least = std::nullopt) {
+    if (take(name)) {
+      values.reserve(size_of(of_kind(JsonKind::array, name)));
+      for (const JsonValue item : *value_) fill_list(item, name, JsonKind::array, values.emplace_back());
+    }
+    require(name, values.size(), least);
+  }
+  void curve(std::string_view name, TimeCurve& curve);
+  void optional_curve(std::string_view name, std::optional<TimeCurve>& curve);
+  void curves(std::string_view name, std::vector<TimeCurve>& curves);
+  void pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>& pairs);
+
+ private:
+  /// The value of the next field into `value_`; false where the object lacks it.
+  bool take(std::string_view name);
+  const JsonValue& of_kind(JsonKind kind, std::string_view name) const;
+  /// For lists of lists: an empty one is so short that a vector that grows would take many times the file.
+  static std::size_t size_of(const JsonValue& array);
+  /// Of the list last asked for: there where it is needed, with `least` items.
+  void require(std::string_view name, std::size_t size, std::optional<std::size_t> least);
+
+  template <class T>
+  static void fill(const JsonValue& from, std::string_view noun, T& value) {
+    CaseReading reading(from, noun);
+    describe(reading, value);
+    reading.finish();
+    if constexpr (requires { value.place.line; }) value.place = from.place();
+  }
+  template <class T>
+  void list(std::string_view name, JsonKind kind, std::vector<T>& values) {
+    if (take(name)) fill_list(*value_, name, kind, values);
+  }
+  template <class T>
+  void fill_list(const JsonValue& from, std::string_view name, JsonKind kind, std::vector<T>& values) {
+    if (from.kind() != JsonKind::array) from.fail(fmt::format("{}: an array", name));
+    for (const JsonValue item : from) {
+      if (item.kind() != kind)
+        item.fail(fmt::format("{}: an array of {}", name, kind == JsonKind::array ? "arrays" : "objects"));
+      fill(item, name, values.emplace_back());
+    }
+  }
+  static TimeCurve curve_of(const JsonValue& from, std::string_view name);
+
+  JsonValue from_;
+  std::string_view noun_;
+  std::optional<JsonValue> value_;             ///< last taken
+  std::optional<JsonValue::Iterator> in_row_;  ///< next of a row
+  std::vector<std::string_view> known_;        ///< keys asked for
+  std::string missing_;                        ///< what the first missing key should have been
+};
+
+}  // namespace keyblock::formats

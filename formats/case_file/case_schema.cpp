@@ -1,0 +1,166 @@
+// The visitor that writes down the layout itself, as JSON Schema: what `describe` names can be checked by other programs too.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "formats/case_file/case_fields.hpp"
+#include "formats/case_file/case_meanings.hpp"
+#include "formats/case_file/keyblock_case.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Describes one struct: as an object with keys, or as a row, whose places are named.
+class CaseSchema {
+ public:
+  static constexpr bool is_writing = false;
+
+  explicit CaseSchema(std::string_view parent) : parent_(parent) {}
+
+  void real(std::string_view name, double& value, const Demand& demand = kAny) {
+    add_number(name, "number", demand, value, demand.holds(value));
+  }
+  template <class Integer>
+  void integer(std::string_view name, Integer& value, const Demand& demand) {
+    add_number(name, "integer", demand, value, demand.holds(static_cast<double>(value)));
+  }
+  void index(std::string_view name, int& value) { add(name, {{"type", "integer"}, {"default", value + 1}}); }
+  void flag(std::string_view name, bool& value) { add(name, {{"type", "boolean"}, {"default", value}}); }
+  void text(std::string_view name, std::string&) { add(name, {{"type", "string"}}); }
+  void formula(std::string_view name, Formula&) { add(name, {{"type", {"number", "string"}}, {"default", 0}}); }
+  template <class Enum>
+  void word(std::string_view name, Enum& value, std::span<const std::string_view> words) {
+    add(name, {{"enum", std::vector<std::string>(words.begin(), words.end())},
+               {"default", std::string(words[static_cast<std::size_t>(value)])}});
+  }
+  void optional_real(std::string_view name, std::optional<double>&, const Demand& demand) {
+    add(name, {{"type", "number"}}, demand.wording);
+  }
+  void optional_integer(std::string_view name, std::optional<int>&, const Demand& demand) {
+    add(name, {{"type", "integer"}}, demand.wording);
+  }
+  template <class T>
+  void row(std::string_view name, T&) {
+    add(name, row_of<T>(name));
+  }
+  template <class T>
+  void object(std::string_view name, T&) {
+    add(name, object_of<T>(name));
+  }
+  template <class T>
+  void optional_object(std::string_view name, std::optional<T>&) {
+    add(name, object_of<T>(name));
+  }
+  template <class T>
+  void rows(std::string_view name, std::vector<T>&, std::optional<std::size_t> least = std::nullopt) {
+    add_list(name, list_of(row_of<T>(name)), least);
+  }
+  template <class T>
+  void objects(std::string_view name, std::vector<T>&) {
+    add(name, list_of(object_of<T>(name)));
+  }
+  template <class T>
+  void lists(std::string_view name, std::vector<std::vector<T>>&, std::optional<std::size_t> least = std::nullopt) {
+    add_list(name, list_of(list_of(row_of<T>(name))), least);
+  }
+  void curve(std::string_view name, TimeCurve&) { add(name, list_of(curve_row(name))); }
+  void optional_curve(std::string_view name, std::optional<TimeCurve>&) { add(name, list_of(curve_row(name))); }
+  void curves(std::string_view name, std::vector<TimeCurve>&) { add(name, list_of(list_of(curve_row(name)))); }
+  void pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>&) {
+    add(name, {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}});
+  }
+
+  /// `parent`: the key whose value this is.
+  template <class T>
+  static Json object_of(std::string_view parent) {
+    const CaseSchema parts = of<T>(parent);
+    Json object = {{"type", "object"}, {"properties", parts.keys_}};
+    if (!parts.required_.empty()) object["required"] = parts.required_;
+    object["additionalProperties"] = false;
+    return object;
+  }
+
+ private:
+  template <class T>
+  static CaseSchema of(std::string_view parent) {
+    CaseSchema parts(parent);
+    T sample{};
+    describe(parts, sample);
+    return parts;
+  }
+  template <class T>
+  static Json row_of(std::string_view parent) {
+    return row_of(of<T>(parent));
+  }
+  /// Every place of a row is needed.
+  static Json row_of(const CaseSchema& parts) {
+    Json places = Json::array();
+    for (const auto& [name, schema] : parts.keys_.items()) {
+      Json place = schema;
+      place["title"] = name;
+      place.erase("default");
+      places.push_back(place);
+    }
+    return {{"type", "array"}, {"prefixItems", places}, {"minItems", places.size()}, {"items", false}};
+  }
+  static Json curve_row(std::string_view parent) {
+    CaseSchema parts(parent);
+    double number = 0;
+    for (const char* name : {"time", "x", "y"}) parts.real(name, number);
+    return row_of(parts);
+  }
+  static Json list_of(Json item) { return {{"type", "array"}, {"items", std::move(item)}}; }
+
+  /// A number whose default is none of the permitted values is needed.
+  template <class Number>
+  void add_number(std::string_view name, const char* type, const Demand& demand, Number value, bool has_default) {
+    Json number = {{"type", type}};
+    if (has_default)
+      number["default"] = value;
+    else
+      required_.emplace_back(name);
+    add(name, std::move(number), demand.wording == kAny.wording ? std::string_view{} : demand.wording);
+  }
+  void add_list(std::string_view name, Json list, std::optional<std::size_t> least) {
+    if (least) required_.emplace_back(name);
+    if (least.value_or(0) > 0) list["minItems"] = *least;
+    add(name, std::move(list));
+  }
+  void add(std::string_view name, Json schema, std::string_view demand = {}) {
+    const std::string_view meaning = meaning_of(parent_, name);
+    schema["description"] = demand.empty() ? std::string(meaning) : fmt::format("{}; {}", meaning, demand);
+    keys_[std::string(name)] = std::move(schema);
+  }
+
+  std::string_view parent_;
+  Json keys_ = Json::object();
+  std::vector<std::string> required_;
+};
+
+void name_units(Json& units) {
+  const auto name = [&](const char* key, std::span<const std::string_view> known) {
+    units["properties"][key]["enum"] = std::vector<std::string>(known.begin(), known.end());
+  };
+  name("length", kLengthUnits);
+  name("mass", kMassUnits);
+  name("time", kTimeUnits);
+}
+
+}  // namespace
+
+std::string case_schema() {
+  Json schema = CaseSchema::object_of<Content>("case");
+  Json& keys = schema["properties"];
+  name_units(keys["units"]);
+  keys["drawing"]["properties"]["edge_node_ratio"]["default"] = kDefaultEdgeNodeRatio;
+  keys["keyblock"] = {{"const", kCaseVersion}, {"description", "version of the layout"}};
+  schema["required"] = {"keyblock"};
+  Json head = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Keyblock case file"}};
+  head.update(schema);
+  return head.dump(1) + "\n";
+}
+
+}  // namespace keyblock::formats

@@ -1,0 +1,149 @@
+// Reads the specification of joint sets, key by key; layout in the header.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/case_file/joint_spec.hpp"
+
+#include <fmt/format.h>
+
+#include "formats/text/demands.hpp"
+#include "formats/text/json_fields.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+constexpr Demand kAnyNumber{[](double) { return true; }, "a number"};
+constexpr Demand kDip{[](double v) { return v >= -360 && v <= 360; }, "-360 to 360 degrees"};
+constexpr Demand kFaceAngle{[](double v) { return v > 0 && v <= 90; }, "above 0 to 90 degrees"};
+constexpr Demand kSeed{[](double v) { return v >= 0 && is_whole(v); }, "a whole number, 0 or more"};
+constexpr Demand kLifts{[](double v) { return v >= 1 && v <= 1000 && is_whole(v); }, "a whole number from 1 to 1000"};
+constexpr double kRatio = 0.001;
+const std::vector<std::string_view> kSetKeys{"dip",
+                                             "spacing",
+                                             "trace",
+                                             "gap",
+                                             "scatter",
+                                             "dip_scatter",
+                                             "spacing_scatter",
+                                             "trace_scatter",
+                                             "gap_scatter",
+                                             "distribution",
+                                             "spacing_distribution",
+                                             "trace_distribution",
+                                             "gap_distribution",
+                                             "joint",
+                                             "seed"};
+
+RectangleShape rectangle_of(const PlacedJson& value) {
+  const JsonFields fields(value, "the rectangle", {"width", "height", "x", "y"});
+  RectangleShape shape;
+  shape.width = fields.real("width", kPositive);
+  shape.height = fields.real("height", kPositive);
+  shape.x = fields.real("x", kAnyNumber, 0);
+  shape.y = fields.real("y", kAnyNumber, 0);
+  return shape;
+}
+
+SlopeShape slope_of(const PlacedJson& value) {
+  const JsonFields fields(value, "the slope",
+                          {"height", "angle", "bench", "benches", "toe", "crest", "base", "x", "y"});
+  SlopeShape shape;
+  shape.height = fields.real("height", kPositive);
+  shape.angle_deg = fields.real("angle", kFaceAngle);
+  shape.bench = fields.real("bench", kNotNegative, 0);
+  shape.benches = fields.integer("benches", kLifts, 1);
+  shape.toe = fields.real("toe", kNotNegative, shape.height);
+  shape.crest = fields.real("crest", kNotNegative, 1.5 * shape.height);
+  shape.base = fields.real("base", kPositive, shape.height / 2);
+  shape.x = fields.real("x", kAnyNumber, 0);
+  shape.y = fields.real("y", kAnyNumber, 0);
+  return shape;
+}
+
+TunnelSection tunnel_of(const PlacedJson& value) {
+  const JsonFields fields(value, "a tunnel", {"shape", "width", "height", "x", "y"});
+  if (!fields.has("shape"))
+    throw InputError(value.place, "expected the shape of a tunnel (circle, d or horseshoe), found none");
+  TunnelSection tunnel;
+  tunnel.shape = static_cast<TunnelShape>(fields.word("shape", {"circle", "d", "horseshoe"}, 0));
+  tunnel.width = fields.real("width", kPositive);
+  tunnel.height = fields.real("height", kPositive, tunnel.width);
+  tunnel.x = fields.real("x", kAnyNumber);
+  tunnel.y = fields.real("y", kAnyNumber);
+  tunnel.place = value.place;
+  return tunnel;
+}
+
+/// The scatter and the law of a length, its own or the set's.
+class LengthReader {
+ public:
+  explicit LengthReader(const JsonFields& fields)
+      : fields_(fields),
+        scatter_(fields.real("scatter", kShare, 0)),
+        law_(fields.word("distribution", kLaws, static_cast<std::size_t>(Distribution::lognormal))) {}
+
+  double scatter() const { return scatter_; }
+
+  RandomLength length(const std::string& key, const Demand& demand, std::optional<double> absent = std::nullopt) const {
+    return {fields_.real(key, demand, absent), fields_.real(key + "_scatter", kShare, scatter_),
+            static_cast<Distribution>(fields_.word(key + "_distribution", kLaws, law_))};
+  }
+
+ private:
+  inline static const std::vector<std::string_view> kLaws{"normal", "lognormal", "exponential"};
+
+  const JsonFields& fields_;
+  double scatter_;
+  std::size_t law_;
+};
+
+JointSet set_of(const PlacedJson& value, int number, int seed) {
+  const JsonFields fields(value, fmt::format("joint set {}", number), kSetKeys);
+  const LengthReader reader(fields);
+  JointSet set;
+  set.dip_deg = fields.real("dip", kDip);
+  set.dip_scatter = fields.real("dip_scatter", kShare, reader.scatter());
+  set.spacing = reader.length("spacing", kPositive);
+  const RandomLength trace = reader.length("trace", kPositive, 0);
+  if (trace.mean > 0) set.trace_length = trace;
+  set.gap = reader.length("gap", kNotNegative, 0);
+  if (!set.trace_length && set.gap.mean > 0)
+    throw InputError(value.place, fmt::format("expected trace beside gap in joint set {}, found none", number));
+  set.joint_material = fields.integer("joint", kAtLeastOne, number) - 1;
+  set.seed = static_cast<std::uint64_t>(fields.integer("seed", kSeed, seed));
+  set.stream = static_cast<std::uint64_t>(number);
+  set.place = value.place;
+  return set;
+}
+
+std::variant<RectangleShape, SlopeShape> outline_of_scene(const JsonFields& fields) {
+  const PlacedJson* rectangle = fields.value("rectangle");
+  const PlacedJson* slope = fields.value("slope");
+  if ((rectangle == nullptr) == (slope == nullptr))
+    throw InputError(fields.place(), fmt::format("expected one outline, rectangle or slope, found {}",
+                                                 rectangle == nullptr ? "none" : "both"));
+  if (rectangle != nullptr) return rectangle_of(*rectangle);
+  return slope_of(*slope);
+}
+
+}  // namespace
+
+JointScene joint_scene_of(const PlacedJson& specification) {
+  const JsonFields fields(
+      specification, "the specification",
+      {"rectangle", "slope", "tunnels", "sets", "seed", "boundary_joint", "edge_node_ratio", "fixed", "measured"});
+  JointScene scene;
+  scene.place = {specification.place.file};
+  scene.outline = outline_of_scene(fields);
+  for (const PlacedJson& tunnel : fields.list("tunnels")) scene.tunnels.push_back(tunnel_of(tunnel));
+  const int seed = fields.integer("seed", kSeed, 1);
+  int number = 0;
+  for (const PlacedJson& set : fields.list("sets")) scene.sets.push_back(set_of(set, ++number, seed));
+  scene.boundary_material = fields.integer("boundary_joint", kAtLeastOne, 1) - 1;
+  scene.edge_node_ratio = fields.real("edge_node_ratio", kEdgeNodeRatio, kRatio);
+  for (const std::vector<double>& row : fields.rows("fixed", 4))
+    scene.fixed_lines.push_back({{{row[0], row[1]}, {row[2], row[3]}}, fields.value("fixed")->place});
+  for (const std::vector<double>& row : fields.rows("measured", 2))
+    scene.measured_points.push_back({{row[0], row[1]}, fields.value("measured")->place});
+  return scene;
+}
+
+}  // namespace keyblock::formats

@@ -1,0 +1,41 @@
+// The file that says which outline, tunnels and joint sets a drawing is made from.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A JSON object of our own (the input of the old line programs is not known); lengths in one unit, angles in degrees,
+// materials from 1. Every key may be left out but those marked *; others are refused.
+//   rectangle | slope   the outline, one of them*
+//     rectangle  width* height* x y         (x, y) the lower left corner, 0
+//     slope      height* angle*             of the face, above 0 to 90
+//                bench benches              width of the level benches, 0, and number of lifts of the face, 1
+//                toe crest base             ground before the foot and behind the top, rock below the foot: height,
+//                                           1.5 height, height / 2
+//                x y                        the foot of the face, 0
+//   tunnels    list of: shape* (circle, d, horseshoe), width*, height (width), x* y* the middle
+//   sets       list of:
+//                dip*                       from the x axis, counter-clockwise
+//                spacing*                   mean distance between rows
+//                trace gap                  mean length of traces, and of the rock between those of a row (0); without
+//                                           trace they go through
+//                scatter                    0 to 1: standard deviation over the mean of spacing, trace and gap; of the dip
+//                                           over a quarter turn; 0
+//                dip_scatter spacing_scatter trace_scatter gap_scatter   where one differs
+//                distribution               of spacing, trace and gap: normal, lognormal (as if left out), exponential
+//                spacing_distribution trace_distribution gap_distribution
+//                joint                      joint material: the number of the set in the list
+//                seed                       that of the file
+//   seed       whole number, 1
+//   boundary_joint   joint material of the outline and the tunnels, 1
+//   edge_node_ratio  0.001
+//   fixed      list of [x1, y1, x2, y2]: fixed lines
+//   measured   list of [x, y]
+#pragma once
+
+#include "formats/text/placed_json.hpp"
+#include "problem/joints/joint_drawing.hpp"
+
+namespace keyblock::formats {
+
+/// Throws InputError for a key that is unknown or lacks, and for a value that cannot be.
+JointScene joint_scene_of(const PlacedJson& specification);
+
+}  // namespace keyblock::formats

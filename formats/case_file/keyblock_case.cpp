@@ -1,0 +1,286 @@
+// Reads, checks references of, and writes the case file; keys in case_fields.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/case_file/keyblock_case.hpp"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "formats/case_file/case_fields.hpp"
+#include "formats/case_file/case_reading.hpp"
+#include "formats/case_file/case_writing.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+constexpr std::string_view kMark = "\"keyblock\"";
+constexpr Demand kVersion{[](double v) { return v == kCaseVersion; }, "version 1"};
+constexpr std::size_t kFewestCorners = 3;
+
+Recognition recognise(const Source& source) {
+  using Fit = Recognition::Fit;
+  const std::string_view text = without_bom(source.text);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos ||
+      (text[first] != '{' && text.substr(first, 2) != "//" && text.substr(first, 2) != "/*"))
+    return {};
+  if (text.find(kMark) == std::string_view::npos)
+    return {Fit::damaged, "it begins like JSON, without the key \"keyblock\""};
+  return {Fit::exact, "JSON with the key \"keyblock\""};
+}
+
+[[noreturn]] void fail(const Place& place, std::string_view expected, long long found) {
+  throw InputError(place, fmt::format("expected {}, found {}", expected, found));
+}
+
+// A number, from 0, of one of `count` things.
+void require_one_of(int index, std::size_t count, std::string_view noun, const Place& place) {
+  if (index < 0 || static_cast<std::size_t>(index) >= count)
+    fail(place, fmt::format("the number of a {}, 1 to {}", noun, count), static_cast<long long>(index) + 1);
+}
+
+void check(const Units& units, const Place& place) {
+  const auto require = [&](std::string_view name, const std::string& unit, std::span<const std::string_view> known) {
+    if (!unit.empty() && std::ranges::find(known, unit) == known.end())
+      throw InputError(
+          place, fmt::format("expected {} of units: one of {}, found \"{}\"", name, fmt::join(known, ", "), unit));
+  };
+  require("length", units.length, kLengthUnits);
+  require("mass", units.mass, kMassUnits);
+  require("time", units.time, kTimeUnits);
+}
+
+void check(const Drawing& drawing) {
+  if (drawing.boundary_count > drawing.joints.size())
+    fail(drawing.place, fmt::format("a boundary_count of at most {}, the number of joints", drawing.joints.size()),
+         static_cast<long long>(drawing.boundary_count));
+}
+
+void check(const Blocks& blocks) {
+  const std::size_t count = blocks.blocks.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const BlockPolygon& block = blocks.blocks[i];
+    const auto require_corners = [&](const BlockLoop& loop) {
+      if (loop.size() < kFewestCorners)
+        fail(block.place, fmt::format("{} corners at least in each loop of block {}", kFewestCorners, i + 1),
+             static_cast<long long>(loop.size()));
+    };
+    require_corners(block.outer);
+    for (const BlockLoop& hole : block.holes) require_corners(hole);
+  }
+  for (const auto* points : {&blocks.fixed_points, &blocks.loading_points, &blocks.measured_points})
+    for (const BlockPoint& point : *points) require_one_of(point.block, count, "block", point.place);
+  for (const BlockBolt& bolt : blocks.bolts)
+    for (const int block : {bolt.first_block, bolt.second_block}) require_one_of(block, count, "block", bolt.place);
+}
+
+// The first slot stands again behind the last one.
+void require_slots(const SlotRange& range, std::size_t count, std::string_view noun, const Place& place) {
+  require_one_of(range.first, count, noun, place);
+  if (range.size < static_cast<int>(kFewestCorners) ||
+      static_cast<std::size_t>(range.first) + static_cast<std::size_t>(range.size) >= count)
+    fail(place, fmt::format("a range of {}s that ends before number {}", noun, count),
+         static_cast<long long>(range.first) + range.size + 1);
+}
+
+void check(const Cover& cover) {
+  for (const CoverElement& element : cover.elements) {
+    require_slots(element.vertices, cover.vertices.size(), "vertex slot", element.place);
+    for (const int node : element.covers) require_one_of(node, cover.nodes.size(), "physical cover", element.place);
+  }
+  for (const SlotRange& loop : cover.loops) require_slots(loop, cover.loop_vertices.size(), "loop vertex", cover.place);
+  for (const LoopVertex& vertex : cover.loop_vertices)
+    require_one_of(vertex.slot, cover.vertices.size(), "vertex slot", cover.place);
+  for (const auto* points : {&cover.fixed_points, &cover.loading_points, &cover.measured_points})
+    for (const CoverPoint& point : *points)
+      require_one_of(point.element, cover.elements.size(), "element", point.place);
+}
+
+// Compiled and thrown away: what cannot be understood is named where it stands.
+void check(const Formula& formula, std::span<const std::string_view> variables) {
+  if (!is_number(formula)) Compiled(formula, variables);
+}
+
+constexpr std::array<std::string_view, 4> kOnBoundary{"x", "y", "nx", "ny"};
+constexpr auto kInBody = std::span(kOnBoundary).first<2>();
+
+void require_points(const std::vector<Point>& points, std::size_t fewest, std::string_view noun, const Place& place) {
+  if (points.size() < fewest)
+    fail(place, fmt::format("{} points at least {}", fewest, noun), static_cast<long long>(points.size()));
+}
+
+constexpr double kHalfTurn = 180;
+// Of the mesh's scale: nodes that are moved further take whole triangles with them.
+constexpr double kMostSnapping = 0.1;
+
+void check(const MeshPlan& mesh, const Place& covers) {
+  const Place& place = mesh.place.line > 0 ? mesh.place : covers;
+  if ((mesh.half_rows > 0) == (mesh.side > 0))
+    throw InputError(place, fmt::format("expected a mesh with one of half_rows and side, found {}",
+                                        mesh.side > 0 ? "both" : "none above 0"));
+  if (mesh.kind == MeshKind::unstructured && mesh.half_rows > 0)
+    throw InputError(place, "expected the side of an unstructured mesh, found half_rows");
+  if (mesh.kind == MeshKind::unstructured && mesh.angle_deg != 0)
+    throw InputError(place, fmt::format("expected no angle of an unstructured mesh, found {}", mesh.angle_deg));
+  if (mesh.kind == MeshKind::regular && !mesh.refined.empty())
+    throw InputError(place, "expected kind unstructured where a mesh is refined, found a regular one");
+  if (!(std::abs(mesh.angle_deg) <= kHalfTurn))
+    throw InputError(place, fmt::format("expected an angle from -180 to 180, found {}", mesh.angle_deg));
+  if (!(mesh.snap_ratio <= kMostSnapping))
+    throw InputError(place,
+                     fmt::format("expected a snap_ratio of at most {}, found {}", kMostSnapping, mesh.snap_ratio));
+}
+
+void check(const DisplacementPlan& part) {
+  require_points(part.along, 2, "along a boundary", part.place);
+  for (const Formula* formula : {&part.x, &part.y, &part.normal}) check(*formula, kOnBoundary);
+  const auto refuse = [&](const char* name, const Formula& formula, const char* why) {
+    if (formula != Formula{})
+      throw InputError(formula.place, fmt::format("expected no {} where {}, found {}", name, why, formula.text));
+  };
+  if (part.held == Held::normal || part.held == Held::y) refuse("x", part.x, "x is not held");
+  if (part.held == Held::normal || part.held == Held::x) refuse("y", part.y, "y is not held");
+  if (part.held != Held::normal) refuse("normal", part.normal, "the normal is not what is held");
+}
+
+void check(const CoverPlan& covers) {
+  check(covers.mesh, covers.place);
+  for (const TractionPlan& part : covers.tractions) {
+    require_points(part.along, 2, "along a boundary", part.place);
+    for (const Formula* formula : {&part.x, &part.y, &part.pressure}) check(*formula, kOnBoundary);
+  }
+  for (const DisplacementPlan& part : covers.displacements) check(part);
+  for (const SpringPlan& spring : covers.springs)
+    if (spring.direction == Point{}) throw InputError(spring.place, "expected a direction of the spring, found (0, 0)");
+  for (const Formula* formula : {&covers.body_force.x, &covers.body_force.y, &covers.initial_stress.xx,
+                                 &covers.initial_stress.yy, &covers.initial_stress.xy})
+    check(*formula, kInBody);
+  for (const ExcavationPlan& excavation : covers.excavations)
+    require_points(excavation.outline, kFewestCorners, "about what is dug out", excavation.place);
+}
+
+void check(const Analysis& analysis) {
+  if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
+  if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
+  if (!analysis.plane_strain) return;
+  for (const BlockMaterial& material : analysis.block_materials)
+    if (!kPoissonPlaneStrain.holds(material.poissons_ratio))
+      throw InputError(material.place, fmt::format("expected poissons_ratio {}, found {}", kPoissonPlaneStrain.wording,
+                                                   material.poissons_ratio));
+}
+
+// Where the profile and each setting stand.
+void place_choices(RunChoices& choices, const JsonValue& run) {
+  if (const auto profile = run.member("profile")) choices.profile_place = profile->place();
+  const auto settings = run.member("set");
+  if (!settings) return;
+  for (auto i = settings->begin(); i != settings->end(); ++i) {
+    choices.setting_places.push_back((*i).place());
+    ++i;
+  }
+}
+
+Warnings take_default_ratio(Drawing& drawing, const JsonValue& from) {
+  if (from.member("edge_node_ratio")) return {};
+  drawing.edge_node_ratio = kDefaultEdgeNodeRatio;
+  return {{"default_edge_node_ratio", from.place(),
+           fmt::format("no edge_node_ratio is given, {} is taken", kDefaultEdgeNodeRatio)}};
+}
+
+// Weightless rock is seldom meant.
+Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
+  Warnings warnings;
+  const auto materials = from.member("block_materials");
+  if (analysis.gravity || !materials) return warnings;
+  for (const JsonValue material : *materials)
+    if (!material.member("unit_weight"))
+      add_warning(warnings, {"default_unit_weight", material.place(),
+                             "no unit_weight is given, 0 is taken: blocks of this material are weightless"});
+  return warnings;
+}
+
+// Corners of the outer loop and of holes: areas and pictures are made of them.
+void check(const std::vector<Frame>& frames, const JsonValue& from) {
+  auto frame_from = from.begin();
+  for (const Frame& frame : frames) {
+    auto element_from = (*frame_from).member("elements")->begin();
+    for (const ElementFrame& element : frame.elements) {
+      for (const std::vector<Point>& loop : element.loops)
+        if (loop.size() < kFewestCorners)
+          fail((*element_from).place(), fmt::format("{} corners at least in each loop of an element", kFewestCorners),
+               static_cast<long long>(loop.size()));
+      ++element_from;
+    }
+    ++frame_from;
+  }
+}
+
+template <class Part>
+void check(std::optional<Part>& part) {
+  if (part) check(*part);
+}
+
+template <class Part>
+void name_file(std::optional<Part>& part, const std::string& file) {
+  if (part) part->place = {file};
+}
+
+Reading read(const Source& source, const ReadHint&) {
+  const JsonText text(source);
+  if (text.root().kind() != JsonKind::object) text.root().fail("an object");
+  Reading reading;
+  Content& content = reading.content;
+  CaseReading fields(text.root(), "the case file");
+  int version = 0;
+  fields.integer("keyblock", version, kVersion);
+  describe(fields, content);
+  fields.finish();
+  const int geometries = (content.drawing ? 1 : 0) + (content.blocks ? 1 : 0) + (content.cover ? 1 : 0);
+  if (geometries > 1) text.root().fail("one of drawing, blocks and cover");
+  if (!fits_a_case(content))
+    reading.warnings.push_back({"empty_case", text.root().place(), "the case file holds nothing but its version"});
+  if (content.choices) place_choices(*content.choices, *text.root().member("run"));
+  if (content.drawing) reading.warnings = take_default_ratio(*content.drawing, *text.root().member("drawing"));
+  if (content.analysis)
+    reading.warnings =
+        joined(std::move(reading.warnings), weightless_materials(*content.analysis, *text.root().member("analysis")));
+  if (content.analysis)
+    if (const auto step = text.root().member("analysis")->member("time_step"))
+      content.analysis->time_step_place = step->place();
+  if (content.units) check(*content.units, text.root().member("units")->place());
+  check(content.drawing);
+  check(content.blocks);
+  check(content.cover);
+  check(content.covers);
+  check(content.analysis);
+  if (!content.frames.empty()) check(content.frames, *text.root().member("frames"));
+  name_file(content.drawing, source.name);
+  name_file(content.blocks, source.name);
+  name_file(content.cover, source.name);
+  name_file(content.analysis, source.name);
+  return reading;
+}
+
+std::string write(const Content& content) {
+  if (!fits_a_case(content))
+    throw std::invalid_argument("a case file needs a geometry, an analysis, a motion or results");
+  std::string text;
+  CaseWriting fields(text, CaseWriting::Shape::object, 0);
+  fields.integer("keyblock", kCaseVersion, {});
+  describe(fields, content);
+  fields.finish();
+  text += '\n';
+  return text;
+}
+
+}  // namespace
+
+bool fits_a_case(const Content& content) {
+  return content.drawing || content.blocks || content.cover || content.covers || content.analysis || content.motion ||
+         content.units || content.choices || !content.frames.empty() || !content.tracks.empty();
+}
+
+const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read, write};
+
+}  // namespace keyblock::formats

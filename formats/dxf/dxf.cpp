@@ -1,0 +1,85 @@
+// The DXF format record: recognition, reading, and the edge-node ratio.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/dxf/dxf.hpp"
+
+#include <fmt/format.h>
+
+#include "formats/dxf/dxf_drawing.hpp"
+#include "formats/dxf/dxf_entities.hpp"
+#include "formats/dxf/dxf_units.hpp"
+#include "formats/dxf/dxf_writer.hpp"
+#include "formats/text/demands.hpp"
+#include "formats/text/numbers.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+Recognition recognise(const Source& source) {
+  if (!opens_as_dxf(without_bom(source.text))) return {};
+  return {Recognition::Fit::exact, "it opens with group 0 SECTION"};
+}
+
+/// The ratio of the comment that the writer leaves.
+double edge_node_ratio(const DxfDocument& document, const Place& file, Warnings& warnings) {
+  for (const DxfGroup& comment : document.comments()) {
+    if (!comment.value.starts_with(kDxfRatioComment)) continue;
+    const std::string_view text = comment.value.substr(kDxfRatioComment.size());
+    const auto ratio = parse_real(text);
+    if (!ratio || !kEdgeNodeRatio.holds(*ratio))
+      throw InputError(document.place(comment), fmt::format("expected the edge-node ratio ({}) behind \"{}\", found {}",
+                                                            kEdgeNodeRatio.wording, kDxfRatioComment, in_quotes(text)));
+    return *ratio;
+  }
+  warnings.push_back({"default_edge_node_ratio", file,
+                      fmt::format("a DXF file says no edge-node ratio; taken as {}", kDxfEdgeNodeRatio)});
+  return kDxfEdgeNodeRatio;
+}
+
+/// Definitions of blocks, which only an INSERT would put into the drawing.
+void skip_definitions(const DxfDocument& document, const DxfSection& section, DxfSkipped& skipped) {
+  for (const DxfRecord& record : section.records)
+    if (record.head.value != "BLOCK" && record.head.value != "ENDBLK")
+      skipped.add("entity of the section BLOCKS", document.place(record.head));
+}
+
+/// The one section of that name; null where there is none.
+const DxfSection* find_section(const DxfDocument& document, std::string_view name) {
+  const DxfSection* found = nullptr;
+  for (const DxfSection& section : document.sections()) {
+    if (section.name != name) continue;
+    if (found != nullptr)
+      throw InputError(document.place(section.head), fmt::format("expected one section {}, found a second", name));
+    found = &section;
+  }
+  return found;
+}
+
+Reading read(const Source& source, const ReadHint& hint) {
+  const DxfDocument document(source);
+  const DxfSection* entities = find_section(document, "ENTITIES");
+  if (entities == nullptr) throw InputError({source.name}, "expected a section ENTITIES, found none");
+  const DxfUnit unit = unit_of(document, hint.length);
+  Warnings warnings = joined(document.warnings(), unit.warnings);
+  const double ratio = edge_node_ratio(document, {source.name}, warnings);
+  DxfSkipped definitions;
+  if (const DxfSection* blocks = find_section(document, "BLOCKS")) skip_definitions(document, *blocks, definitions);
+  DxfDrawing made = drawing_of(read_entities(document, *entities), unit.factor);
+  made.drawing.edge_node_ratio = ratio;
+  made.drawing.place = {source.name};
+  warnings = joined(joined(std::move(warnings), made.warnings), definitions.warnings());
+  Reading reading{{std::move(made.drawing), {}, {}}, std::move(warnings)};
+  if (!unit.length.empty()) reading.content.units = Units{unit.length, "", ""};
+  return reading;
+}
+
+}  // namespace
+
+std::string_view drawing_program_binary(std::string_view text) {
+  if (text.starts_with("AutoCAD Binary DXF")) return "a binary DXF file (save it as ASCII DXF)";
+  const bool is_dwg = text.starts_with("AC10") && text.substr(0, 16).find('\0') != std::string_view::npos;
+  return is_dwg ? "a DWG file (save it as ASCII DXF)" : "";
+}
+
+constinit const Format kDxf{"dxf", "DXF drawing (lines by layer)", recognise, read, write_dxf};
+
+}  // namespace keyblock::formats

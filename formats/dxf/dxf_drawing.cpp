@@ -1,0 +1,240 @@
+// Gives every shape of a DXF file the part in the drawing that its layer says.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/dxf/dxf_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "formats/dxf/dxf_curves.hpp"
+#include "formats/dxf/dxf_layers.hpp"
+#include "formats/text/tokens.hpp"
+#include "geometry/polygon.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+constexpr int kMostColours = 256;  // the AutoCAD colour index; the last is that of the layer
+constexpr int kByLayer = 256;
+
+class DrawingMaker {
+ public:
+  DrawingMaker(DxfShapes shapes, double scale) : shapes_(std::move(shapes)), scale_(scale) {}
+
+  DxfDrawing make() {
+    for (DxfShape& shape : shapes_.shapes) to_metres(shape);
+    name_layers();
+    for (const DxfShape& shape : shapes_.shapes) add(shape);
+    Drawing& drawing = result_.drawing;
+    drawing.boundary_count = boundaries_.size();
+    make_room(boundaries_, drawing.joints.size());
+    boundaries_.insert(boundaries_.end(), drawing.joints.begin(), drawing.joints.end());
+    drawing.joints = std::move(boundaries_);
+    result_.warnings = joined(std::move(shapes_.warnings), result_.warnings);
+    warn_of_chords();
+    result_.warnings = joined(std::move(result_.warnings), shapes_.skipped.warnings());
+    return std::move(result_);
+  }
+
+ private:
+  struct UnknownLayer {
+    std::string_view name;
+    Place first;
+    std::size_t entities = 0;
+  };
+
+  void to_metres(DxfShape& shape) const {
+    for (Point& p : shape.points) {
+      p = scale_ * p;
+      if (!std::isfinite(p.x) || !std::isfinite(p.y))
+        throw InputError(shape.place,
+                         fmt::format("expected {} within the range of numbers, found it beyond", shape.type));
+    }
+  }
+
+  /// Layers by their names; those without a known word get the first joint materials not yet taken, but for drawings of the old
+  /// Windows program: there the colour says the joint material.
+  void name_layers() {
+    find_marks();
+    std::set<int> taken;
+    std::vector<UnknownLayer> unknown;
+    std::map<std::string_view, std::size_t> positions;
+    for (const DxfShape& shape : shapes_.shapes) {
+      if (const auto layer = layer_of(shape.layer)) {
+        if (layer->number_is_too_long)
+          throw InputError(shape.place,
+                           fmt::format("expected a number up to 2147483647 at the end of the layer, found {}",
+                                       in_quotes(shape.layer)));
+        if (layer->role == DxfRole::joint || layer->role == DxfRole::boundary) taken.insert(layer->index);
+        layers_[shape.layer] = *layer;
+      } else if (!shape.is_point && !has_marks_) {
+        const auto [at, is_new] = positions.try_emplace(shape.layer, unknown.size());
+        if (is_new) unknown.push_back({shape.layer, shape.place, 0});
+        ++unknown[at->second].entities;
+      }
+    }
+    int index = 0;
+    for (const UnknownLayer& layer : unknown) {
+      while (taken.contains(index)) ++index;
+      layers_[layer.name] = {DxfRole::joint, index, false};
+      result_.warnings.push_back({"dxf_layer_as_joints", layer.first,
+                                  fmt::format("layer {} names no part of a drawing; its lines and curves, {} in "
+                                              "number, are joints of joint material {}",
+                                              in_quotes(layer.name), layer.entities, index + 1)});
+      ++index;
+    }
+  }
+
+  /// The convention of the old Windows program, known by its marks on layers that name nothing.
+  void find_marks() {
+    const auto is_mark = [](const DxfShape& shape) { return shape.mark != 0 && !layer_of(shape.layer); };
+    const auto first = std::ranges::find_if(shapes_.shapes, is_mark);
+    has_marks_ = first != shapes_.shapes.end();
+    if (!has_marks_) return;
+    result_.warnings.push_back(
+        {"dxf_old_marks", first->place,
+         fmt::format("{} texts F, L, M, H on layers that name no part of a drawing: read as the old Windows program "
+                     "did, as fixed, loading, measured and hole points; there the joint material of a line is its "
+                     "colour + 1",
+                     std::ranges::count_if(shapes_.shapes, is_mark))});
+  }
+
+  void add_by_old_marks(const DxfShape& shape) {
+    if (!shape.is_point) {
+      if (shape.colour < 0 || shape.colour > kMostColours)
+        throw InputError(shape.place, fmt::format("expected a colour from 0 to {} (group 62), found {}", kMostColours,
+                                                  shape.colour));
+      const int colour = shape.colour == kByLayer ? 0 : shape.colour;
+      return add_sides(shape, {DxfRole::joint, colour, false});
+    }
+    constexpr std::array<std::pair<char, DxfRole>, 4> kRoles{
+        {{'F', DxfRole::fixed}, {'L', DxfRole::load}, {'M', DxfRole::measured}, {'H', DxfRole::hole}}};
+    for (const auto& [mark, role] : kRoles)
+      if (shape.mark == mark) return add_point(shape, {role, 0, false});
+    skip(shape);
+  }
+
+  void skip(const DxfShape& shape) {
+    shapes_.skipped.add(fmt::format("{} on layer {}", shape.type, in_quotes(shape.layer)), shape.place);
+  }
+
+  void add(const DxfShape& shape) {
+    const auto found = layers_.find(shape.layer);
+    if (found == layers_.end()) return has_marks_ ? add_by_old_marks(shape) : skip(shape);
+    if (shape.is_point) return add_point(shape, found->second);
+    const bool is_block = found->second.role == DxfRole::block;
+    if (holds_points_only(found->second.role) || (is_block && !shape.is_closed)) return skip(shape);
+    if (!is_block) return add_sides(shape, found->second);
+    count_chords(shape);
+    add_block(shape, found->second);
+  }
+
+  void add_sides(const DxfShape& shape, const DxfLayer& layer) {
+    count_chords(shape);
+    const std::size_t sides = shape.points.size() - (shape.is_closed ? 0 : 1);
+    if (layer.role == DxfRole::boundary) make_room(boundaries_, sides);
+    if (layer.role == DxfRole::joint) make_room(result_.drawing.joints, sides);
+    for (std::size_t i = 0; i < sides; ++i) add_line(shape, side(shape, i), layer);
+  }
+
+  /// Room for `more` and an eighth: doubling would hold thrice the list for a moment.
+  template <typename List>
+  static void make_room(List& list, std::size_t more) {
+    if (list.size() + more > list.capacity())
+      list.reserve(std::max((list.size() + more) * 9 / 8 + 16, list.size() * 3 / 2));
+  }
+
+  static Segment side(const DxfShape& shape, std::size_t i) {
+    return {shape.points[i], shape.points[i + 1 == shape.points.size() ? 0 : i + 1]};
+  }
+
+  void add_line(const DxfShape& shape, const Segment& segment, const DxfLayer& layer) {
+    Drawing& drawing = result_.drawing;
+    switch (layer.role) {
+      case DxfRole::boundary:
+        boundaries_.push_back({segment, layer.index, shape.place});
+        break;
+      case DxfRole::material:
+        drawing.material_lines.push_back({segment, layer.index, shape.place});
+        break;
+      case DxfRole::fixed:
+        drawing.fixed_lines.push_back({segment, shape.place});
+        break;
+      case DxfRole::bolt: {
+        const std::array<double, 3> values = shape.bolt.value_or(std::array<double, 3>{});
+        drawing.bolts.push_back({segment, values[0], values[1], values[2], layer.index, shape.place});
+        break;
+      }
+      default:
+        drawing.joints.push_back({segment, layer.index, shape.place});
+    }
+  }
+
+  void add_point(const DxfShape& shape, const DxfLayer& layer) {
+    Drawing& drawing = result_.drawing;
+    const Point p = shape.points.front();
+    if (layer.role == DxfRole::load)
+      drawing.loading_points.push_back({p, shape.place});
+    else if (layer.role == DxfRole::measured)
+      drawing.measured_points.push_back({p, shape.place});
+    else if (layer.role == DxfRole::hole)
+      drawing.hole_points.push_back({p, shape.place});
+    else if (layer.role == DxfRole::fixed || layer.role == DxfRole::material)
+      add_line(shape, {p, p}, layer);
+    else
+      skip(shape);
+  }
+
+  /// Sides are joints of the material that the layer of their VERTEX names, else of the first; a point inside gives the
+  /// block material. A clockwise loop inside the one before it is a hole of that.
+  void add_block(const DxfShape& shape, const DxfLayer& layer) {
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+      const auto own = i < shape.side_layers.size() ? layer_of(shape.side_layers[i]) : std::nullopt;
+      const bool names_joint = own && own->role == DxfRole::joint && !own->number_is_too_long;
+      result_.drawing.joints.push_back({side(shape, i), names_joint ? own->index : 0, shape.place});
+    }
+    const bool is_hole =
+        !outline_.empty() && area(shape.points) < 0 && keyblock::side(outline_, shape.points.front()) == Side::inside;
+    if (is_hole) return;
+    outline_ = shape.points;
+    if (const auto inside = point_inside({&shape.points, 1}))
+      result_.drawing.material_lines.push_back({{*inside, *inside}, layer.index, shape.place});
+  }
+
+  void count_chords(const DxfShape& shape) {
+    if (shape.curves > 0 && curves_ == 0) first_curve_ = shape.place;
+    curves_ += shape.curves;
+    chords_ += shape.chords;
+  }
+
+  void warn_of_chords() {
+    if (curves_ == 0) return;
+    result_.warnings.push_back(
+        {"dxf_curves_as_chords", first_curve_,
+         fmt::format("{} arcs, circles and bulges are {} chords; none leaves its curve by more than {} of the radius",
+                     curves_, chords_, kSagittaRatio)});
+  }
+
+  DxfShapes shapes_;
+  double scale_;
+  std::map<std::string_view, DxfLayer> layers_;
+  std::vector<JointLine> boundaries_;
+  std::vector<Point> outline_;  ///< of the last block
+  std::size_t curves_ = 0;      ///< of shapes that are not skipped
+  std::size_t chords_ = 0;
+  Place first_curve_;
+  bool has_marks_ = false;  ///< of the old Windows program
+  DxfDrawing result_;
+};
+
+}  // namespace
+
+DxfDrawing drawing_of(DxfShapes shapes, double scale) {
+  return DrawingMaker(std::move(shapes), scale).make();
+}
+
+}  // namespace keyblock::formats

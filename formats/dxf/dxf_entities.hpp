@@ -1,0 +1,42 @@
+// The entities of a DXF file as chains of points.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "formats/dxf/dxf_groups.hpp"
+#include "formats/dxf/dxf_skipped.hpp"
+#include "geometry/point.hpp"
+
+namespace keyblock::formats {
+
+/// What one entity draws, in the unit of the file. Views the document.
+struct DxfShape {
+  std::string_view type;
+  std::string_view layer;
+  Place place;
+  bool is_point = false;
+  bool is_closed = false;                     ///< a side runs from the last point to the first
+  std::vector<Point> points;                  ///< curves as chords
+  std::vector<std::string_view> side_layers;  ///< POLYLINE: layer of the VERTEX at which each side begins
+  std::optional<std::array<double, 3>> bolt;  ///< extended data: stiffness, strength, pre-tension
+  std::uint32_t curves = 0;                   ///< arcs, circles and bulges in it
+  std::uint32_t chords = 0;                   ///< that they became
+  int colour = 0;                             ///< group 62; 0 where it has none of its own
+  char mark = 0;  ///< F, L, M or H: a text of that letter alone, at its point; 0 for all else
+};
+
+struct DxfShapes {
+  std::vector<DxfShape> shapes;
+  DxfSkipped skipped;
+  Warnings warnings;
+};
+
+/// The shapes of the section ENTITIES. Throws InputError where an entity lacks a value or has a wrong one.
+DxfShapes read_entities(const DxfDocument& document, const DxfSection& entities);
+
+}  // namespace keyblock::formats

@@ -1,0 +1,76 @@
+// A DXF text as group codes with values that know their place, and as sections of records.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/format.hpp"
+#include "formats/text/tokens.hpp"
+
+namespace keyblock::formats {
+
+/// A line with a number and the line below it. Views the text.
+struct DxfGroup {
+  int code = 0;
+  std::string_view value;  ///< without white space at its ends
+};
+
+/// An entity, a table entry, …: its type (the value of group 0) and the groups up to the next group 0.
+struct DxfRecord {
+  DxfGroup head;
+  std::span<const DxfGroup> groups;
+
+  /// The first group with this code that is no extended data.
+  const DxfGroup* find(int code) const;
+};
+
+/// The records between SECTION and ENDSEC; groups before the first record (HEADER has no others).
+struct DxfSection {
+  DxfGroup head;
+  std::string_view name;
+  std::span<const DxfGroup> groups;
+  std::vector<DxfRecord> records;
+};
+
+/// A DXF text taken apart. Views the source: keep that alive.
+class DxfDocument {
+ public:
+  /// Throws InputError where a group code is none, a value or the end of a section is missing.
+  explicit DxfDocument(const Source& source);
+
+  const std::vector<DxfSection>& sections() const { return sections_; }
+  const std::vector<DxfGroup>& comments() const { return comments_; }  ///< groups 999
+  /// Of what follows the end of the file, or where that end is missing.
+  const Warnings& warnings() const { return warnings_; }
+  Place place(const DxfGroup& group) const {
+    return map_.place(static_cast<std::size_t>(group.value.data() - text_.data()));
+  }
+
+  /// The value as a finite number, as a whole number; InputError "expected NAME (group CODE) of OWNER, found …".
+  double real(const DxfGroup& group, std::string_view name, std::string_view owner) const;
+  int integer(const DxfGroup& group, std::string_view name, std::string_view owner) const;
+
+ private:
+  void split(std::string_view text);
+  void sort_into_sections();
+  std::size_t read_section(std::size_t at);
+  [[noreturn]] void fail(std::size_t at, std::string_view expected) const;
+
+  std::string_view text_;
+  TextMap map_;
+  std::size_t end_ = 0;
+  std::vector<DxfGroup> groups_;
+  std::vector<DxfGroup> comments_;
+  std::vector<DxfSection> sections_;
+  Warnings warnings_;
+};
+
+/// Whether the first group that is no comment is 0 SECTION.
+bool opens_as_dxf(std::string_view text);
+
+}  // namespace keyblock::formats

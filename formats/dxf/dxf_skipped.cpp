@@ -1,0 +1,26 @@
+// The list of kinds that are left out of a DXF file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/dxf/dxf_skipped.hpp"
+
+#include <fmt/format.h>
+
+namespace keyblock::formats {
+
+void DxfSkipped::add(std::string_view kind, const Place& place) {
+  const auto found = positions_.find(kind);
+  if (found != positions_.end()) {
+    ++kinds_[found->second].count;
+  } else {
+    positions_.emplace(kind, kinds_.size());
+    kinds_.push_back({std::string(kind), place, 1});
+  }
+}
+
+Warnings DxfSkipped::warnings() const {
+  Warnings all;
+  for (const Kind& kind : kinds_)
+    all.push_back({"dxf_skipped", kind.first, fmt::format("skipped: {} × {}", kind.count, kind.name)});
+  return all;
+}
+
+}  // namespace keyblock::formats

@@ -1,0 +1,86 @@
+// $INSUNITS of the header: the table of units.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/dxf/dxf_units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "formats/text/numbers.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+struct Unit {
+  std::string_view name;
+  std::string_view length;  ///< in a case file; empty: not known there
+  double metres;
+};
+
+constexpr int kMetre = 6;  // in this list
+constexpr std::array<Unit, 22> kUnits{{
+    {"no unit", "", 1},
+    {"inch", "in", 0.0254},
+    {"foot", "ft", 0.3048},
+    {"mile", "", 1609.344},
+    {"millimetre", "mm", 0.001},
+    {"centimetre", "cm", 0.01},
+    {"metre", "m", 1},
+    {"kilometre", "km", 1000},
+    {"microinch", "", 2.54e-8},
+    {"mil", "", 2.54e-5},
+    {"yard", "yd", 0.9144},
+    {"ångström", "", 1e-10},
+    {"nanometre", "", 1e-9},
+    {"micrometre", "", 1e-6},
+    {"decimetre", "dm", 0.1},
+    {"decametre", "", 10},
+    {"hectometre", "", 100},
+    {"gigametre", "", 1e9},
+    {"astronomical unit", "", 149597870700.0},
+    {"light year", "", 9460730472580800.0},
+    {"parsec", "", 3.0856775814913673e16},
+    {"US survey foot", "", 1200.0 / 3937},
+}};
+
+const DxfGroup* units_group(const DxfDocument& document) {
+  for (const DxfSection& section : document.sections()) {
+    if (section.name != "HEADER") continue;
+    for (std::size_t i = 0; i + 1 < section.groups.size(); ++i)
+      if (section.groups[i].code == 9 && section.groups[i].value == "$INSUNITS") return &section.groups[i + 1];
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+DxfUnit unit_of(const DxfDocument& document, std::string_view wanted) {
+  const DxfGroup* group = units_group(document);
+  if (group == nullptr) return {};
+  const int number = document.integer(*group, "the unit", "$INSUNITS");
+  if (number == 0) return {};
+  if (number < 0 || number >= static_cast<int>(kUnits.size()))
+    return {1,
+            "",
+            {{"dxf_unit_unknown", document.place(*group),
+              fmt::format("$INSUNITS {} is no unit known here; coordinates are taken as they are", number)}}};
+  const Unit& unit = kUnits[static_cast<std::size_t>(number)];
+  const int target_number = dxf_unit_number(wanted);
+  const Unit& target = kUnits[static_cast<std::size_t>(target_number > 0 ? target_number : kMetre)];
+  if (unit.metres == target.metres) return {1, std::string(target.length), {}};
+  const double factor = unit.metres / target.metres;
+  return {factor,
+          std::string(target.length),
+          {{target.length == "m" ? "dxf_scaled_to_metres" : "dxf_scaled_to_declared_unit", document.place(*group),
+            fmt::format("the unit of the file is the {}; coordinates are multiplied by {} to the {}", unit.name,
+                        format_real(factor), target.name)}}};
+}
+
+int dxf_unit_number(std::string_view length) {
+  if (length.empty()) return 0;
+  const auto found = std::ranges::find(kUnits, length, &Unit::length);
+  return found == kUnits.end() ? 0 : static_cast<int>(found - kUnits.begin());
+}
+
+}  // namespace keyblock::formats

@@ -1,0 +1,186 @@
+// Writes rows by appending cells; reads by one pass over the characters.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/text/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "formats/text/numbers.hpp"
+#include "formats/text/tokens.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+void append(std::string& text, std::initializer_list<double> values) {
+  for (double value : values) {
+    text += ',';
+    text += format_real(value);
+  }
+}
+
+/// Takes a table apart, one row at a time.
+class CsvScanner {
+ public:
+  explicit CsvScanner(const Source& source) : source_(source), text_(source.text) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+    line_start_ = text_.data();
+  }
+
+  /// LF, CRLF and a lone CR end a line. The next row that is not an empty line; without cells at the end of the text.
+  CsvRow next_row() {
+    while (skip_line_end()) {
+    }
+    CsvRow row{{}, line_, {}};
+    if (text_.empty()) return row;
+    do {
+      row.columns.push_back(static_cast<int>(text_.data() - line_start_) + 1);
+      row.cells.push_back(next_cell());
+    } while (skip(','));
+    if (!text_.empty() && !skip_line_end())
+      throw InputError({source_.name, line_, 0}, "expected a comma or the end of the line after a closing quote");
+    return row;
+  }
+
+ private:
+  bool skip(char c) {
+    if (!text_.starts_with(c)) return false;
+    text_.remove_prefix(1);
+    return true;
+  }
+
+  bool skip_line_end() {
+    const bool carriage_return = skip('\r');
+    if (!skip('\n') && !carriage_return) return false;
+    begin_line();
+    return true;
+  }
+
+  void begin_line() {
+    ++line_;
+    line_start_ = text_.data();
+  }
+
+  std::string next_cell() {
+    if (skip('"')) return quoted_cell();
+    const std::size_t end = std::min(text_.find_first_of(",\n\r"), text_.size());
+    std::string cell(text_.substr(0, end));
+    text_.remove_prefix(end);
+    return cell;
+  }
+
+  std::string quoted_cell() {
+    const int opened = line_;
+    std::string cell;
+    while (!text_.empty()) {
+      if (skip('"') && !text_.starts_with('"')) return cell;
+      const bool ends_line = text_.starts_with('\n') || (text_.starts_with('\r') && !text_.starts_with("\r\n"));
+      cell += text_.front();
+      text_.remove_prefix(1);
+      if (ends_line) begin_line();
+    }
+    throw InputError({source_.name, opened, 0}, "expected a closing quote, found the end of the file");
+  }
+
+  const Source& source_;
+  std::string_view text_;
+  const char* line_start_ = nullptr;
+  int line_ = 1;
+};
+
+}  // namespace
+
+std::string history_csv(const History& history) {
+  std::string text = "step,time [T]";
+  const std::size_t count = history.rows.empty() ? 0 : history.rows.front().points.size();
+  for (std::size_t i = 1; i <= count; ++i) text += fmt::format(",x{0} [L],y{0} [L],dx{0} [L],dy{0} [L]", i);
+  const std::size_t bolts = history.rows.empty() ? 0 : history.rows.front().bolt_forces.size();
+  for (std::size_t i = 1; i <= bolts; ++i) text += fmt::format(",bolt{} [F]", i);
+  text += '\n';
+  for (const HistoryRow& row : history.rows) {
+    text += fmt::format("{}", row.step);
+    append(text, {row.time});
+    for (const PointFrame& point : row.points)
+      append(text, {point.position.x, point.position.y, point.displacement.x, point.displacement.y});
+    for (const double force : row.bolt_forces) append(text, {force});
+    text += '\n';
+  }
+  return text;
+}
+
+std::string points_csv(const History& history) {
+  std::string text = "step,time [T],point,x [L],y [L],dx [L],dy [L],sxx,syy,sxy\n";
+  for (const HistoryRow& row : history.rows) {
+    for (std::size_t i = 0; i < row.points.size(); ++i) {
+      const PointFrame& p = row.points[i];
+      text += fmt::format("{}", row.step);
+      append(text, {row.time});
+      text += fmt::format(",{}", i + 1);
+      append(text,
+             {p.position.x, p.position.y, p.displacement.x, p.displacement.y, p.stress.xx, p.stress.yy, p.stress.xy});
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+std::string steps_csv(std::span<const StepReport> steps) {
+  std::string text = "step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration\n";
+  for (const StepReport& step : steps) {
+    text += fmt::format("{}", step.step);
+    append(text, {step.time, step.dt});
+    text += fmt::format(",{},{},{},{}", step.passes, step.contacts, step.closed, step.matrix_blocks);
+    append(text, {step.penalty, step.displacement_ratio, step.greatest_penetration});
+    text += '\n';
+  }
+  return text;
+}
+
+std::string blocks_csv(std::span<const Frame> frames) {
+  std::string text = "step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area\n";
+  for (const Frame& frame : frames) {
+    for (std::size_t i = 0; i < frame.elements.size(); ++i) {
+      const ElementFrame& block = frame.elements[i];
+      text += fmt::format("{}", frame.step);
+      append(text, {frame.time});
+      text += fmt::format(",{},{}", i + 1, block.material + 1);
+      append(text, {block.centroid.x, block.centroid.y, block.rotation, block.displacement.x, block.displacement.y,
+                    block.stress.xx, block.stress.yy, block.stress.xy, block.area});
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+CsvTable read_csv(const Source& source) {
+  CsvScanner scanner(source);
+  CsvTable table{source.name, scanner.next_row().cells, {}};
+  if (table.header.empty()) throw InputError({source.name}, "expected a header line, found nothing");
+  for (CsvRow row = scanner.next_row(); !row.cells.empty(); row = scanner.next_row()) {
+    if (row.cells.size() != table.header.size())
+      throw InputError({source.name, row.line, 0}, fmt::format("expected {} cells as in the header, found {}",
+                                                               table.header.size(), row.cells.size()));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::size_t csv_column(const CsvTable& table, std::string_view heading) {
+  const auto found = std::ranges::find(table.header, heading);
+  if (found == table.header.end())
+    throw InputError({table.name, 1, 0}, fmt::format("expected a column \"{}\", found {}", heading,
+                                                     in_quotes(fmt::format("{}", fmt::join(table.header, ",")))));
+  return static_cast<std::size_t>(found - table.header.begin());
+}
+
+double csv_real(const CsvTable& table, const CsvRow& row, std::size_t column) {
+  const std::optional<double> value = parse_real(row.cells.at(column));
+  if (!value)
+    throw InputError({table.name, row.line, row.columns[column]},
+                     fmt::format("expected a number in column {}, found {}", in_quotes(table.header.at(column)),
+                                 in_quotes(row.cells[column])));
+  return *value;
+}
+
+}  // namespace keyblock::formats

@@ -1,0 +1,212 @@
+// Writes VTK's XML by hand; the arrays follow one another in the order the viewer's panel shows them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/views/vtk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include "formats/text/numbers.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+using Loop = std::vector<Point>;
+
+/// Walks from the chain to the nearest vertex of the hole, round it, and back.
+Loop bridged(const Loop& chain, const Loop& hole) {
+  std::size_t leave = 0;
+  std::size_t enter = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    for (std::size_t j = 0; j < hole.size(); ++j)
+      if (distance(chain[i], hole[j]) < distance(chain[leave], hole[enter])) leave = i, enter = j;
+  const auto at = [](std::size_t index) { return static_cast<std::ptrdiff_t>(index); };
+  Loop joined(chain.begin(), chain.begin() + at(leave) + 1);
+  joined.insert(joined.end(), hole.begin() + at(enter), hole.end());
+  joined.insert(joined.end(), hole.begin(), hole.begin() + at(enter) + 1);
+  joined.insert(joined.end(), chain.begin() + at(leave), chain.end());
+  return joined;
+}
+
+Loop one_chain(const std::vector<Loop>& loops) {
+  if (loops.empty()) return {};
+  Loop chain = loops.front();
+  for (std::size_t i = 1; i < loops.size(); ++i)
+    if (!loops[i].empty()) chain = bridged(chain, loops[i]);
+  return chain;
+}
+
+/// The corners in the order of `one_chain`: a walk repeats corners, which are told by their positions.
+std::vector<const FieldCorner*> one_chain(const FieldElement& element) {
+  std::vector<Loop> loops;
+  std::vector<const FieldCorner*> all;
+  for (const auto& loop : element.loops) {
+    loops.emplace_back();
+    for (const FieldCorner& corner : loop) {
+      loops.back().push_back(corner.position);
+      all.push_back(&corner);
+    }
+  }
+  if (loops.size() == 1) return all;
+  std::vector<const FieldCorner*> chain;
+  for (const Point p : one_chain(loops))
+    chain.push_back(*std::find_if(all.begin(), all.end(), [&](const FieldCorner* c) { return c->position == p; }));
+  return chain;
+}
+
+/// One value a cell, or three with `width` 3.
+template <class Value>
+void append_cells(std::string& text, const Frame& frame, std::string_view type, std::string_view name, int width,
+                  Value value) {
+  text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type, name,
+                      width);
+  for (std::size_t i = 0; i < frame.elements.size(); ++i) text += value(i, frame.elements[i]) + "\n";
+  text += "</DataArray>\n";
+}
+
+std::string vector_text(double x, double y) {
+  return fmt::format("{} {} 0", format_real(x), format_real(y));
+}
+
+void append_points(std::string& text, const std::vector<Loop>& chains) {
+  text += "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  for (const Loop& chain : chains)
+    for (Point p : chain) text += vector_text(p.x, p.y) + "\n";
+  text += "</DataArray>\n</Points>\n";
+}
+
+void append_polygons(std::string& text, const std::vector<Loop>& chains) {
+  std::string connectivity;
+  std::string offsets;
+  std::string types;
+  std::size_t next = 0;
+  for (const Loop& chain : chains) {
+    for (std::size_t i = 0; i < chain.size(); ++i) connectivity += fmt::format("{} ", next++);
+    connectivity += '\n';
+    offsets += fmt::format("{}\n", next);
+    types += "7\n";
+  }
+  text += "<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n" + connectivity;
+  text += "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n" + offsets;
+  text += "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n" + types;
+  text += "</DataArray>\n</Cells>\n";
+}
+
+void append_cell_data(std::string& text, const Frame& frame) {
+  using E = const ElementFrame&;
+  const auto real = [&](std::string_view name, auto member) {
+    append_cells(text, frame, "Float64", name, 1, [&](std::size_t, E e) { return format_real(member(e)); });
+  };
+  text += "<CellData>\n";
+  append_cells(text, frame, "Int32", "block", 1, [](std::size_t i, E) { return fmt::format("{}", i + 1); });
+  append_cells(text, frame, "Int32", "material", 1, [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
+  real("stress_xx", [](E e) { return e.stress.xx; });
+  real("stress_yy", [](E e) { return e.stress.yy; });
+  real("stress_xy", [](E e) { return e.stress.xy; });
+  append_cells(text, frame, "Float64", "displacement", 3,
+               [](std::size_t, E e) { return vector_text(e.displacement.x, e.displacement.y); });
+  append_cells(text, frame, "Float64", "velocity", 3,
+               [](std::size_t, E e) { return vector_text(e.velocity.x, e.velocity.y); });
+  real("rotation", [](E e) { return e.rotation; });
+  real("rotation_rate", [](E e) { return e.velocity.rotation; });
+  real("area", [](E e) { return e.area; });
+  text += "</CellData>\n";
+}
+
+std::string head(double time, std::size_t points, std::size_t cells) {
+  return fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n"
+      "<UnstructuredGrid>\n<FieldData>\n"
+      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
+      "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+      format_real(time), points, cells);
+}
+
+/// Displacement and stress of corners, one a line.
+void append_field(std::string& text, const std::vector<const FieldCorner*>& corners) {
+  const auto append = [&](std::string_view name, int width, auto value) {
+    text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", name,
+                        width);
+    for (const FieldCorner* corner : corners) text += value(*corner) + "\n";
+    text += "</DataArray>\n";
+  };
+  using C = const FieldCorner&;
+  append("displacement", 3, [](C c) { return vector_text(c.displacement.x, c.displacement.y); });
+  append("stress_xx", 1, [](C c) { return format_real(c.stress.xx); });
+  append("stress_yy", 1, [](C c) { return format_real(c.stress.yy); });
+  append("stress_xy", 1, [](C c) { return format_real(c.stress.xy); });
+}
+
+void append_numbers(std::string& text, std::string_view name, const FieldFrame& frame, int FieldElement::*number) {
+  text += fmt::format("<DataArray type=\"Int32\" Name=\"{}\" NumberOfComponents=\"1\" format=\"ascii\">\n", name);
+  for (const FieldElement& element : frame.elements) text += fmt::format("{}\n", element.*number + 1);
+  text += "</DataArray>\n";
+}
+
+std::string attribute(std::string_view text) {
+  std::string safe;
+  for (char c : text) {
+    if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+}  // namespace
+
+std::string vtu(const Frame& frame) {
+  std::vector<Loop> chains;
+  std::size_t point_count = 0;
+  for (const ElementFrame& element : frame.elements) {
+    chains.push_back(one_chain(element.loops));
+    point_count += chains.back().size();
+  }
+  std::string text = head(frame.time, point_count, chains.size());
+  append_points(text, chains);
+  append_polygons(text, chains);
+  append_cell_data(text, frame);
+  return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+std::string vtu(const FieldFrame& frame) {
+  std::vector<Loop> chains;
+  std::vector<const FieldCorner*> corners;
+  std::vector<const FieldCorner*> middles;
+  for (const FieldElement& element : frame.elements) {
+    chains.emplace_back();
+    for (const FieldCorner* corner : one_chain(element)) {
+      corners.push_back(corner);
+      chains.back().push_back(corner->position);
+    }
+    middles.push_back(&element.middle);
+  }
+  std::string text = head(frame.time, corners.size(), chains.size());
+  append_points(text, chains);
+  append_polygons(text, chains);
+  text += "<PointData>\n";
+  append_field(text, corners);
+  text += "</PointData>\n<CellData>\n";
+  append_numbers(text, "body", frame, &FieldElement::body);
+  append_numbers(text, "material", frame, &FieldElement::material);
+  append_field(text, middles);
+  return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+std::string pvd(const std::vector<std::pair<double, std::string>>& time_and_file) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+  for (const auto& [time, file] : time_and_file)
+    text += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}\"/>\n", time, attribute(file));
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace keyblock::formats

@@ -1,0 +1,225 @@
+// Carries out jobs; results of a run or conversion go to jobs/NAME in the results' folder, what an earlier try left is removed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/batch_work.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/exit_code.hpp"
+#include "base/error.hpp"
+#include "formats/registry.hpp"
+#include "job/run_report.hpp"
+#include "settings/profile.hpp"
+#include "study/batch/batch_answers.hpp"
+#include "study/batch/batch_check.hpp"
+#include "study/batch/batch_journal.hpp"
+#include "study/cases/cases.hpp"
+#include "study/convert/convert.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using report::CatalogueAnswer;
+using report::CatalogueRow;
+
+constexpr int kNoRoomForLibraries = 127;  // exit code of the loader
+
+std::vector<std::string> profiles_of(const BatchPlan& plan) {
+  return plan.profile.empty() ? std::vector<std::string>{"legacy", "standard"} : std::vector{plan.profile};
+}
+
+void fail(CatalogueRow& row, const std::string& message) {
+  if (row.outcome != "failed") row.message = message;
+  row.outcome = "failed";
+}
+
+void doubt(CatalogueRow& row, const std::string& message) {
+  ++row.warnings;
+  if (row.outcome != "ok") return;
+  row.message = message;
+  row.outcome = "warnings";
+}
+
+/// The last line of the log that speaks of an error.
+std::string error_in(const fs::path& log) {
+  std::istringstream lines(formats::load(log.string()).text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("error:") != std::string::npos) last = line;
+  return last;
+}
+
+std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
+  if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
+  const std::string error = error_in(log);
+  const bool is_starved = end.exit_code == kNoRoomForLibraries || error.find("not enough memory") != std::string::npos;
+  if (limits.memory_mebibytes > 0 && is_starved)
+    return fmt::format("the limit of {} MiB of memory is too small for it", limits.memory_mebibytes);
+  return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
+}
+
+fs::path empty_folder_for(const BatchPlan& plan, const study::BatchJob& job) {
+  const fs::path folder = plan.folder / "jobs" / job.name;
+  std::error_code error;
+  fs::remove_all(folder, error);
+  if (!error) fs::create_directories(folder, error);
+  if (error) throw OutputError(fmt::format("cannot make {}", folder.string()));
+  return folder;
+}
+
+std::vector<std::string> with_inputs(const std::string& verb, const BatchPlan& plan, const study::BatchJob& job) {
+  std::vector<std::string> arguments{verb};
+  for (const std::string& file : job.files) arguments.push_back(study::place_of(plan.root, file).string());
+  return arguments;
+}
+
+/// A child with what it prints beside its results.
+ChildEnd run_logged(const BatchPlan& plan, const fs::path& folder, const std::string& name,
+                    const std::vector<std::string>& arguments) {
+  return run_child(arguments, plan.limits, folder / (name + ".out"), folder / (name + ".log"));
+}
+
+CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder,
+                       const std::string& profile, CatalogueRow& row) {
+  std::vector<std::string> arguments = with_inputs("run", plan, job);
+  arguments.insert(arguments.end(), {"-o", (folder / profile).string(), "--profile", profile, "--threads", "1"});
+  const ChildEnd end = run_logged(plan, folder, profile, arguments);
+  const bool came_to_its_end = end.exit_code == int(ExitCode::ok) || end.exit_code == int(ExitCode::check_failed);
+  if (came_to_its_end) {
+    CatalogueAnswer answer = study::answer_in(folder / profile, profile);
+    if (!answer.doubt.empty()) doubt(row, fmt::format("{}: {}", profile, answer.doubt));
+    return answer;
+  }
+  const std::string why = why_it_ended(end, plan.limits, folder / (profile + ".log"));
+  CatalogueAnswer answer = study::answer_in(folder / profile, profile);
+  const bool has_result = answer.end != "no result";
+  const bool is_partial = end.ran_out_of_time && has_result;
+  fail(row, fmt::format("{}: {}{}", profile, why, is_partial ? fmt::format(" after {} steps", answer.steps) : ""));
+  if (!has_result || is_partial) answer.end = why;
+  return answer;
+}
+
+// Expected values speak of the case that bears its folder's name.
+bool is_the_case_of_its_folder(const BatchPlan& plan, const study::BatchJob& job) {
+  const fs::path folder = study::place_of(plan.root, job.files.front()).parent_path();
+  if (!fs::exists(folder / "expected.csv")) return false;
+  const std::vector<std::string> inputs = study::CaseFolder{folder, {}, true, false}.inputs();
+  return std::ranges::equal(inputs, job.files, [&](const std::string& input, const std::string& file) {
+    return fs::path(input) == study::place_of(plan.root, file);
+  });
+}
+
+std::string compare_with_expected(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder) {
+  if (!is_the_case_of_its_folder(plan, job)) return {};
+  const fs::path of_case = study::place_of(plan.root, job.files.front()).parent_path();
+  std::vector<std::string> arguments{"compare", of_case.string(), "--json", "--all", "--threads", "1"};
+  if (!plan.profile.empty()) arguments.insert(arguments.end(), {"--profile", plan.profile});
+  const ChildEnd end = run_logged(plan, folder, "compare", arguments);
+  return end.ran_out_of_time ? "not compared: the limit of processor time was reached"
+                             : study::verdict_of(formats::load((folder / "compare.out").string()).text);
+}
+
+void run_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& row) {
+  const fs::path folder = empty_folder_for(plan, job);
+  for (const std::string& profile : profiles_of(plan)) {
+    row.answers.push_back(run_in(plan, job, folder, profile, row));
+    row.outputs.push_back((fs::path("jobs") / job.name / profile).generic_string());
+  }
+  row.difference = study::difference_of(row.answers);
+  row.expected = compare_with_expected(plan, job, folder);
+}
+
+CatalogueRow check_here(const BatchPlan& plan, const study::BatchJob& job,
+                        const std::vector<report::CatalogueFile>& files) {
+  const auto depth = plan.task == BatchTask::check ? study::CheckDepth::plan : study::CheckDepth::scene;
+  return study::check_job(plan.root, job, files, depth, plan.profile);
+}
+
+/// The same in a process of its own, `batch --row`, which prints a journal of this job alone.
+CatalogueRow check_in_child(const BatchPlan& plan, const study::BatchJob& job,
+                            const std::vector<report::CatalogueFile>& files) {
+  const fs::path folder = plan.checks_folder() / job.name;
+  fs::create_directories(folder);
+  std::vector<std::string> arguments{"batch", plan.root.string()};
+  if (plan.task == BatchTask::check) arguments.emplace_back("--check");
+  if (!plan.profile.empty()) arguments.insert(arguments.end(), {"--profile", plan.profile});
+  arguments.emplace_back("--row");
+  arguments.insert(arguments.end(), job.files.begin(), job.files.end());
+  const ChildEnd end = run_logged(plan, folder, "check", arguments);
+  const study::Journal printed = study::read_journal(formats::load((folder / "check.out").string()).text);
+  if (end.exit_code != 0 || printed.rows.size() != 1)
+    return study::row_without_check(job, files, "failed", why_it_ended(end, plan.limits, folder / "check.log"));
+  CatalogueRow row = printed.rows.begin()->second;
+  row.name = job.name;
+  row.files = files;
+  row.paired_by = job.paired_by;
+  return row;
+}
+
+/// What the target cannot hold makes a warning of a job that was fine.
+void add_losses(CatalogueRow& row, const std::string& report) {
+  const auto json = nlohmann::json::parse(report, nullptr, false);
+  if (!json.is_object() || !json.contains("losses") || json["losses"].empty()) return;
+  const auto& losses = json["losses"];
+  if (row.outcome == "ok")
+    row.message = fmt::format("{} lost in the conversion, the first: {}: {}", counted(losses.size(), "thing"),
+                              losses.front().value("item", ""), losses.front().value("change", ""));
+  row.warnings += static_cast<int>(losses.size());
+  row.outcome = "warnings";
+}
+
+void convert_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& row) {
+  const fs::path folder = empty_folder_for(plan, job);
+  const fs::path written = folder / "written";
+  std::error_code error;
+  if (!fs::create_directory(written, error)) throw OutputError(fmt::format("cannot make {}", written.string()));
+  const std::string_view ending = study::find_target(plan.format)->parts.front().ending;
+  const fs::path output = written / (fs::path(job.files.front()).stem().string() + std::string(ending));
+  std::vector<std::string> arguments = with_inputs("convert", plan, job);
+  arguments.insert(arguments.end(), {"-o", output.string(), "--to", plan.format, "--json"});
+  const ChildEnd end = run_logged(plan, folder, "convert", arguments);
+  if (end.exit_code != 0) return fail(row, why_it_ended(end, plan.limits, folder / "convert.log"));
+  add_losses(row, formats::load((folder / "convert.out").string()).text);
+  for (const fs::directory_entry& entry : fs::directory_iterator(written))
+    row.outputs.push_back(entry.path().lexically_relative(plan.folder).generic_string());
+  std::ranges::sort(row.outputs);
+}
+
+}  // namespace
+
+fs::path BatchPlan::checks_folder() const {
+  return folder / "checks";
+}
+
+std::string BatchPlan::task_text() const {
+  const std::string with_limits = fmt::format(", {} s, {} MiB", limits.cpu_seconds, limits.memory_mebibytes);
+  switch (task) {
+    case BatchTask::check:
+      return fmt::format("keyblock {} check {}{}", KEYBLOCK_VERSION, profile, with_limits);
+    case BatchTask::run:
+      return fmt::format("keyblock {} run {}{}", KEYBLOCK_VERSION, fmt::join(profiles_of(*this), " "), with_limits);
+    case BatchTask::convert:
+      return fmt::format("keyblock {} convert {}{}", KEYBLOCK_VERSION, format, with_limits);
+  }
+  return {};
+}
+
+CatalogueRow do_job(const BatchPlan& plan, const study::BatchJob& job,
+                    const std::vector<report::CatalogueFile>& files) {
+  if (job.kind == study::JobKind::listed) return study::row_without_check(job, files, "listed", "");
+  const bool is_limited = plan.limits.cpu_seconds > 0 || plan.limits.memory_mebibytes > 0;
+  CatalogueRow row = is_limited ? check_in_child(plan, job, files) : check_here(plan, job, files);
+  const bool is_runnable = job.kind == study::JobKind::whole && row.outcome != "failed";
+  if (plan.task == BatchTask::run && is_runnable) run_job(plan, job, row);
+  if (plan.task == BatchTask::convert && row.outcome != "failed") convert_job(plan, job, row);
+  return row;
+}
+
+}  // namespace keyblock

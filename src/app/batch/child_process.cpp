@@ -1,0 +1,87 @@
+// Fork, limits, exec, wait. Between fork and exec only what is safe there: other threads may hold any lock.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/child_process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+
+#include "app/exit_code.hpp"
+#include "base/error.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr int kCannotStart = 126;  // 127 is the loader's, where a limit leaves no room for libraries
+
+struct Plan {
+  std::vector<char*> arguments;
+  std::string output;
+  std::string messages;
+  ChildLimits limits;
+  pid_t parent;
+};
+
+bool send_to(const std::string& file, int descriptor) {
+  const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  return opened >= 0 && dup2(opened, descriptor) >= 0;
+}
+
+// A run that is asked to end still writes what it has reached: so many seconds, and a tenth of its time.
+constexpr rlim_t kLeastGrace = 5;
+
+rlim_t grace(rlim_t seconds) {
+  return std::max(kLeastGrace, seconds / 10);
+}
+
+// The first limit asks the process to end, the second, above it, ends it.
+bool limit(int resource, rlim_t first, rlim_t second) {
+  const rlimit both{first, second};
+  return setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0;
+}
+
+[[noreturn]] void become(const Plan& plan) {
+  bool is_ready = setpgid(0, 0) == 0 && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == plan.parent;
+  std::signal(SIGINT, SIG_DFL);
+  if (const auto seconds = static_cast<rlim_t>(plan.limits.cpu_seconds); seconds > 0)
+    is_ready = is_ready && limit(RLIMIT_CPU, seconds, seconds + grace(seconds));
+  if (const auto bytes = static_cast<rlim_t>(plan.limits.memory_mebibytes) << 20U; bytes > 0)
+    is_ready = is_ready && limit(RLIMIT_AS, bytes, bytes);
+  is_ready = is_ready && limit(RLIMIT_CORE, 0, 0);
+  const int nothing = open("/dev/null", O_RDONLY);
+  is_ready = is_ready && dup2(nothing, STDIN_FILENO) >= 0 && send_to(plan.output, STDOUT_FILENO) &&
+             send_to(plan.messages, STDERR_FILENO);
+  if (is_ready) execv("/proc/self/exe", plan.arguments.data());
+  _exit(kCannotStart);
+}
+
+}  // namespace
+
+ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
+                   const std::filesystem::path& output, const std::filesystem::path& messages) {
+  std::string name = "keyblock";
+  Plan plan{{name.data()}, output.string(), messages.string(), limits, getpid()};
+  for (const std::string& argument : arguments) plan.arguments.push_back(const_cast<char*>(argument.c_str()));
+  plan.arguments.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) become(plan);
+  int status = 0;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  const bool was_killed = WIFSIGNALED(status);
+  if (child < 0 || (!was_killed && WEXITSTATUS(status) == kCannotStart))
+    throw OutputError(fmt::format("cannot start this program again, or write {}", messages.string()));
+  const int signal = was_killed ? WTERMSIG(status) : 0;
+  const bool says_so = !was_killed && WEXITSTATUS(status) == static_cast<int>(ExitCode::limit);
+  const bool by_limit = limits.cpu_seconds > 0 && (signal == SIGXCPU || signal == SIGKILL || says_so);
+  return {was_killed ? 128 + signal : WEXITSTATUS(status), by_limit};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,237 @@
+// `keyblock check`: says what each file is and why we think so, what it holds, and what is odd or wrong about it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command.hpp"
+#include "app/commands/cover_run.hpp"
+#include "base/printable.hpp"
+#include "cut/covers/from_cover.hpp"
+#include "formats/case.hpp"
+#include "job/run_report.hpp"
+#include "run/prepare.hpp"
+#include "settings/profile.hpp"
+#include "study/cases/named_files.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string profile;  ///< empty: that of the case file, or the default
+  bool as_json = false;
+};
+
+/// The whole case: its complaints, or why it could not be put together.
+struct CaseReport {
+  Warnings warnings;
+  std::vector<std::string> errors;
+  std::optional<CoverCounts> covers;  ///< of bodies on covers
+  std::optional<Requirements> plan;   ///< what a run would take; only where geometry and analysis are there
+};
+
+Json counts_of(const Drawing& drawing) {
+  return {{"lines", drawing.joints.size()},
+          {"boundary_lines", drawing.boundary_count},
+          {"material_lines", drawing.material_lines.size()},
+          {"bolts", drawing.bolts.size()},
+          {"fixed_lines", drawing.fixed_lines.size()},
+          {"loading_points", drawing.loading_points.size()},
+          {"measured_points", drawing.measured_points.size()},
+          {"hole_points", drawing.hole_points.size()}};
+}
+
+Json counts_of(const Blocks& blocks) {
+  return {{"blocks", blocks.blocks.size()},
+          {"bolts", blocks.bolts.size()},
+          {"fixed_points", blocks.fixed_points.size()},
+          {"loading_points", blocks.loading_points.size()},
+          {"measured_points", blocks.measured_points.size()}};
+}
+
+Json counts_of(const Cover& cover) {
+  return {{"elements", cover.elements.size()},
+          {"covers", cover.nodes.size()},
+          {"loops", cover.loops.size()},
+          {"fixed_points", cover.fixed_points.size()},
+          {"loading_points", cover.loading_points.size()},
+          {"measured_points", cover.measured_points.size()}};
+}
+
+Json counts_of(const Analysis& analysis) {
+  return {{"steps", analysis.step_count},
+          {"block_materials", analysis.block_materials.size()},
+          {"joint_materials", analysis.joint_materials.size()},
+          {"load_curves", analysis.point_loads.size()},
+          {"motion_curves", analysis.fixed_point_motions.size()}};
+}
+
+Json counts_of(const formats::Content& content) {
+  Json counts = Json::object();
+  if (content.drawing) counts.update(counts_of(*content.drawing));
+  if (content.blocks) counts.update(counts_of(*content.blocks));
+  if (content.cover) counts.update(counts_of(*content.cover));
+  if (!content.frames.empty()) counts["frames"] = content.frames.size();
+  if (!content.tracks.empty()) counts["measured_points"] = content.tracks.size();
+  if (content.motion) counts["accelerations"] = content.motion->times.size();
+  if (content.analysis) counts.update(counts_of(*content.analysis));
+  return counts;
+}
+
+Json json_of(const formats::FileReading& file) {
+  Json json = {{"file", file.path}};
+  if (file.choice) {
+    json["format"] = file.choice->format->name;
+    json["evidence"] = file.choice->recognition.evidence;
+  }
+  if (file.reading) {
+    json["counts"] = counts_of(file.reading->content);
+    json["warnings"] = warning_list_json(file.reading->warnings);
+  }
+  if (file.error) json["error"] = file.error->what();
+  return json;
+}
+
+std::string text_of(const Json& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts.items()) {
+    std::string words = name;
+    for (char& c : words)
+      if (c == '_') c = ' ';
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.dump(), words);
+  }
+  return text;
+}
+
+void print(const Warnings& warnings) {
+  for (const Warning& warning : warnings) fmt::print("  {}\n", printable(to_string(warning)));
+}
+
+void print(const formats::FileReading& file) {
+  if (file.choice)
+    fmt::print("{}: {} [{}]: {}\n", printable(file.path), file.choice->format->title, file.choice->format->name,
+               printable(file.choice->recognition.evidence));
+  if (file.reading) {
+    const std::string counts = text_of(counts_of(file.reading->content));
+    fmt::print("  {}\n", counts.empty() ? "holds no geometry, analysis or results" : counts);
+    print(file.reading->warnings);
+  }
+}
+
+void print(const Requirements& plan) {
+  fmt::print("  {} unknowns: {}\n", plan.unknowns, plan.basis);
+  for (const RequiredTerm& term : plan.terms) fmt::print("  {:15} {}\n", name_of(term.term), term.reason);
+}
+
+void print(const CaseReport& report) {
+  if (report.warnings.empty() && !report.plan && !report.covers) return;
+  fmt::print("the files together:\n");
+  print(report.warnings);
+  if (report.plan) print(*report.plan);
+  if (report.covers) fmt::print("  {}\n", sentence_of(*report.covers));
+}
+
+/// Several geometries or analyses are no one case: each file is looked at alone, and that is said at the second.
+Warnings several_cases(const std::vector<formats::FileReading>& files) {
+  std::vector<std::string> geometries, analyses;
+  for (const formats::FileReading& file : files) {
+    if (!file.reading) continue;
+    const formats::Content& content = file.reading->content;
+    if (content.drawing || content.blocks || content.cover) geometries.push_back(file.path);
+    if (content.analysis) analyses.push_back(file.path);
+  }
+  const auto told = [](const std::vector<std::string>& found, const char* noun) {
+    return Warnings{
+        {"several_cases",
+         {found[1], 0, 0},
+         fmt::format("a second {} of {}, after {}: together the files are no case, each was looked at alone", noun,
+                     found.size(), found[0])}};
+  };
+  if (geometries.size() > 1) return told(geometries, "geometry");
+  if (analyses.size() > 1) return told(analyses, "analysis");
+  return {};
+}
+
+CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile) {
+  std::vector<formats::Content> contents;
+  for (const formats::FileReading& file : files)
+    if (file.reading) contents.push_back(file.reading->content);
+  if (Warnings told = several_cases(files); !told.empty()) return {std::move(told), {}, std::nullopt, std::nullopt};
+  try {
+    const Checked checked = check(formats::pair(contents));
+    CaseReport report{checked.warnings, {}, std::nullopt, std::nullopt};
+    for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
+    if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
+      manifold_of(*cover);  // throws where elements and loops do not fit together
+    if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
+    const std::string chosen = profile_of(checked.problem, profile);
+    if (is_solved_at_once(checked.problem, chosen, {})) {
+      const CoverCase cover_case(checked.problem, chosen);
+      report.warnings = joined(std::move(report.warnings), cover_case.warnings());
+      report.covers = cover_case.counts();
+      return report;
+    }
+    const Prepared prepared = prepare(study::with_named_files(checked.problem, {}, {}), chosen, {});
+    report.warnings = joined(std::move(report.warnings), prepared.warnings);
+    report.plan = prepared.requirements;
+    return report;
+  } catch (const InputError& error) {
+    return {{}, {error.what()}, std::nullopt, std::nullopt};
+  }
+}
+
+void print_json(const std::vector<formats::FileReading>& files, const CaseReport& report) {
+  Json json = {{"files", Json::array()},
+               {"case", {{"warnings", warning_list_json(report.warnings)}, {"errors", report.errors}}}};
+  if (report.plan) json["case"]["requires"] = requirements_json(*report.plan);
+  if (report.covers) json["case"]["covers"] = counts_json(*report.covers);
+  for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+/// To standard error, behind the report; how many there are.
+std::size_t log_errors(const std::vector<formats::FileReading>& files, const CaseReport& report) {
+  std::vector<std::string> errors;
+  for (const formats::FileReading& file : files)
+    if (file.error) errors.emplace_back(file.error->what());
+  errors.insert(errors.end(), report.errors.begin(), report.errors.end());
+  std::fflush(stdout);
+  for (const std::string& error : errors) spdlog::error("{}", error);
+  return errors.size();
+}
+
+ExitCode check_files(const CheckOptions& options) {
+  const std::vector<formats::FileReading> files = formats::read_files(options.files);
+  const CaseReport report = report_of(files, options.profile);
+  if (options.as_json) {
+    print_json(files, report);
+  } else {
+    for (const formats::FileReading& file : files) print(file);
+    print(report);
+  }
+  return log_errors(files, report) > 0 ? ExitCode::unreadable : ExitCode::ok;
+}
+
+}  // namespace
+
+Action configure_check(CLI::App& options) {
+  const auto chosen = std::make_shared<CheckOptions>();
+  options.add_option("files", chosen->files, "geometry and analysis files, in any order")->required();
+  options
+      .add_option("--profile", chosen->profile,
+                  "preset of all choices that a run would take (default: standard, or what a case file says)")
+      ->check(CLI::IsMember(profile_names()));
+  options.add_flag("--json", chosen->as_json, "print the report as JSON");
+  return [chosen] { return check_files(*chosen); };
+}
+
+}  // namespace keyblock

@@ -1,0 +1,138 @@
+// `keyblock convert`: files in one format out in another, with everything named that the other cannot hold.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command.hpp"
+#include "base/error.hpp"
+#include "job/files.hpp"
+#include "job/run_report.hpp"
+#include "study/convert/convert.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ConvertOptions {
+  std::vector<std::string> files;
+  std::string output;
+  std::string target;
+  bool is_strict = false;
+  bool may_overwrite = false;
+  bool takes_faults = false;
+  bool as_json = false;
+};
+
+std::string target_names() {
+  std::string names;
+  for (const study::Target& target : study::targets()) names += (names.empty() ? "" : ", ") + std::string(target.name);
+  return names;
+}
+
+// Those that say a target, each once.
+std::string endings() {
+  std::vector<std::string_view> all;
+  for (const study::Target& target : study::targets())
+    if (target.parts.size() == 1 && std::ranges::find(all, target.parts.front().ending) == all.end())
+      all.push_back(target.parts.front().ending);
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+// The first target whose files end as the output does, where none is named.
+const study::Target& target_of(const ConvertOptions& options) {
+  if (!options.target.empty()) {
+    if (const study::Target* target = study::find_target(options.target)) return *target;
+    throw UsageError(fmt::format("--to: expected one of {}, found \"{}\"", target_names(), options.target));
+  }
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  for (const study::Target& target : study::targets())
+    if (target.parts.size() == 1 && target.parts.front().ending == ending) return target;
+  throw UsageError(fmt::format("expected --to FORMAT, one of {}, or an output that ends in {}, found \"{}\"",
+                               target_names(), endings(), options.output));
+}
+
+// One file is the output itself; of several, each has its ending, in place of one of the target's if there is one.
+std::filesystem::path path_of(const ConvertOptions& options, const study::Target& target, std::string_view ending) {
+  if (target.parts.size() == 1) return options.output;
+  std::filesystem::path file = options.output;
+  if (std::ranges::any_of(target.parts, [&](const auto& part) { return file.extension() == part.ending; }))
+    file.replace_extension();
+  return file += ending;
+}
+
+// What was there stays beside it, under the first free name.
+void keep_backup(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return;
+  std::filesystem::path backup = file;
+  backup += ".bak";
+  for (int i = 2; std::filesystem::exists(std::filesystem::symlink_status(backup)); ++i)
+    backup = file.string() + fmt::format(".bak{}", i);
+  std::filesystem::copy_file(file, backup);
+  spdlog::info("{} kept as {}", file.string(), backup.string());
+}
+
+Json json_of(const study::Conversion& conversion, const std::vector<std::string>& outputs) {
+  Json losses = Json::array();
+  for (const study::Loss& loss : conversion.losses)
+    losses.push_back({{"item", loss.item}, {"times", loss.times}, {"change", loss.sentence}});
+  return {{"outputs", outputs}, {"losses", losses}, {"warnings", warning_list_json(conversion.warnings)}};
+}
+
+ExitCode convert_files(const ConvertOptions& options) {
+  if (options.output.empty()) throw UsageError("convert: expected -o OUT");
+  const study::Target& target = target_of(options);
+  std::vector<std::filesystem::path> files;
+  for (const study::Target::Part& part : target.parts) files.push_back(path_of(options, target, part.ending));
+  require_writable(files, {options.files.begin(), options.files.end()},
+                   options.may_overwrite ? Overwrite::yes : Overwrite::no);
+  const study::Conversion conversion = study::convert(
+      formats::read_files(options.files), target, options.takes_faults ? study::Faults::berkeley : study::Faults::none);
+  log_warnings(conversion.warnings);
+  const bool is_refused = options.is_strict && !conversion.losses.empty();
+  std::vector<std::string> outputs;
+  for (const study::ConvertedFile& file : conversion.files) {
+    if (is_refused) break;
+    const std::filesystem::path path = path_of(options, target, file.ending);
+    keep_backup(path);
+    write_output(path, file.text);
+    outputs.push_back(path.string());
+  }
+  if (options.as_json) {
+    fmt::print("{}\n", json_of(conversion, outputs).dump(1, ' ', false, Json::error_handler_t::replace));
+  } else {
+    for (const std::string& output : outputs) fmt::print("{}\n", output);
+    for (const study::Loss& loss : conversion.losses)
+      fmt::print("{}: {}{}: {}\n", loss.sentence.starts_with("nothing → ") ? "added" : "lost", loss.item,
+                 loss.times > 1 ? fmt::format(" ({} times, the first)", loss.times) : "", loss.sentence);
+  }
+  if (is_refused) spdlog::error("keyblock: error: {} cannot hold all; nothing is written (--strict)", target.name);
+  return is_refused ? ExitCode::check_failed : ExitCode::ok;
+}
+
+}  // namespace
+
+Action configure_convert(CLI::App& app) {
+  const auto options = std::make_shared<ConvertOptions>();
+  app.add_option("IN", options->files, "the files of one case, in any order")->required();
+  app.add_option("-o,--output", options->output, "the file to write; where the target is two files, their common name");
+  app.add_option("--to", options->target, "format: " + target_names() + " (default: by the ending of the output)");
+  app.add_flag("--strict", options->is_strict, "write nothing and exit 1 where the target cannot hold all");
+  app.add_flag("--force", options->may_overwrite, "overwrite files that exist; what was there is kept as .bak");
+  app.add_flag("--bug-compatible", options->takes_faults,
+               "take native and XML files with the faults of the Berkeley program's readers: first material line and "
+               "bolts lost, "
+               "boundary lines of XML dropped, one set of numbers for both stress gradient and initial velocity");
+  app.add_flag("--json", options->as_json, "print outputs, losses and warnings as JSON");
+  return [options] { return convert_files(*options); };
+}
+
+}  // namespace keyblock

@@ -1,0 +1,187 @@
+// `keyblock cut`: a drawing in, a block file or a cover file out, and on request a picture and the counts of cutting.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "app/command.hpp"
+#include "app/commands/mesh_options.hpp"
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/covers/absorb.hpp"
+#include "cut/covers/cut_cover.hpp"
+#include "cut/covers/to_cover.hpp"
+#include "formats/case.hpp"
+#include "formats/shi/dda_blocks.hpp"
+#include "formats/shi/nmm_cover.hpp"
+#include "job/files.hpp"
+#include "job/run_report.hpp"
+#include "report/blocks_picture.hpp"
+#include "report/field_picture.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CutOptions {
+  std::string drawing;
+  std::string output;
+  std::string picture;
+  NodeMerging merging = NodeMerging::nearest_first;
+  NearPieces near_pieces = NearPieces::led_through;
+  MeshOptions mesh;
+  bool absorbs = false;
+  bool may_overwrite = false;
+  bool as_json = false;
+};
+
+Json json_of(const CutResult& cut) {
+  Json snaps = Json::array();
+  for (const Snap& snap : cut.snaps) {
+    snaps.push_back({{"kind", to_string(snap.kind)},
+                     {"line", snap.place.line},
+                     {"from", {snap.from.x, snap.from.y}},
+                     {"to", {snap.to.x, snap.to.y}},
+                     {"distance", distance(snap.from, snap.to)}});
+  }
+  const CutReport& r = cut.report;
+  return {{"blocks", cut.blocks.blocks.size()},
+          {"fixed_points", cut.blocks.fixed_points.size()},
+          {"loading_points", cut.blocks.loading_points.size()},
+          {"measured_points", cut.blocks.measured_points.size()},
+          {"bolts", cut.blocks.bolts.size()},
+          {"lines", r.lines},
+          {"crossings", r.crossings},
+          {"nodes", r.nodes},
+          {"edges", r.edges},
+          {"dangling_edges", r.dangling_edges},
+          {"bridge_edges", r.bridge_edges},
+          {"near_pieces_deleted", r.deleted},
+          {"scale", r.tolerances.scale},
+          {"merging_distance", r.tolerances.merge},
+          {"snaps", std::move(snaps)},
+          {"warnings", warning_list_json(cut.warnings)}};
+}
+
+/// The drawing of a case that is read and checked.
+const Drawing& drawing_of(const formats::Case& loaded, const std::string& path) {
+  const Drawing* drawing = std::get_if<Drawing>(&loaded.problem.geometry);
+  if (drawing == nullptr) throw InputError({path, 0, 0}, "expected a drawing (lines to cut), found none");
+  return *drawing;
+}
+
+/// A block file cannot hold holes.
+void warn_of_holes(const Blocks& blocks) {
+  for (const BlockPolygon& block : blocks.blocks) {
+    if (block.holes.empty()) continue;
+    spdlog::warn("{}", to_string(Warning{"holes_not_written", blocks.place,
+                                         "a block file holds no holes: blocks inside others overlap them there"}));
+    return;
+  }
+}
+
+/// Elements as they were cut.
+FieldFrame field_of(const Manifold& manifold) {
+  FieldFrame field;
+  for (const ManifoldElement& element : manifold.elements) {
+    FieldElement& out = field.elements.emplace_back();
+    out.body = element.body;
+    out.material = manifold.body_materials[static_cast<std::size_t>(element.body)];
+    for (const auto& loop : manifold.polygon(element)) {
+      out.loops.emplace_back();
+      for (const Point p : loop) out.loops.back().push_back({p, {}, {}});
+    }
+  }
+  return field;
+}
+
+/// The drawing on a mesh: writes the cover file and the picture, and adds the counts to those of cutting.
+void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
+  FittedMesh fitted = mesh_asked_for(options.mesh, cut.graph);
+  Manifold manifold = cut_cover(cut.graph, std::move(fitted.mesh));
+  const int absorbed = options.absorbs ? absorb_small_pieces(manifold) : 0;
+  if (!cut.blocks.blocks.bolts.empty())
+    spdlog::warn("{}", to_string(Warning{"bolts_not_written", cut.blocks.blocks.place, "a cover file holds no bolts"}));
+  if (!options.output.empty())
+    write_output(options.output, formats::kNmmCover.write({{}, {}, {}, to_cover(manifold, cut.blocks.blocks)}));
+  if (!options.picture.empty())
+    write_output(options.picture, report::mesh_picture(fmt::format("{} elements on {} physical covers",
+                                                                   manifold.elements.size(), manifold.covers.size()),
+                                                       field_of(manifold)));
+  counts["elements"] = manifold.elements.size();
+  counts["covers"] = manifold.covers.size();
+  counts["boundary_loops"] = manifold.boundary_loops.size();
+  counts["absorbed"] = absorbed;
+  counts["mesh_nodes_snapped"] = fitted.snapped;
+}
+
+ExitCode cut_file(const CutOptions& options) {
+  const bool has_mesh = is_asked_for(options.mesh);
+  if (options.absorbs && !has_mesh) throw UsageError("--absorb requires --mesh or --mesh-side");
+  require_writable({options.output, options.picture}, {options.drawing},
+                   options.may_overwrite ? Overwrite::yes : Overwrite::no);
+  const formats::Case loaded = formats::load_case({options.drawing});
+  const Drawing& drawing = drawing_of(loaded, options.drawing);
+  BodyCut bodies = has_mesh ? cut_bodies(drawing, options.merging, options.near_pieces)
+                            : BodyCut{cut_blocks(drawing, options.merging, options.near_pieces), {}};
+  CutResult& cut = bodies.blocks;
+  cut.warnings = joined(loaded.warnings, cut.warnings);
+  log_warnings(cut.warnings);
+  Json counts = json_of(cut);
+  if (has_mesh) {
+    cut_on_mesh(options, bodies, counts);
+  } else if (!options.output.empty()) {
+    warn_of_holes(cut.blocks);
+    write_output(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}));
+  }
+  if (!options.picture.empty() && !has_mesh) write_output(options.picture, report::blocks_picture(cut.blocks));
+  if (options.as_json) {
+    fmt::print("{}\n", counts.dump(2, ' ', false, Json::error_handler_t::replace));
+  } else {
+    fmt::print("{}: {} blocks from {} lines, {} fixed, {} loading and {} measured points\n", printable(options.drawing),
+               cut.blocks.blocks.size(), cut.report.lines, cut.blocks.fixed_points.size(),
+               cut.blocks.loading_points.size(), cut.blocks.measured_points.size());
+    if (has_mesh)
+      fmt::print("{} elements on {} physical covers, {} boundary loops, {} small pieces absorbed\n",
+                 counts["elements"].get<std::size_t>(), counts["covers"].get<std::size_t>(),
+                 counts["boundary_loops"].get<std::size_t>(), counts["absorbed"].get<int>());
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Action configure_cut(CLI::App& app) {
+  auto options = std::make_shared<CutOptions>();
+  app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs")->required();
+  app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file");
+  app.add_option("--svg", options->picture, "a picture to write: of the blocks, or of the mesh and its elements");
+  app.add_option(
+         "--merging", options->merging,
+         "how near crossings become one node: nearest_first, independent of the order of lines, or in_order_found, "
+         "as the old programs and profile legacy do")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, NodeMerging>{
+          {"nearest_first", NodeMerging::nearest_first}, {"in_order_found", NodeMerging::in_order_found}}));
+  app.add_option("--near-pieces", options->near_pieces,
+                 "what becomes of a piece that passes a node nearer than the drawing's distance: led_through, or "
+                 "deleted, as the old programs and profile legacy do")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, NearPieces>{{"led_through", NearPieces::led_through},
+                                                                            {"deleted", NearPieces::deleted}}));
+  add_mesh_options(app, options->mesh);
+  app.add_flag("--absorb", options->absorbs,
+               "give pieces alone on a cover and below 0.2 of the mean area the covers of their neighbour, as the old "
+               "manifold cutter does");
+  app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
+  app.add_flag("--json", options->as_json, "print counts, warnings and snaps as JSON");
+  return [options] { return cut_file(*options); };
+}
+
+}  // namespace keyblock

@@ -1,0 +1,80 @@
+// `keyblock formats`: what is read and written, how well each layout is known, and the layout of the case file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.hpp"
+#include "base/error.hpp"
+#include "formats/case_file/keyblock_case.hpp"
+#include "formats/knowledge.hpp"
+#include "formats/registry.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct FormatsOptions {
+  std::string name;
+  bool wants_schema = false;
+  bool as_json = false;
+};
+
+const char* yes_or_no(bool value) {
+  return value ? "yes" : "no";
+}
+
+void print_table() {
+  fmt::print("{:<22} {:<6} {:<6} {:<52} {}\n", "format", "reads", "writes", "holds", "known from");
+  for (const formats::Format* format : formats::all_formats())
+    fmt::print("{:<22} {:<6} {:<6} {:<52} {}\n", format->name, yes_or_no(format->read), yes_or_no(format->write),
+               format->title, formats::knowledge_of(*format).evidence);
+}
+
+Json json_of(const formats::Format& format) {
+  return {{"name", format.name},
+          {"title", format.title},
+          {"reads", format.read != nullptr},
+          {"writes", format.write != nullptr},
+          {"evidence", formats::knowledge_of(format).evidence},
+          {"sample", formats::knowledge_of(format).sample}};
+}
+
+ExitCode list(const FormatsOptions& options) {
+  if (options.wants_schema) {
+    fmt::print("{}", formats::case_schema());
+  } else if (!options.name.empty()) {
+    const formats::Format* format = formats::find_format(options.name);
+    if (!format)
+      throw UsageError(fmt::format("there is no format \"{}\"; `keyblock formats` lists them", options.name));
+    if (options.as_json) {
+      fmt::print("{}\n", json_of(*format).dump(1));
+    } else {
+      fmt::print("{}: {}\nreads: {}, writes: {}\nknown from: {}\n", format->name, format->title,
+                 yes_or_no(format->read), yes_or_no(format->write), formats::knowledge_of(*format).evidence);
+      if (!formats::knowledge_of(*format).sample.empty())
+        fmt::print("a sample:\n\n{}", formats::knowledge_of(*format).sample);
+    }
+  } else if (options.as_json) {
+    Json all = Json::array();
+    for (const formats::Format* format : formats::all_formats()) all.push_back(json_of(*format));
+    fmt::print("{}\n", all.dump(1));
+  } else {
+    print_table();
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Action configure_formats(CLI::App& app) {
+  const auto options = std::make_shared<FormatsOptions>();
+  app.add_option("NAME", options->name, "one format, with a sample");
+  app.add_flag("--schema", options->wants_schema, "print the JSON Schema of the case file");
+  app.add_flag("--json", options->as_json, "print as JSON");
+  return [options] { return list(*options); };
+}
+
+}  // namespace keyblock

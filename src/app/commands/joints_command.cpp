@@ -1,0 +1,158 @@
+// `keyblock joints`: joint sets by statistics in an outline, to a drawing file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/command.hpp"
+#include "base/error.hpp"
+#include "formats/berkeley/ddaml.hpp"
+#include "formats/case_file/joint_spec.hpp"
+#include "formats/case_file/keyblock_case.hpp"
+#include "formats/dxf/dxf.hpp"
+#include "formats/registry.hpp"
+#include "formats/shi/dda_geometry.hpp"
+#include "job/files.hpp"
+
+namespace keyblock {
+namespace {
+
+using formats::PlacedJson;
+using Kind = PlacedJson::Kind;
+
+// Where a value stands that no file and no single option holds.
+constexpr const char* kCommandLine = "the command line";
+
+struct JointsOptions {
+  std::string specification;
+  std::string output;
+  std::vector<std::string> sets, tunnels, fixed, measured;
+  std::string rectangle, slope;
+  std::optional<int> seed;
+  std::optional<double> edge_node_ratio;
+  bool may_overwrite = false;
+};
+
+PlacedJson list_of(const std::string& option, std::vector<PlacedJson> items) {
+  return {Kind::list, "a list", 0, std::move(items), {}, {option}};
+}
+
+PlacedJson objects_of(const std::string& option, const std::vector<std::string>& texts) {
+  std::vector<PlacedJson> items;
+  for (const std::string& text : texts) items.push_back(formats::json_of_option(option, text));
+  return list_of(option, std::move(items));
+}
+
+/// Lists of numbers separated by commas.
+PlacedJson rows_of(const std::string& option, const std::vector<std::string>& texts) {
+  std::vector<PlacedJson> rows;
+  for (const std::string& text : texts) {
+    std::vector<PlacedJson> numbers;
+    for (std::string_view rest = text; !rest.empty();) {
+      const std::string_view word = rest.substr(0, rest.find(','));
+      numbers.push_back(formats::json_of_word(option, word));
+      rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    }
+    rows.push_back(list_of(option, std::move(numbers)));
+  }
+  return list_of(option, std::move(rows));
+}
+
+void put(PlacedJson& object, const std::string& key, PlacedJson value) {
+  const auto found = std::ranges::find(object.keys, key);
+  if (found != object.keys.end()) {
+    object.items[static_cast<std::size_t>(found - object.keys.begin())] = std::move(value);
+  } else {
+    object.keys.push_back(key);
+    object.items.push_back(std::move(value));
+  }
+}
+
+PlacedJson number_of(const std::string& option, double value) {
+  return {Kind::number, fmt::format("{}", value), value, {}, {}, {option}};
+}
+
+/// The file, or an object of what the options say; the seed of an option rules that of the file.
+PlacedJson specification_of(const JointsOptions& options) {
+  PlacedJson all{Kind::object, "an object", 0, {}, {}, {kCommandLine}};
+  if (!options.specification.empty()) all = formats::read_json(formats::load(options.specification));
+  if (all.kind != Kind::object) return all;
+  if (!options.rectangle.empty()) put(all, "rectangle", formats::json_of_option("--rectangle", options.rectangle));
+  if (!options.slope.empty()) put(all, "slope", formats::json_of_option("--slope", options.slope));
+  if (!options.tunnels.empty()) put(all, "tunnels", objects_of("--tunnel", options.tunnels));
+  if (!options.sets.empty()) put(all, "sets", objects_of("--set", options.sets));
+  if (!options.fixed.empty()) put(all, "fixed", rows_of("--fixed", options.fixed));
+  if (!options.measured.empty()) put(all, "measured", rows_of("--measured", options.measured));
+  if (options.edge_node_ratio) put(all, "edge_node_ratio", number_of("--edge-node-ratio", *options.edge_node_ratio));
+  if (options.seed) put(all, "seed", number_of("--seed", *options.seed));
+  return all;
+}
+
+// By the ending; the old programs' files have none of their own.
+const formats::Format& format_of(const std::string& output) {
+  if (output.ends_with(".dxf")) return formats::kDxf;
+  if (output.ends_with(".json")) return formats::kKeyblockCase;
+  if (output.ends_with(".xml")) return formats::kDdaml;
+  return formats::kDdaGeometry;
+}
+
+struct Drawn {
+  JointScene scene;
+  Drawing drawing;
+};
+
+// What an option says wrong is the fault of the command line, not of an input.
+Drawn drawn(const JointsOptions& options) {
+  try {
+    const JointScene scene = formats::joint_scene_of(specification_of(options));
+    return {scene, drawing_of(scene)};
+  } catch (const InputError& error) {
+    const std::string& place = error.place().file;
+    if (place == kCommandLine) throw UsageError(error.sentence());
+    if (place.starts_with("--")) throw UsageError(fmt::format("{}: {}", place, error.sentence()));
+    throw;
+  }
+}
+
+ExitCode make_joints(const JointsOptions& options) {
+  require_writable({options.output}, {options.specification}, options.may_overwrite ? Overwrite::yes : Overwrite::no);
+  const auto [scene, drawing] = drawn(options);
+  write_output(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}));
+  fmt::print("{}: {} joint lines, {} boundary lines; joint sets: {}, tunnels: {}\n", options.output,
+             drawing.joints.size() - drawing.boundary_count, drawing.boundary_count, scene.sets.size(),
+             scene.tunnels.size());
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Action configure_joints(CLI::App& app) {
+  auto options = std::make_shared<JointsOptions>();
+  auto* file =
+      app.add_option("SPEC", options->specification, "JSON file that says it all (formats/case_file/joint_spec.hpp)");
+  app.add_option(
+         "-o,--output", options->output,
+         "the drawing to write: DXF, a case file or DDAML if it ends in .dxf, .json or .xml, else a geometry file")
+      ->required();
+  const auto add = [&](const char* name, auto& value, const char* help) {
+    return app.add_option(name, value, help)->excludes(file);
+  };
+  add("--set", options->sets,
+      "a joint set: dip=60,spacing=1,trace=5,gap=0.5,scatter=0.1,distribution=lognormal,joint=2; again for more");
+  add("--rectangle", options->rectangle, "the outline: width=20,height=10,x=0,y=0");
+  add("--slope", options->slope, "the outline: height=10,angle=60,bench=3,benches=2,toe=10,crest=15,base=5");
+  add("--tunnel", options->tunnels, "shape=circle|d|horseshoe,width=4,height=4,x=10,y=5; again for more");
+  add("--fixed", options->fixed, "a fixed line: x1,y1,x2,y2; again for more");
+  add("--measured", options->measured, "a measured point: x,y; again for more");
+  add("--edge-node-ratio", options->edge_node_ratio, "how near crossings become one when cut; 0.001");
+  app.add_option("--seed", options->seed, "the same seed gives the same drawing; rules that of SPEC; 1");
+  app.add_flag("--force", options->may_overwrite, "overwrite the file if it exists");
+  return [options] { return make_joints(*options); };
+}
+
+}  // namespace keyblock

@@ -1,0 +1,428 @@
+// `keyblock run`: a case from its files to results in a folder.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/above_zero.hpp"
+#include "app/command.hpp"
+#include "app/commands/cover_run.hpp"
+#include "app/commands/study_options.hpp"
+#include "app/progress.hpp"
+#include "app/stop_request.hpp"
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "base/stop.hpp"
+#include "job/run_doubts.hpp"
+#include "job/run_folder.hpp"
+#include "job/run_report.hpp"
+#include "job/run_warnings.hpp"
+#include "job/saved_run.hpp"
+#include "run/cover_settings.hpp"
+#include "run/settings_file.hpp"
+#include "run/steppers.hpp"
+#include "settings/profile.hpp"
+#include "settings/settings_guide.hpp"
+#include "settings/settings_table.hpp"
+#include "study/cases/case_file.hpp"
+#include "study/cases/named_files.hpp"
+
+namespace keyblock {
+namespace {
+
+// Unless asked otherwise, a run leaves at most this many frames: more are seldom looked at and fill the disk.
+constexpr int kMostFrames = 100;
+
+// What an interruption may cost, unless asked otherwise.
+constexpr double kCheckpointSeconds = 30;
+
+struct RunOptions {
+  std::vector<std::string> files;
+  std::string profile;  ///< empty: that of the case file, or the default
+  std::string folder;
+  std::string resume;  ///< folder of a run to go on with
+  double checkpoint_every = kCheckpointSeconds;
+  std::vector<std::string> sets;
+  std::string settings_file;  ///< below `sets`
+  int record_every = 0;
+  bool as_json = false;
+  bool trace = false;
+  bool force = false;
+  bool list_settings = false;
+};
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// What concerns the mesh goes into the plan of a case on covers; the rest is left.
+std::vector<Override> left_for_settings(Problem& problem, const RunOptions& options) {
+  try {
+    return set_plan(problem, overrides_of(options.sets));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+bool is_solved_at_once(const Problem& problem, const RunOptions& options, const std::vector<Override>& overrides) {
+  try {
+    return is_solved_at_once(problem, profile_of(problem, options.profile), overrides);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+// A wrong profile or setting is the user's, not the file's.
+Prepared prepare_as_asked(const Problem& problem, const RunOptions& options, const std::vector<Override>& overrides) {
+  try {
+    return prepare(study::with_named_files(problem, overrides, {}), profile_of(problem, options.profile), overrides);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
+  std::vector<InputRecord> records;
+  for (const formats::FileReading& file : readings)
+    records.push_back({file.path, sha256(file.source.text), std::string(file.choice->format->name),
+                       file.choice->recognition.evidence});
+  return records;
+}
+
+int frame_interval(const RunOptions& options, const Problem& problem, const Settings& settings) {
+  if (options.record_every > 0) return options.record_every;
+  const int thinned = (settings.step_count + kMostFrames - 1) / kMostFrames;
+  return std::max(problem.analysis->save_interval.value_or(1), thinned);
+}
+
+// What to try, where the old program's own rules end a run.
+void print_hint(const Settings& settings) {
+  if (settings.quirks.velocity_from_coming_step)
+    spdlog::info(
+        "the rules of the old program are followed; where its step size changes, "
+        "--set quirk.velocity_from_coming_step=off often lets a run go on");
+}
+
+// What the steps cost, and how evenly.
+std::string passes_in_words(const Settings& settings, const StepTotals& totals) {
+  std::string words = fmt::format("{} a step: {:.3g} in the mean, {} at most",
+                                  settings.dynamics == Dynamics::shi ? "passes" : "systems",
+                                  static_cast<double>(totals.passes) / totals.steps, totals.most_passes);
+  for (std::size_t i = 0; i < totals.steps_by_passes.size(); ++i) {
+    if (totals.steps_by_passes[i] == 0) continue;
+    const bool is_last = i == StepTotals::pass_limits.size();
+    const std::string bin =
+        i == 0    ? "0"
+        : is_last ? fmt::format("over {}", StepTotals::pass_limits.back())
+                  : fmt::format("{} to {}", StepTotals::pass_limits[i - 1] + 1, StepTotals::pass_limits[i]);
+    words += fmt::format("; {} in {}", bin, counted(static_cast<std::size_t>(totals.steps_by_passes[i]), "step"));
+  }
+  return words;
+}
+
+std::string stopped_how() {
+  return is_at_time_limit() ? "stopped at the limit of processor time" : "stopped by request";
+}
+
+std::string how_to_go_on(const std::string& folder) {
+  return fmt::format("keyblock run --resume {} goes on", folder);
+}
+
+/// `told`: how many of the warnings were printed at the start.
+void print_summary(const Prepared& prepared, const RunRecord& record, std::size_t told, const std::string& folder) {
+  log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
+  if (record.outcome.end == RunEnd::failed) {
+    spdlog::error("keyblock: error: {}", record.outcome.reason);
+    print_hint(prepared.scene.settings);
+  }
+  if (record.outcome.end == RunEnd::stopped) spdlog::warn("{}; {}", stopped_how(), how_to_go_on(folder));
+  if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)
+    spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
+  if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
+  if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
+  spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
+  if (record.outcome.end == RunEnd::finished && !record.doubts.empty())
+    spdlog::error("keyblock: error: the results are not to be trusted: {}", record.doubts.front().sentence);
+}
+
+ExitCode exit_code(const RunRecord& record) {
+  switch (record.outcome.end) {
+    case RunEnd::finished:
+      return record.doubts.empty() ? ExitCode::ok : ExitCode::check_failed;
+    case RunEnd::failed:
+      return ExitCode::numerical_failure;
+    case RunEnd::stopped:
+      return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
+  }
+  return ExitCode::numerical_failure;
+}
+
+ExitCode list_settings() {
+  fmt::print("{}", settings_guide());
+  return ExitCode::ok;
+}
+
+RunRequest request_of(const RunOptions& options, const RunRecord& record, const Settings& settings) {
+  RunRequest request{this_program(),
+                     std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder)).string(),
+                     std::filesystem::current_path().string(),
+                     options.files,
+                     record.profile,
+                     options.sets,
+                     record.record_every,
+                     options.trace,
+                     {},
+                     {},
+                     {}};
+  for (const InputRecord& input : record.inputs) {
+    request.read.push_back(input.file);
+    request.digests.push_back(input.sha256);
+  }
+  if (const std::string& named = settings.body_acceleration.file; !named.empty()) {
+    request.read.push_back(named);
+    request.digests.push_back(sha256(formats::load(named).text));
+  }
+  for (const SettingText& setting : list(settings)) request.settings.push_back(setting.name + "=" + setting.value);
+  return request;
+}
+
+ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, const RunRecord& record,
+                       const std::vector<Override>& overrides) {
+  for (const std::string& file : options.files) require_not_below(file, options.folder);
+  formats::Case chosen = loaded;
+  for (const Override& setting : overrides) {
+    chosen.problem.choices.settings.push_back(setting);
+    if (setting.first != "motion" && setting.first != "velocity_carry_over")
+      chosen.warnings.push_back(
+          {"setting_without_effect", loaded.problem.covers->place,
+           fmt::format("setting {}: load steps that are solved at once do not know it", setting.first)});
+  }
+  return run_covers(
+      chosen, {std::filesystem::path(options.files.front()).stem().string(), record.profile, options.folder,
+               options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
+}
+
+// `saved`: the checkpoint to go on from, its request already taken, or all that a run left before its first one; none for a new run.
+ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
+  Stopwatch watch;
+  RunRecord record;
+  formats::Case loaded = formats::load_case(options.files);
+  record.profile = profile_of(loaded.problem, options.profile);
+  const std::vector<Override> overrides = left_for_settings(loaded.problem, options);
+  record.inputs = input_records(loaded.files);
+  record.timings.read = watch.lap();
+  if (is_solved_at_once(loaded.problem, options, overrides)) return run_on_covers(loaded, options, record, overrides);
+  const Prepared prepared = prepare_as_asked(loaded.problem, options, overrides);
+  record.timings.prepare = watch.lap();
+  record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
+  record.warnings = joined(loaded.warnings, prepared.warnings);
+
+  RunRequest request = request_of(options, record, prepared.scene.settings);
+  if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
+  const bool goes_on = saved && holds_steps(*saved);
+  for (const std::string& file : options.files) require_not_below(file, options.folder);
+  const int stride = stride_of(prepared.scene.settings.step_count);
+  record.steps = StepRows(stride);
+  record.ledger = LedgerRows(stride);
+  StepWatch watch_steps(prepared);
+  History history{!prepared.scene.model.measured_points.empty(), {}};
+  const Trace trace = options.trace ? Trace::yes : Trace::no;
+  RunFolder folder = saved ? RunFolder(options.folder, trace)
+                           : RunFolder(options.folder, options.force ? Overwrite::yes : Overwrite::no, trace);
+  listen_for_stops();  // from here on something is left that a stop should leave whole
+  std::unique_ptr<Stepper> stepper;
+  if (goes_on) {
+    describe_told(*saved, folder, history, record, watch_steps);
+    saved->group("stepper", [&] { stepper = restored_stepper(prepared.scene, *saved); });
+  }
+  if (saved)
+    folder.drop_what_followed();
+  else
+    folder.begin(bytes_before_steps(request));
+  ProgressLine progress(prepared.scene.settings.step_count, stepper ? stepper->state().step : 0);
+  spdlog::info("{}, {} unknowns, {} steps",
+               counted(prepared.scene.model.elements.size(), prepared.scene.model.nodes.empty() ? "block" : "element"),
+               prepared.requirements.unknowns, prepared.scene.settings.step_count);
+  const std::size_t told = record.warnings.size();
+  log_warnings(record.warnings);
+  if (stepper) spdlog::info("going on after step {}", stepper->state().step);
+  if (saved && !stepper) spdlog::info("the run ended before its first checkpoint: it begins again");
+  CheckpointClock clock(options.checkpoint_every);
+  bool stops = false;
+  const Observer observer{[&](const Frame& frame) { folder.add(frame); },
+                          [&](const StepReport& report) {
+                            record.totals.add(report);
+                            record.steps.add(report);
+                            watch_steps.add(report);
+                            if (options.trace) record.traced.push_back(report);
+                            progress.show(report);
+                          },
+                          [&](const HistoryRow& row) { history.rows.push_back(row); },
+                          [&] { return stops = stop_signal() != 0; },
+                          [&](const LedgerRow& row) {
+                            record.ledger_sums.add(row);
+                            record.ledger.add(row);
+                          },
+                          [&](Stepper& now) {
+                            if (!stops && !clock.is_due()) return;
+                            folder.write_checkpoint(saved_bytes(request, folder, history, record, watch_steps, now));
+                            clock.written();
+                          }};
+  try {
+    record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
+                             : run(prepared.scene, record.record_every, observer);
+  } catch (const StopRequested&) {
+    spdlog::warn("{} before the first step; {}", stopped_how(), how_to_go_on(options.folder));
+    record.outcome.end = RunEnd::stopped;
+    return exit_code(record);
+  } catch (const InputError&) {
+    if (!saved) folder.take_back();
+    throw;
+  }
+  progress.finish();
+  record.timings.run = watch.lap();
+  record.warnings = joined(record.warnings, watch_steps.warnings(loaded.problem.analysis->place));
+  record.extremes = folder.extremes();
+  record.warnings = joined(record.warnings, outcome_warnings(prepared, record.outcome, loaded.problem.analysis->place));
+
+  record.is_static = watch_steps.is_static();
+  record.doubts = doubts(prepared, record, loaded.problem.analysis->place);
+  record.warnings = joined(record.warnings, record.doubts);
+
+  const std::string title =
+      fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);
+  folder.finish(title, history, record.traced, {record.outcome.ledger_scope, record.ledger.rows()},
+                record.outcome.field);
+  record.outputs = folder.outputs();
+  if (record.outcome.end != RunEnd::failed) record.equilibrium_way = watch_steps.equilibrium_way();
+  const std::string json =
+      run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  folder.write_record(json + "\n");
+  if (record.outcome.end != RunEnd::stopped) folder.remove_checkpoint();
+  if (options.as_json) fmt::print("{}\n", json);
+  print_summary(prepared, record, told, options.folder);
+  return exit_code(record);
+}
+
+// Asks again what the run was asked, from the folder that names of its files were taken from.
+ExitCode resume_run(const RunOptions& options) {
+  RunOptions again = options;
+  again.folder = std::filesystem::absolute(options.resume).string();
+  Archive saved = read_checkpoint(checkpoint_in(again.folder));
+  RunRequest request;
+  saved.group("request", [&] { describe(saved, request); });
+  require_own(checkpoint_in(again.folder), request);
+  std::error_code error;
+  std::filesystem::current_path(request.working_folder, error);
+  if (error) saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));
+  if (request.record_every < 1 || request.files.empty())
+    saved.refuse("request", "expected files and a frame every so many steps, found none");
+  again.files = request.files;
+  again.profile = request.profile;
+  again.sets = request.sets;
+  again.record_every = request.record_every;
+  again.trace = request.has_trace;
+  return run_asked(again, &request, &saved);
+}
+
+// What a setting of a file in `folder` says, seen from here.
+std::string beside(const std::filesystem::path& folder, const std::string& name, const std::string& value) {
+  return name == "body_acceleration_file" && !value.empty() ? (folder / value).string() : value;
+}
+
+// The files of a case folder, with what its case file sets for the profile below all that is asked. A file that a value names is
+// taken from the folder.
+RunOptions with_case_folder(RunOptions options) {
+  if (options.files.size() != 1 || !std::filesystem::is_directory(options.files.front())) return options;
+  const study::CaseFolder folder = study::the_case_in(options.files.front());
+  const study::CaseFile file = study::read_case_file(folder);
+  options.files = folder.inputs();
+  const std::string profile =
+      options.profile.empty() ? profile_of(formats::load_case(options.files).problem, {}) : options.profile;
+  if (const auto reason = file.not_run.find(rules_of(profile)); reason != file.not_run.end())
+    throw UsageError(fmt::format("run: {} says of profile {}: {}", file.path, profile, reason->second));
+  std::vector<std::string> sets;
+  for (const auto& [name, value] : file.overrides(profile))
+    sets.push_back(fmt::format("{}={}", name, beside(folder.folder, name, value)));
+  options.sets.insert(options.sets.begin(), sets.begin(), sets.end());
+  return options;
+}
+
+// The file's settings come first: those of the command line overrule them. A file that a value names is taken from beside it.
+RunOptions with_settings_file(RunOptions options) {
+  if (options.settings_file.empty()) return options;
+  const SettingsFile file = read_settings(options.settings_file, formats::load(options.settings_file).text);
+  if (options.profile.empty()) options.profile = file.profile;
+  std::vector<std::string> sets;
+  const std::filesystem::path folder = std::filesystem::path(options.settings_file).parent_path();
+  for (const auto& [name, value] : file.settings)
+    sets.push_back(fmt::format("{}={}", name, beside(folder, name, value)));
+  options.sets.insert(options.sets.begin(), sets.begin(), sets.end());
+  return options;
+}
+
+ExitCode run_files(const RunOptions& options) {
+  if (options.list_settings) return list_settings();
+  if (!options.resume.empty()) return resume_run(options);
+  if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file, or a case folder");
+  if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
+  return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr);
+}
+
+}  // namespace
+
+Action configure_run(CLI::App& options) {
+  const auto chosen = std::make_shared<RunOptions>();
+  CLI::Option* files = options.add_option("files", chosen->files,
+                                          "geometry (or blocks) and analysis file, one file with both, or a case "
+                                          "folder (legacy_cases/…) with its own settings");
+  CLI::Option* profile = options
+                             .add_option("--profile", chosen->profile,
+                                         "preset of all choices (default: standard, or what a case file says)")
+                             ->check(CLI::IsMember(profile_names()));
+  CLI::Option* folder = options.add_option("-o,--output", chosen->folder, "folder for the results");
+  CLI::Option* sets =
+      options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
+          ->take_all();
+  CLI::Option* settings_file =
+      options.add_option("--settings-file", chosen->settings_file,
+                         "name = value on each line, below --set; `profile = NAME` too, below --profile");
+  CLI::Option* every =
+      options
+          .add_option("--record-every", chosen->record_every,
+                      fmt::format("a frame every so many steps (default: the file's save interval, at most {} frames)",
+                                  kMostFrames))
+          ->check(above_zero());
+  CLI::Option* trace =
+      options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
+  options.add_flag("--json", chosen->as_json, "print run.json on standard output");
+  CLI::Option* force = options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
+  options
+      .add_option("--checkpoint-every", chosen->checkpoint_every,
+                  "seconds between checkpoints in the folder (default: 30); 0: none but at the start and where the run "
+                  "is stopped")
+      ->check(zero_or_above());
+  CLI::Option* resume = options.add_option(
+      "--resume", chosen->resume,
+      "folder of an interrupted run, which goes on from its checkpoint, or begins again before its first");
+  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force}) resume->excludes(other);
+  add_thread_option(options);
+  options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");
+  return [chosen] { return run_files(*chosen); };
+}
+
+}  // namespace keyblock

@@ -1,0 +1,182 @@
+// `keyblock sweep`: the map of a case over contact stiffness and step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "app/above_zero.hpp"
+#include "app/command.hpp"
+#include "app/commands/study_options.hpp"
+#include "app/stop_request.hpp"
+#include "base/error.hpp"
+#include "base/loop.hpp"
+#include "job/files.hpp"
+#include "report/sweep_picture.hpp"
+#include "study/trade/run_design.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using study::MeasuredEnd;
+using study::MeasuredRun;
+using study::Tradeoff;
+
+struct SweepOptions : StudyOptions {
+  std::vector<double> penalties{100, 10, 1, 0.1, 0.01};
+  std::vector<double> steps{4, 2, 1, 0.5, 0.25};
+  std::string table;
+};
+
+/// The runs of the map stand first in the result, row by row.
+struct Map {
+  const SweepOptions& options;
+  const Tradeoff& result;
+
+  const MeasuredRun& run(std::size_t row, std::size_t column) const {
+    return result.runs[row * options.steps.size() + column];
+  }
+  double error(std::size_t row, std::size_t column) const { return error_of(run(row, column), result.reference); }
+  std::string value(std::size_t row, std::size_t column, const char* setting) const {
+    const std::vector<Override>& set = run(row, column).plan.set;
+    const auto found = std::ranges::find(set, setting, &Override::first);
+    return found == set.end() ? "" : found->second;
+  }
+  std::string penalty(std::size_t row) const {
+    return fmt::format("{:.3g}", std::stod(value(row, 0, "contact_penalty")));
+  }
+  // A run may end and yet not reach what is compared.
+  std::string verdict(std::size_t row, std::size_t column) const {
+    const MeasuredRun& made = run(row, column);
+    if (result.reference.values.empty()) return name_of(made.end);  // stopped before there was one
+    return made.end == MeasuredEnd::finished && !std::isfinite(error(row, column)) ? "not reached" : name_of(made.end);
+  }
+  std::string cell(std::size_t row, std::size_t column) const {
+    const double found = error(row, column);
+    return std::isfinite(found) ? fmt::format("{:.2e}", found) : verdict(row, column);
+  }
+};
+
+std::string factor(double value) {
+  return value >= 1 ? fmt::format("x{:g}", value) : fmt::format("/{:g}", 1 / value);
+}
+
+std::string table_of(const Map& map) {
+  const SweepOptions& options = map.options;
+  std::string table =
+      fmt::format("\n{}\n  {}\n  {:>24}", map.result.name, map.result.reference.words, "penalty \\ step");
+  for (const double step : options.steps) table += fmt::format(" {:>12}", factor(step));
+  table += "\n";
+  for (std::size_t r = 0; r < options.penalties.size(); ++r) {
+    table += fmt::format("  {:>8} {:>15}", factor(options.penalties[r]), map.penalty(r));
+    for (std::size_t c = 0; c < options.steps.size(); ++c) table += fmt::format(" {:>12}", map.cell(r, c));
+    table += "\n";
+  }
+  return table + fmt::format("  {}\n", machine_words());
+}
+
+std::string csv_of(const Map& map) {
+  std::string csv = "penalty_factor,contact_penalty,step_factor,steps,verdict,error,cpu_seconds\n";
+  for (std::size_t r = 0; r < map.options.penalties.size(); ++r)
+    for (std::size_t c = 0; c < map.options.steps.size(); ++c) {
+      const double error = map.error(r, c);
+      csv += fmt::format("{},{},{},{},{},{},{}\n", map.options.penalties[r], map.value(r, c, "contact_penalty"),
+                         map.options.steps[c], map.run(r, c).steps, map.verdict(r, c),
+                         std::isfinite(error) ? fmt::format("{}", error) : "", map.run(r, c).seconds);
+    }
+  return csv;
+}
+
+Json json_of(const Map& map) {
+  Json cells = Json::array();
+  for (std::size_t r = 0; r < map.options.penalties.size(); ++r)
+    for (std::size_t c = 0; c < map.options.steps.size(); ++c)
+      cells.push_back({{"penalty_factor", map.options.penalties[r]},
+                       {"step_factor", map.options.steps[c]},
+                       {"set", settings_json(map.run(r, c).plan.set)},
+                       {"verdict", map.verdict(r, c)},
+                       {"reason", map.run(r, c).reason},
+                       {"steps", map.run(r, c).steps},
+                       {"error", json_number(map.error(r, c))},
+                       {"cpu_seconds", map.run(r, c).seconds}});
+  return {{"case", map.result.name},
+          {"reference", reference_json(map.result.reference)},
+          {"machine", machine_json()},
+          {"cells", cells}};
+}
+
+std::string picture_of(const Map& map) {
+  report::SweepPicture picture{
+      fmt::format("{}: error over contact stiffness and step", map.result.name),
+      map.result.reference.is_expected
+          ? "against the expected values"
+          : fmt::format("against the limit of refined steps, known to {:.1e}", map.result.reference.uncertainty),
+      {},
+      {},
+      "step, over the case's own",
+      "contact stiffness [F/L]",
+      {}};
+  for (const double step : map.options.steps) picture.columns.push_back(factor(step));
+  for (std::size_t r = 0; r < map.options.penalties.size(); ++r) {
+    picture.rows.push_back(fmt::format("{}  ({})", map.penalty(r), factor(map.options.penalties[r])));
+    auto& row = picture.cells.emplace_back();
+    for (std::size_t c = 0; c < map.options.steps.size(); ++c) {
+      const MeasuredRun& run = map.run(r, c);
+      const double error = map.error(r, c);
+      const double shown = std::isfinite(error) ? std::max(error, study::kLeastError) : error;
+      row.push_back({shown, map.verdict(r, c),
+                     fmt::format("{}: {}, {:.3g} s{}{}", run.plan.name, map.cell(r, c), run.seconds,
+                                 run.reason.empty() ? "" : "; ", run.reason)});
+    }
+  }
+  return sweep_picture(picture);
+}
+
+ExitCode run_sweep(const SweepOptions& options) {
+  const study::StudyCase chosen = case_asked(options);
+  require_writable({options.table, options.picture}, {options.paths.begin(), options.paths.end()},
+                   options.force ? Overwrite::yes : Overwrite::no);
+  const auto designed = [&] {
+    try {
+      return std::pair(study::penalty_step_map(chosen, options.profile, options.penalties, options.steps),
+                       study::refinements(chosen, options.profile, options.finest));
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(error.what());
+    }
+  }();
+  const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run);
+  const Map map{options, result};
+  if (!options.picture.empty()) write_output(options.picture, picture_of(map));
+  if (!options.table.empty()) write_output(options.table, csv_of(map));
+  if (options.as_json)
+    fmt::print("{}\n", json_of(map).dump(1, ' ', false, Json::error_handler_t::replace));
+  else
+    fmt::print("{}", table_of(map));
+  if (result.is_stopped) return stopped_with(result);
+  const bool has_results = std::ranges::any_of(
+      result.runs, [&](const MeasuredRun& run) { return std::isfinite(error_of(run, result.reference)); });
+  return has_results ? ExitCode::ok : ExitCode::numerical_failure;
+}
+
+}  // namespace
+
+Action configure_sweep(CLI::App& options) {
+  const auto chosen = std::make_shared<SweepOptions>();
+  add_study_options(options, *chosen);
+  options.add_option("--penalties", chosen->penalties, "factors on the contact stiffness (default: 100 10 1 0.1 0.01)")
+      ->delimiter(',')
+      ->check(above_zero());
+  options.add_option("--steps", chosen->steps, "factors on the step (default: 4 2 1 0.5 0.25)")
+      ->delimiter(',')
+      ->check(above_zero());
+  options.add_option("--table", chosen->table, "write the map as a table (CSV)");
+  return [chosen] {
+    set_loop_threads(1);  // prices are processor time
+    listen_for_stops();
+    return run_sweep(*chosen);
+  };
+}
+
+}  // namespace keyblock

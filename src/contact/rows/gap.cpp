@@ -1,0 +1,60 @@
+// Rows from the points of a touch.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/rows/gap.hpp"
+
+#include "base/loop.hpp"
+#include "contact/rows/point_motion.hpp"
+
+namespace keyblock {
+namespace {
+
+class Rows {
+ public:
+  Rows(const Model& model, const Reference& reference, const UnknownsTable& q, const Touches& touches)
+      : model_(model), points_(model, reference, q), vertices_(vertices_at(model, reference, q)) {
+    std::vector<ElementIndex> elements;
+    for (const Touch& touch : touches)
+      for (const VertexIndex v : {touch.vertex, touch.start}) elements.push_back(model.vertices[v].element);
+    points_.prepare(elements);
+  }
+
+  void make(const Touch& touch, ContactRow& normal, ContactRow& tangential) const {
+    const ElementIndex a = model_.vertices[touch.vertex].element;
+    const ElementIndex b = model_.vertices[touch.start].element;
+    const Point n = normal_of(touch, vertices_);
+    const PointMotion at_point = of_point(touch);
+    normal = row_between(a, at_point, b, of_foot(touch), n);
+    tangential = row_between(a, at_point, b, points_.at_place(b, point_of(touch, vertices_)), {-n.y, n.x});
+  }
+
+ private:
+  PointMotion of_point(const Touch& touch) const {
+    if (touch.kind != TouchKind::middle) return points_.of_vertex(touch.vertex);
+    return between(points_.of_vertex(touch.vertex), points_.of_vertex(touch.other), touch.along);
+  }
+  // With s the share of the edge at the foot of the point; a corner is met as it is.
+  PointMotion of_foot(const Touch& touch) const {
+    if (touch.kind == TouchKind::bisector) return points_.of_vertex(touch.other);
+    const Point along = vertices_[touch.end] - vertices_[touch.start];
+    const double s = dot(point_of(touch, vertices_) - vertices_[touch.start], along) / dot(along, along);
+    return between(points_.of_vertex(touch.start), points_.of_vertex(touch.end), s);
+  }
+
+  const Model& model_;
+  PointMotions points_;
+  Table<VertexIndex, Point> vertices_;
+};
+
+}  // namespace
+
+ContactRows contact_rows(const Model& model, const Reference& reference, const UnknownsTable& q,
+                         const Touches& touches) {
+  ContactRows rows;
+  if (touches.empty()) return rows;
+  const Rows maker(model, reference, q, touches);
+  rows.resize(2 * touches.size());
+  for_each_entry(touches.size(), [&](std::size_t i) { maker.make(touches[i], rows[2 * i], rows[2 * i + 1]); });
+  return rows;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,91 @@
+// Derivatives of the two kinds of map, and rows made of them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/rows/point_motion.hpp"
+
+#include <utility>
+
+#include "base/loop.hpp"
+
+namespace keyblock {
+namespace {
+
+void add(const PointMotion& motion, Point direction, std::vector<CoverEntry>& entries) {
+  for (const CoverShare& share : motion.of_covers)
+    entries.push_back({share.function, share.value * direction.x, share.value * direction.y});
+}
+
+}  // namespace
+
+PointMotion between(PointMotion a, const PointMotion& b, double s) {
+  a.of_block = (1 - s) * a.of_block + s * b.of_block;
+  for (CoverShare& share : a.of_covers) share.value *= 1 - s;
+  for (const CoverShare& share : b.of_covers) a.of_covers.push_back({share.function, s * share.value});
+  return a;
+}
+
+PointMotions::PointMotions(const Model& model, const Reference& reference, const UnknownsTable& q)
+    : model_(model), reference_(reference), q_(q), numbers_(model.elements.size(), -1) {}
+
+PointMotions::Block PointMotions::made(ElementIndex e) const {
+  const Basis& basis = *model_.elements[e].basis;
+  const BlockMap map(basis, q_[e], reference_.centroids[e]);
+  return {map, BlockJacobian(basis, q_[e], map)};
+}
+
+const PointMotions::Block& PointMotions::block(ElementIndex e) const {
+  if (numbers_[e] < 0) {
+    numbers_[e] = static_cast<int>(blocks_.size());
+    blocks_.emplace_back(made(e));
+  }
+  return *blocks_[static_cast<std::size_t>(numbers_[e])];
+}
+
+void PointMotions::prepare(const std::vector<ElementIndex>& elements) {
+  const std::size_t first = blocks_.size();
+  std::vector<ElementIndex> fresh;
+  for (ElementIndex e : elements) {
+    if (numbers_[e] >= 0 || reference_.is_on_covers(e)) continue;
+    numbers_[e] = static_cast<int>(first + fresh.size());
+    fresh.push_back(e);
+  }
+  blocks_.resize(first + fresh.size());
+  for_each_entry(fresh.size(), [&](std::size_t i) { blocks_[first + i] = made(fresh[i]); });
+}
+
+PointMotion PointMotions::of_vertex(VertexIndex v) const {
+  const ElementIndex e = model_.vertices[v].element;
+  if (reference_.is_on_covers(e)) {
+    const auto shares = reference_.covers->of_vertex(v);
+    return {DisplacementOperator(2, 0), {shares.begin(), shares.end()}};
+  }
+  return {block(e).jacobian.at(reference_.offsets[v])};
+}
+
+PointMotion PointMotions::of_point(ElementIndex e, Point start) const {
+  if (reference_.is_on_covers(e)) return {DisplacementOperator(2, 0), reference_.covers->shares(e, start)};
+  return {block(e).jacobian.at(start - reference_.centroids[e])};
+}
+
+PointMotion PointMotions::at_place(ElementIndex e, Point x) const {
+  if (reference_.is_on_covers(e)) return of_point(e, reference_.covers->start_of(e, q_.covers, x));
+  const Block& of = block(e);
+  return {of.jacobian.at(of.map.offset(x))};
+}
+
+ContactRow row_between(ElementIndex a, const PointMotion& of_a, ElementIndex b, const PointMotion& of_b,
+                       Point direction) {
+  const Eigen::RowVector2d d(direction.x, direction.y);
+  ContactRow row{a, b, d * of_a.of_block, -d * of_b.of_block};
+  add(of_a, direction, row.covers);
+  add(of_b, -1 * direction, row.covers);
+  return row;
+}
+
+ContactRow row_of(ElementIndex e, const PointMotion& motion, Point direction) {
+  ContactRow::Row nothing = ContactRow::Row::Zero(motion.of_block.cols());
+  ContactRow row{e, e, Eigen::RowVector2d(direction.x, direction.y) * motion.of_block, std::move(nothing)};
+  add(motion, direction, row.covers);
+  return row;
+}
+
+}  // namespace keyblock

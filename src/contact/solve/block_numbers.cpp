@@ -1,0 +1,58 @@
+// Numbers in the order of the elements; a pattern from the pairs of touches.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/solve/block_numbers.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cstddef>
+
+#include "base/loop.hpp"
+
+namespace keyblock {
+namespace {
+
+// Leading unknowns that answer at all.
+int answering(const UnknownBlock& flexibility) {
+  int count = 0;
+  while (count < flexibility.rows() && flexibility(count, count) > 0) ++count;
+  return count;
+}
+
+UnknownBlock inverse_of(const UnknownBlock& flexibility, int size) {
+  const UnknownBlock part = flexibility.topLeftCorner(size, size);
+  return part.llt().solve(UnknownBlock::Identity(size, size));
+}
+
+}  // namespace
+
+BlockNumbers::BlockNumbers(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility) {
+  int row = 0;
+  for (const UnknownBlock& block : flexibility) {
+    const int size = answering(block);
+    numbers_.push_back(size > 0 ? count() : -1);
+    if (size == 0) continue;
+    sizes_.push_back(size);
+    first_rows_.push_back(row);
+    row += size;
+  }
+  first_rows_.push_back(row);
+  stiffness_.resize(sizes_.size());
+  for_each_entry(numbers_.size(), [&](std::size_t i) {
+    const ElementIndex e{static_cast<int>(i)};
+    if (of(e) >= 0) stiffness_[static_cast<std::size_t>(of(e))] = inverse_of(flexibility[e], size(of(e)));
+  });
+  for (std::size_t i = 0; i < rows.size(); i += 2) {
+    const int a = numbers_[rows[i].vertex_element];
+    const int b = numbers_[rows[i].edge_element];
+    if (a >= 0 && b >= 0 && a != b) coupled_.emplace_back(std::min(a, b), std::max(a, b));
+  }
+}
+
+std::unique_ptr<BlockFactor> BlockNumbers::take_factor() const {
+  if (!pattern_) pattern_ = std::make_shared<BlockPattern>(count(), coupled_);
+  if (!spare_) return std::make_unique<BlockFactor>(pattern_, sizes_);
+  spare_->clear();
+  return std::move(spare_);
+}
+
+}  // namespace keyblock

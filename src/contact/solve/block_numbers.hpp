@@ -1,0 +1,42 @@
+// The blocks that contact forces act on, numbered for a factor: made once for all active sets of a problem.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contact/rows/contact_row.hpp"
+#include "system/block_factor.hpp"
+
+namespace keyblock {
+
+/// Unknowns that answer to forces, block by block, and which blocks share a contact.
+class BlockNumbers {
+ public:
+  BlockNumbers(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility);
+
+  /// −1 where nothing can move.
+  int of(ElementIndex e) const { return numbers_[e]; }
+  /// Unknowns of a block; 0 for −1.
+  int size(int block) const { return block < 0 ? 0 : sizes_[static_cast<std::size_t>(block)]; }
+  int first_row(int block) const { return first_rows_[static_cast<std::size_t>(block)]; }
+  int row_count() const { return first_rows_.back(); }
+  int count() const { return static_cast<int>(sizes_.size()); }
+  /// Inverse of the flexibility of a block.
+  const UnknownBlock& stiffness(int block) const { return stiffness_[static_cast<std::size_t>(block)]; }
+
+  /// A factor whose values are zero; what was given back serves again.
+  std::unique_ptr<BlockFactor> take_factor() const;
+  void give_back(std::unique_ptr<BlockFactor> factor) const { spare_ = std::move(factor); }
+
+ private:
+  Table<ElementIndex, int> numbers_;
+  std::vector<int> sizes_;
+  std::vector<int> first_rows_;
+  std::vector<UnknownBlock> stiffness_;
+  BlockPattern::Pairs coupled_;
+  mutable std::shared_ptr<const BlockPattern> pattern_;  ///< made for the first factor
+  mutable std::unique_ptr<BlockFactor> spare_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,134 @@
+// Outer products of the rows of each pair, over what is added to their diagonal.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/solve/forces_of_blocks.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace keyblock {
+namespace {
+
+// Refinement ends where the residual over the right side is round-off, or no longer falls by the second figure.
+constexpr double kRoundOff = 1e-14;
+constexpr double kFalls = 0.1;
+constexpr int kMostRefinements = 4;
+
+using Row = ContactRow::Row;
+
+}  // namespace
+
+ForcesOfBlocks::ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added)
+    : w_(w), set_(set), added_(added), compliance_(set.kept(w.added() + added)), blocks_(w.blocks()) {
+  if (!(compliance_.minCoeff() > 0)) return;
+  factor_ = blocks_.take_factor();
+  assemble();
+  is_regular_ = factor_->factorise(!set.slips);
+  if (is_regular_ || set.slips) return;
+  factor_->clear();  // round-off took what is positive of a pivot
+  assemble();
+  is_regular_ = factor_->factorise(false);
+}
+
+void ForcesOfBlocks::assemble() {
+  for (int block = 0; block < blocks_.count(); ++block) factor_->add(block, block, blocks_.stiffness(block));
+  for (std::size_t first = 0; first < set_.rows.size();) {
+    const Eigen::Index pair = set_.rows[first] - set_.rows[first] % 2;
+    const bool is_two = first + 1 < set_.rows.size() && set_.rows[first + 1] == pair + 1;
+    add_pair(pair, first, is_two ? 2 : 1);
+    first += is_two ? 2 : 1;
+  }
+}
+
+// Both forces of a pair act between the same two elements: four blocks in all, each the sum over its unknowns.
+void ForcesOfBlocks::add_pair(Eigen::Index pair, std::size_t first_unknown, int count) {
+  const ContactRow& any = w_.row(pair);
+  const int blocks[2] = {blocks_.of(any.vertex_element), blocks_.of(any.edge_element)};
+  BlockFactor::Block sums[2][2];
+  for (int i : {0, 1})
+    for (int j : {0, 1}) sums[i][j].setZero(blocks_.size(blocks[i]), blocks_.size(blocks[j]));
+  for (int k = 0; k < count; ++k) {
+    const std::size_t unknown = first_unknown + static_cast<std::size_t>(k);
+    const ContactRow& row = w_.row(set_.rows[unknown]);
+    Row of_vertex = Row::Zero(any.of_vertex.size());
+    Row of_edge = Row::Zero(any.of_edge.size());
+    for (const Eigen::Index force : {pair, pair + 1}) {
+      const ActiveSet::Column& column = set_.columns[static_cast<std::size_t>(force)];
+      if (column.unknown != static_cast<Eigen::Index>(unknown)) continue;
+      of_vertex += column.factor * w_.row(force).of_vertex;
+      of_edge += column.factor * w_.row(force).of_edge;
+    }
+    const double stiffness = 1 / compliance_[static_cast<Eigen::Index>(unknown)];
+    const Row* columns[2] = {&of_vertex, &of_edge};
+    const Row* across[2] = {&row.of_vertex, &row.of_edge};
+    for (int i : {0, 1})
+      for (int j : {0, 1})
+        sums[i][j].noalias() += (stiffness * columns[i]->head(blocks_.size(blocks[i]))).transpose() *
+                                across[j]->head(blocks_.size(blocks[j]));
+  }
+  for (int i : {0, 1})
+    for (int j : {0, 1})
+      if (blocks[i] >= 0 && blocks[j] >= 0) factor_->add(blocks[i], blocks[j], sums[i][j]);
+}
+
+// Gᵀ f on the unknowns that answer.
+Eigen::VectorXd ForcesOfBlocks::on_blocks(const Eigen::VectorXd& forces) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(blocks_.row_count());
+  const auto add = [&](ElementIndex e, const Row& row, double force) {
+    const int block = blocks_.of(e);
+    if (block >= 0)
+      sum.segment(blocks_.first_row(block), blocks_.size(block)) += force * row.head(blocks_.size(block)).transpose();
+  };
+  for (Eigen::Index i = 0; i < forces.size(); ++i) {
+    if (forces[i] == 0) continue;
+    add(w_.row(i).vertex_element, w_.row(i).of_vertex, forces[i]);
+    add(w_.row(i).edge_element, w_.row(i).of_edge, forces[i]);
+  }
+  return sum;
+}
+
+double ForcesOfBlocks::rate(Eigen::Index i, const Eigen::VectorXd& x) const {
+  const auto of = [&](ElementIndex e, const Row& row) {
+    const int block = blocks_.of(e);
+    if (block < 0) return 0.0;
+    return row.head(blocks_.size(block)).dot(x.segment(blocks_.first_row(block), blocks_.size(block)));
+  };
+  return of(w_.row(i).vertex_element, w_.row(i).of_vertex) + of(w_.row(i).edge_element, w_.row(i).of_edge);
+}
+
+Eigen::VectorXd ForcesOfBlocks::once(const Eigen::VectorXd& right) const {
+  Eigen::VectorXd x = on_blocks(set_.forces(right.cwiseQuotient(compliance_), 0));
+  factor_->solve({x.data(), static_cast<std::size_t>(x.size())});
+  Eigen::VectorXd unknowns = right;
+  for (std::size_t u = 0; u < set_.rows.size(); ++u) unknowns[static_cast<Eigen::Index>(u)] -= rate(set_.rows[u], x);
+  return unknowns.cwiseQuotient(compliance_);
+}
+
+Eigen::VectorXd ForcesOfBlocks::rates_under(Eigen::Index force, const std::vector<Eigen::Index>& rows) const {
+  Eigen::VectorXd x = on_blocks(Eigen::VectorXd::Unit(w_.rows(), force));
+  factor_->solve({x.data(), static_cast<std::size_t>(x.size())});
+  Eigen::VectorXd rates(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) rates[static_cast<Eigen::Index>(i)] = rate(rows[i], x);
+  return rates;
+}
+
+Eigen::VectorXd ForcesOfBlocks::solve(const Eigen::VectorXd& right) const {
+  const auto misfit = [&](const Eigen::VectorXd& unknowns) {
+    const Eigen::VectorXd forces = set_.forces(unknowns, 0);
+    return Eigen::VectorXd(right - set_.kept(w_ * forces + added_.cwiseProduct(forces)));
+  };
+  const double goal = kRoundOff * right.norm();
+  Eigen::VectorXd best = once(right);
+  Eigen::VectorXd left = misfit(best);
+  for (int i = 0; i < kMostRefinements && left.norm() > goal; ++i) {
+    const Eigen::VectorXd next = best + once(left);
+    Eigen::VectorXd after = misfit(next);
+    if (!(after.norm() < left.norm())) break;
+    const bool falls = after.norm() < kFalls * left.norm();
+    best = next;
+    left = std::move(after);
+    if (!falls) break;
+  }
+  return best;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,247 @@
+// Active set after active set, proximal round after proximal round.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/solve/friction_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/stop.hpp"
+#include "contact/solve/active_forces.hpp"
+#include "contact/solve/contended_pairs.hpp"
+#include "contact/solve/friction_sweeps.hpp"
+
+namespace keyblock {
+namespace {
+
+// Weight of the proximal term over the compliance of a force, in the first round that has one: small ones need few rounds but run away
+// on jointed masses, where larger ones follow. From round to round it changes by a factor of ten.
+constexpr double kFirstWeight = 1e-3;
+constexpr double kTen = 10;
+// Softer than this, a round moves next to nothing; sharper, jointed masses are singular. Between a light block and a heavy one W_ii is
+// that of the light one, and a share of it yields more than the heavy one does: few pairs go on to the last one.
+constexpr double kSoftest = 1;
+constexpr double kSharpest = 1e-6;
+constexpr double kSharpestOfFew = 1e-8;
+// Held points have no springs and do not open: this share makes them regular, and leaves less in one round than a held block strains.
+constexpr double kOfHeld = 1e-8;
+// Where springs make forces unique, weights below this one are left out altogether.
+constexpr double kAsNone = 1e-4;
+// A round settles to this share of the residual that it starts with: what is left of the proximal term is more.
+constexpr double kOfRound = 1e-3;
+// A weight that improves the residual by more than this is kept.
+constexpr double kGood = 0.1;
+// An acceptable residual that a round improves by less than this is left as it is.
+constexpr double kProgress = 0.5;
+// After a lost round of many pairs projected Gauss-Seidel takes away what lies in single blocks: it costs what a few systems do.
+constexpr int kSweeps = 100;
+// Rounds lost in all, and active sets of one round. Of many pairs a round that takes longer is better made with a greater weight.
+constexpr int kMostLost = 4;
+constexpr int kMostRounds = 40;
+constexpr int kMostSets = 60;
+constexpr int kMostSetsOfMany = 12;
+// From this set on a round of many pairs has run away if more than half as many of them change as did at first, and more than the
+// second figure.
+constexpr int kSetsToSettle = 4;
+constexpr std::size_t kStillFew = 20;
+// Pairs of a cycle that are worth a dense matrix.
+constexpr std::size_t kMostContended = 60;
+// Few forces are left as they are where their residual is this share of the goal.
+constexpr double kOfGoal = 1e-3;
+// Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the residual
+// that it starts with.
+constexpr double kInner = 0.3;
+constexpr double kForcing = 0.001;
+
+class Newton {
+ public:
+  Newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem& kept, Tried first)
+      : problem_(problem),
+        solution_(std::move(so_far)),
+        kept_(kept),
+        base_(base_weights()),
+        is_unique_(is_unique()),
+        tried_(std::move(first)) {}
+
+  FrictionalSolution run() {
+    if (is_left_as_is()) return std::move(solution_);
+    if (tried_.forces.size() == 0) tried_ = tried(problem_, solution_.forces);
+    double weight = is_unique_ ? 0 : 1;
+    double lost_at = std::numeric_limits<double>::infinity();
+    double lost_residual = 0;
+    int lost = 0;
+    for (int round = 0; round < kMostRounds && lost < kMostLost && has_systems_left(); ++round) {
+      const double before = solution_.residual;
+      const Eigen::VectorXd reference = solution_.forces;
+      if (tried_.forces != reference) tried_ = tried(problem_, reference);
+      const bool settled = settle({weights_of(weight), reference});
+      const double gain = solution_.residual / before;
+      if (is_solved()) break;
+      if (is_enough()) break;
+      if (settled && gain < 1) {
+        if (solution_.converged && gain > kProgress && weight <= sharpest()) break;
+        // Of few forces those that take a large motion to matter are left to the first weight, unless only digits are missing.
+        if (!is_unique_ && !problem_.has_many() && !solution_.converged) continue;
+        const double sharper = sharper_than(weight);
+        const bool may_sharpen = sharper > lost_at || solution_.residual < kGood * lost_residual;
+        if (gain > kGood && may_sharpen) weight = sharper;
+      } else {
+        if (solution_.converged && !problem_.has_many()) break;
+        if (weight >= kSoftest / kFirstWeight) break;
+        if (problem_.has_many()) solution_ = sweep(problem_, std::move(solution_), kSweeps);
+        lost_at = weight;
+        lost_residual = solution_.residual;
+        weight = weight == 0 ? 1 : weight * kTen;
+        ++lost;
+      }
+    }
+    return std::move(solution_);
+  }
+
+ private:
+  // Solves with the proximal term; false if the active sets go round in a cycle, run away or leave forces open.
+  bool settle(const Proximal& proximal) {
+    const Eigen::VectorXd right = problem_.b - proximal.weights.cwiseProduct(proximal.reference);
+    const double goal = std::max(kInner * problem_.goal, kOfRound * solution_.residual);
+    std::vector<std::vector<Grip>> visited;
+    std::vector<Grip> grips = natural_map(problem_, tried_, proximal).grips;
+    std::size_t first_changes = 0;
+    bool is_loose = true;
+    const int most = problem_.has_many() ? kMostSetsOfMany : kMostSets;
+    for (int i = 0; i < most && has_systems_left(); ++i) {
+      leave_if_stopped();
+      visited.push_back(grips);
+      factorise(grips, proximal.weights);
+      const double left = is_loose && system().iterates() ? kForcing * residual(problem_, tried_) : 0;
+      auto forces = system().solve(right, tried_.forces, std::max(kInner * problem_.goal, left));
+      if (!forces) return false;
+      tried_ = tried(problem_, *std::move(forces));
+      keep_best();
+      if (is_solved() || is_enough()) return true;
+      const NaturalMap map = natural_map(problem_, tried_, proximal);
+      const std::size_t changes = different(grips, map.grips).size();
+      const bool is_rough = is_loose && system().iterates();
+      if (changes == 0 && !is_rough) return true;
+      if (!is_rough && (map.forces - tried_.forces).cwiseAbs().maxCoeff() <= goal) return true;
+      if (i == 0) first_changes = changes;
+      if (problem_.has_many() && i + 1 >= kSetsToSettle && changes > std::max(first_changes / 2, kStillFew))
+        return false;
+      std::vector<Grip> next = map.grips;
+      const auto seen = std::ranges::find(visited, next);
+      if (changes == 0 || (seen != visited.end() && is_rough)) {
+        is_loose = false;  // it may be errors that go round
+        visited.clear();
+      } else if (seen != visited.end()) {
+        solution_.undecided = contended(seen, visited.end());
+        if (solution_.undecided.size() > kMostContended) return false;
+        next = settled_among(problem_, std::move(next), solution_.undecided, proximal.weights, right, tried_.forces);
+        ++solution_.solves;
+        if (std::ranges::find(visited, next) != visited.end()) return false;
+        visited.clear();
+      }
+      grips = std::move(next);
+    }
+    return false;
+  }
+
+  // Those of the problem, with ours where neither they nor a compliance make a force unique.
+  Eigen::VectorXd base_weights() const {
+    const Eigen::VectorXd ours = kFirstWeight * problem_.compliance();
+    if (problem_.proximal.size() == 0) return ours;
+    Eigen::VectorXd weights = problem_.proximal;
+    for (Eigen::Index i = 0; i < weights.size(); ++i)
+      if (weights[i] + problem_.w.added()[i] == 0) weights[i] = ours[i];
+    return weights;
+  }
+
+  bool is_unique() const {
+    bool has_contact = false;
+    for (std::size_t i = 0; i < problem_.count(); ++i) {
+      if (!problem_.laws[i].can_open()) continue;
+      has_contact = true;
+      if (!has_spring(2 * i) || !has_spring(2 * i + 1)) return false;
+    }
+    return has_contact;
+  }
+  bool has_spring(std::size_t row) const { return problem_.w.added()[static_cast<Eigen::Index>(row)] > 0; }
+  Eigen::VectorXd weights_of(double weight) const {
+    Eigen::VectorXd weights = weight * base_;
+    if (is_unique_)
+      for (Eigen::Index i = 0; i < weights.size(); ++i)
+        if (!has_spring(static_cast<std::size_t>(i))) weights[i] = kOfHeld * problem_.compliance()[i];
+    return weights;
+  }
+  double sharpest() const { return is_unique_ ? 0 : (problem_.has_many() ? kSharpest : kSharpestOfFew) / kFirstWeight; }
+  double sharper_than(double weight) const {
+    const double sharper = weight / kTen;
+    if (is_unique_) return sharper < kAsNone / kFirstWeight ? 0 : sharper;
+    return std::max(sharper, sharpest());
+  }
+
+  ActiveForces& system() { return *kept_.system; }
+
+  void factorise(const std::vector<Grip>& grips, const Eigen::VectorXd& weights) {
+    if (kept_.system && grips == kept_.grips && weights == kept_.weights) return;
+    kept_.system.reset();  // its factor serves again
+    kept_ = {std::make_unique<ActiveForces>(problem_, grips, weights), grips, weights};
+    ++solution_.solves;
+  }
+
+  // A system of few pairs costs next to nothing, and a gap left within the goal of its force would be closed in a later step: with a
+  // velocity that strains stiff ones.
+  bool is_left_as_is() const { return solution_.residual <= (problem_.has_many() ? 1 : kOfGoal) * problem_.goal; }
+  bool is_solved() const { return solution_.residual <= problem_.goal; }
+  bool is_enough() const {
+    return solution_.converged && problem_.has_many() && solution_.solves >= problem_.enough_systems;
+  }
+  bool has_systems_left() const { return solution_.solves < problem_.most_systems; }
+
+  void keep_best() {
+    const double now = residual(problem_, tried_);
+    if (!(now < solution_.residual)) return;
+    const bool is_good = is_acceptable(problem_, tried_);
+    if (solution_.converged && !is_good) return;
+    solution_.residual = now;
+    solution_.forces = tried_.forces;
+    solution_.converged = is_good;
+  }
+
+  static std::vector<std::size_t> different(const std::vector<Grip>& a, const std::vector<Grip>& b) {
+    std::vector<std::size_t> pairs;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (a[i] != b[i]) pairs.push_back(i);
+    return pairs;
+  }
+
+  // Pairs that are not the same in all sets of a cycle.
+  template <class Visit>
+  static std::vector<std::size_t> contended(Visit first, Visit last) {
+    std::vector<std::size_t> pairs;
+    for (std::size_t i = 0; i < first->size(); ++i)
+      if (std::any_of(first, last, [&](const std::vector<Grip>& grips) { return grips[i] != (*first)[i]; }))
+        pairs.push_back(i);
+    return pairs;
+  }
+
+  const FrictionalProblem& problem_;
+  FrictionalSolution solution_;  ///< with the best forces seen
+  KeptSystem& kept_;
+  Eigen::VectorXd base_;  ///< weights of the first proximal round
+  bool is_unique_;        ///< forces follow from springs
+  Tried tried_;           ///< forces of the last active set
+};
+
+}  // namespace
+
+FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
+  Tried first = tried(problem, start);
+  FrictionalSolution so_far{start, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
+  return newton(problem, std::move(so_far), nullptr, std::move(first));
+}
+
+FrictionalSolution newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem* kept, Tried first) {
+  KeptSystem own;
+  return Newton(problem, std::move(so_far), kept ? *kept : own, std::move(first)).run();
+}
+
+}  // namespace keyblock

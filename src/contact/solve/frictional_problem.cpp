@@ -1,0 +1,150 @@
+// The natural map, its residual, and the order in which the two methods are tried.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/solve/frictional_problem.hpp"
+
+#include <algorithm>
+
+#include "base/loop.hpp"
+#include "contact/solve/friction_newton.hpp"
+#include "contact/solve/friction_sweeps.hpp"
+
+namespace keyblock {
+namespace {
+
+// Sweeps between two attempts of Newton: enough to leave the cycle in which it was caught. Few pairs may take their time.
+constexpr int kSweepsBetween = 200;
+constexpr int kMostTurns = 8;
+constexpr int kTurnsOfMany = 2;
+// Many pairs whose residual is this much above the acceptable one are first swept: thirty sweeps cost what a system does, and bring
+// what Newton needs ten for.
+constexpr double kFarOff = 10;
+constexpr int kFirstSweeps = 30;
+
+}  // namespace
+
+double ForceLaw::limit(double normal) const {
+  return std::max(0.0, cohesion + friction * normal);
+}
+
+NaturalMap natural_map(const std::vector<ForceLaw>& laws, const Eigen::VectorXd& forces, const Eigen::VectorXd& y,
+                       const Eigen::VectorXd& compliance) {
+  NaturalMap map{forces, std::vector<Grip>(laws.size())};
+  for_each_entry(laws.size(), [&](std::size_t i) {
+    const ForceLaw& law = laws[i];
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    const Eigen::Index t = n + 1;
+    const double wanted = forces[n] - y[n] / compliance[n];
+    const double tangential = forces[t] - y[t] / compliance[t];
+    const bool open = wanted <= law.least;
+    const double limit = open ? law.limit_open() : law.limit(wanted);
+    map.forces[n] = open ? law.least : wanted;
+    map.forces[t] = std::clamp(tangential, -limit, limit);
+    const Grip sliding = tangential > 0 ? Grip::slip_forward : Grip::slip_backward;
+    const bool holds = limit > 0 && std::abs(tangential) <= limit;
+    if (open)
+      map.grips[i] = limit > 0 ? Grip::open_stick : Grip::open;
+    else
+      map.grips[i] = holds ? Grip::stick : sliding;
+  });
+  return map;
+}
+
+namespace {
+
+NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried) {
+  return natural_map(problem.laws, tried.forces, tried.y, problem.compliance());
+}
+
+}  // namespace
+
+Tried tried(const FrictionalProblem& problem, Eigen::VectorXd forces) {
+  Tried made{std::move(forces), {}};
+  made.y = problem.w * made.forces + problem.b;
+  return made;
+}
+
+NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, const Proximal& proximal) {
+  const Eigen::VectorXd y = tried.y + proximal.weights.cwiseProduct(tried.forces - proximal.reference);
+  return natural_map(problem.laws, tried.forces, y, problem.compliance() + proximal.weights);
+}
+
+NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
+  return natural_map(problem, tried(problem, forces));
+}
+
+double residual(const FrictionalProblem& problem, const Tried& tried) {
+  if (problem.count() == 0) return 0;
+  return (natural_map(problem, tried).forces - tried.forces).cwiseAbs().maxCoeff();
+}
+
+double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
+  return residual(problem, tried(problem, forces));
+}
+
+// The pairs that the natural map would still change by more than is acceptable.
+std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Tried& tried) {
+  const auto& [forces, y] = tried;
+  const Eigen::VectorXd change = (natural_map(problem, tried).forces - forces).cwiseAbs();
+  std::vector<std::size_t> pairs;
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    const bool is_allowed = forces[n] >= problem.laws[i].least - problem.acceptable &&
+                            std::abs(forces[n + 1]) <= problem.laws[i].limit(forces[n]) + problem.acceptable;
+    const auto is_settled = [&](Eigen::Index k) {
+      return change[k] <= problem.acceptable || (is_allowed && std::abs(y[k]) <= problem.gap_tolerance);
+    };
+    if (!is_settled(n) || !is_settled(n + 1)) pairs.push_back(i);
+  }
+  return pairs;
+}
+
+bool is_acceptable(const FrictionalProblem& problem, const Tried& tried) {
+  return unsettled(problem, tried).empty();
+}
+
+bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
+  return is_acceptable(problem, tried(problem, forces));
+}
+
+FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start, KeptSystem* kept) {
+  return solve(problem, tried(problem, start), kept);
+}
+
+FrictionalSolution solve(const FrictionalProblem& problem, Tried first, KeptSystem* kept) {
+  FrictionalSolution solution{first.forces, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
+  if (problem.has_many() && !solution.converged && solution.residual > kFarOff * problem.acceptable) {
+    solution = sweep(problem, std::move(solution), kFirstSweeps);
+    first = {};
+  }
+  solution = newton(problem, std::move(solution), kept, std::move(first));
+  FrictionalSolution best = solution;
+  const int most_turns = problem.has_many() ? kTurnsOfMany : kMostTurns;
+  // Of some hundred pairs the goal itself is worth another turn, of very many it is not.
+  const bool seeks_goal =
+      problem.has_many() && problem.count() <= FrictionalProblem::kVeryManyPairs && problem.enough_systems > 0;
+  const auto is_done = [&] { return best.converged && (!seeks_goal || best.residual <= problem.goal); };
+  for (int turn = 0; turn < most_turns && !is_done(); ++turn) {
+    solution = sweep(problem, std::move(solution), kSweepsBetween << turn);
+    if (!solution.converged || seeks_goal) solution = newton(problem, std::move(solution), kept);
+    const bool is_better = solution.residual < best.residual;
+    if (solution.converged ? is_better || !best.converged : is_better && !best.converged) best = solution;
+  }
+  best.solves = solution.solves;
+  best.sweeps = solution.sweeps;
+  solution = std::move(best);
+  if (!solution.converged && solution.undecided.empty())
+    solution.undecided = unsettled(problem, tried(problem, solution.forces));
+  // Round-off on an open touch would pass for a closed one.
+  const Tried last = tried(problem, solution.forces);
+  const NaturalMap map = natural_map(problem, last);
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    if (is_open(map.grips[i])) solution.forces[n] = problem.laws[i].least;
+    if (map.grips[i] == Grip::open) solution.forces[n + 1] = 0;
+  }
+  solution.converged = solution.converged && (solution.forces == last.forces ? is_acceptable(problem, last)
+                                                                             : is_acceptable(problem, solution.forces));
+  return solution;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,96 @@
+// The outlines cut like joints of a material of their own; what they enclose is left out.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/bodies/excavate.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "cut/bodies/cut_blocks.hpp"
+#include "geometry/polygon.hpp"
+#include "geometry/segment.hpp"
+
+namespace keyblock {
+namespace {
+
+// No joint of a file has this material.
+constexpr int kOutline = std::numeric_limits<int>::max();
+
+std::vector<std::vector<Point>> loops_of(const BlockPolygon& block) {
+  std::vector<std::vector<Point>> loops{points_of(block.outer)};
+  for (const BlockLoop& hole : block.holes) loops.push_back(points_of(hole));
+  return loops;
+}
+
+bool holds(const BlockPolygon& block, Point p) {
+  if (side(points_of(block.outer), p) == Side::outside) return false;
+  return std::ranges::none_of(block.holes,
+                              [&](const BlockLoop& hole) { return side(points_of(hole), p) == Side::inside; });
+}
+
+/// The number of every body that stays, -1 of the others; their materials into `materials`.
+std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies,
+                                 const std::vector<std::vector<Point>>& outlines, const Blocks* blocks,
+                                 std::vector<int>& materials) {
+  std::vector<int> numbers;
+  for (const BlockPolygon& body : bodies) {
+    const std::optional<Point> inside = point_inside(loops_of(body));
+    if (!inside) {
+      numbers.push_back(-1);
+      continue;
+    }
+    const bool is_gone =
+        std::ranges::any_of(outlines, [&](const auto& outline) { return side(outline, *inside) == Side::inside; });
+    const BlockPolygon* owner = &body;
+    if (blocks != nullptr) {
+      const auto found = std::ranges::find_if(blocks->blocks, [&](const auto& block) { return holds(block, *inside); });
+      owner = found == blocks->blocks.end() ? nullptr : &*found;  // a hole of the blocks
+    }
+    numbers.push_back(is_gone || owner == nullptr ? -1 : static_cast<int>(materials.size()));
+    if (numbers.back() >= 0) materials.push_back(owner->material);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Drawing lines_of(const Blocks& blocks) {
+  Drawing drawing;
+  drawing.place = blocks.place;
+  const auto add = [&](const BlockLoop& loop) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const BlockVertex& next = loop[(i + 1) % loop.size()];
+      drawing.joints.push_back({{loop[i].position, next.position}, next.joint_material, blocks.place});
+    }
+  };
+  for (const BlockPolygon& block : blocks.blocks) {
+    add(block.outer);
+    for (const BlockLoop& hole : block.holes) add(hole);
+  }
+  return drawing;
+}
+
+BodyGraph excavated(const Drawing& drawing, const std::vector<std::vector<Point>>& outlines, NodeMerging merging,
+                    const Blocks* blocks) {
+  Drawing cut = drawing;
+  for (const auto& outline : outlines)
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      cut.joints.push_back({{outline[i], outline[(i + 1) % outline.size()]}, kOutline, drawing.place});
+  BodyCut bodies = cut_bodies(cut, merging);
+  BodyGraph rest;
+  rest.nodes = std::move(bodies.graph.nodes);
+  const std::vector<int> numbers = numbers_of_rest(bodies.blocks.blocks.blocks, outlines, blocks, rest.materials);
+  if (rest.materials.empty()) throw InputError(drawing.place, "expected a body that is not dug out, found none");
+  const auto renumbered = [&](int body) { return body < 0 ? -1 : numbers[static_cast<std::size_t>(body)]; };
+  for (BodyPiece piece : bodies.graph.pieces) {
+    piece.left = renumbered(piece.left);
+    piece.right = renumbered(piece.right);
+    const bool is_outline = piece.joint_material == kOutline;
+    if (is_outline) piece.joint_material = 0;
+    const bool bounds_nothing = piece.left < 0 && piece.right < 0;
+    if (piece.is_slit ? !is_outline : !bounds_nothing) rest.pieces.push_back(piece);
+  }
+  return rest;
+}
+
+}  // namespace keyblock

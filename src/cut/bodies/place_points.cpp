@@ -1,0 +1,178 @@
+// Marks of a drawing into blocks; see place_points.hpp. Rules: the old block cutter's, legacy rules 7 to 9
+// of cutting.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/bodies/place_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "geometry/polygon.hpp"
+#include "geometry/predicates.hpp"
+#include "geometry/segment.hpp"
+
+namespace keyblock {
+namespace {
+
+bool has_vertex_near(const BlockLoop& loop, Point p, double reach) {
+  return std::any_of(loop.begin(), loop.end(), [&](const BlockVertex& v) { return distance(v.position, p) <= reach; });
+}
+
+bool has_vertex_near(const BlockPolygon& block, Point p, double reach) {
+  return has_vertex_near(block.outer, p, reach) ||
+         std::any_of(block.holes.begin(), block.holes.end(),
+                     [&](const BlockLoop& hole) { return has_vertex_near(hole, p, reach); });
+}
+
+/// Calls `visit` with every edge of the block, outer loop first.
+template <class Visit>
+void visit_edges(const BlockPolygon& block, Visit visit) {
+  const auto visit_loop = [&](const BlockLoop& loop) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      visit(Segment{loop[i].position, loop[i + 1 == loop.size() ? 0 : i + 1].position});
+    }
+  };
+  visit_loop(block.outer);
+  for (const BlockLoop& hole : block.holes) visit_loop(hole);
+}
+
+Point left_normal(const Segment& s) {
+  const Point along = s.end - s.start;
+  return (1 / length(along)) * Point{-along.y, along.x};
+}
+
+/// Adds to one set of blocks, and keeps what it could not place.
+class Placer {
+ public:
+  Placer(const CutTolerances& tolerances, Blocks& blocks) : tolerances_(tolerances), blocks_(blocks) {}
+
+  Warnings take_warnings() { return std::move(warnings_); }
+
+  /// The numbers of the blocks that stay.
+  std::vector<int> remove_holes(const std::vector<MarkedPoint>& hole_points) {
+    std::vector<char> is_hole(blocks_.blocks.size(), 0);
+    for (const MarkedPoint& mark : hole_points) {
+      if (const auto block = find("hole point", mark.position, mark.place)) is_hole[*block] = 1;
+    }
+    std::vector<int> kept;
+    for (std::size_t i = 0; i < is_hole.size(); ++i) {
+      if (is_hole[i]) continue;
+      if (kept.size() != i) blocks_.blocks[kept.size()] = std::move(blocks_.blocks[i]);
+      kept.push_back(static_cast<int>(i));
+    }
+    blocks_.blocks.resize(kept.size());
+    return kept;
+  }
+
+  void set_material(const MaterialLine& line) {
+    const std::optional<int> first = block_at(blocks_.blocks, line.segment.start, tolerances_.vertex_catch);
+    bool has_met = first.has_value();
+    if (first) blocks_.blocks[*first].material = line.block_material;
+    const bool is_point = line.segment.start == line.segment.end;
+    for (BlockPolygon& block : blocks_.blocks) {
+      if (is_point) break;
+      bool is_crossed = false;
+      visit_edges(block, [&](const Segment& edge) { is_crossed |= meeting(line.segment, edge) != Meeting::none; });
+      if (is_crossed) block.material = line.block_material;
+      has_met |= is_crossed;
+    }
+    if (!has_met) warn_outside("material line", line.segment.start, line.place);
+  }
+
+  void add_fixed(const FixedLine& line) {
+    const std::size_t before = blocks_.fixed_points.size();
+    if (line.segment.start != line.segment.end) add_fixed_crossings(line);
+    if (blocks_.fixed_points.size() == before) {
+      add_point(blocks_.fixed_points, "fixed point", {line.segment.start, line.place});
+    }
+  }
+
+  void add_point(std::vector<BlockPoint>& list, std::string_view kind, const MarkedPoint& mark) {
+    if (const auto block = find(kind, mark.position, mark.place)) list.push_back({mark.position, *block, mark.place});
+  }
+
+  void add_bolt(const BoltLine& bolt) {
+    const auto first = find("bolt end", bolt.segment.start, bolt.place);
+    const auto second = find("bolt end", bolt.segment.end, bolt.place);
+    if (!first || !second) return;
+    if (*first == *second) {
+      warnings_.push_back(
+          {"bolt_in_one_block", bolt.place, "both ends of the bolt lie in one block: it holds nothing"});
+    }
+    blocks_.bolts.push_back(
+        {bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension, bolt.place});
+  }
+
+  // Loads belong to loading points by their order: leaving one out would give its load to the next.
+  void add_loading(const MarkedPoint& mark) {
+    const auto block = block_at(blocks_.blocks, mark.position, tolerances_.vertex_catch);
+    if (!block)
+      throw InputError(mark.place,
+                       fmt::format("expected a loading point inside a block, found ({}, {}) outside all blocks",
+                                   mark.position.x, mark.position.y));
+    blocks_.loading_points.push_back({mark.position, *block, mark.place});
+  }
+
+ private:
+  void add_fixed_crossings(const FixedLine& line) {
+    for (std::size_t i = 0; i < blocks_.blocks.size(); ++i) {
+      visit_edges(blocks_.blocks[i], [&](const Segment& edge) {
+        if (meeting(line.segment, edge) != Meeting::crossing) return;
+        const Point at = point_at(edge, station(edge, line.segment).value);
+        const Point inside = at + tolerances_.inset * left_normal(edge);
+        blocks_.fixed_points.push_back({inside, static_cast<int>(i), line.place});
+      });
+    }
+  }
+
+  std::optional<int> find(std::string_view kind, Point p, const Place& place) {
+    const auto block = block_at(blocks_.blocks, p, tolerances_.vertex_catch);
+    if (!block) warn_outside(kind, p, place);
+    return block;
+  }
+
+  void warn_outside(std::string_view kind, Point p, const Place& place) {
+    warnings_.push_back({"point_outside_blocks", place,
+                         fmt::format("{} ({}, {}) lies outside all blocks and is left out", kind, p.x, p.y)});
+  }
+
+  const CutTolerances& tolerances_;
+  Blocks& blocks_;
+  Warnings warnings_;
+};
+
+}  // namespace
+
+bool holds(const BlockPolygon& block, Point p) {
+  if (side(points_of(block.outer), p) == Side::outside) return false;
+  return std::none_of(block.holes.begin(), block.holes.end(),
+                      [&](const BlockLoop& hole) { return side(points_of(hole), p) == Side::inside; });
+}
+
+std::optional<int> block_at(const std::vector<BlockPolygon>& blocks, Point p, double vertex_catch) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (has_vertex_near(blocks[i], p, vertex_catch)) return static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (holds(blocks[i], p)) return static_cast<int>(i);
+  }
+  return std::nullopt;
+}
+
+PlacedMarks place_marks(const Drawing& drawing, const CutTolerances& tolerances, Blocks& blocks) {
+  Placer placer(tolerances, blocks);
+  PlacedMarks placed;
+  placed.kept = placer.remove_holes(drawing.hole_points);
+  for (const MaterialLine& line : drawing.material_lines) placer.set_material(line);
+  for (const FixedLine& line : drawing.fixed_lines) placer.add_fixed(line);
+  for (const MarkedPoint& p : drawing.loading_points) placer.add_loading(p);
+  for (const MarkedPoint& p : drawing.measured_points) placer.add_point(blocks.measured_points, "measured point", p);
+  for (const BoltLine& bolt : drawing.bolts) placer.add_bolt(bolt);
+  placed.warnings = placer.take_warnings();
+  return placed;
+}
+
+}  // namespace keyblock

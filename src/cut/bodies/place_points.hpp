@@ -1,0 +1,30 @@
+// Puts the marks of a drawing into blocks: fixed lines and points, loading and measured points, bolts,
+// hole points and material lines.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cut/lines/tolerances.hpp"
+#include "problem/blocks.hpp"
+#include "problem/drawing.hpp"
+
+namespace keyblock {
+
+/// Does the block hold the point? Its edges belong to it, holes do not.
+bool holds(const BlockPolygon& block, Point p);
+
+/// The first block with a vertex within `vertex_catch` of the point, else the first one holding it.
+std::optional<int> block_at(const std::vector<BlockPolygon>& blocks, Point p, double vertex_catch);
+
+struct PlacedMarks {
+  std::vector<int> kept;  ///< of each block left after the holes, its number before
+  Warnings warnings;
+};
+
+/// Removes the blocks that hold hole points, sets materials, and adds every carried point and bolt to
+/// `blocks`. What lies outside all blocks is left out with the warning `point_outside_blocks`.
+PlacedMarks place_marks(const Drawing& drawing, const CutTolerances& tolerances, Blocks& blocks);
+
+}  // namespace keyblock

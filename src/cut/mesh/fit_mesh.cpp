@@ -1,0 +1,101 @@
+// Plans to meshes; see fit_mesh.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/mesh/fit_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "cut/mesh/snap_nodes.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kLeastSide = 1e-12;    // of the farthest coordinate: some thousand of its last digits
+constexpr double kMostTriangles = 4e6;  // of any mesh: minutes and gigabytes
+
+void require_fewer(double triangles, double side) {
+  if (!(triangles <= kMostTriangles))
+    throw std::invalid_argument(
+        fmt::format("a mesh of sides of {}: some {:.0e} triangles, more than {:.0e}", side, triangles, kMostTriangles));
+}
+
+TriangleMesh regular(const MeshPlan& plan, const Box& box) {
+  const bool is_aligned = plan.placement == MeshPlacement::aligned;
+  const int rows = std::max(plan.half_rows, 1);
+  RegularMesh mesh = is_aligned ? aligned_mesh(box, rows, plan.shape) : centred_mesh(box, rows, plan.shape);
+  if (plan.half_rows == 0) {
+    const double high = mesh.dy / mesh.dx;
+    mesh.dx = plan.side;
+    mesh.dy = plan.side * high;
+    if (!is_aligned) mesh.through = box.middle();
+    require_fewer(4 * (box.size().x / mesh.dx + 2) * (box.size().y / mesh.dy + 2), plan.side);
+  }
+  mesh.through = {plan.through_x.value_or(mesh.through.x), plan.through_y.value_or(mesh.through.y)};
+  mesh.angle = plan.angle_deg * std::numbers::pi / 180;
+  return regular_triangles(box, mesh);
+}
+
+void require_length(double length, const char* what) {
+  if (!(length > 0) || !std::isfinite(length))
+    throw std::invalid_argument(fmt::format("{}: expected a finite length above 0, found {}", what, length));
+}
+
+/// Corners of shorter sides would fall on one another: refinement would not end.
+void require_resolved(double side, const Box& box, const char* what) {
+  const double farthest =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  const double least = kLeastSide * farthest;
+  if (side < least)
+    throw std::invalid_argument(
+        fmt::format("expected {} of at least {:.3g}, which coordinates still resolve, found {}", what, least, side));
+}
+
+TriangleMesh unstructured(const MeshPlan& plan, const BodyGraph& graph, const Box& box) {
+  require_length(plan.side, "the side of the mesh");
+  require_resolved(plan.side, box, "the side of the mesh");
+  MeshSize size;
+  size.side = plan.side;
+  size.refined = plan.refined;
+  double triangles = (box.size().x / plan.side + 1) * (box.size().y / plan.side + 1);
+  for (const RefinedPoint& point : size.refined) {
+    require_length(point.side, "the side at a refined point of the mesh");
+    require_resolved(point.side, box, "the side at a refined point of the mesh");
+    if (!std::isfinite(point.at.x) || !std::isfinite(point.at.y))
+      throw std::invalid_argument("a refined point of the mesh: expected finite coordinates");
+    triangles += std::log(std::max(1.0, plan.side / point.side)) / (size.growth * size.growth);
+  }
+  require_fewer(triangles, plan.side);
+  std::vector<Segment> along;
+  if (plan.placement == MeshPlacement::aligned) {
+    for (const BodyPiece& piece : graph.pieces)
+      along.push_back(
+          {graph.nodes[static_cast<std::size_t>(piece.from)], graph.nodes[static_cast<std::size_t>(piece.to)]});
+  }
+  return unstructured_mesh(box, size, along);
+}
+
+}  // namespace
+
+Box box_of(const BodyGraph& graph) {
+  Box box;
+  for (const BodyPiece& piece : graph.pieces) {
+    if (piece.left < 0 && piece.right < 0) continue;
+    box.add(graph.nodes[static_cast<std::size_t>(piece.from)]);
+    box.add(graph.nodes[static_cast<std::size_t>(piece.to)]);
+  }
+  return box;
+}
+
+FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph) {
+  const Box box = box_of(graph);
+  FittedMesh fitted;
+  fitted.mesh = plan.kind == MeshKind::regular ? regular(plan, box) : unstructured(plan, graph, box);
+  if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box));
+  return fitted;
+}
+
+}  // namespace keyblock

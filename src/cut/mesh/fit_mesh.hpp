@@ -1,0 +1,25 @@
+// The mathematical mesh that a plan asks for, laid over bodies.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cut/bodies/body_graph.hpp"
+#include "cut/mesh/background_mesh.hpp"
+#include "cut/mesh/unstructured_mesh.hpp"
+#include "geometry/box.hpp"
+
+namespace keyblock {
+
+inline constexpr int kMostHalfRows = 1000;  ///< of a regular mesh: some four million triangles
+
+struct FittedMesh {
+  TriangleMesh mesh;
+  int snapped = 0;  ///< nodes moved onto lines
+};
+
+/// The box about all bodies.
+Box box_of(const BodyGraph& graph);
+
+/// The mesh over all bodies. Throws std::invalid_argument where a length of the plan is none, or the mesh would be too large.
+FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph);
+
+}  // namespace keyblock

@@ -1,0 +1,176 @@
+// Files out.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+
+#include "base/error.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// What a draft is called: this, the process and a count. Short, because the name of its file may be as long as names can be.
+constexpr std::string_view kDraft = ".keyblock_draft_";
+
+bool is_taken(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(file, error));
+}
+
+void require_folder_of(const fs::path& file) {
+  std::error_code error;
+  if (const fs::path folder = file.parent_path(); !folder.empty() && !fs::is_directory(folder, error))
+    throw UsageError(fmt::format("there is no folder {} for {}", folder.string(), file.filename().string()));
+}
+
+void require_replaceable(const fs::path& output, const std::vector<fs::path>& inputs) {
+  if (!is_taken(output)) return;
+  std::error_code error;
+  if (!fs::exists(output, error)) throw UsageError(fmt::format("{} is a link to nothing", output.string()));
+  if (!fs::is_regular_file(output, error)) throw UsageError(fmt::format("{} is no regular file", output.string()));
+  for (const fs::path& input : inputs)
+    if (fs::equivalent(output, input, error))
+      throw UsageError(fmt::format("{} is an input; give another name", output.string()));
+}
+
+// Where a file of that name would lie, whatever links lead there.
+fs::path place_of(const fs::path& file) {
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(fs::absolute(file), error);
+  return error ? fs::absolute(file).lexically_normal() : place;
+}
+
+[[noreturn]] void give_up(const fs::path& file, int why) {
+  throw OutputError(fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(why)));
+}
+
+/// A new file beside `file`, which nobody had before; gone again unless it takes the name of `file`.
+class Draft {
+ public:
+  explicit Draft(const fs::path& file) : file_(file) {
+    static std::atomic<unsigned> count = 0;
+    do {
+      name_ = file.parent_path() / fmt::format("{}{}_{}", kDraft, getpid(), count++);
+      descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    } while (descriptor_ < 0 && errno == EEXIST);
+    if (descriptor_ < 0) give_up(file, errno);
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+  ~Draft() {
+    if (descriptor_ >= 0) close(descriptor_);
+    if (!is_in_place_) unlink(name_.c_str());
+  }
+
+  void write(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = ::write(descriptor_, text.data(), text.size());
+      if (written < 0 && errno != EINTR) give_up(file_, errno);
+      if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  void flush() {
+    if (fsync(descriptor_) != 0) give_up(file_, errno);
+  }
+
+  // Some file systems say only here that there was no room.
+  void put_in_place() {
+    const bool is_closed = close(descriptor_) == 0;
+    descriptor_ = -1;
+    if (!is_closed || std::rename(name_.c_str(), file_.c_str()) != 0) give_up(file_, errno);
+    is_in_place_ = true;
+  }
+
+  // A second name is made only where there is none; some file systems know no second names.
+  void put_where_none_is() {
+    if (link(name_.c_str(), file_.c_str()) == 0) return;
+    if (errno == EEXIST) require_free(file_, Overwrite::no);
+    put_in_place();
+  }
+
+ private:
+  fs::path file_;
+  fs::path name_;
+  int descriptor_ = -1;
+  bool is_in_place_ = false;
+};
+
+}  // namespace
+
+void require_free(const fs::path& file, Overwrite overwrite) {
+  if (overwrite == Overwrite::no && is_taken(file))
+    throw UsageError(fmt::format("{} exists; give another name, or --force to overwrite it", file.string()));
+}
+
+void require_writable(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs, Overwrite overwrite) {
+  std::vector<fs::path> places;
+  for (const fs::path& output : outputs) {
+    if (output.empty()) continue;
+    require_replaceable(output, inputs);
+    require_free(output, overwrite);
+    require_folder_of(output);
+    const fs::path place = place_of(output);
+    if (std::ranges::find(places, place) != places.end())
+      throw UsageError(fmt::format("{} is named for two outputs; give one another name", output.string()));
+    places.push_back(place);
+  }
+}
+
+void require_not_below(const fs::path& input, const fs::path& folder) {
+  std::error_code error;
+  const fs::path parent = input.has_parent_path() ? input.parent_path() : fs::path(".");
+  if (fs::equivalent(parent, folder, error))
+    throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", input.string()));
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  Draft draft(file);
+  draft.write(text);
+  draft.put_in_place();
+}
+
+void flush_to_disk(const fs::path& file_or_folder) {
+  const int descriptor = open(file_or_folder.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
+  if (descriptor >= 0) close(descriptor);
+  if (!flushed) throw OutputError(fmt::format("cannot flush {} to the disk", file_or_folder.string()));
+}
+
+void write_durably(const fs::path& file, const std::string& bytes, Overwrite overwrite) {
+  Draft draft(file);
+  draft.write(bytes);
+  draft.flush();
+  if (overwrite == Overwrite::yes)
+    draft.put_in_place();
+  else
+    draft.put_where_none_is();
+  flush_to_disk(file.parent_path());
+}
+
+void write_output(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  const bool is_link = fs::is_symlink(file, error);
+  write_file(is_link ? fs::canonical(file) : file, text);
+}
+
+void remove_drafts(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> drafts;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.path().filename().string().starts_with(kDraft)) drafts.push_back(entry.path());
+  for (const fs::path& draft : drafts) unlink(draft.c_str());
+}
+
+}  // namespace keyblock

@@ -1,0 +1,99 @@
+// One list of named columns serves the table and the totals.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/ledger_report.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Column {
+  const char* name;
+  std::function<double(const LedgerRow&)> value;
+};
+
+const std::vector<Column> kStored{{"kinetic", [](const LedgerRow& r) { return r.stored.kinetic; }},
+                                  {"strain", [](const LedgerRow& r) { return r.stored.strain; }},
+                                  {"gravity", [](const LedgerRow& r) { return r.stored.gravity; }}};
+const std::vector<Column> kFlows{{"contact", [](const LedgerRow& r) { return r.stored.contact; }},
+                                 {"external", [](const LedgerRow& r) { return r.flow.external; }},
+                                 {"friction", [](const LedgerRow& r) { return r.flow.friction; }},
+                                 {"damping", [](const LedgerRow& r) { return r.flow.damping; }},
+                                 {"impact", [](const LedgerRow& r) { return r.flow.impact; }},
+                                 {"closing", [](const LedgerRow& r) { return r.flow.closing; }},
+                                 {"clean_up", [](const LedgerRow& r) { return r.flow.clean_up; }},
+                                 {"rupture", [](const LedgerRow& r) { return r.flow.rupture; }},
+                                 {"algorithmic", [](const LedgerRow& r) { return r.flow.algorithmic; }},
+                                 {"projection", [](const LedgerRow& r) { return r.flow.projection; }},
+                                 {"geometric", [](const LedgerRow& r) { return r.flow.geometric; }},
+                                 {"creep", [](const LedgerRow& r) { return r.flow.creep; }}};
+const std::vector<Column> kMomentum{{"momentum_x", [](const LedgerRow& r) { return r.momentum.linear.x; }},
+                                    {"momentum_y", [](const LedgerRow& r) { return r.momentum.linear.y; }},
+                                    {"angular_momentum", [](const LedgerRow& r) { return r.momentum.angular; }}};
+const std::vector<Column> kImpulse{{"impulse_x", [](const LedgerRow& r) { return r.impulse.linear.x; }},
+                                   {"impulse_y", [](const LedgerRow& r) { return r.impulse.linear.y; }},
+                                   {"angular_impulse", [](const LedgerRow& r) { return r.impulse.angular; }}};
+
+// What loads leave of the change of momentum since `start`: what held blocks and points gave.
+std::vector<Column> reactions_since(const LedgerRow& start) {
+  return {{"reaction_impulse_x",
+           [=](const LedgerRow& r) { return r.momentum.linear.x - start.momentum.linear.x - r.impulse.linear.x; }},
+          {"reaction_impulse_y",
+           [=](const LedgerRow& r) { return r.momentum.linear.y - start.momentum.linear.y - r.impulse.linear.y; }},
+          {"angular_reaction_impulse",
+           [=](const LedgerRow& r) { return r.momentum.angular - start.momentum.angular - r.impulse.angular; }}};
+}
+
+// Those the ledger has anything to say in.
+std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start) {
+  std::vector<Column> columns = kStored;
+  const auto append = [&](const std::vector<Column>& more) { columns.insert(columns.end(), more.begin(), more.end()); };
+  if (scope.has_flows) append(kFlows);
+  append(kMomentum);
+  if (!scope.has_flows) return columns;
+  append(kImpulse);
+  if (scope.has_supports) append(reactions_since(start));
+  return columns;
+}
+
+Json row_json(const LedgerRow& row, const std::vector<Column>& columns) {
+  Json cells = {row.step, row.time};
+  for (const Column& column : columns) cells.push_back(column.value(row));
+  return cells;
+}
+
+// Relative to the largest energy, and to the largest sum of momenta by amount.
+Json closure_json(const LedgerScope& scope, const LedgerSums& sums) {
+  Json closure = Json::object();
+  if (!scope.has_flows) return closure;
+  closure["energy"] = sums.energy_closure();
+  if (scope.has_supports) return closure;
+  closure["linear_momentum"] = sums.linear_momentum_closure();
+  closure["angular_momentum"] = sums.angular_momentum_closure();
+  return closure;
+}
+
+}  // namespace
+
+Json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every) {
+  const std::vector<Column> columns = columns_of(ledger.scope, sums.first);
+  Json names = {"step", "time"};
+  Json rows = Json::array();
+  Json end = Json::object();
+  for (const Column& column : columns) names.push_back(column.name);
+  for (const LedgerRow& row : ledger.rows) rows.push_back(row_json(row, columns));
+  if (!ledger.rows.empty())
+    for (const Column& column : columns) end[column.name] = column.value(ledger.rows.back());
+  return {{"closure", closure_json(ledger.scope, sums)},
+          {"largest_energy", sums.largest_energy()},
+          {"momentum_about", {ledger.scope.centre.x, ledger.scope.centre.y}},
+          {"end", end},
+          {"columns", names},
+          {"kept_every", kept_every},
+          {"rows", rows}};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,265 @@
+// Writes the results of one run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
+#include "formats/views/vtk.hpp"
+#include "report/energy_picture.hpp"
+#include "report/field_picture.hpp"
+#include "report/run_picture.hpp"
+#include "result/describe.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kRecord = "run.json";
+constexpr const char* kFrameFolder = "frames";
+constexpr const char* kCheckpoint = "checkpoint.h5";
+
+// The files that a run may leave in its folder, and all that it may leave.
+constexpr std::array kFiles{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
+                            "field.svg", "steps.csv",   "blocks.csv", "points.csv",  kCheckpoint};
+constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg", "field.svg",
+                            "steps.csv", "blocks.csv",  "points.csv", kFrameFolder,  kCheckpoint};
+
+constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
+
+// What the rows of a history hold: measured points, blocks, or the elements of bodies, whose displacements are weighed to the bodies'.
+struct Followed {
+  const char* word;
+  std::vector<std::vector<std::pair<std::size_t, double>>> parts;  ///< of each: points of a row with their shares
+};
+
+Followed followed_by(const History& history, const Frame& start, const FieldFrame& field) {
+  Followed followed{history.of_measured_points ? "measured point" : "block", {}};
+  const std::size_t count = history.rows.front().points.size();
+  if (history.of_measured_points || field.elements.size() != count) {
+    for (std::size_t i = 0; i < count; ++i) followed.parts.push_back({{i, 1.0}});
+    return followed;
+  }
+  followed.word = "body";
+  std::vector<double> masses;
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto body = static_cast<std::size_t>(field.elements[e].body);
+    followed.parts.resize(std::max(followed.parts.size(), body + 1));
+    masses.resize(followed.parts.size());
+    followed.parts[body].emplace_back(e, start.elements[e].mass);
+    masses[body] += start.elements[e].mass;
+  }
+  for (std::size_t body = 0; body < masses.size(); ++body)
+    for (auto& [element, share] : followed.parts[body]) share /= masses[body];
+  return followed;
+}
+
+// How far each of them has come, over time.
+std::vector<report::Curve> displacement_curves(const History& history, const Frame& start, const FieldFrame& field) {
+  std::vector<report::Curve> curves;
+  if (history.rows.empty()) return curves;
+  const Followed followed = followed_by(history, start, field);
+  const std::size_t count = std::min(followed.parts.size(), kMostCurves);
+  for (std::size_t i = 0; i < count; ++i) {
+    report::Curve curve;
+    const bool is_last_of_more = i + 1 == count && followed.parts.size() > count;
+    curve.label = fmt::format("{} {}{}", followed.word, i + 1,
+                              is_last_of_more ? fmt::format(" (of {})", followed.parts.size()) : "");
+    for (const HistoryRow& row : history.rows) {
+      Point mean;
+      for (const auto& [point, share] : followed.parts[i]) mean = mean + share * row.points[point].displacement;
+      curve.x.push_back(row.time);
+      curve.y.push_back(length(mean));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace) : folder_(std::move(folder)), trace_(trace) {
+  if (fs::exists(folder_) && !fs::is_directory(folder_))
+    throw UsageError(fmt::format("{} is a file, not a folder", folder_.string()));
+  for (const char* name : kNames) require_free(folder_ / name, overwrite);
+  if (const fs::path frames = folder_ / kFrameFolder;
+      fs::exists(fs::symlink_status(frames)) && !fs::is_directory(frames))
+    throw UsageError(fmt::format("{} is a file, not a folder", frames.string()));
+}
+
+RunFolder::RunFolder(fs::path folder, Trace trace) : folder_(std::move(folder)), trace_(trace) {}
+
+namespace {
+
+/// As `write_frame` names them; whatever else lies beside them is the user's.
+bool is_frame(const fs::directory_entry& entry) {
+  const std::string stem = entry.path().stem().string();
+  return entry.path().extension() == ".vtu" && stem.size() >= 8 &&
+         std::ranges::all_of(stem, [](char c) { return c >= '0' && c <= '9'; }) &&
+         fs::is_regular_file(entry.symlink_status());
+}
+
+void remove_frames(const fs::path& folder, const std::set<fs::path>& kept) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (is_frame(entry) && !kept.contains(entry.path())) files.push_back(entry.path());
+  for (const fs::path& file : files) fs::remove(file, error);
+  remove_drafts(folder);
+}
+
+}  // namespace
+
+void RunFolder::clear() {
+  std::error_code error;
+  for (const char* name : kFiles) {
+    fs::remove(folder_ / name, error);
+    if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
+  }
+  remove_frames(folder_ / kFrameFolder, {});
+  remove_drafts(folder_);
+}
+
+void RunFolder::begin(const std::string& checkpoint) {
+  clear();
+  std::error_code error;
+  made_folder_ = fs::create_directories(folder_, error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
+  if (!checkpoint.empty()) write_durably(checkpoint_in(folder_), checkpoint, Overwrite::no);
+  fs::create_directory(folder_ / kFrameFolder, error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));
+}
+
+void RunFolder::take_back() {
+  std::error_code error;
+  for (const FrameFile& file : frame_files_) fs::remove(folder_ / file.name, error);
+  fs::remove(checkpoint_in(folder_), error);
+  fs::remove(folder_ / kFrameFolder, error);  // unless something else lies there
+  if (made_folder_) fs::remove(folder_, error);
+}
+
+void RunFolder::drop_what_followed() {
+  std::error_code error;
+  fs::remove(folder_ / kRecord, error);  // where it stands the run is over; the other results are written again
+  std::set<fs::path> kept;
+  for (const FrameFile& file : frame_files_) kept.insert(folder_ / file.name);
+  remove_frames(folder_ / kFrameFolder, kept);
+  remove_drafts(folder_);
+  fs::create_directory(folder_ / kFrameFolder, error);
+}
+
+void RunFolder::flush_frames() {
+  for (; flushed_frames_ < frame_files_.size(); ++flushed_frames_)
+    flush_to_disk(folder_ / frame_files_[flushed_frames_].name);
+  flush_to_disk(folder_ / kFrameFolder);
+}
+
+void RunFolder::write_checkpoint(const std::string& bytes) {
+  flush_frames();
+  write_durably(checkpoint_in(folder_), bytes, Overwrite::yes);
+}
+
+void RunFolder::remove_checkpoint() {
+  if (!fs::exists(checkpoint_in(folder_))) return;
+  flush_frames();
+  for (const std::string& name : outputs_) flush_to_disk(folder_ / name);
+  flush_to_disk(folder_);
+  fs::remove(checkpoint_in(folder_));
+}
+
+void RunFolder::describe(Archive& archive) {
+  archive.list("files", frame_files_, [&](FrameFile& file) {
+    archive.value("time", file.time);
+    archive.value("name", file.name);
+    archive.value("sha256", file.sha256);
+  });
+  archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
+  if (!archive.is_restoring()) return;
+  flushed_frames_ = frame_files_.size();
+  if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
+  for (const FrameFile& file : frame_files_) {
+    if (!fs::is_regular_file(folder_ / file.name))
+      archive.refuse(file.name, "expected every frame written so far, found one gone");
+    if (sha256(formats::load((folder_ / file.name).string()).text) != file.sha256)
+      archive.refuse(file.name, "expected every frame as it was written, found one changed");
+  }
+}
+
+void RunFolder::write(const std::string& name, const std::string& text) {
+  write_file(folder_ / name, text);
+  outputs_.push_back(name);
+}
+
+void RunFolder::write_frame(int step, double time, const std::string& text) {
+  const std::string name = fmt::format("{}/{:08}.vtu", kFrameFolder, step);
+  write_file(folder_ / name, text);
+  frame_files_.push_back({time, name, sha256(text)});
+}
+
+void RunFolder::add(const Frame& frame) {
+  write_frame(frame.step, frame.time, formats::vtu(frame));
+  if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
+  frames_.push_back(frame);
+}
+
+// The list would name what is not there.
+void RunFolder::write_list_of_frames() {
+  std::vector<std::pair<double, std::string>> files;
+  for (const FrameFile& file : frame_files_) {
+    if (!fs::is_regular_file(folder_ / file.name))
+      throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / file.name).string()));
+    files.emplace_back(file.time, file.name);
+  }
+  write("fields.pvd", formats::pvd(files));
+}
+
+void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
+                       const Ledger& ledger, const FieldFrame& field) {
+  write_list_of_frames();
+  write("history.csv", formats::history_csv(history));
+  write("picture.svg", report::run_picture({title,
+                                            frames_.front(),
+                                            frames_.back(),
+                                            displacement_curves(history, frames_.front(), field),
+                                            {"time [T]", "displacement [L]"},
+                                            ""}));
+  if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger));
+  if (!field.elements.empty()) {
+    if (history.of_measured_points) write("points.csv", formats::points_csv(history));
+    write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,
+                                              frames_.back().measured_points, report::most_varied(field), true}));
+  }
+  if (trace_ == Trace::no) return;
+  write("steps.csv", formats::steps_csv(steps));
+  write("blocks.csv", formats::blocks_csv(frames_));
+}
+
+void RunFolder::add(const FieldFrame& frame) {
+  write_frame(frame.step, frame.time, formats::vtu(frame));
+}
+
+void RunFolder::finish(const std::string& picture, const History& history) {
+  write_list_of_frames();
+  write("history.csv", formats::history_csv(history));
+  write("points.csv", formats::points_csv(history));
+  write("picture.svg", picture);
+}
+
+void RunFolder::write_record(const std::string& json) {
+  write(kRecord, json);
+}
+
+fs::path checkpoint_in(const fs::path& folder) {
+  return folder / kCheckpoint;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,98 @@
+// The folder a run writes into: frames as they come, tables and pictures at the end.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "job/files.hpp"
+#include "result/extremes.hpp"
+#include "result/field_frame.hpp"
+#include "result/frame.hpp"
+#include "result/history.hpp"
+#include "result/ledger.hpp"
+#include "result/step_report.hpp"
+
+namespace keyblock {
+
+enum class Trace { no, yes };
+
+class RunFolder {
+ public:
+  /// For a new run; nothing is changed before `begin`. Throws UsageError if there is a run already that may not be overwritten.
+  RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace);
+
+  /// The folder of a run that goes on: `describe` has to follow, and then `drop_what_followed`, which changes it first.
+  RunFolder(std::filesystem::path folder, Trace trace);
+
+  /// Makes the folder; what an earlier run left there goes, all else stays. The first checkpoint, if the run has any, comes before
+  /// the folder of frames: wherever that stands, the run can be resumed. Throws UsageError if another has just begun there.
+  void begin(const std::string& checkpoint = {});
+
+  /// What `begin` made and the frames since, for a run whose input turns out to be unusable.
+  void take_back();
+
+  /// What is known of the frames. Throws InputError where one that was written is gone or is another.
+  void describe(Archive& archive);
+
+  /// Removes what an interrupted run left beyond its checkpoint, and nothing that is not a run's.
+  void drop_what_followed();
+
+  bool has_frames() const { return !frame_files_.empty(); }
+
+  /// Puts `bytes` where `checkpoint_in` says, once the frames that they count on are on the disk.
+  void write_checkpoint(const std::string& bytes);
+
+  /// The results are on the disk: the checkpoint goes, if there is one.
+  void remove_checkpoint();
+
+  /// Writes the frame's .vtu at once.
+  void add(const Frame& frame);
+
+  /// history.csv, fields.pvd, picture.svg, energy.svg if there is a ledger and, for a trace, steps.csv and blocks.csv. Where `field`
+  /// has elements on covers also field.svg, and points.csv where points are measured.
+  void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
+              const Ledger& ledger, const FieldFrame& field);
+
+  /// The same for bodies on covers: a frame's .vtu as `vtu` has it; history.csv, points.csv, fields.pvd and picture.svg.
+  void add(const FieldFrame& frame);
+  void finish(const std::string& picture, const History& history);
+
+  /// run.json, last: where it stands, everything else does.
+  void write_record(const std::string& json);
+
+  /// Of the last frame against the first.
+  Extremes extremes() const { return extremes_of(frames_.front(), frames_.back()); }
+
+  /// Names of what was written, in order.
+  const std::vector<std::string>& outputs() const { return outputs_; }
+
+ private:
+  struct FrameFile {
+    double time = 0;
+    std::string name;
+    std::string sha256;
+  };
+
+  void write(const std::string& name, const std::string& text);
+  void write_frame(int step, double time, const std::string& text);
+  void write_list_of_frames();
+  void clear();
+  void flush_frames();
+
+  std::filesystem::path folder_;
+  std::vector<FrameFile> frame_files_;
+  Trace trace_;
+  std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
+  std::vector<std::string> outputs_;
+  std::size_t flushed_frames_ = 0;
+  bool made_folder_ = false;
+};
+
+/// Where a run's folder has its checkpoint.
+std::filesystem::path checkpoint_in(const std::filesystem::path& folder);
+
+}  // namespace keyblock

@@ -1,0 +1,223 @@
+// Builds run.json.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/run_report.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "job/ledger_report.hpp"
+#include "settings/settings_table.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word_for(RunEnd end) {
+  switch (end) {
+    case RunEnd::finished:
+      return "finished";
+    case RunEnd::failed:
+      return "failed";
+    case RunEnd::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+Json all_settings_json(const Settings& settings) {
+  Json all = Json::object();
+  for (const SettingText& setting : list(settings)) {
+    Json value = setting.is_number ? Json::parse(setting.value, nullptr, false) : Json(setting.value);
+    all[setting.name] = value.is_discarded() ? Json() : value;  // infinite: no JSON
+  }
+  return all;
+}
+
+Json steps_by_passes_json(const StepTotals& totals) {
+  Json bins = Json::array();
+  for (std::size_t i = 0; i < totals.steps_by_passes.size(); ++i) {
+    const int from = i == 0 ? 0 : StepTotals::pass_limits[i - 1] + 1;
+    const Json to = i < StepTotals::pass_limits.size() ? Json(StepTotals::pass_limits[i]) : Json();
+    bins.push_back({{"from", from}, {"to", to}, {"steps", totals.steps_by_passes[i]}});
+  }
+  return bins;
+}
+
+Json counts_json(const Prepared& prepared, const StepTotals& totals) {
+  const Model& model = prepared.scene.model;
+  const bool is_of_blocks = model.nodes.empty();
+  Json counts = {{is_of_blocks ? "blocks" : "elements", model.elements.size()},
+                 {"vertices", model.vertices.size()},
+                 {"unknowns", prepared.requirements.unknowns},
+                 {"fixed_points", model.fixed_points.size()},
+                 {"loading_points", model.loading_points.size()},
+                 {"measured_points", model.measured_points.size()},
+                 {"most_contacts", totals.most_contacts},
+                 {"passes", totals.passes},
+                 {"most_passes", totals.most_passes},
+                 {"steps_by_passes", steps_by_passes_json(totals)},
+                 {"redone_attempts", totals.redos},
+                 {"fallback_solves", totals.fallbacks},
+                 {"unresolved_parts", totals.unresolved_parts},
+                 {"locked_overlaps", totals.locked_overlaps}};
+  if (totals.steps > 0) {
+    counts["least_dt"] = totals.least_dt;
+    counts["greatest_dt"] = totals.greatest_dt;
+    counts["greatest_penetration"] = totals.greatest_penetration;
+    counts["greatest_displacement_ratio"] = totals.greatest_displacement_ratio;
+    counts["greatest_residual"] = totals.greatest_residual;
+  }
+  if (!is_of_blocks) counts["covers"] = model.nodes.size();
+  if (prepared.cut) counts["snaps"] = prepared.snaps.size();
+  return counts;
+}
+
+// One array a step under one list of column names: the table may be long.
+Json steps_json(const StepRows& steps) {
+  Json rows = Json::array();
+  for (const StepReport& s : steps.rows())
+    rows.push_back({s.step, s.time, s.dt, s.passes, s.redos, s.fallbacks, s.contacts, s.closed, s.penalty,
+                    s.greatest_penetration, s.displacement_ratio, s.residual, s.unsettled_contacts});
+  return {{"columns",
+           {"step", "time", "dt", "passes", "redos", "fallbacks", "contacts", "closed", "penalty",
+            "greatest_penetration", "displacement_ratio", "residual", "unsettled_contacts"}},
+          {"kept_every", steps.stride()},
+          {"rows", rows}};
+}
+
+Json start_json(const StartReport& start) {
+  return {{"made", start.made},
+          {"balanced", start.balanced},
+          {"why", start.why},
+          {"misfit", start.misfit},
+          {"unsolved_steps", start.unsolved_steps}};
+}
+
+Json outcome_json(const RunRecord& record) {
+  const RunOutcome& outcome = record.outcome;
+  Json contacts = Json::array();
+  for (std::size_t c : outcome.contacts) contacts.push_back(c + 1);
+  Json json = {{"end", word_for(outcome.end)}, {"steps", outcome.steps}, {"time", outcome.time}};
+  if (outcome.end == RunEnd::failed) {
+    json["reason"] = outcome.reason;
+    json["contacts"] = contacts;
+  }
+  Json doubts = Json::array();
+  for (const Warning& doubt : record.doubts) doubts.push_back(doubt.sentence);
+  json["doubts"] = doubts;
+  return json;
+}
+
+Json json_of(const Extremes& found) {
+  return {{"greatest_displacement", {{"value", found.displacement}, {"element", found.displaced_element + 1}}},
+          {"least_principal_stress", {{"value", found.least_stress}, {"element", found.compressed_element + 1}}},
+          {"greatest_principal_stress", {{"value", found.greatest_stress}, {"element", found.stretched_element + 1}}},
+          {"least_area_share", {{"value", found.area_share}, {"element", found.crushed_element + 1}}}};
+}
+
+Json json_of(const EquilibriumWay& way) {
+  return {{"share", way.share ? Json(*way.share) : Json()}, {"last_step_ratio", way.last_step_ratio}};
+}
+
+// Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a name.
+std::string kind_of(const Warning& warning) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kOfNumbers = "0123456789.e+-";
+  std::string kind = warning.name + ' ';
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < warning.sentence.size();) {
+    const char c = warning.sentence[i];
+    if (c == '"') in_quotes = !in_quotes;
+    if (in_quotes || kDigits.find(c) == std::string_view::npos) {
+      kind += c;
+      ++i;
+    } else {
+      i = std::min(warning.sentence.find_first_not_of(kOfNumbers, i), warning.sentence.size());
+    }
+  }
+  return kind;
+}
+
+}  // namespace
+
+Json inputs_json(const std::vector<InputRecord>& inputs) {
+  Json all = Json::array();
+  for (const InputRecord& input : inputs)
+    all.push_back(
+        {{"file", input.file}, {"sha256", input.sha256}, {"format", input.format}, {"evidence", input.evidence}});
+  return all;
+}
+
+Json warning_list_json(const Warnings& warnings) {
+  Json all = Json::array();
+  for (const Warning& w : warnings) {
+    all.push_back({{"name", w.name},
+                   {"file", w.place.file.text()},
+                   {"line", w.place.line},
+                   {"column", w.place.column},
+                   {"sentence", w.sentence}});
+  }
+  return all;
+}
+
+Json warnings_json(const Warnings& warnings) {
+  Json all = Json::array();
+  for (const Warning& warning : warnings) {
+    const auto known = std::ranges::find_if(all, [&](const Json& w) { return w["name"] == warning.name; });
+    if (known == all.end())
+      all.push_back({{"name", warning.name}, {"count", 1}, {"first", to_string(warning)}});
+    else
+      (*known)["count"] = (*known)["count"].get<int>() + 1;
+  }
+  return all;
+}
+
+void log_warnings(const Warnings& warnings) {
+  std::vector<std::pair<const Warning*, int>> firsts;
+  std::map<std::string, std::size_t> known;  // kind, and which of the firsts it is
+  for (const Warning& warning : warnings) {
+    const auto [kind, is_new] = known.emplace(kind_of(warning), firsts.size());
+    if (is_new) firsts.emplace_back(&warning, 0);
+    ++firsts[kind->second].second;
+  }
+  for (const auto& [first, count] : firsts)
+    spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
+}
+
+Json requirements_json(const Requirements& requirements) {
+  Json terms = Json::array();
+  for (const RequiredTerm& term : requirements.terms)
+    terms.push_back({{"term", name_of(term.term)}, {"reason", term.reason}});
+  return {{"unknowns", requirements.unknowns}, {"basis", requirements.basis}, {"terms", terms}};
+}
+
+Json run_json(const Prepared& prepared, const RunRecord& record) {
+  Json json = {
+      {"program", "keyblock"},
+      {"version", KEYBLOCK_VERSION},
+      {"profile", record.profile},
+      {"outcome", outcome_json(record)},
+      {"extremes", json_of(record.extremes)},
+      {"start", start_json(record.outcome.start)},
+      {"inputs", inputs_json(record.inputs)},
+      {"settings", all_settings_json(prepared.scene.settings)},
+      {"requirements", requirements_json(prepared.requirements)},
+      {"counts", counts_json(prepared, record.totals)},
+      {"warnings", warnings_json(record.warnings)},
+      {"recorded_every", record.record_every},
+      {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
+      {"outputs", record.outputs},
+      {"steps", steps_json(record.steps)}};
+  json["is_static"] = record.is_static;
+  if (record.equilibrium_way) json["equilibrium"] = json_of(*record.equilibrium_way);
+  const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};
+  if (!ledger.rows.empty()) json["ledger"] = ledger_json(ledger, record.ledger_sums, record.ledger.stride());
+  return json;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,192 @@
+// One entry a kind of step: whom it concerns and what is said.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/run_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/material_choices.hpp"
+#include "result/describe.hpp"
+
+namespace keyblock {
+namespace {
+
+// Penetrations beyond this many times the allowed one no longer look like contact.
+constexpr double kDeepPenetrations = 10;
+// A sound system is solved to 1e-12 or better; beyond this a penalty is too great for double precision.
+constexpr double kLargeResidual = 1e-9;
+// Contact forces of dynamics `standard` are solved to this share of the load at least.
+constexpr double kLargeImbalance = 1e-6;
+// A start that leaves more of its gaps than this is not the one asked for.
+constexpr double kLargeMisfit = 1e-6;
+// A static run that has come this far is said to be in equilibrium.
+constexpr double kNearEquilibrium = 0.99;
+// A step that is this share of the way before it is round-off: it need not shrink any more.
+constexpr double kNoStep = 1e-9;
+
+std::vector<std::string> start_complaints(const StartReport& start) {
+  std::vector<std::string> sentences;
+  if (!start.why.empty()) sentences.push_back(fmt::format("the start is {}, because {}", start.made, start.why));
+  if (start.misfit > kLargeMisfit)
+    sentences.push_back(fmt::format("the start leaves {:.1e} of the gaps that it was to close", start.misfit));
+  if (start.unsolved_steps > 0)
+    sentences.push_back(fmt::format("{} of the settling of the start found no forces",
+                                    counted(static_cast<std::size_t>(start.unsolved_steps), "step")));
+  return sentences;
+}
+
+}  // namespace
+
+StepWatch::StepWatch(const Prepared& prepared) {
+  const Settings& settings = prepared.scene.settings;
+  const Model& model = prepared.scene.model;
+  const bool is_old = settings.dynamics == Dynamics::shi;
+  // Where points are driven, each step has another equilibrium to go to.
+  const bool stands_still =
+      std::ranges::all_of(model.fixed_points, [](const CarriedPoint& point) { return point.curve.times.size() < 2; });
+  creeps_ = keyblock::is_static(settings, model) && !model.nodes.empty() &&
+            (is_old || (settings.standard.motion == MotionRule::dynamic && stands_still));
+  balances_ = !is_old && settings.standard.motion != MotionRule::dynamic;
+  is_static_ = balances_ || keyblock::is_static(settings, model);
+  const double time_step = settings.time_step;
+  const bool constant = settings.step_control == StepControl::constant;
+  const bool cut_stays = settings.quirks.cut_step_stays;
+  const bool is_standard = settings.dynamics == Dynamics::standard;
+  const bool is_moving = is_standard && settings.standard.motion == MotionRule::dynamic;
+  const bool searches_pairs = model.nodes.empty() && model.elements.size() > 1 && !balances_;
+  const double allowed = settings.allowed_displacement_ratio * model.scale;
+  const double block_size = std::sqrt(model.mean_area);
+  const double deep = kDeepPenetrations * settings.open_close.allowed_penetration * prepared.scene.model.scale;
+  kinds_ = {
+      {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
+       [](const StepReport& s, int, int) {
+         return fmt::format("step {}: {} contacts still opened or closed at the pass limit", s.step,
+                            s.unsettled_contacts);
+       }},
+      {"step_cut", [=](const StepReport& s) { return constant && s.dt < time_step; },
+       [=](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: cut from {:.6g} to {:.6g}, because blocks moved too far or contacts did not settle{}", s.step,
+             time_step, s.dt, cut_stays ? "; the cut stays" : "");
+       }},
+      {"step_moves_far", [=](const StepReport& s) { return is_moving && constant && s.displacement_ratio > 1; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps; a smaller "
+             "time_step, or step_control = shi or error, resolves it",
+             s.step, s.displacement_ratio, concerned, steps);
+       }},
+      {"step_passes_blocks",
+       [=](const StepReport& s) { return searches_pairs && s.displacement_ratio * allowed > block_size; },
+       [=](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: a block moves {:.3g}, further than blocks are wide ({:.3g}), as in {} of {} steps: it may have "
+             "passed through others unseen; do not trust what follows",
+             s.step, s.displacement_ratio * allowed, block_size, concerned, steps);
+       }},
+      {"step_above_limit", [=](const StepReport& s) { return !constant && s.dt > time_step; },
+       [=](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: the automatic step, {:.6g}, passes the file's limit, {:.6g}, as in the Berkeley program", s.step,
+             s.dt, time_step);
+       }},
+      {"deep_penetration", [=](const StepReport& s) { return s.greatest_penetration > deep; },
+       [=](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: do not trust "
+             "what follows",
+             s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / deep);
+       }},
+      {"large_residual",
+       [=](const StepReport& s) { return s.residual > (is_standard ? kLargeImbalance : kLargeResidual); },
+       [=](const StepReport& s, int, int) {
+         return is_standard
+                    ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
+                    : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only", s.step,
+                                  s.residual);
+       }},
+      {"step_unresolved", [](const StepReport& s) { return s.unresolved_parts > 0; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: {} of its parts are of the least size (least_step_share) and still move or err more than asked "
+             "for, as in {} of {} steps",
+             s.step, s.unresolved_parts, concerned, steps);
+       }},
+      {"overlaps_locked", [](const StepReport& s) { return s.locked_overlaps > 0; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: overlaps left at impacts, because other contacts are in the way: {}; as in {} of {} steps",
+             s.step, s.locked_overlaps, concerned, steps);
+       }},
+  };
+  seen_.resize(kinds_.size());
+}
+
+void StepWatch::add(const StepReport& step) {
+  ++steps_;
+  way_ += step.displacement_ratio;
+  before_ = std::exchange(last_, step.displacement_ratio);
+  for (std::size_t i = 0; i < kinds_.size(); ++i)
+    if (kinds_[i].concerns(step) && seen_[i].count++ == 0) seen_[i].first = step;
+}
+
+void StepWatch::describe(Archive& archive) {
+  archive.value("steps", steps_);
+  archive.value("way", way_);
+  archive.value("before", before_);
+  archive.value("last", last_);
+  archive.table("kinds", seen_, [&](Seen& seen) {
+    keyblock::describe(archive, seen.first);
+    archive.value("concerned", seen.count);
+  });
+}
+
+Warnings StepWatch::warnings(const Place& place) const {
+  Warnings warnings;
+  for (std::size_t i = 0; i < kinds_.size(); ++i)
+    if (seen_[i].count > 0)
+      warnings.push_back({kinds_[i].name, place, kinds_[i].sentence(seen_[i].first, seen_[i].count, steps_)});
+  return joined(std::move(warnings), far_from_equilibrium(place));
+}
+
+// Of a mode of frequency ω each step leaves the share p = 1 / (1 + (ω dt)²/2): steps shrink by p, and the sum of those to come is
+// the last times p / (1 - p).
+std::optional<EquilibriumWay> StepWatch::equilibrium_way() const {
+  if (balances_ && steps_ > 0) return EquilibriumWay{1, 0};
+  if (!creeps_ || steps_ < 2 || way_ == 0) return std::nullopt;
+  const double shrinking = before_ > 0 ? last_ / before_ : 1;
+  if (last_ < kNoStep * way_) return EquilibriumWay{1, shrinking};
+  if (shrinking >= 1) return EquilibriumWay{std::nullopt, shrinking};
+  return EquilibriumWay{way_ / (way_ + last_ * shrinking / (1 - shrinking)), shrinking};
+}
+
+Warnings StepWatch::far_from_equilibrium(const Place& place) const {
+  const std::optional<EquilibriumWay> way = equilibrium_way();
+  if (!way || way->share.value_or(0) > kNearEquilibrium) return {};
+  const std::string how_far = way->share ? fmt::format("about {:.2g} % of the way to equilibrium", 100 * *way->share)
+                                         : "no sign of an equilibrium";
+  return {{"far_from_equilibrium", place,
+           fmt::format("static, each step from rest: after {} steps the last, {:.3g} of the one before, shows {}",
+                       steps_, way->last_step_ratio, how_far)}};
+}
+
+Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place) {
+  Warnings warnings;
+  for (const std::string& sentence : start_complaints(outcome.start))
+    warnings.push_back({"start_not_as_asked", place, sentence});
+  const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
+    if (curve.times.empty() || curve.times.back() >= outcome.time || curve.values.back() == Point{}) return;
+    warnings.push_back({name, curve.place,
+                        fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} is held",
+                                    what, curve.times.back(), outcome.time, what)});
+  };
+  for (const CarriedPoint& point : prepared.scene.model.loading_points)
+    warn_held("load_held_after_table", "load", point.curve);
+  warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
+  return warnings;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,237 @@
+// Candidates by distance between the vertices of close elements, then contacts by angle.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "legacy/contact/detect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/loop.hpp"
+#include "contact/find/candidates.hpp"
+#include "legacy/contact/wedge.hpp"
+
+namespace keyblock {
+namespace {
+
+// A vertex counts as convex up to this interior angle; the excess lets a straight angle pass (legacy-rules
+// 2).
+constexpr double kConvexBelow = 180.0001;
+
+// Added to |dx| by the Berkeley program before the direction of an edge is taken, in length units
+// (legacy-rules 3).
+constexpr double kBerkeleyDirectionOffset = 1e-7;
+
+// The margin around a box that is looked at before distances are, over the greatest of them: for rounding.
+constexpr double kReach = 1.001;
+// A square that is larger than another by this factor is so whatever rounding did to both.
+constexpr double kSureSquare = 1 + 1e-9;
+
+// Share of the overlap angle within which two opposed directions count as tied (legacy-rules 3,
+// vertex-vertex).
+constexpr double kTieShare = 0.3;
+
+// The π of the old program (legacy-rules, Conventions). Where four blocks meet, the bisectors of opposite wedges have sines that are
+// equal but for rounding; this π makes them differ by 1e-10, and so decides which entrance line is taken.
+constexpr double kOldPi = 3.1415926535;
+
+double sine_of(double degrees) {
+  return std::sin(degrees * kOldPi / 180);
+}
+
+class Detector {
+ public:
+  Detector(const Model& model, const State& state, const Settings& settings, const ContactRules& rules)
+      : model_(model), state_(state), rules_(rules), leaving_(directions(model, state, settings)) {}
+
+  Detection run() const {
+    const std::vector<ElementPair> pairs = close_pairs(model_, state_, rules_.search_distance);
+    std::vector<Detector> parts(range_count(pairs.size()), *this);
+    for_ranges(pairs.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) parts[range].meet(pairs[i]);
+    });
+    Detection all;
+    for (const Detector& part : parts) {
+      all.contacts.insert(all.contacts.end(), part.found_.contacts.begin(), part.found_.contacts.end());
+      all.all_exchanged = all.all_exchanged && part.found_.all_exchanged;
+    }
+    return all;
+  }
+
+ private:
+  using Directions = Table<VertexIndex, double>;
+
+  // Of the edges that leave the vertices.
+  static std::shared_ptr<const Directions> directions(const Model& model, const State& state,
+                                                      const Settings& settings) {
+    const double offset = settings.quirks.edge_direction_offset ? kBerkeleyDirectionOffset : 0;
+    auto leaving = std::make_shared<Directions>(model.vertices.size());
+    for_each_entry(leaving->size(), [&](std::size_t i) {
+      const VertexIndex v{static_cast<int>(i)};
+      (*leaving)[v] = edge_direction(state.vertices[model.vertices[v].next] - state.vertices[v], offset);
+    });
+    return leaving;
+  }
+
+  // Only vertices in reach of the other element's box can come near to its edges and its vertices.
+  void meet(const ElementPair& pair) {
+    const auto& [a, b] = pair;
+    const bool hang_together = share_a_cover(model_.elements[a], model_.elements[b]);
+    const Box reach_a = reach(a);
+    const Box reach_b = reach(b);
+    for (VertexIndex i : model_.elements[a].vertices()) {
+      if (!next(i)) continue;
+      const bool i_is_near = reach_b.holds(at(i));
+      for (VertexIndex j : model_.elements[b].vertices()) {
+        const bool j_is_near = reach_a.holds(at(j));
+        if (!i_is_near && !j_is_near) continue;
+        if (next(j) && !(hang_together && follow_each_other(i, j))) meet(i, i_is_near, j, j_is_near);
+      }
+    }
+  }
+
+  // The box of an element and around it what a contact may be apart or deep, and a little for rounding.
+  Box reach(ElementIndex e) const {
+    const double margin = kReach * std::max(rules_.search_distance, rules_.search_depth);
+    const Box box = box_of(model_, state_, e);
+    return {box.low - Point{margin, margin}, box.high + Point{margin, margin}};
+  }
+
+  Point at(VertexIndex v) const { return state_.vertices[v]; }
+  double leaving(VertexIndex v) const { return (*leaving_)[v]; }
+  // Along the boundary, from element to element.
+  VertexIndex next(VertexIndex v) const { return model_.vertices[v].boundary_next; }
+  VertexIndex previous(VertexIndex v) const { return model_.vertices[v].boundary_previous; }
+  ElementIndex element(VertexIndex v) const { return model_.vertices[v].element; }
+  bool follow_each_other(VertexIndex i, VertexIndex j) const { return next(i) == j || next(j) == i; }
+  // The end, in its element, of the edge that leaves v.
+  VertexIndex end_of_edge(VertexIndex v) const { return model_.vertices[v].next; }
+  // A vertex against the edge that leaves `start`: the reference line runs against it.
+  Triple against_edge(VertexIndex vertex, VertexIndex start) const { return {vertex, end_of_edge(start), start}; }
+
+  Wedge wedge(VertexIndex v) const { return {leaving(v), one_turn(leaving(previous(v)) - 180)}; }
+  bool is_convex(VertexIndex v) const { return wedge(v).angle() < kConvexBelow; }
+
+  void meet(VertexIndex i, bool i_is_near, VertexIndex j, bool j_is_near) {
+    if (are_apart(at(i), at(j))) {
+      if (i_is_near && near_edge(i, j)) vertex_edge(i, j);
+      if (j_is_near && near_edge(j, i)) vertex_edge(j, i);
+    } else if (is_convex(i) && is_convex(j)) {
+      vertex_vertex(i, j);
+    } else if (is_convex(i)) {
+      vertex_edge(i, j);
+      vertex_edge(i, previous(j));
+    } else {
+      vertex_edge(j, i);
+      vertex_edge(j, previous(i));
+    }
+  }
+
+  // Squares decide, but where rounding could; so does `is_beyond`, which leaves the rest to `near_edge`.
+  bool are_apart(Point a, Point b) const {
+    const Point between = b - a;
+    const double limit = rules_.search_distance * rules_.search_distance;
+    return dot(between, between) > kSureSquare * limit || distance(a, b) > rules_.search_distance;
+  }
+  // Of a vertex, by twice the area of the triangle that it makes with an edge of such square.
+  bool is_beyond(double twice_area, double edge_square) const {
+    const double limit = twice_area < 0 ? rules_.search_distance : rules_.search_depth;
+    return twice_area * twice_area > kSureSquare * limit * limit * edge_square;
+  }
+
+  // Vertex p against the edge from `a` to its next vertex; p is known to be away from `a` itself.
+  bool near_edge(VertexIndex p, VertexIndex a) const {
+    const Point start = at(a);
+    const Point end = at(end_of_edge(a));
+    const Point edge = end - start;
+    if (is_beyond(cross(edge, at(p) - start), dot(edge, edge)) || !are_apart(at(p), end)) return false;
+    const double size = length(edge);
+    const double from_middle = dot(at(p) - 0.5 * (start + end), edge) / size;
+    if (std::abs(from_middle) > size / 2) return false;
+    const double inward = cross(edge, at(p) - start) / size;
+    return -rules_.search_distance <= inward && inward <= rules_.search_depth;
+  }
+
+  // An element does not touch itself.
+  void vertex_edge(VertexIndex i, VertexIndex j) {
+    if (element(i) == element(j)) return;
+    const Wedge a = wedge(i);
+    const Wedge b{leaving(j), one_turn(leaving(j) - 180)};
+    if (!may_touch(a, b, rules_.angle_overlap)) return;
+    Contact contact;
+    contact.first = against_edge(i, j);
+    const auto [gap_next, gap_previous] = gaps(a, b);
+    if (gap_next < rules_.angle_overlap)
+      contact.neighbour = next(i);
+    else if (gap_previous < rules_.angle_overlap)
+      contact.neighbour = previous(i);
+    found_.contacts.push_back(contact);
+    found_.all_exchanged = false;
+  }
+
+  void vertex_vertex(VertexIndex i, VertexIndex j) {
+    if (element(i) == element(previous(j)) || element(j) == element(previous(i))) return;
+    const Wedge a = wedge(i);
+    const Wedge b = wedge(j);
+    if (!may_touch(a, b, rules_.angle_overlap)) return;
+    const auto [gap_next, gap_previous] = gaps(a, b);
+    if (gap_next < rules_.angle_overlap) parallel_pair(against_edge(i, previous(j)), against_edge(j, i));
+    if (gap_previous < rules_.angle_overlap) parallel_pair(against_edge(j, previous(i)), against_edge(i, j));
+    if (gap_next >= rules_.angle_overlap && gap_previous >= rules_.angle_overlap) true_vertex_vertex(i, j, a, b);
+  }
+
+  // Angles left open between the two wedges on the side of i's next and of i's previous edge; negative:
+  // overlapping.
+  struct Gaps {
+    double next;
+    double previous;
+  };
+  static Gaps gaps(const Wedge& a, const Wedge& b) {
+    const double turn = turn_between(a.from, b.from);
+    return {360 - turn - b.angle(), turn - a.angle()};
+  }
+  static double turn_between(double from, double to) { return to - from < 0 ? to - from + 360 : to - from; }
+
+  void parallel_pair(Triple first, Triple second) {
+    Contact contact;
+    contact.parallel_pair = true;
+    const bool inside = dot(at(first.start) - at(first.vertex), at(first.end) - at(first.vertex)) <= 0;
+    contact.first = inside ? first : second;
+    contact.second = inside ? second : first;
+    found_.contacts.push_back(contact);
+    if (inside) found_.all_exchanged = false;
+  }
+
+  // Two possible reference lines for two convex wedges (legacy-rules 3, true vertex-vertex).
+  void true_vertex_vertex(VertexIndex i, VertexIndex j, const Wedge& a, const Wedge& b) {
+    const double tie = kTieShare * rules_.angle_overlap;
+    const double slope_a = std::abs(sine_of(a.from + a.angle() / 2));
+    const double slope_b = std::abs(sine_of(b.from + b.angle() / 2));
+    const double between_next = turn_between(a.from, b.from);
+    const double between_previous = turn_between(a.to, b.to);
+    Contact contact;
+    contact.kind = ContactKind::vertex_vertex;
+    const bool first_on_j = between_next <= 180 - tie || (between_next <= 180 + tie && slope_b >= slope_a);
+    contact.first = first_on_j ? against_edge(i, j) : against_edge(j, i);
+    const double first_direction = first_on_j ? b.from : a.from;
+    const bool second_on_i = between_previous <= 180 - tie || (between_previous <= 180 + tie && slope_a >= slope_b);
+    contact.second = second_on_i ? against_edge(j, previous(i)) : against_edge(i, previous(j));
+    if (second_on_i && std::abs(sine_of(first_direction)) < std::abs(sine_of(a.to)))
+      std::swap(contact.first, contact.second);
+    found_.contacts.push_back(contact);
+    found_.all_exchanged = false;
+  }
+
+  const Model& model_;
+  const State& state_;
+  const ContactRules& rules_;
+  std::shared_ptr<const Directions> leaving_;
+  Detection found_;
+};
+
+}  // namespace
+
+Detection detect(const Model& model, const State& state, const Settings& settings, const ContactRules& rules) {
+  return Detector(model, state, settings, rules).run();
+}
+
+}  // namespace keyblock

@@ -1,0 +1,44 @@
+// The open-close iteration: springs, solve, judge, until no contact opens or closes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "legacy/contact/judge.hpp"
+#include "settings/settings.hpp"
+#include "system/solve.hpp"
+
+namespace keyblock {
+
+/// The Berkeley loop ends here whatever the limit in the file says (legacy-rules 11.1).
+inline constexpr int kBerkeleyPassBound = 8;
+
+/// Forces out of balance by more than this share of the load make a solve useless: the next step could not tell the error
+/// from a load. Well above round-off of a sound system (1e-12 … 1e-9), well below what engineering asks.
+inline constexpr double kUselessResidual = 1e-6;
+
+/// Where the iteration stands within its step and its run.
+enum class Attempt {
+  first_of_run,  ///< its first solve is always repeated (legacy-rules 1.4)
+  first_of_step,
+  redone,  ///< no friction in its first pass (legacy-rules 9)
+};
+
+/// What the iteration ends with.
+struct OpenCloseOutcome {
+  Contacts contacts;
+  Increments increments;
+  std::vector<Point> node_steps;  ///< of the nodes that elements share
+  int passes = 0;
+  double residual = 0;                      ///< largest relative residual of its solves
+  std::vector<std::size_t> still_changing;  ///< contacts that changed in the last pass: empty if the iteration ended
+  std::string failure;                      ///< why a solve could not be used; empty if all could
+};
+
+OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model, const State& state,
+                            const Settings& settings, const ContactRules& rules, double penalty, double dt,
+                            Attempt attempt, Solver& solver);
+
+}  // namespace keyblock

@@ -1,0 +1,29 @@
+// Shi's step as a stepper.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "legacy/step/advance.hpp"
+
+namespace keyblock {
+
+class ShiStepper : public Stepper {
+ public:
+  explicit ShiStepper(Scene scene);
+  /// As it was saved, of the same scene. Throws InputError.
+  ShiStepper(Scene scene, Archive& saved);
+
+  const Model& model() const override { return scene_.model; }
+  const State& state() const override { return stepping_.state; }
+  const StartPlaces& unloaded() const override { return unloaded_; }
+  std::variant<StepReport, StepFailure> advance() override;
+  LedgerRow ledger() const override;
+  LedgerScope ledger_scope() const override;
+  void save(Archive& archive) override;
+
+ private:
+  ShiScene scene_;
+  Stepping stepping_;
+  StartPlaces unloaded_;
+};
+
+}  // namespace keyblock

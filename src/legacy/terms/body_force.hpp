@@ -1,0 +1,13 @@
+// Weight.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "legacy/terms/term.hpp"
+
+namespace keyblock {
+
+/// F += ∫ Tᵀ w with w = weight_per_area: density × gravity, or the own unit weight of each material when the quirk
+/// weight_of_first_material is off (legacy-rules 7.3).
+void add_body_force(const StepContext& context, System& system);
+
+}  // namespace keyblock

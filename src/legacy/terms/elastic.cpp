@@ -1,0 +1,37 @@
+// Elastic stiffness of every element through its strain operator.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "legacy/terms/elastic.hpp"
+
+#include "base/loop.hpp"
+#include "material/elastic.hpp"
+
+namespace keyblock {
+namespace {
+
+Eigen::Matrix3d stiffness_modulus(const BlockMaterial& material, const Settings& settings) {
+  if (settings.plane == Plane::stress) return plane_stress_modulus(material);
+  const double nu = material.poissons_ratio;
+  const double factor = settings.quirks.plane_strain_factor ? (1 + nu) / (1 - nu) : 1;
+  return factor * plane_strain_modulus(material);
+}
+
+}  // namespace
+
+UnknownBlock stiffness_matrix(const Basis& basis, double area, const BlockMaterial& material,
+                              const Settings& settings) {
+  const StrainOperator strain = basis.strain();
+  const Eigen::Matrix3d modulus = stiffness_modulus(material, settings);
+  return area * (strain.transpose() * modulus * strain);
+}
+
+void add_elastic(const StepContext& context, System& system) {
+  const Model& model = context.model;
+  for_each_index(model.elements, [&](ElementIndex e) {
+    const Element& element = model.elements[e];
+    const double area = context.state.elements[e].moments.area;
+    system.matrix.add(e.value, e.value,
+                      stiffness_matrix(*element.basis, area, model.material_of(element), context.settings));
+  });
+}
+
+}  // namespace keyblock

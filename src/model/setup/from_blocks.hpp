@@ -1,0 +1,14 @@
+// Blocks and an analysis to a model: one affine element a block.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/model.hpp"
+
+namespace keyblock {
+
+/// Block materials and joint materials out of range are taken as the nearest one that exists (the check of
+/// the problem warns of them). Horizontal body forces of manifold files act on no block. Loads are given to loading points in order;
+/// points beyond the curves carry none.
+Model model_from_blocks(const Blocks& blocks, const Analysis& analysis);
+
+}  // namespace keyblock

@@ -1,0 +1,51 @@
+// What a scene takes: which unknowns, which terms, and why. Nothing absent from this list costs time in the run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/model.hpp"
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+enum class TermKind {
+  inertia,
+  statics,
+  elastic,
+  initial_stress,
+  damping,
+  body_force,
+  body_acceleration,
+  point_load,
+  fixed_point,
+  bolt,
+  contact,
+  friction,
+  bond,
+  impact,
+  start
+};
+
+std::string_view name_of(TermKind term);
+
+struct RequiredTerm {
+  TermKind term;
+  std::string reason;
+};
+
+struct Requirements {
+  int unknowns = 0;
+  std::string basis;  ///< one sentence: which basis, for how many elements
+  std::vector<RequiredTerm> terms;
+
+  bool has(TermKind term) const;
+};
+
+/// The plan of a run, in the order of the theory. `why_enforcement` says why contact forces come about as they do, where that
+/// was not asked for.
+Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement = {});
+
+}  // namespace keyblock

@@ -1,0 +1,33 @@
+// Curves over a pair of axes with round ticks.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/drawing/svg.hpp"
+
+namespace keyblock::report {
+
+/// One curve. `x` and `y` are of equal length; pairs that are not finite, or beyond `kGreatestDrawn`, are passed over.
+struct Curve {
+  enum class Style { line, points };
+  std::string label;
+  std::vector<double> x;
+  std::vector<double> y;
+  Style style = Style::line;
+};
+
+/// What stands on the axes, with units.
+struct AxisLabels {
+  std::string x;
+  std::string y;
+};
+
+/// Whether there is anything to draw.
+bool has_points(const std::vector<Curve>& curves);
+
+/// Draws axes, grid, curves and, above them, their labels into the rectangle of the page.
+void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& curves, const AxisLabels& labels);
+
+}  // namespace keyblock::report

@@ -1,0 +1,115 @@
+// Signs, legend and scale bar, in page units; sizes chosen for a page about 900 units wide.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/drawing/ticks.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr double kRow = 20;
+constexpr double kSignWidth = 26;
+constexpr double kEntryGap = 18;
+constexpr double kTextSize = 12;
+
+void draw_fixed_point(SvgPage& page, Point p) {
+  page.polygon({{p, {p.x - 5, p.y + 9}, {p.x + 5, p.y + 9}}},
+               {.fill = "#222222", .stroke = "#ffffff", .stroke_width = 0.8});
+}
+
+void draw_loading_point(SvgPage& page, Point p) {
+  page.polygon({{{p.x, p.y - 6}, {p.x + 6, p.y}, {p.x, p.y + 6}, {p.x - 6, p.y}}},
+               {.fill = "#d55e00", .stroke = "#ffffff", .stroke_width = 0.8});
+}
+
+void draw_measured_point(SvgPage& page, Point p) {
+  page.circle(p, 4, {.fill = "#ffffff", .stroke = "#0072b2", .stroke_width = 1.8});
+}
+
+double entry_width(const LegendEntry& entry) {
+  return kSignWidth + text_width(entry.words, kTextSize) + kEntryGap;
+}
+
+/// Where each entry starts, set in rows: x from the left, y from the first row's top.
+std::vector<Point> place_entries(const std::vector<LegendEntry>& entries, double width) {
+  std::vector<Point> places;
+  Point next;
+  for (const LegendEntry& entry : entries) {
+    if (next.x > 0 && next.x + entry_width(entry) > width) next = {0, next.y + kRow};
+    places.push_back(next);
+    next.x += entry_width(entry);
+  }
+  return places;
+}
+
+void draw_sign(SvgPage& page, Point left, const LegendEntry& entry) {
+  const Point middle = left + Point{9, 0};
+  switch (entry.sign) {
+    case LegendEntry::Sign::area:
+      page.rectangle(left + Point{2, -6}, 14, 12, {.fill = entry.colour, .stroke = "#555555", .stroke_width = 0.8});
+      break;
+    case LegendEntry::Sign::line:
+      page.line(left, left + Point{18, 0}, {.stroke = entry.colour, .stroke_width = 2});
+      break;
+    case LegendEntry::Sign::dashed_line:
+      page.line(left, left + Point{18, 0}, {.stroke = entry.colour, .stroke_width = 1.2, .dash = "4 3"});
+      break;
+    case LegendEntry::Sign::dots:
+      page.circle(middle, 3.2, {.fill = "#ffffff", .stroke = entry.colour, .stroke_width = 1.5});
+      break;
+    case LegendEntry::Sign::mark:
+      draw_mark(page, entry.mark == Mark::fixed_point ? middle - Point{0, 5} : middle, entry.mark);
+      break;
+  }
+}
+
+}  // namespace
+
+void draw_mark(SvgPage& page, Point at, Mark mark) {
+  switch (mark) {
+    case Mark::fixed_point:
+      return draw_fixed_point(page, at);
+    case Mark::loading_point:
+      return draw_loading_point(page, at);
+    case Mark::measured_point:
+      return draw_measured_point(page, at);
+  }
+}
+
+void draw_bolt(SvgPage& page, Point from, Point to) {
+  page.line(from, to, {.stroke = kBoltColour, .stroke_width = 1.5, .dash = "4 3"});
+}
+
+double edge_width(Point page_size, std::size_t block_count) {
+  const double area = page_size.x * page_size.y / static_cast<double>(std::max<std::size_t>(block_count, 1));
+  return std::clamp(0.05 * std::sqrt(area), 0.15, 1.2);
+}
+
+double legend_height(const std::vector<LegendEntry>& entries, double width) {
+  return entries.empty() ? 0 : place_entries(entries, width).back().y + kRow;
+}
+
+void draw_legend(SvgPage& page, Point corner, double width, const std::vector<LegendEntry>& entries) {
+  const std::vector<Point> places = place_entries(entries, width);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Point left = corner + places[i] + Point{0, kRow / 2};
+    draw_sign(page, left, entries[i]);
+    page.text(left + Point{kSignWidth, 4}, entries[i].words, {.size = kTextSize});
+  }
+}
+
+void draw_scale_bar(SvgPage& page, Point left, double width, const PageMap& map) {
+  const double length = round_down(0.25 * width / map.scale());
+  const Point right{left.x + length * map.scale(), left.y};
+  const Style bar{.stroke = "#222222", .stroke_width = 1.6};
+  page.line(left, right, bar);
+  for (Point end : {left, right}) page.line(end - Point{0, 4}, end + Point{0, 4}, bar);
+  page.text(right + Point{8, 4}, fmt::format("{:g} (unit of length of the input)", length), {.size = kTextSize});
+}
+
+}  // namespace keyblock::report

@@ -1,0 +1,23 @@
+// One branch: Shi's rules or the standard step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/steppers.hpp"
+
+#include <utility>
+
+#include "legacy/step/shi_stepper.hpp"
+#include "step/standard_stepper.hpp"
+
+namespace keyblock {
+
+std::unique_ptr<Stepper> stepper_for(Scene scene) {
+  if (scene.settings.dynamics == Dynamics::standard) return std::make_unique<StandardStepper>(std::move(scene));
+  return std::make_unique<ShiStepper>(std::move(scene));
+}
+
+std::unique_ptr<Stepper> restored_stepper(Scene scene, Archive& archive) {
+  if (scene.settings.dynamics == Dynamics::standard)
+    return std::make_unique<StandardStepper>(std::move(scene), archive);
+  return std::make_unique<ShiStepper>(std::move(scene), archive);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,80 @@
+// Numbers from text, within their range.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/setting_row.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace keyblock {
+namespace {
+
+template <class T>
+std::optional<T> parse(const std::string& text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string words_for(const Range& range) {
+  if (range.least == Range{}.least) return "a number";
+  if (range.greatest != Range{}.greatest)
+    return fmt::format("a number {} {} to {}", range.open ? "above" : "from", range.least, range.greatest);
+  return fmt::format("a number {} {}", range.open ? "greater than" : "of at least", range.least);
+}
+
+double read_real(const Range& range, const std::string& name, const std::string& text) {
+  const std::optional<double> value = parse<double>(text);
+  const bool in_range = value && std::isfinite(*value) && *value <= range.greatest &&
+                        (range.open ? *value > range.least : *value >= range.least);
+  if (value && std::isfinite(*value) && std::abs(*value) > kGreatestQuantity)
+    refuse_value(name, fmt::format("a number of at most {:g} in size", kGreatestQuantity), text);
+  if (!in_range) refuse_value(name, words_for(range), text);
+  return *value;
+}
+
+}  // namespace
+
+void refuse_value(const std::string& name, const std::string& expected, const std::string& found) {
+  throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}\"", name, expected, found));
+}
+
+ValueText<double> real(Range range) {
+  return {[](double value) { return fmt::format("{}", value); },
+          [range](const std::string& name, const std::string& text) { return read_real(range, name, text); }, true,
+          words_for(range)};
+}
+
+ValueText<std::optional<double>> real_or_nothing(Range range) {
+  return {[](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); },
+          [range](const std::string& name, const std::string& text) -> std::optional<double> {
+            if (text.empty()) return std::nullopt;
+            return read_real(range, name, text);
+          },
+          true, words_for(range) + ", or nothing"};
+}
+
+ValueText<int> whole(int least) {
+  const std::string expected = fmt::format("a whole number of at least {}", least);
+  return {[](int value) { return fmt::format("{}", value); },
+          [least, expected](const std::string& name, const std::string& text) {
+            const std::optional<int> value = parse<int>(text);
+            if (!value || *value < least) refuse_value(name, expected, text);
+            return *value;
+          },
+          true, expected};
+}
+
+ValueText<std::string> any_text() {
+  return {[](const std::string& value) { return value; },
+          [](const std::string&, const std::string& text) { return text; }, false, "any text"};
+}
+
+ValueText<bool> off_or_on() {
+  return one_of<bool>({{false, "off"}, {true, "on"}});
+}
+
+}  // namespace keyblock

@@ -1,0 +1,120 @@
+// One row of the table of settings: how its value is shown and read, for the run or for one material.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "problem/magnitudes.hpp"
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+/// Values of one type as text. `read` throws std::invalid_argument, with the name of the setting and what was expected.
+template <class T>
+struct ValueText {
+  std::function<std::string(const T&)> write;
+  std::function<T(const std::string& name, const std::string& text)> read;
+  bool is_number = false;
+  std::string expected;  ///< "a number of at least 0", "one of off, on"
+};
+
+/// `open`: the least value itself is excluded.
+struct Range {
+  double least = -kGreatestQuantity;
+  bool open = false;
+  double greatest = kGreatestQuantity;
+};
+
+ValueText<double> real(Range range);
+/// Nothing is the empty text.
+ValueText<std::optional<double>> real_or_nothing(Range range);
+ValueText<int> whole(int least);
+ValueText<std::string> any_text();
+ValueText<bool> off_or_on();
+
+[[noreturn]] void refuse_value(const std::string& name, const std::string& expected, const std::string& found);
+
+/// A value for each word.
+template <class E>
+ValueText<E> one_of(const std::vector<std::pair<E, std::string>>& words) {
+  std::string expected;
+  for (const auto& [value, word] : words) expected += (expected.empty() ? "one of " : ", ") + word;
+  const auto read = [words, expected](const std::string& name, const std::string& text) {
+    for (const auto& [value, word] : words)
+      if (word == text) return value;
+    refuse_value(name, expected, text);
+  };
+  const auto write = [words](const E& wanted) {
+    for (const auto& [value, word] : words)
+      if (value == wanted) return word;
+    return std::string();
+  };
+  return {write, read, false, expected};
+}
+
+enum class Materials { of_blocks, of_joints };
+
+/// The choice that has to be made for a setting to be read, beside its dynamics: "integrator = newmark".
+struct ReadUnder {
+  std::string choice;
+  std::function<bool(const Settings&)> holds;
+};
+
+/// The values that a setting has for single materials, numbered from 0.
+struct MaterialRow {
+  Materials materials;
+  std::function<std::vector<int>(const Settings&)> given;
+  std::function<std::string(const Settings&, int material)> write;
+  std::function<void(Settings&, int material, const std::string& name, const std::string& text)> read;
+};
+
+struct SettingRow {
+  std::string name;
+  std::string meaning;  ///< one phrase, with the unit
+  bool is_number = false;
+  std::function<std::string(const Settings&)> write;
+  std::function<void(Settings&, const std::string& text)> read;
+  std::optional<MaterialRow> per_material;
+  std::string expected;              ///< permitted values, in words
+  std::optional<Dynamics> dynamics;  ///< that read it; nothing: both
+  std::optional<ReadUnder> read_under = std::nullopt;
+};
+
+/// `of` gives the member of the settings, constant or not.
+template <class T, class Of>
+SettingRow row(const std::string& name, const std::string& meaning, Of of, const ValueText<T>& text) {
+  return {name,
+          meaning,
+          text.is_number,
+          [=](const Settings& s) { return text.write(of(s)); },
+          [=](Settings& s, const std::string& value) { of(s) = text.read(name, value); },
+          std::nullopt,
+          text.expected,
+          std::nullopt};
+}
+
+/// The same for a PerMaterial member: `name` sets the common value, `name.N` that of material N, counted from 1.
+template <class T, class Of>
+SettingRow row(Materials materials, const std::string& name, const std::string& meaning, Of of,
+               const ValueText<T>& text) {
+  SettingRow common = row(
+      name, meaning, [=](auto& s) -> auto& { return of(s).common; }, text);
+  common.per_material = {materials,
+                         [=](const Settings& s) {
+                           std::vector<int> numbers;
+                           for (const auto& [number, value] : of(s).own) numbers.push_back(number);
+                           return numbers;
+                         },
+                         [=](const Settings& s, int material) { return text.write(of(s).of(material)); },
+                         [=](Settings& s, int material, const std::string& full_name, const std::string& value) {
+                           of(s).own[material] = text.read(full_name, value);
+                         }};
+  return common;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,400 @@
+// The table of settings: one row a setting, with its range and meaning.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/settings_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "base/nearest.hpp"
+#include "settings/setting_row.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr Range kAnyNumber{};
+constexpr Range kAboveZero{0, true};
+constexpr Range kNotNegative{0};
+constexpr Range kShare{0, false, 1};
+constexpr Range kFromHalf{0.5, false, 1};
+
+template <class T>
+auto at(T Settings::*member) {
+  return [member](auto& s) -> auto& {
+    return s.*member;
+  };
+}
+template <class T>
+auto at(T OpenCloseConstants::*member) {
+  return [member](auto& s) -> auto& {
+    return s.open_close.*member;
+  };
+}
+template <class T>
+auto at(T TrustLimits::*member) {
+  return [member](auto& s) -> auto& {
+    return s.trust.*member;
+  };
+}
+template <class T>
+auto at(T StandardChoices::*member) {
+  return [member](auto& s) -> auto& {
+    return s.standard.*member;
+  };
+}
+
+SettingRow of(std::optional<Dynamics> dynamics, SettingRow row) {
+  row.dynamics = dynamics;
+  return row;
+}
+
+SettingRow under(ReadUnder choice, SettingRow row) {
+  row.read_under = std::move(choice);
+  return row;
+}
+
+ReadUnder integrator(Integrator wanted, const char* word) {
+  return {fmt::format("integrator = {} outside motion = static", word), [wanted](const Settings& s) {
+            return s.standard.integrator == wanted && s.standard.motion != MotionRule::equilibrium;
+          }};
+}
+
+SettingRow quirk(const std::string& name, const std::string& meaning, bool BerkeleyQuirks::*member) {
+  return of(Dynamics::shi,
+            row(
+                "quirk." + name, meaning, [member](auto& s) -> auto& { return s.quirks.*member; }, off_or_on()));
+}
+
+SettingRow downward_gravity() {
+  return {"gravity",
+          "acceleration of gravity, downward: gravity.x = 0 and the negative of gravity.y [length/time^2]",
+          true,
+          [](const Settings& s) { return fmt::format("{}", 0.0 - s.gravity.y); },
+          [](Settings& s, const std::string& text) {
+            s.gravity = {0, 0.0 - real(kAnyNumber).read("gravity", text)};
+          },
+          std::nullopt,
+          real(kAnyNumber).expected,
+          std::nullopt};
+}
+
+std::vector<SettingRow> rows_of_the_run() {
+  return {
+      row("node_merging", "how near crossings become one node when a drawing is cut", at(&Settings::node_merging),
+          one_of<NodeMerging>(
+              {{NodeMerging::nearest_first, "nearest_first"}, {NodeMerging::in_order_found, "in_order_found"}})),
+      row("near_pieces",
+          "what becomes of a piece of a joint that passes a node nearer than the drawing's distance, when a drawing is "
+          "cut",
+          at(&Settings::near_pieces),
+          one_of<NearPieces>({{NearPieces::led_through, "led_through"}, {NearPieces::deleted, "deleted"}})),
+      row("steps", "number of time steps", at(&Settings::step_count), whole(1)),
+      row("time_step",
+          "step size; under dynamics standard with step_control shi or error the interval of reports and the upper "
+          "bound of steps, under dynamics shi with rule shi the step where nothing moves and, a hundredth of it, the "
+          "least "
+          "[time]",
+          at(&Settings::time_step), real(kAboveZero)),
+      row("step_control", "how the step size is chosen; error needs dynamics standard", at(&Settings::step_control),
+          one_of<StepControl>(
+              {{StepControl::constant, "constant"}, {StepControl::shi, "shi"}, {StepControl::error, "error"}})),
+      row(Materials::of_blocks, "velocity_carry_over", "share of the velocity carried into a step: 0 static, 1 dynamic",
+          at(&Settings::velocity_carry_over), real(kShare)),
+      of(Dynamics::shi, row("rotation", "how points move under a rotation", at(&Settings::rotation),
+                            one_of<Rotation>({{Rotation::first_order, "first_order"}, {Rotation::exact, "exact"}}))),
+      row("plane", "plane stress or plane strain", at(&Settings::plane),
+          one_of<Plane>({{Plane::stress, "stress"}, {Plane::strain, "strain"}})),
+      row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 or 6", at(&Settings::basis),
+          one_of<BlockBasis>({{BlockBasis::rigid, "rigid"}, {BlockBasis::affine, "affine"}})),
+  };
+}
+
+std::vector<SettingRow> rows_of_loads_and_materials() {
+  return {
+      downward_gravity(),
+      row(
+          "gravity.x", "acceleration of gravity in x; unit weights of materials turn and grow with it [length/time^2]",
+          [](auto& s) -> auto& { return s.gravity.x; }, real(kAnyNumber)),
+      row(
+          "gravity.y", "acceleration of gravity in y, upward [length/time^2]",
+          [](auto& s) -> auto& { return s.gravity.y; }, real(kAnyNumber)),
+      row(
+          "body_acceleration.x", "constant force per mass on every block, in x [length/time^2]",
+          [](auto& s) -> auto& { return s.body_acceleration.constant.x; }, real(kAnyNumber)),
+      row(
+          "body_acceleration.y", "constant force per mass on every block, in y [length/time^2]",
+          [](auto& s) -> auto& { return s.body_acceleration.constant.y; }, real(kAnyNumber)),
+      row(
+          "body_acceleration_file",
+          "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one; a case file names it "
+          "from its "
+          "own folder",
+          [](auto& s) -> auto& { return s.body_acceleration.file; }, any_text()),
+      row(Materials::of_blocks, "mass_damping", "a of the damping matrix a M + b K; it slows rigid motion too [1/time]",
+          at(&Settings::mass_damping), real(kNotNegative)),
+      row(Materials::of_blocks, "stiffness_damping",
+          "b of the damping matrix a M + b K; where none is given, 0 under dynamics shi, else as strain_damping says "
+          "[time]",
+          at(&Settings::stiffness_damping), real_or_nothing(kNotNegative)),
+      row("joint_strength_factor",
+          "factor on tan(friction angle), cohesion and tensile strength of all joint materials",
+          at(&Settings::joint_strength_factor), real(kNotNegative)),
+  };
+}
+
+std::vector<SettingRow> rows_of_contact_and_steps() {
+  return {
+      row("contact_penalty", "normal contact stiffness; the first one where penalty_control is adaptive [force/length]",
+          at(&Settings::contact_penalty), real(kAboveZero)),
+      of(Dynamics::shi,
+         row("penalty_control", "how the contact stiffness changes", at(&Settings::penalty_control),
+             one_of<PenaltyControl>({{PenaltyControl::constant, "constant"}, {PenaltyControl::adaptive, "adaptive"}}))),
+      of(Dynamics::shi, row("linear_method", "how the equations of a pass are solved", at(&Settings::linear_method),
+                            one_of<LinearMethod>({{LinearMethod::automatic, "automatic"},
+                                                  {LinearMethod::factor, "factor"},
+                                                  {LinearMethod::conjugate_gradients, "conjugate_gradients"},
+                                                  {LinearMethod::over_relaxation, "over_relaxation"}}))),
+      of(Dynamics::shi, row("fixed_point_factor", "stiffness of fixed points over the starting contact stiffness",
+                            at(&Settings::fixed_point_factor), real(kAboveZero))),
+      row("allowed_displacement_ratio", "allowed displacement of a step over half the size of the scene",
+          at(&Settings::allowed_displacement_ratio), real(kAboveZero)),
+      of(Dynamics::shi, row("pass_limit",
+                            "open-close passes of one attempt; with quirk.fixed_pass_bound always 8, and any other "
+                            "value accepts steps whose contacts still open or close",
+                            at(&Settings::pass_limit), whole(1))),
+      of(Dynamics::shi,
+         row("redo_limit", "redone attempts at one step before the run stops", at(&Settings::redo_limit), whole(0))),
+      of(Dynamics::shi, row("closing_ratio", "penetration at which a contact closes, over half the size of the scene",
+                            at(&OpenCloseConstants::closing_ratio), real(kNotNegative))),
+      of(Dynamics::shi, row("opening_ratio", "separation at which a contact opens, over half the size of the scene",
+                            at(&OpenCloseConstants::opening_ratio), real(kNotNegative))),
+      row("allowed_penetration", "penetration the adaptive stiffness aims at, over half the size of the scene",
+          at(&OpenCloseConstants::allowed_penetration), real(kAboveZero)),
+      of(Dynamics::shi, row("angle_overlap_deg", "angle within which two edges count as parallel [degree]",
+                            at(&OpenCloseConstants::angle_overlap_deg), real(kNotNegative))),
+      row("normal_to_shear_stiffness", "normal over shear contact stiffness",
+          at(&OpenCloseConstants::normal_to_shear_stiffness), real(kAboveZero)),
+  };
+}
+
+std::vector<SettingRow> rows_of_trust() {
+  return {
+      row("penetration_limit",
+          "depth of blocks in one another, over the size of the smaller, beyond which a run is not trusted; under "
+          "dynamics standard one that no spring bears ends it",
+          at(&TrustLimits::penetration), real({0, true, 1})),
+      row("crushing_limit",
+          "area of a block at the end over that at the start, below which a run is not trusted; 0: no limit",
+          at(&TrustLimits::crushing), real(kShare)),
+      row("energy_limit",
+          "kinetic, strain and gravity energy that no load gave, over the largest there was, beyond which a run is not "
+          "trusted; under dynamics shi looked at where weight alone acts",
+          at(&TrustLimits::energy), real(kAboveZero)),
+  };
+}
+
+std::vector<SettingRow> rows_of_quirks() {
+  using Q = BerkeleyQuirks;
+  return {
+      of(std::nullopt, quirk("moments_about_origin", "rules 7: area moments about the origin of coordinates",
+                             &Q::moments_about_origin)),
+      quirk("search_full_depth", "rules 2: penetration side searched to the full distance", &Q::search_full_depth),
+      quirk("edge_direction_offset", "rules 3: 1e-7 added to |dx| in edge directions", &Q::edge_direction_offset),
+      quirk("stale_contact_list", "rules 3: a step without contacts keeps the last list", &Q::stale_contact_list),
+      quirk("contact_length_last_vertex", "rules 5: end of a shared edge mistaken", &Q::contact_length_last_vertex),
+      quirk("plane_strain_factor", "rules 7.2: plane-strain stiffness too stiff", &Q::plane_strain_factor),
+      quirk("velocity_from_coming_step", "rules 7.4: velocity from the coming step size",
+            &Q::velocity_from_coming_step),
+      quirk("start_velocity_slots", "rules 7.5: stress gradient and start velocity share values",
+            &Q::start_velocity_slots),
+      of(std::nullopt,
+         quirk("weight_of_first_material", "one gravity for all materials", &Q::weight_of_first_material)),
+      quirk("cut_step_stays", "rules 11.2: a cut step stays cut", &Q::cut_step_stays),
+      quirk("fixed_pass_bound", "rules 11.1: 8 passes whatever the limit", &Q::fixed_pass_bound),
+      quirk("step_rule_by_time", "rules 13: time in place of the displacement ratio", &Q::step_rule_by_time),
+      row("dynamics", "whose step is made; the choices below belong to `standard`", at(&Settings::dynamics),
+          one_of<Dynamics>({{Dynamics::shi, "shi"}, {Dynamics::standard, "standard"}})),
+      row("ledger", "energy and momentum of every step, kept and written", at(&Settings::ledger),
+          one_of<Bookkeeping>({{Bookkeeping::off, "off"}, {Bookkeeping::on, "on"}})),
+  };
+}
+
+std::vector<SettingRow> rows_of_standard() {
+  using C = StandardChoices;
+  return {
+      row("motion", "steps in time, of static equilibrium, or of equilibrium by dynamic relaxation", at(&C::motion),
+          one_of<MotionRule>({{MotionRule::dynamic, "dynamic"},
+                              {MotionRule::equilibrium, "static"},
+                              {MotionRule::relaxation, "relaxation"}})),
+      under(
+          {"motion = static or relaxation", [](const Settings& s) { return s.standard.motion != MotionRule::dynamic; }},
+          row("load_steps",
+              "equilibria from no load to that of the start, in a run without dynamics: one a step, or several where "
+              "there are fewer steps",
+              at(&C::load_steps), whole(1))),
+      row(Materials::of_joints, "enforcement",
+          "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
+          "overlaps; automatic: springs where more than a few blocks touch in a ring, else multipliers",
+          at(&C::enforcement),
+          one_of<Enforcement>({{Enforcement::lagrange, "lagrange"},
+                               {Enforcement::penalty, "penalty"},
+                               {Enforcement::augmented, "augmented"},
+                               {Enforcement::automatic, "automatic"}})),
+      row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
+          at(&C::spring_points),
+          one_of<SpringPoints>({{SpringPoints::ends, "ends"}, {SpringPoints::lobatto, "lobatto"}})),
+      row("force_tolerance",
+          "residual of contact forces over the heaviest load that a step goes for where more than 50 touches are "
+          "settled "
+          "together",
+          at(&C::force_tolerance), real({0, true, 1e-3})),
+      row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
+          one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
+      under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},
+            row("start", "strains and contact forces at the start", at(&C::start),
+                one_of<StartRule>({{StartRule::compatible, "compatible"}, {StartRule::sudden, "sudden"}}))),
+      row("cover_functions", "functions of the physical covers of a cover file (a case file has its own)",
+          at(&C::cover_functions),
+          one_of<CoverFunctions>({{CoverFunctions::constant, "constant"},
+                                  {CoverFunctions::derived, "derived"},
+                                  {CoverFunctions::linear, "linear"},
+                                  {CoverFunctions::quadratic, "quadratic"}})),
+      row("strain_damping", "stiffness damping of the strain modes", at(&C::strain_damping),
+          one_of<StrainDamping>({{StrainDamping::critical, "critical"}, {StrainDamping::none, "none"}})),
+      row("integrator", "sums of a step: the two weights below, Newmark's, or generalised alpha's", at(&C::integrator),
+          one_of<Integrator>({{Integrator::weighted, "weighted"},
+                              {Integrator::newmark, "newmark"},
+                              {Integrator::generalized_alpha, "generalized_alpha"}})),
+      under(integrator(Integrator::weighted, "weighted"),
+            row("velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order",
+                at(&C::velocity_weight), real(kFromHalf))),
+      under(integrator(Integrator::weighted, "weighted"),
+            row("force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
+                at(&C::force_weight), real(kFromHalf))),
+      under(integrator(Integrator::newmark, "newmark"),
+            row("newmark_beta", "beta of Newmark: 0.25 average acceleration, 0.5 Shi; unstable below half of gamma",
+                at(&C::newmark_beta), real({0, true, 1}))),
+      under(integrator(Integrator::newmark, "newmark"),
+            row("newmark_gamma", "gamma of Newmark: 0.5 average acceleration, 1 Shi", at(&C::newmark_gamma),
+                real(kFromHalf))),
+      under(integrator(Integrator::generalized_alpha, "generalized_alpha"),
+            row("rho_infinity", "what generalised alpha leaves of the highest frequencies in a step",
+                at(&C::rho_infinity), real(kShare))),
+      under({"step_control = error", [](const Settings& s) { return s.step_control == StepControl::error; }},
+            row("step_tolerance", "error of a step over block size, under step control error", at(&C::step_tolerance),
+                real(kAboveZero))),
+      under({"step_control = shi or error", [](const Settings& s) { return s.step_control != StepControl::constant; }},
+            row("least_step_share", "of the time step, below which controlled steps are not cut",
+                at(&C::least_step_share), real({0, true, 1}))),
+      under({"impact = jump", [](const Settings& s) { return s.standard.impact == ImpactLaw::jump; }},
+            row(Materials::of_joints, "restitution",
+                "rebound over approach speed of an impact of blocks, where impact = jump", at(&C::restitution),
+                real(kShare))),
+  };
+}
+
+const std::vector<SettingRow>& table() {
+  static const std::vector<SettingRow> rows = [] {
+    std::vector<SettingRow> all;
+    for (const auto& part : {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(),
+                             rows_of_trust(), rows_of_quirks()})
+      all.insert(all.end(), part.begin(), part.end());
+    for (const SettingRow& row : rows_of_standard()) all.push_back(of(Dynamics::standard, row));
+    return all;
+  }();
+  return rows;
+}
+
+const SettingRow* find_row(const std::string& name) {
+  const auto found = std::ranges::find(table(), name, &SettingRow::name);
+  return found == table().end() ? nullptr : &*found;
+}
+
+/// "restitution.2": the row before the last point and the material behind it, from 0.
+struct MaterialSetting {
+  const SettingRow* row = nullptr;
+  int material = 0;
+};
+
+MaterialSetting material_setting(const std::string& name) {
+  const std::size_t point = name.rfind('.');
+  if (point == std::string::npos) return {};
+  const SettingRow* row = find_row(name.substr(0, point));
+  if (row == nullptr || !row->per_material) return {};
+  int number = 0;
+  const char* end = name.data() + name.size();
+  const auto [last, error] = std::from_chars(name.data() + point + 1, end, number);
+  if (error != std::errc{} || last != end || number < 1)
+    refuse_value(name, "a material number from 1 behind the point", name.substr(point + 1));
+  return {row, number - 1};
+}
+
+std::string numbered(const SettingRow& row, int material) {
+  return fmt::format("{}.{}", row.name, material + 1);
+}
+
+const char* noun(Materials materials) {
+  return materials == Materials::of_blocks ? "block" : "joint";
+}
+
+std::string no_such_setting(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SettingRow& row : table()) names.push_back(row.name);
+  return fmt::format("there is no setting \"{}\"{} (`keyblock run --settings` lists them)", name,
+                     nearest_words(name, names));
+}
+
+}  // namespace
+
+std::vector<SettingText> list(const Settings& settings) {
+  std::vector<SettingText> texts;
+  for (const SettingRow& row : table()) {
+    const std::string value = row.write(settings);
+    std::string meaning = row.meaning;
+    if (row.per_material)
+      meaning += fmt::format("; {}.N for {} material N alone", row.name, noun(row.per_material->materials));
+    texts.push_back({row.name, value, meaning, row.is_number && !value.empty(), row.expected, row.dynamics});
+    if (!row.per_material) continue;
+    for (int material : row.per_material->given(settings)) {
+      const std::string own = row.per_material->write(settings, material);
+      texts.push_back(
+          {numbered(row, material), own, meaning, row.is_number && !own.empty(), row.expected, row.dynamics});
+    }
+  }
+  return texts;
+}
+
+void set(Settings& settings, const std::string& name, const std::string& value) {
+  if (const SettingRow* row = find_row(name)) return row->read(settings, value);
+  const auto [row, material] = material_setting(name);
+  if (row == nullptr) throw std::invalid_argument(no_such_setting(name));
+  row->per_material->read(settings, material, name, value);
+}
+
+std::string why_unread(const Settings& settings, const std::string& name) {
+  const SettingRow* row = find_row(name);
+  if (row == nullptr) row = material_setting(name).row;
+  if (row == nullptr) return {};
+  if (row->dynamics && *row->dynamics != settings.dynamics)
+    return fmt::format("is read by dynamics {} alone", *row->dynamics == Dynamics::shi ? "shi" : "standard");
+  if (row->read_under && !row->read_under->holds(settings))
+    return fmt::format("is read under {} alone", row->read_under->choice);
+  return {};
+}
+
+void require_materials(const Settings& settings, int block_materials, int joint_materials) {
+  for (const SettingRow& row : table()) {
+    if (!row.per_material) continue;
+    const Materials materials = row.per_material->materials;
+    const int count = materials == Materials::of_blocks ? block_materials : joint_materials;
+    for (int material : row.per_material->given(settings)) {
+      if (material >= count)
+        refuse_value(numbered(row, material), fmt::format("a {} material from 1 to {}", noun(materials), count),
+                     fmt::format("{}", material + 1));
+    }
+  }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,59 @@
+// The choices of the dynamics beside Shi's: weights of the step, contact law, start, damping.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "problem/cover_plan.hpp"
+#include "settings/per_material.hpp"
+
+namespace keyblock {
+
+/// Which step is made: Shi's, as the old programs do, or midpoint kinematics with contact as complementarity.
+enum class Dynamics { shi, standard };
+
+/// How contact forces come about: as multipliers of gaps that do not close, as springs of finite stiffness, or as such springs
+/// whose forces are raised until nothing overlaps. automatic: multipliers or springs, as the blocks touch at the start.
+enum class Enforcement { lagrange, penalty, augmented, automatic };
+
+/// Where the springs of two faces stand: at the ends of the stretch they share, or at Lobatto's three points.
+enum class SpringPoints { ends, lobatto };
+
+/// What stops blocks that meet fast: a jump of velocities with restitution, or the contact springs, which must then be soft
+/// against the step (a twentieth of the contact time at most).
+enum class ImpactLaw { jump, springs };
+
+/// compatible: contact forces and strains in equilibrium with the first accelerations; sudden: loads on unstressed blocks.
+enum class StartRule { compatible, sudden };
+
+/// Which sums of increment, velocity and acceleration make a step: the two weights, or those of the named methods.
+enum class Integrator { weighted, newmark, generalized_alpha };
+
+/// critical: stiffness damping that keeps strain modes from fluttering under steady sliding; none: for wave studies.
+enum class StrainDamping { critical, none };
+
+/// dynamic: steps in time; equilibrium: each step is one of static equilibrium under the loads of its time; relaxation: the
+/// same equilibria, reached by a motion that is stopped at each peak of its kinetic energy.
+enum class MotionRule { dynamic, equilibrium, relaxation };
+
+struct StandardChoices {
+  MotionRule motion = MotionRule::dynamic;
+  int load_steps = 1;  ///< equilibria from no load to that of the start: one a step, or several where steps are fewer
+  PerMaterial<Enforcement> enforcement = Enforcement::automatic;  ///< by joint material
+  CoverFunctions cover_functions = CoverFunctions::derived;       ///< of the elements of a cover file
+  StartRule start = StartRule::compatible;
+  StrainDamping strain_damping = StrainDamping::critical;
+  Integrator integrator = Integrator::weighted;
+  double velocity_weight = 0.5;  ///< of the velocity at the end of the step in its displacement; 1/2 is second order
+  double force_weight = 0.5;     ///< of the elastic force at the end of the step; Shi 1, average acceleration 1/2
+  double newmark_beta = 0.25;    ///< 1/4 and 1/2: average acceleration; 1/2 and 1: Shi
+  double newmark_gamma = 0.5;
+  double rho_infinity = 0.8;       ///< what generalised α leaves of the highest frequencies in a step
+  double step_tolerance = 1e-4;    ///< error of a step over block size that its size is chosen for
+  double least_step_share = 1e-4;  ///< of the time step, below which it is not cut
+  double force_tolerance =
+      1e-6;  ///< of contact forces over the heaviest load, where more than fifty touches are settled together
+  SpringPoints spring_points = SpringPoints::ends;
+  ImpactLaw impact = ImpactLaw::jump;
+  PerMaterial<double> restitution = 0;  ///< rebound over approach speed of an impact; by joint material
+};
+
+}  // namespace keyblock

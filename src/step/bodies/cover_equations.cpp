@@ -1,0 +1,73 @@
+// Sums of a rule, forces, one factor a body; see cover_equations.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/bodies/cover_equations.hpp"
+
+#include <algorithm>
+
+#include "step/bodies/linear_static.hpp"
+
+namespace keyblock {
+namespace {
+
+Eigen::VectorXd known(const StepSum& sum, const CoverMotion& start) {
+  return sum.velocity * start.v + sum.acceleration * start.a;
+}
+
+}  // namespace
+
+CoverEquations::CoverEquations(const ElasticBodies& bodies)
+    : bodies_(bodies),
+      tangent_(bodies.mass),
+      factors_(tangent_, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions)) {}
+
+void CoverEquations::begin(const CoverMotion& start, const Eigen::VectorXd& load, const StepRule& rule, double dt) {
+  const CoverDamping& damping = bodies_.damping;
+  rule_ = rule;
+  const bool is_damped = rule.damping.increment != 0 || rule.damping.velocity != 0 || rule.damping.acceleration != 0;
+  weights_ = {rule.stiffness + (is_damped ? damping.stiffness / dt : 0), rule.stiffness,
+              rule.inertia.increment + damping.mass * rule.damping.increment};
+  start_ = start.q;
+  known_inertia_ = known(rule.inertia, start) + damping.mass * known(rule.damping, start);
+  load_ = load;
+  known_velocity_ = known(rule.end_velocity, start);
+  known_acceleration_ = known(rule.end_acceleration, start);
+}
+
+bool CoverEquations::has_factor() const {
+  return is_factorised_ && factor_weights_ == weights_;
+}
+
+void CoverEquations::linearise(const Eigen::VectorXd& increment) {
+  evaluate(increment);
+  tangent_.clear();
+  tangent_.add_scaled(weights_.mass, bodies_.mass);
+  tangent_.add_scaled(weights_.support, bodies_.ghost);
+  tangent_.add_scaled(weights_.support, bodies_.supports);
+  bodies_.elasticity.add_tangent(start_, start_ + increment, weights_.strain, 1, tangent_);
+  is_factorised_ = false;
+  factors_.factorise(tangent_);
+  is_factorised_ = true;
+  factor_weights_ = weights_;
+}
+
+// Inertia is multiplied out after its sum is taken: what a steady motion has of it cancels in the sum, not in the forces.
+void CoverEquations::evaluate(const Eigen::VectorXd& increment) {
+  increment_ = increment;
+  const Eigen::VectorXd end = start_ + increment;
+  const Eigen::VectorXd inertia = bodies_.mass.times(weights_.mass * increment + known_inertia_);
+  const Eigen::VectorXd resisting = bodies_.force(start_, end, weights_.strain, weights_.support);
+  residual_ = inertia + resisting - load_;
+  force_scale_ = std::max({inertia.norm(), resisting.norm(), load_.norm()});
+}
+
+CoverMotion CoverEquations::end(const Eigen::VectorXd& increment) const {
+  CoverMotion end{start_ + increment, rule_.end_velocity.increment * increment + known_velocity_,
+                  rule_.end_acceleration.increment * increment + known_acceleration_};
+  if (definiteness_of(bodies_.continuum.functions) == Definiteness::semidefinite) {
+    end.v = solve(tangent_.times(end.v));
+    end.a = solve(tangent_.times(end.a));
+  }
+  return end;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,250 @@
+// Sums over the functions of each body; see cover_scene.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/bodies/cover_scene.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "model/body_load.hpp"
+#include "step/bodies/linear_static.hpp"
+#include "terms/ghost_force.hpp"
+
+namespace keyblock {
+namespace {
+
+using Functions = std::vector<std::vector<int>>;
+
+// Rows of one body, of the columns in which it has any.
+template <class Solve>
+Eigen::MatrixXd by_body(const Functions& functions, const Eigen::MatrixXd& forces, Solve solve) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
+  for (std::size_t body = 0; body < functions.size(); ++body) {
+    const std::vector<int>& own = functions[body];
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index c = 0; c < forces.cols(); ++c)
+      if (std::ranges::any_of(own, [&](int f) { return forces(2 * f, c) != 0 || forces(2 * f + 1, c) != 0; }))
+        columns.push_back(c);
+    if (columns.empty()) continue;
+    Eigen::MatrixXd part(static_cast<Eigen::Index>(2 * own.size()), static_cast<Eigen::Index>(columns.size()));
+    for (Eigen::Index c = 0; c < part.cols(); ++c)
+      for (Eigen::Index i = 0; i < part.rows() / 2; ++i)
+        part.col(c).segment<2>(2 * i) =
+            forces.col(columns[static_cast<std::size_t>(c)]).segment<2>(2 * own[static_cast<std::size_t>(i)]);
+    const Eigen::MatrixXd answer = solve(static_cast<int>(body), part);
+    for (Eigen::Index c = 0; c < part.cols(); ++c)
+      for (Eigen::Index i = 0; i < part.rows() / 2; ++i)
+        result.col(columns[static_cast<std::size_t>(c)]).segment<2>(2 * own[static_cast<std::size_t>(i)]) =
+            answer.col(c).segment<2>(2 * i);
+  }
+  return result;
+}
+
+class StepAnswer : public CoverFlexibility {
+ public:
+  StepAnswer(const CoverEquations& equations, const Functions& functions)
+      : equations_(equations), functions_(functions) {}
+  Eigen::Index size() const override { return equations_.residual().size(); }
+  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
+    return by_body(functions_, forces,
+                   [&](int body, const Eigen::MatrixXd& part) { return equations_.solve(body, part); });
+  }
+
+ private:
+  const CoverEquations& equations_;
+  const Functions& functions_;
+};
+
+class MassAnswer : public CoverFlexibility {
+ public:
+  MassAnswer(const ElasticBodies& bodies)
+      : functions_(bodies.rigid.functions()),
+        factors_(bodies.mass, functions_, definiteness_of(bodies.continuum.functions)),
+        size_(bodies.unknown_count()) {
+    factors_.factorise(bodies.mass);
+  }
+  Eigen::Index size() const override { return size_; }
+  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
+    return by_body(functions_, forces,
+                   [&](int body, const Eigen::MatrixXd& part) { return factors_.solve(body, part); });
+  }
+
+ private:
+  const Functions& functions_;
+  PartFactors factors_;
+  Eigen::Index size_;
+};
+
+CoverDamping damping_of(const Settings& settings) {
+  return {settings.mass_damping.common, settings.stiffness_damping.common.value_or(0)};
+}
+
+ElementIndex first_on_covers(const Model& model) {
+  for (ElementIndex e : indices(model.elements))
+    if (model.elements[e].is_on_covers()) return e;
+  return model.elements.end_index();
+}
+
+}  // namespace
+
+CoverScene::CoverScene(const Model& model, const Settings& settings)
+    : bodies_(*model.continuum, damping_of(settings)),
+      first_(first_on_covers(model)),
+      kinematics_(std::make_shared<CoverKinematics>(model, first_, bodies_.basis())),
+      equations_(std::make_unique<CoverEquations>(bodies_)),
+      mass_inverse_(std::make_shared<MassAnswer>(bodies_)) {
+  weight_ = bodies_.supports.load();
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(bodies_.unknown_count());
+  initial_force_ = -bodies_.elasticity.force(still, still, 1);
+  for (const int material : bodies_.continuum.manifold.body_materials)
+    carry_.push_back(settings.velocity_carry_over.of(material));
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(bodies_.unknown_count());
+  at_start_.resize(bodies_.rigid.functions().size());
+  at_start_ = whole(none, none);
+  for (VertexIndex v : IndexRange<VertexIndex>(model.elements[first_].first_vertex, model.vertices.end_index())) {
+    WholeBody& body = at_start_[static_cast<std::size_t>(body_of(model.vertices[v].element))];
+    body.size = std::max(body.size, distance(body.centre, model.start_vertices[static_cast<std::size_t>(v.value)]));
+    size_ = std::max(size_, body.size);
+  }
+  slow_frequency_ = std::numeric_limits<double>::infinity();
+  for (const int number : bodies_.continuum.manifold.body_materials) {
+    const BlockMaterial& material = bodies_.continuum.materials[static_cast<std::size_t>(number)];
+    slow_frequency_ = std::min(slow_frequency_, std::sqrt(material.youngs_modulus / material.density) / size_);
+  }
+}
+
+int CoverScene::body_of(ElementIndex e) const {
+  return bodies_.continuum.manifold.elements[static_cast<std::size_t>(e.value - first_.value)].body;
+}
+
+const WholeBody& CoverScene::body_at_start(ElementIndex e) const {
+  return at_start_[static_cast<std::size_t>(body_of(e))];
+}
+
+Eigen::VectorXd CoverScene::start_velocity() const {
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(bodies_.unknown_count());
+  const Functions& functions = bodies_.rigid.functions();
+  for (std::size_t b = 0; b < functions.size(); ++b) {
+    const int material = bodies_.continuum.manifold.body_materials[b];
+    const Velocity& given = bodies_.continuum.materials[static_cast<std::size_t>(material)].initial_velocity;
+    const Eigen::MatrixX3d modes =
+        bodies_.rigid.modes(static_cast<int>(b), Eigen::VectorXd::Zero(v.size()), at_start_[b].centre);
+    const Eigen::VectorXd own = modes * Eigen::Vector3d(given.x, given.y, given.rotation);
+    for (std::size_t i = 0; i < functions[b].size(); ++i)
+      v.segment<2>(2 * functions[b][i]) = own.segment<2>(static_cast<Eigen::Index>(2 * i));
+  }
+  return v;
+}
+
+Eigen::VectorXd CoverScene::carried_over(Eigen::VectorXd v) const {
+  const Functions& functions = bodies_.rigid.functions();
+  for (std::size_t b = 0; b < functions.size(); ++b)
+    for (const int f : functions[b]) v.segment<2>(2 * f) *= carry_[b];
+  return v;
+}
+
+Eigen::VectorXd CoverScene::inertia_of(Point acceleration) const {
+  const Functions& functions = bodies_.rigid.functions();
+  Eigen::VectorXd field = Eigen::VectorXd::Zero(bodies_.unknown_count());
+  for (std::size_t b = 0; b < functions.size(); ++b) {
+    const Eigen::MatrixX3d modes = bodies_.rigid.modes(static_cast<int>(b), field, {});
+    for (std::size_t i = 0; i < functions[b].size(); ++i)
+      field.segment<2>(2 * functions[b][i]) =
+          modes.block<2, 2>(static_cast<Eigen::Index>(2 * i), 0) * Eigen::Vector2d(acceleration.x, acceleration.y);
+  }
+  return momentum(field);
+}
+
+std::vector<WholeBody> CoverScene::whole(const Eigen::VectorXd& d, const Eigen::VectorXd& forces) const {
+  const Functions& functions = bodies_.rigid.functions();
+  const std::vector<RigidMotion> motions = bodies_.rigid.motions(d, Eigen::VectorXd::Zero(d.size()));
+  std::vector<WholeBody> all;
+  for (std::size_t b = 0; b < functions.size(); ++b) {
+    const Eigen::VectorXd own = unknowns_of(functions[b], forces);
+    WholeBody body{motions[b].mass, motions[b].rotary_inertia, at_start_[b].size, motions[b].centre};
+    body.resultant = bodies_.rigid.modes(static_cast<int>(b), d, body.centre).transpose() * own;
+    for (Eigen::Index i = 0; i < own.size(); i += 2) body.gross += own.segment<2>(i).norm();
+    all.push_back(body);
+  }
+  return all;
+}
+
+double CoverScene::top_speed(const Eigen::VectorXd& v) {
+  double top = 0;
+  for (Eigen::Index i = 0; i + 1 < v.size(); i += 2) top = std::max(top, v.segment<2>(i).norm());
+  return top;
+}
+
+double CoverScene::largest_load(const Eigen::VectorXd& forces) const {
+  double largest = 0;
+  for (const std::vector<int>& functions : bodies_.rigid.functions()) {
+    double sum = 0;
+    for (const int f : functions) sum += forces.segment<2>(2 * f).norm();
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+std::vector<std::pair<ElementIndex, double>> CoverScene::largest_forces(const Eigen::VectorXd& forces) const {
+  std::vector<std::pair<ElementIndex, double>> largest(at_start_.size());
+  const Functions& functions = bodies_.rigid.functions();
+  for (std::size_t b = 0; b < functions.size(); ++b)
+    for (const int f : functions[b]) largest[b].second = std::max(largest[b].second, forces.segment<2>(2 * f).norm());
+  for (std::size_t i = bodies_.continuum.manifold.elements.size(); i-- > 0;)
+    largest[static_cast<std::size_t>(bodies_.continuum.manifold.elements[i].body)].first = {first_.value +
+                                                                                            static_cast<int>(i)};
+  return largest;
+}
+
+double CoverScene::strain_loss(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double weight) const {
+  const Eigen::VectorXd way = to - from;
+  const Eigen::VectorXd force = bodies_.force(from, to, weight, weight);
+  return force.dot(way) - (strain_energy(to) - strain_energy(from));
+}
+
+double CoverScene::damping_work(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& rate,
+                                double dt) const {
+  const Eigen::VectorXd way = to - from;
+  const double share = bodies_.damping.stiffness / dt;
+  const double of_strain =
+      share == 0 ? 0 : way.dot(bodies_.elasticity.force(from, to, share) - bodies_.elasticity.force(from, to, 0));
+  return of_strain + bodies_.damping.mass * way.dot(momentum(rate));
+}
+
+Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d) const {
+  return bodies_.force(d);
+}
+
+Stress CoverScene::stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const {
+  return bodies_.elasticity.stress(d, e.value - first_.value, start);
+}
+
+bool CoverScene::has_supports() const {
+  return !bodies_.continuum.prescribed.empty() || !bodies_.continuum.point_springs.empty();
+}
+
+bool CoverScene::are_one_body(ElementIndex a, ElementIndex b) const {
+  return kinematics_->carries(a) && kinematics_->carries(b) && body_of(a) == body_of(b);
+}
+
+// Velocity gradient Ḟ F⁻¹; its skew part turns.
+Velocity CoverScene::velocity(ElementIndex e, const Eigen::VectorXd& d, const Eigen::VectorXd& v, Point start) const {
+  const Point moved_by = moved({}, kinematics_->shares(e, start), v);
+  const Eigen::Matrix2d rate =
+      bodies_.elasticity.deformation(v, e.value - first_.value, start) - Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d gradient = rate * bodies_.elasticity.deformation(d, e.value - first_.value, start).inverse();
+  return {moved_by.x, moved_by.y, (gradient(1, 0) - gradient(0, 1)) / 2};
+}
+
+double CoverScene::rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const {
+  const Eigen::Matrix2d f = bodies_.elasticity.deformation(d, e.value - first_.value, start);
+  return std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));
+}
+
+std::shared_ptr<const CoverFlexibility> CoverScene::flexibility_of_step() const {
+  return std::make_shared<StepAnswer>(*equations_, bodies_.rigid.functions());
+}
+
+}  // namespace keyblock

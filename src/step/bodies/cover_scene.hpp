@@ -1,0 +1,104 @@
+// Bodies on covers as the steps of Dynamics::standard see them: what loads them, how they answer, what they do as a whole.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "contact/rows/contact_row.hpp"
+#include "model/cover_kinematics.hpp"
+#include "settings/settings.hpp"
+#include "step/bodies/cover_equations.hpp"
+
+namespace keyblock {
+
+/// A body seen as a rigid one.
+struct WholeBody {
+  double mass = 0;
+  double inertia = 0;  ///< about the mass centre, as it is now
+  double size = 0;     ///< largest distance of a vertex from the mass centre at the start
+  Point centre;        ///< mass centre now
+  /// Of forces, or momenta, on the unknowns: x, y and moment about the mass centre; and the sum of their sizes.
+  Eigen::Vector3d resultant = Eigen::Vector3d::Zero();
+  double gross = 0;
+};
+
+/// All bodies of a model that hang on covers. Vectors have the entries (dx, dy) of every cover function.
+class CoverScene {
+ public:
+  /// The model has a continuum, whose elements are its last.
+  CoverScene(const Model& model, const Settings& settings);
+  CoverScene(const CoverScene&) = delete;  // its parts refer to each other
+
+  std::shared_ptr<const CoverKinematics> kinematics() const { return kinematics_; }
+  const WholeBody& body_at_start(ElementIndex e) const;
+  const std::vector<WholeBody>& at_start() const { return at_start_; }
+  double size() const { return size_; }  ///< of the largest body
+  /// Of a wave of stretching through the largest body, √(E/ρ) over its size, the least of the materials: about that of the
+  /// first mode of a stout body.
+  double slow_frequency() const { return slow_frequency_; }
+
+  /// The initial velocities of the materials, as rigid motions about the mass centres.
+  Eigen::VectorXd start_velocity() const;
+  /// By the share of velocity that the material of each body carries from step to step.
+  Eigen::VectorXd carried_over(Eigen::VectorXd v) const;
+  /// Weight of the materials, and what tractions and supports of the problem exert.
+  const Eigen::VectorXd& weight() const { return weight_; }
+  /// What the initial stress exerts on the unknowns.
+  const Eigen::VectorXd& initial_force() const { return initial_force_; }
+  /// Whether supports of the problem itself, not fixed points, hold a body.
+  bool has_supports() const;
+  /// M times a uniform field.
+  Eigen::VectorXd inertia_of(Point acceleration) const;
+
+  /// The bodies at d, with the resultants of `forces`.
+  std::vector<WholeBody> whole(const Eigen::VectorXd& d, const Eigen::VectorXd& forces) const;
+  Eigen::VectorXd momentum(const Eigen::VectorXd& v) const { return bodies_.mass.times(v); }  ///< M v
+  static double top_speed(const Eigen::VectorXd& v);
+  /// The greatest of a body: the sum over its functions, whatever the directions.
+  double largest_load(const Eigen::VectorXd& forces) const;
+  double greatest_momentum(const Eigen::VectorXd& v) const { return largest_load(momentum(v)); }
+  /// On one function of each body, with an element of it.
+  std::vector<std::pair<ElementIndex, double>> largest_forces(const Eigen::VectorXd& forces) const;
+
+  double kinetic_energy(const Eigen::VectorXd& v) const { return v.dot(momentum(v)) / 2; }
+  double strain_energy(const Eigen::VectorXd& d) const { return bodies_.energy(d); }
+  /// What the elastic force of a step takes beyond the change of strain energy, (κ − ½) ∫ ΔE : D : ΔE.
+  double strain_loss(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double stiffness_weight) const;
+  /// Of damping over a step: a M against `rate`, and b against the mean rate of strain.
+  double damping_work(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& rate,
+                      double dt) const;
+  Eigen::VectorXd elastic_force(const Eigen::VectorXd& d) const;  ///< ∂U/∂d
+  /// Against v at rest from strain: a M v.
+  Eigen::VectorXd damping_force(const Eigen::VectorXd& v) const { return bodies_.damping.mass * momentum(v); }
+
+  Stress stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const;
+  double rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const;  ///< of the polar decomposition, rad
+  /// Of the point that lay at `start`, and the turning there, half the curl: length and rad, per time.
+  Velocity velocity(ElementIndex e, const Eigen::VectorXd& d, const Eigen::VectorXd& v, Point start) const;
+  /// Number of the body of an element on covers, from 0.
+  int body_of(ElementIndex e) const;
+  /// Whether both elements are of one body on covers.
+  bool are_one_body(ElementIndex a, ElementIndex b) const;
+
+  /// Of the step at hand: one step at a time is made of a scene.
+  CoverEquations& equations() const { return *equations_; }
+  std::shared_ptr<const CoverFlexibility> flexibility_of_step() const;
+  std::shared_ptr<const CoverFlexibility> mass_inverse() const { return mass_inverse_; }
+
+ private:
+  ElasticBodies bodies_;
+  ElementIndex first_;
+  std::shared_ptr<const CoverKinematics> kinematics_;
+  std::vector<double> carry_;  ///< of each body
+  std::vector<WholeBody> at_start_;
+  double size_ = 0;
+  double slow_frequency_ = 0;
+  Eigen::VectorXd weight_;
+  Eigen::VectorXd initial_force_;
+  std::unique_ptr<CoverEquations> equations_;
+  std::shared_ptr<const CoverFlexibility> mass_inverse_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,40 @@
+// Puts the known parts of a rule on the right side and inverts the rest.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/bodies/step_equations.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace keyblock {
+namespace {
+
+Unknowns known(const StepSum& sum, const BodyMotion& start) {
+  return sum.velocity * start.v + sum.acceleration * start.a;
+}
+
+UnknownBlock inverse_of(const UnknownBlock& a) {
+  return a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()));
+}
+
+}  // namespace
+
+StepEquations step_equations(const Body& body, const BodyMotion& start, const Unknowns& load, const StepRule& rule) {
+  const double inertia = rule.inertia.increment + rule.damping.increment * body.mass_damping;
+  const double stiffness = rule.strain.increment + rule.strain_rate.increment * body.stiffness_damping;
+  const UnknownBlock a = body.sum_of(inertia, stiffness);
+  const Unknowns strained =
+      start.q + known(rule.strain, start) + body.stiffness_damping * known(rule.strain_rate, start);
+  const Unknowns r = load + body.initial_stress - body.elastic_force(strained) -
+                     body.mass * (known(rule.inertia, start) + body.mass_damping * known(rule.damping, start));
+  StepEquations equations{a, a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
+  if (a.rows() > 0) {
+    const double missing =
+        std::max(0.0, rule.judging_inertia * body.slowest_frequency * body.slowest_frequency - rule.inertia.increment);
+    equations.inverse = inverse_of(a);
+    equations.judging = missing > 0 ? inverse_of(a + missing * body.mass) : equations.inverse;
+  }
+  equations.free = equations.inverse * r;
+  return equations;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,29 @@
+// The equations of one step of one body: what its increment and its motion at the end are, up to the contact forces.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "step/bodies/integrator.hpp"
+#include "step/bodies/standard_body.hpp"
+
+namespace keyblock {
+
+/// A body at the start of a step.
+struct BodyMotion {
+  const Unknowns& q;
+  const Unknowns& v;
+  const Unknowns& a;
+};
+
+/// Δq = free + inverse Gᵀ λ. Velocity and acceleration at the end are the known part and the rule's share of Δq.
+struct StepEquations {
+  UnknownBlock inverse;
+  UnknownBlock judging;  ///< the same with the inertia by which forces are judged
+  Unknowns free;         ///< increment without contact
+  Unknowns known_velocity;
+  Unknowns known_acceleration;
+};
+
+/// `load`: force on the unknowns besides elastic, damping and contact forces.
+StepEquations step_equations(const Body& body, const BodyMotion& start, const Unknowns& load, const StepRule& rule);
+
+}  // namespace keyblock

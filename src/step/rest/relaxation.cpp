@@ -1,0 +1,112 @@
+// The steps are those of dynamics, of the file's size.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/rest/relaxation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "step/scene/acceleration.hpp"
+#include "step/scene/equilibrium.hpp"
+#include "step/time/ledger.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads, or over its own greatest
+constexpr int kMostSteps = 100000;
+
+void freeze(TimeCurve& curve, double time) {
+  curve = {{time}, {curve.at(time)}, curve.place};
+}
+
+// Loads and held points as they are at `time`, whatever the time of a step.
+StandardScene frozen(StandardScene scene, double time) {
+  for (CarriedPoint& point : scene.held) freeze(point.curve, time);
+  for (CarriedPoint& point : scene.model.loading_points) freeze(point.curve, time);
+  freeze(scene.settings.body_acceleration.curve, time);
+  return scene;
+}
+
+class Relaxation {
+ public:
+  Relaxation(const StandardScene& scene, const Motion& start, double time)
+      : scene_(frozen(scene, time)),
+        start_(start),
+        time_(time),
+        driving_(driving_force(scene_, start, time, scene.settings.time_step)) {
+    result_.motion = start;
+    stop();
+  }
+
+  StandardStep run() {
+    for (int step = 0; step < kMostSteps && result_.converged && result_.failure.empty(); ++step) {
+      if (is_at_rest()) return std::move(result_);
+      make_step();
+    }
+    if (result_.converged && result_.failure.empty())
+      result_.failure =
+          fmt::format("no rest found in {} steps of relaxation, forces out of balance by {:.1e} of the load",
+                      kMostSteps, result_.residual);
+    return std::move(result_);
+  }
+
+ private:
+  bool is_at_rest() {
+    if (kinetic_ > kAtRest * std::max(work_, greatest_kinetic_)) return false;
+    const Balance balance = balance_of(scene_, result_.motion, time_, driving_);
+    result_.residual = balance.share;
+    if (balance.holds()) stop();
+    return balance.holds();
+  }
+
+  void make_step() {
+    const UnknownsTable from = result_.motion.q;
+    StandardStep made = standard_step(scene_, result_.motion, time_, scene_.settings.time_step);
+    made.solves += result_.solves;
+    made.fallbacks += result_.fallbacks;
+    made.halvings += result_.halvings;
+    made.locked_overlaps += result_.locked_overlaps;
+    result_ = std::move(made);
+    if (!result_.converged) return;
+    add_work(from);
+    const double last = kinetic_;
+    kinetic_ = kinetic_energy(scene_, result_.motion.v);
+    greatest_kinetic_ = std::max(greatest_kinetic_, kinetic_);
+    const Travel travel = travel_of(scene_, start_.q, result_.motion.q);
+    if (!travel.far.empty()) result_.failure = no_equilibrium(scene_, travel.far);
+    if (kinetic_ < last) stop();
+  }
+
+  void stop() {
+    result_.motion.v.set_zero();
+    result_.motion.a = balanced_acceleration(scene_, result_.motion, time_);
+    kinetic_ = 0;
+  }
+
+  void add_work(const UnknownsTable& from) {
+    const UnknownsTable loads = loads_at(scene_, from, time_);
+    double work = 0;
+    for (ElementIndex e : indices(loads)) work += loads[e].dot(result_.motion.q[e] - from[e]);
+    if (scene_.covers) work += loads.covers.dot(result_.motion.q.covers - from.covers);
+    work_ += std::abs(work);
+  }
+
+  StandardScene scene_;
+  const Motion& start_;
+  double time_;
+  double driving_;  ///< force
+  double work_ = 0;
+  double kinetic_ = 0;
+  double greatest_kinetic_ = 0;
+  StandardStep result_;
+};
+
+}  // namespace
+
+StandardStep relaxation_step(const StandardScene& scene, const Motion& start, double time) {
+  return Relaxation(scene, start, time).run();
+}
+
+}  // namespace keyblock

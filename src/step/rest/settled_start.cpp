@@ -1,0 +1,194 @@
+// Glue, load, dissolve.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/rest/settled_start.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/union_find.hpp"
+#include "contact/rows/gap.hpp"
+#include "contact/rows/joined_blocks.hpp"
+#include "step/scene/contact_laws.hpp"
+#include "step/scene/step_ties.hpp"
+#include "step/scene/touch_search.hpp"
+#include "step/time/smooth_solve.hpp"
+
+namespace keyblock {
+namespace {
+
+// Stiffness of the contacts over what keeps parts that nothing holds from being free, as a share of their mass: the slowest mode of a mass
+// a thousand blocks high has a millionth of the stiffness of a contact, and should not feel it.
+constexpr double kHeldByNothing = 1e10;
+// Compliance of held points over that of a contact.
+constexpr double kRigid = 1e-4;
+// Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue: a free block moves by half that times
+// its weight over the contact stiffness in each. It grows from step to step while nothing moves farther than a share of block size: what
+// the glue bore across many blocks finds its way in long steps only.
+constexpr double kShortest = 16;
+constexpr double kLongest = 4096;
+constexpr double kGrowth = 4;
+constexpr double kFarthest = 1e-5;
+constexpr int kMostSteps = 40;
+constexpr int kMostSearches = 4;
+// At rest is what moves by less than this share of what a free block does.
+constexpr double kAtRest = 1e-4;
+// Of the largest load on a block; what steps of the run itself ask of as many touches.
+constexpr double kForceGoal = 1e-6;
+constexpr double kForceAcceptable = 1e-3;
+constexpr int kMostSystems = 40;
+
+class Settling {
+ public:
+  Settling(const StandardScene& scene, Motion motion) : scene_(scene), motion_(std::move(motion)) {
+    velocities_ = motion_.v;
+    motion_.v.set_zero();
+    loads_ = loads_at(scene, motion_.q, 0);
+    scales_ = scales_of(scene, loads_, motion_.q, velocities_);
+  }
+
+  Settled run() {
+    found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
+    found_.touches = resting_touches(scene_, motion_, scales_);
+    const UnknownsTable drawn = motion_.q;
+    leave_unsupported(found_.touches);
+    load_glued(found_.touches);
+    Motion before = motion_;  // with what the springs of the glue are compressed by
+    before.q = drawn;
+    add_overlapping(before);
+    double stiffness = kShortest;
+    for (int i = 0; i < kMostSteps; ++i) {
+      const double moved = step(stiffness);
+      const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
+      if (moved <= kAtRest * free) break;
+      if (moved <= kFarthest * scales_.size) stiffness = std::min(kGrowth * stiffness, kLongest);
+    }
+    motion_.v = velocities_;
+    return {std::move(motion_), unsolved_};
+  }
+
+ private:
+  // All faces glued, and bolts and held points with them. What the glue bears is where the search for friction begins.
+  void load_glued(const Touches& touches) {
+    Touches faces;
+    std::ranges::copy_if(touches, std::back_inserter(faces), [](const Touch& touch) { return touch.stretch > 0; });
+    ContactRows rows = contact_rows(scene_.model, scene_.reference, motion_.q, faces);
+    const auto of_faces = static_cast<Eigen::Index>(rows.size());
+    const StepTies ties(scene_, motion_, 0, 0);
+    const ContactRows of_ties = ties.rows(motion_.q);
+    rows.insert(rows.end(), of_ties.begin(), of_ties.end());
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    Eigen::VectorXd compliance = Eigen::VectorXd::Constant(count, kRigid / scene_.normal_stiffness());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Springs springs = springs_of(scene_, faces[i]);
+      compliance.segment<2>(static_cast<Eigen::Index>(2 * i)) << springs.normal, springs.tangential;
+    }
+    for (std::size_t i = 0; i < ties.bolt_count(); ++i) {
+      const Eigen::Index n = of_faces + static_cast<Eigen::Index>(2 * i);
+      compliance[n] = ties.compliance(i);
+      compliance[n + 1] = kHeldByNothing / scene_.normal_stiffness();  // none across
+    }
+    Eigen::VectorXd gaps = Eigen::VectorXd::Zero(count);
+    gaps.tail(count - of_faces) = ties.gaps(motion_.q);
+    const double inertia = scene_.normal_stiffness() / (kHeldByNothing * heaviest());
+    Table<ElementIndex, UnknownBlock> stiffness;
+    for (const Body& body : scene_.bodies) stiffness.push_back(body.sum_of(inertia, 1));
+    const auto made = displacements_of_joined(stiffness, rows, compliance, gaps, loads_);
+    if (!made) return;
+    const Eigen::VectorXd forces = -(rates(rows, *made) + gaps).cwiseQuotient(compliance);
+    motion_.q = plus(motion_.q, 1, *made);
+    std::vector<ClosedContact> closed;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      closed.push_back({faces[i], memory_of(contact_law(scene_, motion_.bonds, faces[i]), forces[n], forces[n + 1])});
+    }
+    motion_.closed = ClosedContacts(std::move(closed));
+    motion_.ties = ties.memory(forces.tail(count - of_faces), motion_.q);
+  }
+
+  // The greatest way of a block. A step that finds no forces changes nothing.
+  double step(double stiffness_over_inertia) {
+    const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
+    StandardChoices choices = scene_.settings.standard;
+    choices.force_weight = 1;  // each step ends at the rest that it heads for, not as far beyond
+    const StepRule rule = step_rule(choices, dt);
+    const ForceTolerance tolerance{kForceGoal * scales_.force, kForceAcceptable * scales_.force, kMostSystems};
+    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule);
+    for (int search = 1; search < kMostSearches && made.converged; ++search) {
+      const Touches fresh = overlapping_at(made.q, motion_);
+      if (fresh.empty()) break;
+      found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
+      made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule, &made);
+    }
+    if (!made.converged) {
+      ++unsolved_;
+      return kFarthest * scales_.size;
+    }
+    const UnknownsTable moved = plus(made.q, -1, motion_.q);
+    const Eigen::VectorXd way = rates(made.rows, moved);
+    motion_.q = std::move(made.q);
+    motion_.bonds = std::move(made.bonds);
+    motion_.ties = std::move(made.ties);
+    std::vector<ClosedContact> closed;
+    for (std::size_t i = 0; i < found_.touches.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const Touch& touch = found_.touches[i];
+      if (made.forces[n] != 0 || made.laws[i].is_bonded)
+        closed.push_back(
+            {touch, memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1], motion_.closed.of(touch))});
+    }
+    motion_.closed = ClosedContacts(std::move(closed));
+    double farthest = 0;
+    for (const Unknowns& of : moved)
+      if (of.size() > 0) farthest = std::max(farthest, of.head<2>().norm());
+    return farthest;
+  }
+
+  // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past each other.
+  Touches overlapping_at(const UnknownsTable& q, const Motion& before) const {
+    return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_);
+  }
+  void add_overlapping(const Motion& before) {
+    const Touches fresh = overlapping_at(motion_.q, before);
+    found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
+  }
+
+  double heaviest() const {
+    double mass = 0;
+    for (const Body& body : scene_.bodies)
+      if (body.mass.rows() > 0) mass = std::max(mass, body.mass(0, 0));
+    return mass;
+  }
+
+  // Union of touching and bolted blocks; a group without a block that is fixed or held somewhere bears no load here.
+  void leave_unsupported(const Touches& touches) {
+    UnionFind groups(scene_.bodies.size());
+    const auto join = [&](ElementIndex first, ElementIndex second) { groups.unite(first.value, second.value); };
+    for (const Touch& touch : touches)
+      join(scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element);
+    for (const Bolt& bolt : scene_.model.bolts) join(bolt.first.element, bolt.second.element);
+    std::vector<bool> held(scene_.bodies.size(), false);
+    for (ElementIndex e : indices(scene_.bodies))
+      if (scene_.bodies[e].mass.rows() == 0) held[static_cast<std::size_t>(groups.find(e.value))] = true;
+    for (const CarriedPoint& point : scene_.held)
+      held[static_cast<std::size_t>(groups.find(point.element.value))] = true;
+    for (ElementIndex e : indices(loads_))
+      if (!held[static_cast<std::size_t>(groups.find(e.value))]) loads_[e].setZero();
+  }
+
+  const StandardScene& scene_;
+  Motion motion_;
+  UnknownsTable velocities_;
+  UnknownsTable loads_;
+  Scales scales_;
+  FoundTouches found_;
+  int unsolved_ = 0;
+};
+
+}  // namespace
+
+Settled settled(const StandardScene& scene, Motion motion) {
+  return Settling(scene, std::move(motion)).run();
+}
+
+}  // namespace keyblock

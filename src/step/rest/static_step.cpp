@@ -1,0 +1,270 @@
+// Pseudo time grows with success and is cut where blocks move too far for one linearisation.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/rest/static_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/rows/gap.hpp"
+#include "step/bodies/integrator.hpp"
+#include "step/scene/contact_laws.hpp"
+#include "step/scene/equilibrium.hpp"
+#include "step/scene/touch_search.hpp"
+#include "step/time/smooth_solve.hpp"
+
+namespace keyblock {
+namespace {
+
+// Residual of the contact forces over the largest load, to reach and to be content with at the end; on the way a share of what
+// is out of balance does, as for any inexact proximal point.
+constexpr double kForceGoal = 1e-10;
+constexpr double kForceAcceptable = 1e-9;
+constexpr double kForceOnTheWay = 1e-6;
+// Way of a vertex in one iteration over block size: gaps and loads are taken as linear in it.
+constexpr double kFarthest = 0.05;
+constexpr double kAimed = 0.5;  // share of it that τ is chosen for
+constexpr double kGrowth = 4;
+constexpr double kGrowthAfterCut = 1.2;  // once contact forces did not settle under a longer τ
+// Longest τ times the slowest frequency of a block: what is left of an elastic error after one iteration is its square
+// inverse, where blocks bend as a whole more by as much as that is slower.
+constexpr double kLongest = 3e3;
+// Where a body does not strain, forces are judged by its rigid motion, and a longer τ would let springs and gaps go unjudged.
+constexpr double kLongestOfRigid = 30;
+// Loads that turn with a block are not part of the linearisation: a τ beyond what they allow throws a hanging block over its rest,
+// further each time. Where blocks turn back and more is out of balance than before, τ stays below a share of the one that did it.
+constexpr double kAfterRise = 0.5;
+constexpr double kRaised = 1.2;  // in each iteration without such a turn
+constexpr int kLook = 10;        // iterations between two looks at what is out of balance
+constexpr double kFalls = 0.5;
+constexpr double kLonger = 2;
+constexpr double kBalanceAcceptable = 1e-6;  // where no more can be had
+constexpr int kMostIterations = 2000;
+constexpr int kMostCuts = 20;     // one after another
+constexpr int kMostSearches = 4;  // each adds corners that the last solution made overlap
+// Touches nearer than this share of block size at the start of slip counting were closed then.
+constexpr double kClosedThen = 1e-6;
+
+class StaticSolve {
+ public:
+  StaticSolve(const StandardScene& scene, const Motion& start, double time)
+      : scene_(scene), start_(start), time_(time), slip_start_(start), closed_(start.closed) {
+    slip_start_.v.set_zero();
+    now_ = slip_start_;
+  }
+
+  StandardStep run() {
+    if (!choose_scales()) return finished();
+    if (!std::isfinite(load_)) {
+      result_.residual = 1;
+      result_.failure = "the loads are too great to be calculated with";
+      return finished();
+    }
+    const Balance at_start = balance_of(scene_, start_, time_, load_);
+    result_.residual = at_start.share;
+    if (at_start.holds()) return finished();
+    result_.residual = 1;  // all is out of balance
+    for (; iterations_ < kMostIterations && result_.failure.empty() && result_.converged; ++iterations_) {
+      if (!iterate()) continue;
+      const Balance balance = balance_of(scene_, now_, time_, load_);
+      bound_by(balance.share);
+      result_.residual = balance.share;
+      if (balance.holds() || settles_for_less()) return finished();
+      result_.failure = why_far(balance);
+    }
+    if (result_.converged && result_.failure.empty())
+      result_.failure =
+          fmt::format("no equilibrium found in {} iterations, forces out of balance by {:.1e} of the load", iterations_,
+                      result_.residual);
+    return finished();
+  }
+
+ private:
+  StandardStep finished() {
+    result_.solves = solves_;
+    result_.halvings = cuts_;
+    now_.v.set_zero();
+    result_.motion = now_;
+    result_.motion.closed = closed_;
+    return std::move(result_);
+  }
+
+  // False where nothing is to be balanced.
+  bool choose_scales() {
+    const UnknownsTable loads = loads_at(scene_, now_.q, time_);
+    load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, scene_.settings.time_step));
+    if (load_ == 0) return false;
+    const Scales scales = scales_of(scene_, loads, now_.q, now_.v);
+    double slowest = std::numeric_limits<double>::max();
+    bool all_strain = true;
+    double lightest = slowest;
+    double heaviest = 0;
+    for (const Body& body : scene_.bodies) {
+      const Eigen::Index last = body.mass.rows() - 1;
+      if (last < 0) continue;
+      lightest = std::min(lightest, body.mass(0, 0));
+      heaviest = std::max(heaviest, body.mass(0, 0));
+      all_strain = all_strain && body.slowest_frequency > 0;
+      if (body.strain_count() > 0)
+        slowest = std::min(slowest, std::sqrt(body.stiffness.diagonal().tail<1>()[0] / body.mass(last, last)));
+      if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
+    }
+    if (scene_.covers) {
+      for (const WholeBody& body : scene_.covers->at_start()) {
+        lightest = std::min(lightest, body.mass);
+        heaviest = std::max(heaviest, body.mass);
+      }
+      slowest = std::min(slowest, scene_.covers->slow_frequency());
+    }
+    for (const Bolt& bolt : scene_.model.bolts)
+      if (bolt.is_spring()) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
+    tau_ = std::sqrt(kFarthest * scales.size * lightest / load_);
+    const double longest = all_strain ? kLongest : kLongestOfRigid;
+    longest_ = slowest < std::numeric_limits<double>::max() ? longest / slowest : longest * tau_;
+    tau_ = std::min(tau_, longest_);
+    return true;
+  }
+
+  void bound_by(double share) {
+    bound_ = turned_back_ && share > result_.residual ? kAfterRise * std::min(used_, bound_) : kRaised * bound_;
+    tau_ = std::min(tau_, bound_);
+  }
+
+  // Every few iterations: where forces out of balance fall no more, they may be as small as contact forces can be told; if not,
+  // a longer τ moves what is slow, or shows what accelerates.
+  bool settles_for_less() {
+    if (++since_look_ < kLook) return false;
+    since_look_ = 0;
+    const bool falls = result_.residual < kFalls * last_look_;
+    last_look_ = result_.residual;
+    if (falls) return false;
+    longest_ *= kLonger;
+    return result_.residual <= kBalanceAcceptable;
+  }
+
+  // True if the iteration stands; otherwise τ was cut.
+  bool iterate() {
+    ++solves_;
+    const UnknownsTable loads = loads_at(scene_, now_.q, time_);
+    Motion still = now_;
+    still.v.set_zero();
+    const Scales scales = scales_of(scene_, loads, still.q, still.v);
+    FoundTouches found = touches_of(scene_, still, scales, tau_);
+    const ForceTolerance tolerance{kForceGoal * load_,
+                                   std::max(kForceAcceptable, kForceOnTheWay * result_.residual) * load_};
+    SmoothMotion made;
+    Touches touches;
+    for (int search = 0; search < kMostSearches; ++search) {
+      touches = found.touches;
+      made = smooth_solve(scene_, now_, loads, touches, tolerance, time_ - 1, 1, resting_rule(tau_));
+      if (made.sweeps > 0) ++result_.fallbacks;
+      const auto end = vertices_at(scene_.model, scene_.reference, made.q);
+      const Touches fresh = made.converged ? newly_overlapping(scene_, still, end, found, scales) : Touches{};
+      if (fresh.empty()) break;
+      found.touches.insert(found.touches.end(), fresh.begin(), fresh.end());
+    }
+    const double moved = travel_of(scene_, now_.q, made.q).share;
+    if ((!made.converged || !(moved <= kFarthest)) && cut(made, touches)) return false;
+    if (!made.converged) return false;
+    accept(made, touches, tolerance.goal);
+    used_ = tau_;
+    const double wanted = tau_ * std::clamp(std::sqrt(kAimed * kFarthest / moved), 1 / kGrowth, growth_);
+    tau_ = std::min(wanted, longest_);
+    cuts_in_row_ = 0;
+    return true;
+  }
+
+  bool cut(const SmoothMotion& made, const Touches& touches) {
+    if (++cuts_in_row_ > kMostCuts) {
+      result_.converged = made.converged;
+      result_.residual = made.residual / load_;
+      result_.touches = touches;
+      result_.undecided = made.undecided;
+      return false;
+    }
+    ++cuts_;
+    tau_ /= kGrowth;
+    if (!made.converged) growth_ = kGrowthAfterCut;
+    return true;
+  }
+
+  void accept(const SmoothMotion& made, const Touches& touches, double least_force) {
+    result_.touches = touches;
+    const UnknownsTable moved = plus(made.q, -1, now_.q);
+    turned_back_ = !moved_.empty() && work_of_mass(moved, moved_) < 0;
+    moved_ = moved;
+    now_.q = made.q;
+    now_.bonds = made.bonds;
+    now_.ties = made.ties;
+    std::vector<ClosedContact> closed;
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const bool holds = std::abs(made.forces[n]) > least_force || made.laws[i].is_bonded;
+      if (holds) closed.push_back({touches[i], memory_of(made.laws[i], made.forces[n], made.forces[n + 1])});
+    }
+    closed_ = ClosedContacts(closed);
+    if (one_closed()) {
+      slip_start_ = now_;
+      slip_start_.closed = closed_;
+    }
+    now_.v = plus(now_.q, -1, slip_start_.q);
+    for (auto& [touch, memory] : closed) {
+      const ContactMemory* known = slip_start_.closed.of(touch);
+      memory.stretch = known ? known->stretch : 0;
+    }
+    now_.closed = ClosedContacts(std::move(closed));
+  }
+
+  double work_of_mass(const UnknownsTable& a, const UnknownsTable& b) const {
+    double sum = 0;
+    for (ElementIndex e : indices(a)) sum += a[e].dot(scene_.bodies[e].mass * b[e]);
+    return scene_.covers ? sum + a.covers.dot(scene_.covers->momentum(b.covers)) : sum;
+  }
+
+  // A touch is closed that was open where slip is counted from.
+  bool one_closed() const {
+    const auto then = vertices_at(scene_.model, scene_.reference, slip_start_.q);
+    return std::ranges::any_of(closed_.all(), [&](const auto& entry) {
+      const double size = scene_.bodies[scene_.model.vertices[entry.touch.vertex].element].size;
+      return gap_of(entry.touch, then) > kClosedThen * size;
+    });
+  }
+
+  std::string why_far(const Balance& balance) const {
+    std::vector<ElementIndex> blocks;
+    std::ranges::set_intersection(travel_of(scene_, start_.q, now_.q).far, balance.blocks, std::back_inserter(blocks));
+    return blocks.empty() ? std::string() : no_equilibrium(scene_, blocks);
+  }
+
+  const StandardScene& scene_;
+  const Motion& start_;
+  double time_;
+  Motion slip_start_;  ///< slip and the stretch of springs are counted from here
+  Motion now_;         ///< v is the way since `slip_start_`, a velocity over unit time; springs are stretched as there
+  ClosedContacts closed_;  ///< with their present stretch
+  double load_ = 0;        ///< the largest, or what drives held points
+  double tau_ = 0;
+  double used_ = 0;                                         ///< τ of the last iteration that stands
+  double bound_ = std::numeric_limits<double>::infinity();  ///< of τ, by what has risen
+  double longest_ = 0;
+  double growth_ = kGrowth;
+  UnknownsTable moved_;  ///< in the last iteration that stands
+  bool turned_back_ = false;
+  int since_look_ = 0;                                          ///< iterations
+  double last_look_ = std::numeric_limits<double>::infinity();  ///< share out of balance then
+  int iterations_ = 0;
+  int solves_ = 0;  ///< iterations, those thrown away included
+  int cuts_ = 0;
+  int cuts_in_row_ = 0;
+  StandardStep result_;
+};
+
+}  // namespace
+
+StandardStep static_step(const StandardScene& scene, const Motion& start, double time) {
+  return StaticSolve(scene, start, time).run();
+}
+
+}  // namespace keyblock

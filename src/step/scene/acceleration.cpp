@@ -1,0 +1,85 @@
+// Both take the touches and forces that the motion remembers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/scene/acceleration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/rows/gap.hpp"
+#include "step/scene/contact_laws.hpp"
+#include "step/scene/step_ties.hpp"
+
+namespace keyblock {
+namespace {
+
+// A tangential force nearer than this share to the friction limit belongs to a slip.
+constexpr double kAtLimit = 1e-9;
+// Residual over the largest force; redundant touches may keep it out of reach, then a residual this much larger counts.
+constexpr double kTolerance = 1e-13;
+constexpr double kLooser = 1e4;
+constexpr double kSmallest = 1e-300;  // a tolerance is never zero
+
+Touches closed_of(const Motion& motion) {
+  Touches touches;
+  for (const auto& [touch, memory] : motion.closed.all()) touches.push_back(touch);
+  return touches;
+}
+
+Eigen::VectorXd forces_of(const Motion& motion) {
+  Eigen::VectorXd forces(static_cast<Eigen::Index>(2 * motion.closed.size()));
+  Eigen::Index i = 0;
+  for (const auto& [touch, memory] : motion.closed.all()) {
+    forces[i++] = memory.normal;
+    forces[i++] = memory.tangential;
+  }
+  return forces;
+}
+
+double largest_force(const StandardScene& scene, const UnknownsTable& a) {
+  double largest = 0;
+  for (ElementIndex e : indices(a))
+    if (a[e].size() > 0) largest = std::max(largest, (scene.bodies[e].mass * a[e]).head<2>().norm());
+  return scene.covers ? std::max(largest, scene.covers->greatest_momentum(a.covers)) : largest;
+}
+
+}  // namespace
+
+UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& motion, double time) {
+  const StepTies ties(scene, motion, time, 0);
+  ContactRows rows = contact_rows(scene.model, scene.reference, motion.q, closed_of(motion));
+  const ContactRows of_ties = ties.rows(motion.q);
+  rows.insert(rows.end(), of_ties.begin(), of_ties.end());
+  Eigen::VectorXd forces(static_cast<Eigen::Index>(rows.size()));
+  forces << forces_of(motion), ties.remembered();
+  const UnknownsTable loads = loads_at(scene, motion.q, time);
+  const Flexibility inverse = mass_flexibility(scene);
+  UnknownsTable a = answer(rows, inverse, forces);
+  if (scene.covers)
+    a.covers += scene.covers->mass_inverse()->times(loads.covers - scene.covers->elastic_force(motion.q.covers) -
+                                                    scene.covers->damping_force(motion.v.covers));
+  for (ElementIndex e : indices(a)) {
+    const Body& body = scene.bodies[e];
+    a[e] += inverse.blocks[e] *
+            (loads[e] + body.initial_stress - body.elastic_force(motion.q[e]) - body.damping_force(motion.v[e]));
+  }
+  return a;
+}
+
+UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion) {
+  const Touches closed = without_springs(scene, closed_of(motion));
+  if (closed.empty() && scene.held.empty()) return motion.a;
+  const ContactRows rows = rows_with_points(scene, motion.q, closed);
+  const Flexibility blocks = mass_flexibility(scene);
+  const double goal = kTolerance * largest_force(scene, motion.a) + kSmallest;
+  FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, motion.a), {}, goal, kLooser * goal, {}};
+  for (const Touch& touch : closed) {
+    const ContactMemory& memory = *motion.closed.of(touch);
+    const double limit = contact_law(scene, motion.bonds, touch).force.limit(memory.normal);
+    problem.laws.push_back(std::abs(memory.tangential) < (1 - kAtLimit) * limit ? kHeld : kTie);
+  }
+  problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
+  const Eigen::VectorXd forces = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
+  return plus(motion.a, 1, answer(rows, blocks, forces));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,129 @@
+// Joint material by the edge of the touch; stiffness by its share of the stretch.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/scene/contact_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "model/material_choices.hpp"
+
+namespace keyblock {
+namespace {
+
+// A friction force this near to its limit slides: residuals of the contact forces are smaller.
+constexpr double kAtLimit = 1 - 1e-6;
+
+// The two ends of a stretch have the contact stiffness each, so the whole stretch has twice that.
+double stiffness_share(const Touch& touch) {
+  return touch.facing.lower ? 2 * touch.share : 1;
+}
+
+Enforcement enforcement_at(const StandardScene& scene, const Touch& touch) {
+  return enforcement_of(scene.settings, touch.joint_material);
+}
+
+void add_springs(ContactLaw& law, const StandardScene& scene, const Touch& touch) {
+  const auto [normal, tangential] = springs_of(scene, touch);
+  switch (enforcement_at(scene, touch)) {
+    case Enforcement::lagrange:
+    case Enforcement::automatic:  // decided before the first step
+      break;
+    case Enforcement::penalty:
+      law.normal_compliance = normal;
+      law.tangential_compliance = tangential;
+      break;
+    case Enforcement::augmented:
+      law.normal_weight = normal;
+      law.tangential_weight = tangential;
+      break;
+  }
+}
+
+}  // namespace
+
+Springs springs_of(const StandardScene& scene, const Touch& touch) {
+  const double share = stiffness_share(touch);
+  return {1 / (share * scene.normal_stiffness()), 1 / (share * scene.tangential_stiffness())};
+}
+
+Touches without_springs(const StandardScene& scene, Touches touches) {
+  std::erase_if(touches, [&](const Touch& touch) { return enforcement_at(scene, touch) == Enforcement::penalty; });
+  return touches;
+}
+
+ContactMemory memory_of(const ContactLaw& law, double normal, double tangential) {
+  return {normal,
+          tangential,
+          -tangential * law.tangential_compliance,
+          law.normal_compliance,
+          law.tangential_compliance,
+          normal,
+          normal * law.normal_compliance};
+}
+
+ContactMemory memory_of(const ContactLaw& law, double normal, double tangential, double slip,
+                        const ContactMemory* before) {
+  ContactMemory memory = memory_of(law, normal, tangential);
+  if (law.tangential_compliance > 0 && sticks(law, normal, tangential))
+    memory.stretch = (before ? before->stretch : 0) + slip;
+  return memory;
+}
+
+bool sticks(const ContactLaw& law, double normal, double tangential) {
+  return std::abs(tangential) < kAtLimit * law.force.limit(normal);
+}
+
+ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch) {
+  const JointMaterial& joint = scene.model.joint_material(touch.joint_material);
+  ContactLaw law;
+  law.force.friction = joint.friction_tangent();
+  law.rest_gap = touch.rest_gap;
+  add_springs(law, scene, touch);
+  const auto bond = touch.facing.lower ? bonds.find(touch.facing) : bonds.end();
+  if (bond == bonds.end()) return law;
+  law.is_bonded = true;
+  law.force.cohesion = std::numeric_limits<double>::infinity();
+  law.shear_strength = joint.cohesion * bond->second.length;
+  law.force.least = -joint.tensile_strength * bond->second.length;
+  law.rest_gap = bond->second.gap;
+  return law;
+}
+
+std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
+                                  const Eigen::VectorXd& forces, double tolerance) {
+  struct Face {
+    double shear = 0;
+    double strength = 0;
+    std::vector<Facing> bonds;
+  };
+  std::map<std::pair<VertexIndex, VertexIndex>, Face> faces;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (!laws[i].is_bonded) continue;
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    Face& face = faces[{touches[i].facing.lower, touches[i].facing.upper}];
+    face.shear += forces[n + 1];
+    face.strength += laws[i].shear_strength + laws[i].force.friction * forces[n];
+    face.bonds.push_back(touches[i].facing);
+  }
+  std::vector<Facing> sheared;
+  for (const auto& [edges, face] : faces)
+    if (std::abs(face.shear) > std::max(0.0, face.strength) + tolerance)
+      sheared.insert(sheared.end(), face.bonds.begin(), face.bonds.end());
+  return sheared;
+}
+
+Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches& resting) {
+  const auto vertices = vertices_at(scene.model, scene.reference, q);
+  Bonds bonds;
+  for (const Touch& touch : resting) {
+    const JointMaterial& joint = scene.model.joint_material(touch.joint_material);
+    const bool has_strength = joint.cohesion > 0 || joint.tensile_strength > 0;
+    if (has_strength && touch.stretch > 0) bonds[touch.facing] = {gap_of(touch, vertices), touch.stretch * touch.share};
+  }
+  return bonds;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,117 @@
+// Forces out of balance are what would accelerate a block: M times the balanced acceleration of a motion without velocity.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/scene/equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/listed.hpp"
+#include "base/worse.hpp"
+#include "contact/rows/ties.hpp"
+#include "step/scene/acceleration.hpp"
+
+namespace keyblock {
+namespace {
+
+// Of the largest load: a hundred times what contact forces are solved to.
+constexpr double kBalanced = 1e-8;
+// Way of a held point from where it is wanted, over the size of its block: above what steps settle increments to.
+constexpr double kInPlace = 1e-9;
+
+// A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from its place
+// than its own size.
+bool is_held(const StandardScene& scene, ElementIndex e) {
+  if (scene.reference.is_on_covers(e) && scene.covers->has_supports()) return true;
+  const CarriedPoint* first = nullptr;
+  for (const CarriedPoint& point : scene.held) {
+    const bool are_on_covers = scene.reference.is_on_covers(point.element) && scene.reference.is_on_covers(e);
+    if (point.element != e && !(are_on_covers && scene.covers->are_one_body(point.element, e))) continue;
+    if (first && !(first->start == point.start)) return true;
+    first = &point;
+  }
+  return false;
+}
+
+double size_of_force(const Unknowns& force, double size) {
+  if (force.size() == 0) return 0;
+  return worse(force.head<2>().stableNorm(),
+               force.tail(force.size() - 2).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / size);
+}
+
+// Of each held point, from where it is wanted.
+std::vector<double> ways_left(const StandardScene& scene, const Motion& motion, double time) {
+  const Eigen::VectorXd all = offsets(scene.model, scene.reference, motion.q, scene.held, time);
+  std::vector<double> ways;
+  for (Eigen::Index i = 0; i < all.size(); i += 2) ways.push_back(all.segment<2>(i).norm());
+  return ways;
+}
+
+}  // namespace
+
+double largest_load(const StandardScene& scene, const UnknownsTable& loads) {
+  double largest = 0;
+  for (ElementIndex e : indices(loads)) {
+    const Body& body = scene.bodies[e];
+    largest = std::max({largest, size_of_force(loads[e], body.size), size_of_force(body.initial_stress, body.size)});
+  }
+  return scene.covers ? std::max({largest, scene.covers->largest_load(loads.covers),
+                                  scene.covers->largest_load(scene.covers->initial_force())})
+                      : largest;
+}
+
+double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt) {
+  const std::vector<double> ways = ways_left(scene, motion, time);
+  double largest = 0;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const ElementIndex e = scene.held[i].element;
+    const double mass =
+        scene.reference.is_on_covers(e) ? scene.covers->body_at_start(e).mass : scene.bodies[e].mass(0, 0);
+    if (ways[i] > kInPlace * scene.bodies[e].size) largest = std::max(largest, mass * ways[i] / (dt * dt));
+  }
+  return largest;
+}
+
+Balance balance_of(const StandardScene& scene, const Motion& motion, double time, double least_load) {
+  Motion still = motion;
+  still.v.set_zero();
+  const UnknownsTable a = balanced_acceleration(scene, still, time);
+  const double load = std::max(least_load, largest_load(scene, loads_at(scene, motion.q, time)));
+  Balance balance;
+  balance.holds_points = driving_force(scene, motion, time, 1) == 0;
+  for (ElementIndex e : indices(a)) {
+    const double force = size_of_force(scene.bodies[e].mass * a[e], scene.bodies[e].size);
+    if (!(force <= kBalanced * load)) balance.blocks.push_back(e);
+    if (load > 0) balance.share = worse(balance.share, force / load);
+  }
+  if (!scene.covers) return balance;
+  for (const auto& [element, force] : scene.covers->largest_forces(scene.covers->momentum(a.covers))) {
+    if (!(force <= kBalanced * load)) balance.blocks.push_back(element);
+    if (load > 0) balance.share = worse(balance.share, force / load);
+  }
+  return balance;
+}
+
+Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to) {
+  const auto before = vertices_at(scene.model, scene.reference, from);
+  const auto after = vertices_at(scene.model, scene.reference, to);
+  Travel travel;
+  for (ElementIndex e : indices(scene.bodies)) {
+    double way = 0;
+    for (VertexIndex v : scene.model.elements[e].vertices()) way = worse(way, distance(before[v], after[v]));
+    travel.share = worse(travel.share, way / scene.bodies[e].size);
+    if (!(way <= scene.bodies[e].size) && !is_held(scene, e)) travel.far.push_back(e);
+  }
+  return travel;
+}
+
+std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
+  std::vector<int> numbers;
+  for (ElementIndex e : blocks) numbers.push_back(e.value + 1);
+  const bool several = numbers.size() > 1;
+  const bool is_of_body = std::ranges::any_of(blocks, [&](ElementIndex e) { return scene.reference.is_on_covers(e); });
+  return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", listed(numbers),
+                     several ? "" : "s", is_of_body ? "; no two fixed points hold what it is part of" : "");
+}
+
+}  // namespace keyblock

@@ -1,0 +1,74 @@
+// What the steps of Dynamics::standard compute on, and what they hand on to each other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "contact/find/touch.hpp"
+#include "model/material_choices.hpp"
+#include "model/state.hpp"
+#include "step/bodies/cover_scene.hpp"
+#include "step/bodies/standard_body.hpp"
+#include "step/scene/contact_memory.hpp"
+
+namespace keyblock {
+
+struct StandardScene {
+  Model model;
+  Settings settings;
+  Reference reference;
+  Bodies bodies;
+  std::shared_ptr<const CoverScene> covers;  ///< none where nothing hangs on covers
+  Table<ElementIndex, ConvexPieces> pieces;
+  std::vector<ElementIndex> with_faces;  ///< elements that something may touch
+  std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
+  Point mass_centre;                     ///< of the blocks that can move, at the start
+  double load_share = 1;                 ///< of all loads, while they are put on
+
+  double normal_stiffness() const { return settings.contact_penalty; }
+  double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
+  bool has_springs() const { return has_enforcement(settings, model, Enforcement::penalty); }
+};
+
+/// M⁻¹ of everything.
+Flexibility mass_flexibility(const StandardScene& scene);
+
+/// An enforcement that is `automatic` is decided here.
+StandardScene standard_scene(Model model, Settings settings);
+
+/// Why this scene cannot be run so, in one sentence; empty if it can: blocks with holes have no convex pieces.
+std::string unsupported(const StandardScene& scene);
+
+struct Motion {
+  UnknownsTable q;
+  UnknownsTable v;
+  UnknownsTable a;
+  ClosedContacts closed;
+  Bonds bonds;
+  TieMemory ties;
+};
+
+Motion start_motion(const StandardScene& scene);
+
+/// Adds what the spin of a block stretches it by, seen from its own turning frame: d'Alembert's force ρ ω² r over the strain modes
+/// u = ε r is ω² M ε with the unit strains εx = εy = 1. A bar of length L that spins about its middle has the mean stress ρ ω² L²/12.
+void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, UnknownsTable& loads);
+
+/// The scene's share of weight, given acceleration, point loads and bolts of constant force on the unknowns, at `time` and in the configuration q.
+UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
+
+/// Largest force on a block, and largest acceleration it gives a free block.
+struct Scales {
+  double force = 0;
+  double acceleration = 0;
+  double momentum = 0;
+  double size = 0;  ///< of the largest moving block
+};
+Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,
+                 const UnknownsTable& v);
+
+/// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of free
+/// acceleration would give.
+double slow_speed(const Scales& scales, const UnknownsTable& v, double dt);
+
+}  // namespace keyblock

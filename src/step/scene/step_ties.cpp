@@ -1,0 +1,116 @@
+// Broken bolts, and those whose force is a load, are left out; what remains is numbered bolts first, points after.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/scene/step_ties.hpp"
+
+#include <algorithm>
+
+namespace keyblock {
+namespace {
+
+// A bolt this near to its strength has reached it: residuals of the forces are smaller.
+constexpr double kAtStrength = 1 - 1e-9;
+
+Eigen::Index pair(std::size_t i) {
+  return static_cast<Eigen::Index>(2 * i);
+}
+
+}  // namespace
+
+StepTies::StepTies(const StandardScene& scene, const Motion& start, double time, double dt, double weight)
+    : scene_(scene), start_(start), points_(scene.held), end_time_(time + dt), weight_(weight) {
+  for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)
+    if (scene.model.bolts[i].is_spring() && !start.ties.broken[i]) bolts_.push_back(i);
+}
+
+Eigen::VectorXd StepTies::remembered() const {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(pair(count()));
+  for (std::size_t i = 0; i < bolts_.size(); ++i) forces[pair(i)] = -start_.ties.bolt_forces[bolts_[i]];
+  forces.tail(start_.ties.point_forces.size()) = start_.ties.point_forces;
+  return forces;
+}
+
+ContactRows StepTies::rows(const UnknownsTable& q) const {
+  ContactRows rows;
+  if (!bolts_.empty()) {
+    const ContactRows all = bolt_rows(scene_.model, scene_.reference, q);
+    for (std::size_t bolt : bolts_) {
+      rows.push_back(all[2 * bolt]);
+      rows.push_back(all[2 * bolt + 1]);
+    }
+  }
+  if (points_.empty()) return rows;
+  const ContactRows of_points = point_rows(scene_.model, scene_.reference, q, points_);
+  rows.insert(rows.end(), of_points.begin(), of_points.end());
+  return rows;
+}
+
+double StepTies::compliance(std::size_t tie) const {
+  return tie < bolts_.size() ? 1 / (weight_ * scene_.model.bolts[bolts_[tie]].stiffness) : 0;
+}
+
+ForceLaw StepTies::law(std::size_t tie) const {
+  return tie < bolts_.size() ? ForceLaw{0, 0, -scene_.model.bolts[bolts_[tie]].strength} : kHeld;
+}
+
+Eigen::VectorXd StepTies::gaps(const UnknownsTable& q) const {
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(pair(count()));
+  const Eigen::VectorXd longer = elongation(q);
+  for (std::size_t i = 0; i < bolts_.size(); ++i) {
+    const Bolt& bolt = scene_.model.bolts[bolts_[i]];
+    const double at_start = start_.ties.bolt_forces[bolts_[i]] / bolt.stiffness;
+    gaps[pair(i)] =
+        longer[static_cast<Eigen::Index>(i)] + bolt.pretension / bolt.stiffness + (1 / weight_ - 1) * at_start;
+  }
+  if (!points_.empty())
+    gaps.tail(pair(points_.size())) = offsets(scene_.model, scene_.reference, q, points_, end_time_);
+  return gaps;
+}
+
+Eigen::VectorXd StepTies::elongation(const UnknownsTable& q) const {
+  Eigen::VectorXd longer(static_cast<Eigen::Index>(bolts_.size()));
+  if (bolts_.empty()) return longer;
+  const Eigen::VectorXd all = elongations(scene_.model, scene_.reference, q);
+  for (std::size_t i = 0; i < bolts_.size(); ++i)
+    longer[static_cast<Eigen::Index>(i)] = all[static_cast<Eigen::Index>(bolts_[i])];
+  return longer;
+}
+
+double StepTies::at_end(std::size_t bolt, const Motion& end) const {
+  const std::size_t i = bolts_[bolt];
+  return end.ties.broken[i] ? scene_.model.bolts[i].strength : end.ties.bolt_forces[i];
+}
+
+TieMemory StepTies::memory(const Eigen::VectorXd& forces, const UnknownsTable& q) const {
+  TieMemory memory = start_.ties;
+  const Eigen::VectorXd longer = weight_ < 1 ? elongation(q) : Eigen::VectorXd();
+  for (std::size_t i = 0; i < bolts_.size(); ++i) {
+    const Bolt& bolt = scene_.model.bolts[bolts_[i]];
+    const double over_step = -forces[pair(i)];
+    const double at_end =
+        weight_ < 1 ? bolt.pretension + bolt.stiffness * longer[static_cast<Eigen::Index>(i)] : over_step;
+    memory.broken[bolts_[i]] = std::max(over_step, at_end) >= kAtStrength * bolt.strength;
+    memory.bolt_forces[bolts_[i]] = memory.broken[bolts_[i]] ? 0 : at_end;
+  }
+  memory.point_forces = forces.tail(pair(points_.size()));
+  return memory;
+}
+
+TieMemory tie_start(const StandardScene& scene) {
+  TieMemory memory;
+  for (const Bolt& bolt : scene.model.bolts) {
+    memory.bolt_forces.push_back(bolt.is_spring() ? bolt.pretension : bolt.constant_force());
+    memory.broken.push_back(!bolt.is_spring() && bolt.pretension >= bolt.strength);
+  }
+  memory.point_forces = Eigen::VectorXd::Zero(pair(scene.held.size()));
+  return memory;
+}
+
+ContactRows rows_with_points(const StandardScene& scene, const UnknownsTable& q, const Touches& touches) {
+  ContactRows rows = contact_rows(scene.model, scene.reference, q, touches);
+  if (scene.held.empty()) return rows;
+  const ContactRows of_points = point_rows(scene.model, scene.reference, q, scene.held);
+  rows.insert(rows.end(), of_points.begin(), of_points.end());
+  return rows;
+}
+
+}  // namespace keyblock

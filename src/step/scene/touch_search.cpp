@@ -1,0 +1,199 @@
+// Reach from speeds, slack from springs; pairs of which neither can move are left out.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/scene/touch_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "base/loop.hpp"
+#include "contact/rows/gap.hpp"
+
+namespace keyblock {
+namespace {
+
+// Blocks may move twice as far as they do at the present speed before a pair outside the list could touch.
+constexpr double kReachOverTravel = 2;
+// Touching blocks are within reach whatever the speed: round-off of file coordinates, as a share of block size.
+constexpr double kReachAtRest = 1e-6;
+// Overlap that a step may leave between corners it did not reckon with, as a share of block size: the next step sees it.
+constexpr double kNewOverlap = 1e-9;
+
+// Overlap at the start of a step that it may push out, as a share of block size: round-off of coordinates far from the origin, and
+// what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
+constexpr double kPushedOut = 1e-7;
+
+// Cosine of the angle between two faces that carry a block as one: two and a half degrees.
+constexpr double kSameLine = 0.999;
+
+// Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
+constexpr double kTouching = 1e-6;
+
+double top_speed(const StandardScene& scene, const UnknownsTable& v) {
+  double top = scene.covers ? CoverScene::top_speed(v.covers) : 0;
+  for (ElementIndex e : indices(v)) {
+    const Eigen::Index n = v[e].size();
+    if (n == 0) continue;
+    double speed = std::hypot(v[e][0], v[e][1]);
+    for (Eigen::Index i = 2; i < n; ++i) speed += scene.bodies[e].size * std::abs(v[e][i]);
+    top = std::max(top, speed);
+  }
+  return top;
+}
+
+// Neither what springs give, along the face too, nor what overlap closed contacts were left with is one between corners; twice the
+// greatest of an element is on the safe side, for what it meets next too. `vertices`: of the motion.
+TouchSearch search_of(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
+                      double reach) {
+  TouchSearch search{reach, {}, scene.has_springs() && scene.settings.standard.spring_points == SpringPoints::lobatto};
+  search.slack.assign(scene.model.elements.size(), 0);
+  for (const auto& [touch, memory] : motion.closed.all()) {
+    if (memory.normal_compliance == 0) continue;
+    const double overlap = std::max({memory.normal * memory.normal_compliance, -gap_of(touch, vertices),
+                                     std::abs(memory.tangential) * memory.tangential_compliance});
+    for (const VertexIndex v : {touch.vertex, touch.start}) {
+      double& slack = search.slack[scene.model.vertices[v].element];
+      slack = std::max(slack, 2 * overlap);
+    }
+  }
+  return search;
+}
+
+// Of the part of the edge where the foot of the point lies: vertices on a straight edge part it, and each part has its own.
+int joint_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices) {
+  VertexIndex part = model.vertices[touch.start].next;
+  const Point along = vertices[touch.end] - vertices[touch.start];
+  const double station = dot(point_of(touch, vertices) - vertices[touch.start], along);
+  while (part != touch.end && dot(vertices[part] - vertices[touch.start], along) < station)
+    part = model.vertices[part].next;
+  return model.vertices[part].joint_material;
+}
+
+void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, Point>& vertices) {
+  for_each_entry(touches.size(),
+                 [&](std::size_t i) { touches[i].joint_material = joint_under(touches[i], model, vertices); });
+}
+
+FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, Point>& vertices,
+                          const TouchSearch& search) {
+  State state;
+  state.vertices = vertices;
+  std::vector<ElementPair> pairs = close_pairs(scene.model, state, scene.with_faces, search.reach);
+  std::erase_if(pairs, [&](const ElementPair& pair) {
+    const Element& lower = scene.model.elements[pair.lower];
+    const Element& upper = scene.model.elements[pair.upper];
+    return (lower.is_on_covers() && share_a_cover(lower, upper)) || (!lower.can_move() && !upper.can_move());
+  });
+  FoundTouches found = find_touches(pairs, scene.pieces, vertices, search);
+  name_joints(found.touches, scene.model, vertices);
+  for (CornerTie& tie : found.ties) name_joints(tie.candidates, scene.model, vertices);
+  return found;
+}
+
+}  // namespace
+
+FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
+  const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
+  const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
+  const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
+  FoundTouches found = found_within(scene, vertices, search_of(scene, motion, vertices, reach));
+  for (const CornerTie& tie : found.ties) {
+    const auto closed =
+        std::ranges::find_if(tie.candidates, [&](const Touch& touch) { return motion.closed.of(touch); });
+    if (closed != tie.candidates.end()) found.touches.push_back(*closed);
+  }
+  return found;
+}
+
+Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
+                          const FoundTouches& known, const Scales& scales) {
+  Touches sorted = known.touches;
+  std::set<Touch> added;
+  bool is_sorted = false;  // few steps have a touch to look up
+  std::vector<Facing> facings;
+  // New by name; a bonded touch also at the same end of the same two faces, where the other edge leads now: its bond is counted.
+  const auto is_new = [&](const Touch& touch) {
+    if (!std::exchange(is_sorted, true)) {
+      std::ranges::sort(sorted);
+      for (const Touch& one : sorted)
+        if (one.facing.lower && lies_over_edge(one, vertices)) facings.push_back(one.facing);
+      std::ranges::sort(facings);
+    }
+    if (start.bonds.contains(touch.facing) && std::ranges::binary_search(facings, touch.facing)) return false;
+    return !std::ranges::binary_search(sorted, touch) && !added.contains(touch);
+  };
+  const double overlap = kNewOverlap * scales.size;
+  const auto before = vertices_at(scene.model, scene.reference, start.q);
+  const TouchSearch search = search_of(scene, start, before, 0);
+  const auto slack_of = [&](const Touch& touch) {
+    return search.slack_of(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
+  };
+  Touches fresh;
+  const FoundTouches found = found_within(scene, vertices, search);
+  for (const Touch& touch : found.touches)
+    if (gap_of(touch, vertices) < -overlap - slack_of(touch) && is_new(touch)) {
+      added.insert(touch);
+      fresh.push_back(touch);
+    }
+  // A known touch whose corner has run past the end of its edge takes nothing.
+  const auto takes_none = [&](const Touch& touch) { return is_new(touch) || !lies_over_edge(touch, vertices); };
+  for (const std::vector<CornerTie>* ties : {&known.ties, &found.ties}) {
+    for (const CornerTie& tie : *ties) {
+      const Touch* touch = touch_of(tie, before, vertices, overlap);
+      if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
+      added.insert(*touch);
+      fresh.push_back(*touch);
+    }
+  }
+  return fresh;
+}
+
+namespace {
+
+// Compression of the spring that the corner of a touch had against another face on nearly one line with it, and has no more: a
+// block that slides on over the joint of two bases goes on as deep as it was, and nothing is gained by it.
+double handed_on(const Motion& start, const Touch& touch, const Touches& present,
+                 const Table<VertexIndex, Point>& vertices) {
+  if (touch.kind != TouchKind::corner) return 0;
+  const Point normal = normal_of(touch, vertices);
+  for (const auto& [other, memory] : start.closed.at(touch.vertex)) {
+    if (other.kind != TouchKind::corner || std::ranges::count(present, other) > 0) continue;
+    if (dot(normal, normal_of(other, vertices)) > kSameLine) return memory.compression;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void leave_overlaps(const StandardScene& scene, const Motion& start, const Scales& scales, Touches& touches) {
+  if (scene.settings.standard.impact == ImpactLaw::springs) return;
+  const auto vertices = vertices_at(scene.model, scene.reference, start.q);
+  for_each_entry(touches.size(), [&](std::size_t i) {
+    Touch& touch = touches[i];
+    const ContactMemory* memory = start.closed.of(touch);
+    const double overlap = -kPushedOut * scales.size;
+    double gap = gap_of(touch, vertices);
+    if (memory)
+      gap += memory->compression;
+    else if (gap < overlap && scene.has_springs())
+      gap += handed_on(start, touch, touches, vertices);
+    touch.rest_gap = gap < overlap ? gap : 0;
+  });
+}
+
+Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {
+  const double dt = scene.settings.time_step;
+  const Touches all = touches_of(scene, motion, scales, dt).touches;
+  const double slow = slow_speed(scales, motion.v, dt);
+  const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, all), motion.v);
+  const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
+  Touches touches;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool touching = std::abs(gap_of(all[i], vertices)) < kTouching * scales.size;
+    if (touching && std::abs(speeds[static_cast<Eigen::Index>(2 * i)]) <= slow) touches.push_back(all[i]);
+  }
+  return touches;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,400 @@
+// Projection of positions, jump and clean-up of velocities: three small problems in contact space.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/time/impact.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "base/stop.hpp"
+#include "contact/rows/gap.hpp"
+#include "contact/solve/friction_newton.hpp"
+#include "contact/solve/frictional_problem.hpp"
+#include "model/material_choices.hpp"
+#include "step/scene/step_ties.hpp"
+
+namespace keyblock {
+namespace {
+
+// Overlap of this share of block size is round-off of a position; linearised passes get there in two or three. In assemblies what is left
+// is far below what the next step pushes out by itself.
+constexpr double kNoOverlap = 1e-14;
+constexpr double kNoOverlapOfMany = 5e-11;
+constexpr int kMostPasses = 10;
+// Overlaps may lock each other, so that no push takes them all away. Which do is found with touches that yield this share of what
+// their blocks do, so soft that there is always a push: where it leaves more than the second share of an overlap, it is taken
+// for locked. A pair with room keeps a hundredth, a chain of ten a tenth.
+constexpr double kYield = 1e-2;
+constexpr double kLocked = 0.1;
+// In assemblies such soft pushes are all there are: each is settled to this share of the greatest overlap.
+constexpr double kPushed = 1e-3;
+constexpr double kLeftToStep = 1e-7;  // of block size, which the next step pushes out by itself
+constexpr double kWorse = 1.1;
+constexpr int kMostSoftPasses = 5;
+// Among very many touches an impact moves all blocks that hang together by what its impulses are uncertain: pushed out in two passes but for
+// this. Deep overlaps, of blocks that fly into each other, lie far apart and are pushed out as they are.
+constexpr int kSoftPassesOfVeryMany = 2;
+constexpr double kLeftLate = 1e-4;  // of block size
+constexpr double kDeep = 1e-3;      // of block size
+// What yields so leaves a ten-thousandth of a push to the neighbours of the neighbours of the blocks that overlap.
+constexpr int kRings = 3;
+// Impulses are settled at this share of the largest momentum; a residual this much larger still counts where redundant ones keep it out
+// of reach.
+constexpr double kImpulseTolerance = 1e-13;
+constexpr double kLooser = 1e4;
+// In assemblies they are settled as well as forces are: to a millionth of the largest momentum or, where that is more, a hundredth of the
+// largest impulse that one impact alone would make. A pair that still approaches at this share of what counts as slow is left to the next step.
+constexpr double kImpulseToleranceOfMany = 1e-6;
+constexpr double kShareOfImpulse = 1e-2;
+constexpr double kShareOfSlow = 1e-2;
+constexpr int kMostSystems = 40;
+constexpr int kFewestSystems = 12;
+// Friction of what makes velocities vanish is taken from the round before: each leaves a share of friction times slenderness.
+constexpr int kMostFrictionRounds = 5;
+constexpr double kSmallest = 1e-300;  // a tolerance is never zero
+
+// The inertia that a step reaches, of bodies on covers, as a velocity that an impulse makes.
+class ScaledAnswer : public CoverFlexibility {
+ public:
+  ScaledAnswer(std::shared_ptr<const CoverFlexibility> of, double by) : of_(std::move(of)), by_(by) {}
+  Eigen::Index size() const override { return of_->size(); }
+  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override { return by_ * of_->times(forces); }
+
+ private:
+  std::shared_ptr<const CoverFlexibility> of_;
+  double by_;
+};
+
+Touches joined(const Touches& a, const Touches& b) {
+  Touches all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
+}
+
+double size_of(const StandardScene& scene) {
+  double size = 0;
+  for (const Body& body : scene.bodies)
+    if (body.mass.rows() > 0) size = std::max(size, body.size);
+  return scene.covers ? std::max(size, scene.covers->size()) : size;
+}
+
+double momentum_of(const StandardScene& scene, const UnknownsTable& v) {
+  double greatest = 0;
+  for (ElementIndex e : indices(v))
+    if (v[e].size() > 0) greatest = std::max(greatest, (scene.bodies[e].mass * v[e]).head<2>().norm());
+  return scene.covers ? std::max(greatest, scene.covers->greatest_momentum(v.covers)) : greatest;
+}
+
+std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, const Touches& touches) {
+  const Table<VertexIndex, Point> vertices = vertices_at(scene.model, scene.reference, q);
+  std::vector<double> gaps;
+  for (const Touch& touch : touches) gaps.push_back(gap_of(touch, vertices));
+  return gaps;
+}
+
+// Rows of a touch, with the arms that its forces had `time` ago: both centroids and the point of contact then lay back along
+// their velocities. The directions stay. Bodies on covers keep the arms of the end of the step.
+void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& v, double time) {
+  if (!normal.covers.empty()) return;
+  const Unknowns& of_vertex = v[normal.vertex_element];
+  const Unknowns& of_edge = v[normal.edge_element];
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();
+  if (of_vertex.size() > 0)
+    point = normal.of_vertex.dot(of_vertex.transpose()) * normal.of_vertex.head<2>().transpose() +
+            tangential.of_vertex.dot(of_vertex.transpose()) * tangential.of_vertex.head<2>().transpose();
+  const auto turn = [&](ContactRow::Row& row, const Unknowns& body) {
+    if (body.size() == 0) return;
+    const Eigen::Vector2d arm = time * (body.head<2>() - point);
+    row[2] += arm.x() * row[1] - arm.y() * row[0];
+  };
+  for (ContactRow* row : {&normal, &tangential}) {
+    turn(row->of_vertex, of_vertex);
+    turn(row->of_edge, of_edge);
+  }
+}
+
+// Two entries a meeting. What answers them at once, closed touches and held points, takes the least of their times: more could
+// lift blocks out of reach of what they rest on.
+Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size) {
+  const double least = std::ranges::min_element(meetings, {}, &Meeting::since)->since;
+  Eigen::VectorXd times = Eigen::VectorXd::Constant(size, least);
+  for (std::size_t i = 0; i < meetings.size(); ++i)
+    times.segment<2>(static_cast<Eigen::Index>(2 * i)).setConstant(meetings[i].since);
+  return times;
+}
+
+// Pushes touches apart that overlap more than they may; those that lock each other may from then on.
+class Separation {
+ public:
+  Separation(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& others,
+             const UnknownsTable& before, const Flexibility& flexibility)
+      : scene_(scene),
+        touches_(joined(impacts, others)),
+        flexibility_(flexibility),
+        tolerable_((has_very_many() ? kLeftToStep
+                    : has_many()    ? kNoOverlapOfMany
+                                    : kNoOverlap) *
+                   size_of(scene)),
+        least_(gaps_of(scene, before, touches_)) {
+    result_.q = std::move(q);
+    for (std::size_t i = 0; i < touches_.size(); ++i)
+      least_[i] = i < impacts.size() ? touches_[i].rest_gap : std::min(least_[i], 0.0);
+  }
+
+  Separated run() {
+    bool is_soft = false;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      leave_if_stopped();
+      const std::vector<double> room = room_at(result_.q);
+      if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
+      const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();
+      const double deepest = -std::ranges::min(room) / size_of(scene_);
+      if (pass == 0) is_soft = has_very_many() ? deepest < kDeep : has_many() && 2 * near.size() < touches_.size();
+      if (is_soft) {
+        const bool is_late = has_very_many() && pass >= kSoftPassesOfVeryMany;
+        if (deepest <= (is_late ? kLeftLate : kLeftToStep) || pass == kMostSoftPasses ||
+            result_.solves >= kMostSystems || !push_softly(room, near))
+          break;
+        continue;
+      }
+      const ContactRows rows = rows_with_points(scene_, result_.q, touches_);
+      FrictionalProblem problem = problem_of(rows, room);
+      const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+      result_.solves += push.solves;
+      UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
+      if (push.converged || is_much_better(room, pushed))
+        result_.q = std::move(pushed);
+      else if (has_very_many() || (has_many() && result_.locked > 0)) {
+        if (!push_softly(room, near)) break;
+        is_soft = true;
+      } else
+        leave_locked(rows, room, std::move(problem));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  bool has_many() const { return touches_.size() > FrictionalProblem::kFewPairs; }
+  bool has_very_many() const { return touches_.size() > FrictionalProblem::kVeryManyPairs; }
+
+  std::vector<double> room_at(const UnknownsTable& q) const {
+    std::vector<double> room = gaps_of(scene_, q, touches_);
+    for (std::size_t i = 0; i < room.size(); ++i) room[i] -= least_[i];
+    return room;
+  }
+
+  // A push among many that is not settled to the last digit may do: the next pass pushes on.
+  bool is_much_better(const std::vector<double>& room, const UnknownsTable& pushed) const {
+    return has_many() && std::ranges::min(room_at(pushed)) > kLocked * std::ranges::min(room);
+  }
+
+  FrictionalProblem problem_of(const ContactRows& rows, const std::vector<double>& room) const {
+    FrictionalProblem problem{ContactMatrix(rows, flexibility_), {}, std::vector<ForceLaw>(room.size()), 0, 0, {}};
+    problem.laws.insert(problem.laws.end(), scene_.held.size(), kHeld);
+    problem.b = Eigen::VectorXd::Zero(problem.w.rows());
+    for (std::size_t i = 0; i < room.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
+    problem.goal = tolerable_ / problem.w.diagonal().maxCoeff();
+    problem.acceptable = problem.has_many() ? problem.goal : kLooser * problem.goal;
+    if (problem.has_many()) problem.most_systems = kMostSystems;
+    return problem;
+  }
+
+  static void soften(FrictionalProblem& problem) {
+    for (Eigen::Index n = 0; n < static_cast<Eigen::Index>(2 * problem.count()); n += 2)
+      if (problem.laws[static_cast<std::size_t>(n / 2)].can_open())
+        problem.w.add_to_diagonal(n, kYield * problem.w.diagonal()[n]);
+  }
+
+  // In assemblies, where a block or two overlap among thousands that rest against each other in rings: these and their neighbours give way.
+  // What is left after a few passes is a rest gap of the next step. False where nothing is gained.
+  bool push_softly(const std::vector<double>& room, const std::vector<std::size_t>& among) {
+    const double before = std::ranges::min(room);
+    Touches near;
+    std::vector<double> near_room;
+    for (const std::size_t i : among) {
+      near.push_back(touches_[i]);
+      near_room.push_back(room[i]);
+    }
+    const ContactRows rows = rows_with_points(scene_, result_.q, near);
+    FrictionalProblem problem = problem_of(rows, near_room);
+    soften(problem);
+    problem.goal = kPushed * -before / problem.w.diagonal().maxCoeff();
+    problem.acceptable = problem.goal;
+    problem.most_systems = std::max(kFewestSystems, kMostSystems - result_.solves);
+    const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+    result_.solves += push.solves;
+    const UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
+    const std::vector<double> left = room_at(pushed);
+    if (!push.converged || std::ranges::min(left) < kWorse * before) return false;
+    result_.q = pushed;
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      if (room[i] >= -tolerable_ || left[i] >= kLocked * room[i]) continue;
+      least_[i] += left[i];
+      ++result_.locked;
+    }
+    return true;
+  }
+
+  // Touches of blocks that overlap, of their neighbours and of the neighbours of these.
+  std::vector<std::size_t> near_overlaps(const std::vector<double>& room) const {
+    std::vector<bool> is_near(scene_.bodies.size(), false);
+    const auto of = [&](VertexIndex vertex) {
+      return static_cast<std::size_t>(scene_.model.vertices[vertex].element.value);
+    };
+    for (std::size_t i = 0; i < touches_.size(); ++i)
+      if (room[i] < -tolerable_) is_near[of(touches_[i].vertex)] = is_near[of(touches_[i].start)] = true;
+    std::vector<std::size_t> near;
+    for (int ring = 0; ring < kRings; ++ring) {
+      near.clear();
+      const std::vector<bool> before = is_near;
+      for (std::size_t i = 0; i < touches_.size(); ++i) {
+        const std::size_t vertex = of(touches_[i].vertex);
+        const std::size_t edge = of(touches_[i].start);
+        if (!before[vertex] && !before[edge]) continue;
+        near.push_back(i);
+        is_near[vertex] = is_near[edge] = true;
+      }
+    }
+    return near;
+  }
+
+  // Those whose overlap a soft push would not take away stay as they are; where that are none, all.
+  void leave_locked(const ContactRows& rows, const std::vector<double>& room, FrictionalProblem problem) {
+    soften(problem);
+    const FrictionalSolution soft = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+    result_.solves += soft.solves;
+    const std::vector<double> left = room_at(plus(result_.q, 1, answer(rows, flexibility_, soft.forces)));
+    std::vector<std::size_t> overlapping;
+    for (std::size_t i = 0; i < touches_.size(); ++i)
+      if (room[i] < -tolerable_) overlapping.push_back(i);
+    std::vector<std::size_t> locked;
+    std::ranges::copy_if(overlapping, std::back_inserter(locked),
+                         [&](std::size_t i) { return left[i] < kLocked * room[i]; });
+    if (locked.empty()) locked = overlapping;
+    for (const std::size_t i : locked) least_[i] += room[i];
+    result_.locked += static_cast<int>(locked.size());
+  }
+
+  const StandardScene& scene_;
+  Touches touches_;
+  const Flexibility& flexibility_;
+  double tolerable_;
+  std::vector<double> least_;  ///< gap that a touch must have
+  Separated result_;
+};
+
+}  // namespace
+
+Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& others,
+                          const UnknownsTable& before, const Flexibility& flexibility) {
+  return Separation(scene, std::move(q), impacts, others, before, flexibility).run();
+}
+
+UnknownsTable rigid_part(UnknownsTable v) {
+  for (Unknowns& of : v)
+    if (of.size() > kRigidUnknowns) of.tail(of.size() - kRigidUnknowns).setZero();
+  return v;
+}
+
+Flexibility impact_flexibility(const StandardScene& scene, const Flexibility& step, const StepRule& rule) {
+  Flexibility flexibility{rigid_mass_inverses(scene.bodies), nullptr};
+  if (step.covers) flexibility.covers = std::make_shared<ScaledAnswer>(step.covers, rule.inertia.increment);
+  return flexibility;
+}
+
+Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v, const Impacts& impacts,
+                const Flexibility& flexibility) {
+  const std::vector<Meeting>& meetings = impacts.meetings;
+  Touches touches;
+  for (const Meeting& meeting : meetings) touches.push_back(meeting.touch);
+  touches = joined(touches, impacts.closed);
+  ContactRows rows = rows_with_points(scene, q, touches);
+  for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
+  const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
+  FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, rigid_part(v)), {}, goal, kLooser * goal, {}};
+  for (const Touch& touch : touches)
+    problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
+  problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
+  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // held points move on as they do
+  double greatest = 0;
+  for (std::size_t i = 0; i < meetings.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    const double approach = -problem.b[n] - meetings[i].gained;
+    const double restitution = restitution_of(scene.settings, touches[i].joint_material);
+    if (approach > 0) problem.b[n] = -(1 + restitution) * approach;
+    greatest = std::max(greatest, approach / problem.w.diagonal()[n]);
+  }
+  for (std::size_t i = meetings.size(); i < touches.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    if (impacts.bonds.contains(touches[i].facing)) {
+      problem.laws[i] = kHeld;
+      problem.b.segment<2>(n).setZero();
+    } else {
+      problem.b[n] = std::max(problem.b[n], 0.0);
+    }
+  }
+  if (problem.has_many()) {
+    problem.goal = kImpulseToleranceOfMany * momentum_of(scene, v) + kSmallest;
+    problem.acceptable = std::max(problem.goal, kShareOfImpulse * greatest);
+    problem.gap_tolerance = kShareOfSlow * impacts.slow;
+    problem.most_systems = kMostSystems;
+    problem.enough_systems = 0;
+  }
+  const FrictionalSolution solution = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+  const Eigen::VectorXd shifts = solution.forces.cwiseProduct(times_of(meetings, solution.forces.size()));
+  Jump jump{plus(q, 1, answer(rows, flexibility, shifts)),
+            plus(v, 1, answer(rows, flexibility, solution.forces)),
+            solution.solves,
+            {}};
+  if (!solution.converged)
+    std::ranges::copy_if(solution.undecided, std::back_inserter(jump.undecided),
+                         [&](std::size_t i) { return i < meetings.size(); });
+  return jump;
+}
+
+UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, double time,
+                                   const Flexibility& flexibility) {
+  if (scene.held.empty()) return q;
+  const double tolerance = kNoOverlap * size_of(scene);
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const Eigen::VectorXd off = offsets(scene.model, scene.reference, q, scene.held, time);
+    if (off.cwiseAbs().maxCoeff() <= tolerance) break;
+    const ContactRows rows = point_rows(scene.model, scene.reference, q, scene.held);
+    FrictionalProblem problem{
+        ContactMatrix(rows, flexibility), off, std::vector<ForceLaw>(scene.held.size(), kHeld), 0, 0, {}};
+    problem.goal = tolerance / problem.w.diagonal().maxCoeff();
+    problem.acceptable = kLooser * problem.goal;
+    q = plus(q, 1, answer(rows, flexibility, newton(problem, Eigen::VectorXd::Zero(off.size())).forces));
+  }
+  return q;
+}
+
+UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
+                                   const Touches& closed, const std::vector<double>& slides, double time, double dt,
+                                   const Flexibility& flexibility) {
+  if (closed.empty() && scene.held.empty()) return v;
+  const ContactRows rows = rows_with_points(scene, q, closed);
+  FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
+  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
+  problem.laws.assign(closed.size(), kTie);
+  problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
+  problem.goal = kImpulseTolerance * momentum_of(scene, v) / (dt * dt) + kSmallest;
+  problem.acceptable = kLooser * problem.goal;
+  const Eigen::VectorXd asked = problem.b;
+  Eigen::VectorXd pushes = Eigen::VectorXd::Zero(problem.w.rows());
+  Eigen::VectorXd friction = pushes;
+  for (int round = 0; round < kMostFrictionRounds; ++round) {
+    pushes = solve(problem, pushes).forces;
+    bool rubs = false;
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const double before = std::exchange(friction[n + 1], slides[i] * pushes[n]);
+      rubs = rubs || std::abs(friction[n + 1] - before) > problem.acceptable;
+    }
+    if (!rubs) break;
+    problem.b = asked + problem.w * friction;
+  }
+  return plus(v, 1, answer(rows, flexibility, pushes + friction));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,313 @@
+// Work of each force over the increments of the smooth motion, losses of velocity after it, impulses of the loads.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/time/ledger.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "contact/rows/gap.hpp"
+
+namespace keyblock {
+namespace {
+
+double half_square(const UnknownBlock& matrix, const Unknowns& x) {
+  return x.dot(matrix * x) / 2;
+}
+
+// ½ A σᵀ D⁻¹ σ, written in unknowns: a force f of the initial stress makes ½ (q − K⁻¹f)ᵀ K (q − K⁻¹f).
+double strain_energy(const Body& body, const Unknowns& q) {
+  const Eigen::Index strains = body.strain_count();
+  if (strains == 0) return 0;
+  const double without_initial = q.dot(body.elastic_force(q)) / 2;
+  if (body.initial_stress.isZero(0)) return without_initial;
+  const Unknowns force = body.initial_stress.tail(strains);
+  return without_initial - body.initial_stress.dot(q) + force.dot(body.stiffness.llt().solve(force)) / 2;
+}
+
+double spring_energy(const Motion& motion) {
+  double energy = 0;
+  for (const auto& [touch, memory] : motion.closed.all()) energy += memory.energy();
+  return energy;
+}
+
+double bolt_energy(const Bolt& bolt, double force) {
+  return bolt.is_spring() ? force * force / (2 * bolt.stiffness) : 0;
+}
+
+double bolt_energy(const StandardScene& scene, const Motion& motion) {
+  double energy = 0;
+  for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)
+    energy += bolt_energy(scene.model.bolts[i], motion.ties.bolt_forces[i]);
+  return energy;
+}
+
+// What bolts held that broke in this step.
+double ruptured(const StandardScene& scene, const StepTrail& trail) {
+  double energy = 0;
+  for (std::size_t i = 0; i < scene.model.bolts.size(); ++i) {
+    const Bolt& bolt = scene.model.bolts[i];
+    if (trail.end.ties.broken[i] && !trail.start.ties.broken[i]) energy += bolt_energy(bolt, bolt.strength);
+  }
+  return energy;
+}
+
+Unknowns sum_of(const StepSum& sum, const Unknowns& increment, const Motion& start, ElementIndex e) {
+  return sum.increment * increment + sum.velocity * start.v[e] + sum.acceleration * start.a[e];
+}
+
+// pᵀ M Δv/dt + (dt v̄ + p)ᵀ M r of `account_of`, from velocities and accelerations alone: that they fit the increments is what the
+// closure checks.
+double inertia_loss(const Body& body, const StepTrail& trail, ElementIndex e) {
+  const StepRule& rule = trail.rule;
+  const Unknowns dv = trail.smooth.v[e] - trail.start.v[e];
+  const Unknowns da = trail.smooth.a[e] - trail.start.a[e];
+  const Unknowns lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
+  const Unknowns way = trail.dt / 2 * (trail.start.v[e] + trail.smooth.v[e]) + lead;
+  return lead.dot(body.mass * dv) / trail.dt + rule.inertia_lead * way.dot(body.mass * da);
+}
+
+// As a block, with the elastic force that large rotations have.
+void add_covers(const CoverScene& covers, const StepTrail& trail, EnergyFlow& flow) {
+  const StepRule& rule = trail.rule;
+  const Eigen::VectorXd dq = trail.smooth.q.covers - trail.start.q.covers;
+  const Eigen::VectorXd dv = trail.smooth.v.covers - trail.start.v.covers;
+  const Eigen::VectorXd da = trail.smooth.a.covers - trail.start.a.covers;
+  const Eigen::VectorXd lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
+  const Eigen::VectorXd way = trail.dt / 2 * (trail.start.v.covers + trail.smooth.v.covers) + lead;
+  flow.external += (trail.loads.covers - covers.weight()).dot(dq);
+  flow.projection += covers.strain_energy(trail.end.q.covers) - covers.strain_energy(trail.smooth.q.covers) -
+                     covers.weight().dot(trail.end.q.covers - trail.smooth.q.covers);
+  flow.damping += covers.damping_work(trail.start.q.covers, trail.smooth.q.covers,
+                                      rule.damping.increment * dq + rule.damping.velocity * trail.start.v.covers +
+                                          rule.damping.acceleration * trail.start.a.covers,
+                                      trail.dt);
+  flow.algorithmic += lead.dot(covers.momentum(dv)) / trail.dt + rule.inertia_lead * way.dot(covers.momentum(da)) +
+                      covers.strain_loss(trail.start.q.covers, trail.smooth.q.covers, rule.stiffness);
+}
+
+EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
+  const StepRule& rule = trail.rule;
+  EnergyFlow flow;
+  for (ElementIndex e : indices(scene.bodies)) {
+    const Body& body = scene.bodies[e];
+    if (body.mass.rows() == 0) continue;
+    const Unknowns dq = trail.smooth.q[e] - trail.start.q[e];
+    flow.external += (trail.loads[e] - body.weight).dot(dq);
+    flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
+    const Unknowns rate = sum_of(rule.strain_rate, dq, trail.start, e);
+    const Unknowns beyond =
+        sum_of(rule.strain, dq, trail.start, e) - dq / 2;  // what the elastic force sees beside its mean
+    flow.damping += body.mass_damping * dq.dot(body.mass * sum_of(rule.damping, dq, trail.start, e)) +
+                    body.stiffness_damping * dq.dot(body.elastic_force(rate));
+    flow.algorithmic += inertia_loss(body, trail, e) + dq.dot(body.elastic_force(beyond));
+  }
+  if (scene.covers) add_covers(*scene.covers, trail, flow);
+  return flow;
+}
+
+// The contacts of one smooth motion, over the increments and gaps of that motion.
+class ContactFlow {
+ public:
+  ContactFlow(const StandardScene& scene, const StepTrail& trail)
+      : scene_(scene), trail_(trail), forgotten_(spring_energy(trail.start)) {}
+
+  EnergyFlow run() {
+    if (!trail_.smooth.forces.isZero(0)) add_touches();
+    if (trail_.ties.count() > 0) add_ties();
+    flow_.algorithmic += forgotten_;  // springs that let go in this step
+    return flow_;
+  }
+
+ private:
+  void add_touches() {
+    const auto before = vertices_at(scene_.model, scene_.reference, trail_.start.q);
+    const auto after = vertices_at(scene_.model, scene_.reference, trail_.smooth.q);
+    const Eigen::VectorXd way = rates(trail_.smooth.rows, plus(trail_.smooth.q, -1, trail_.start.q));
+    for (std::size_t i = 0; i < trail_.touches.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const Touch& touch = trail_.touches[i];
+      Forces forces{trail_.smooth.forces[n], trail_.smooth.forces[n + 1], memory_of(trail_.start, touch), 0, 0, 0,
+                    trail_.smooth.laws[i]};
+      const ContactMemory at_end = memory_of(trail_.end, touch);
+      forces.at_end = at_end.normal_at_end;
+      forces.tangential_at_end = at_end.tangential;
+      forces.stretch = at_end.stretch;
+      if (forces.is_none()) continue;
+      add_normal(forces, gap_of(touch, after) - gap_of(touch, before), way[n]);
+      add_tangential(forces, way[n + 1]);
+      forgotten_ -= forces.before.energy();
+    }
+  }
+
+  // A bolt is a spring; a held point does the work of its support.
+  void add_ties() {
+    const Eigen::VectorXd way = rates(trail_.smooth.rows, plus(trail_.smooth.q, -1, trail_.start.q));
+    const Eigen::VectorXd longer = trail_.ties.elongation(trail_.smooth.q) - trail_.ties.elongation(trail_.start.q);
+    const Eigen::VectorXd before = trail_.ties.remembered();
+    const Eigen::Index first = static_cast<Eigen::Index>(2 * trail_.touches.size());
+    for (std::size_t i = 0; i < trail_.ties.count(); ++i) {
+      const Eigen::Index own = static_cast<Eigen::Index>(2 * i);
+      const Eigen::Index n = first + own;
+      if (i >= trail_.ties.bolt_count()) {
+        flow_.external += trail_.smooth.forces.segment<2>(n).dot(way.segment<2>(n));
+        continue;
+      }
+      ContactLaw law;
+      law.normal_compliance = trail_.ties.compliance(i);
+      ContactMemory memory;
+      memory.normal_at_end = before[own];
+      const double at_end = -trail_.ties.at_end(i, trail_.end);
+      add_normal({trail_.smooth.forces[n], 0, memory, at_end, 0, 0, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
+    }
+  }
+
+  struct Forces {
+    double normal = 0;
+    double tangential = 0;
+    ContactMemory before;
+    double at_end = 0;  ///< of the normal spring
+    double tangential_at_end = 0;
+    double stretch = 0;  ///< of the tangential spring at the end
+    const ContactLaw& law;
+
+    bool is_none() const { return normal == 0 && tangential == 0 && before.normal == 0 && before.tangential == 0; }
+  };
+
+  static ContactMemory memory_of(const Motion& motion, const Touch& touch) {
+    const ContactMemory* memory = motion.closed.of(touch);
+    return memory ? *memory : ContactMemory{};
+  }
+
+  void add_normal(const Forces& forces, double opening, double way) {
+    const double compliance = forces.law.normal_compliance;
+    const double change = forces.at_end - forces.before.normal_at_end;
+    const double mean = (forces.at_end + forces.before.normal_at_end) / 2;
+    flow_.geometric += forces.normal * (way - opening);
+    if (scene_.settings.standard.impact == ImpactLaw::springs) {  // whose force is that of their energy
+      flow_.closing -= forces.normal * opening + compliance * mean * change;
+      return;
+    }
+    flow_.closing -= forces.normal * (opening + compliance * change);
+    flow_.algorithmic += compliance * (forces.normal - mean) * change;
+  }
+
+  // What the slip does beyond the stretch of the spring is friction; a multiplier that sticks lets slip pass while its velocity
+  // comes to rest.
+  void add_tangential(const Forces& forces, double slip) {
+    const double compliance = forces.law.tangential_compliance;
+    if (compliance == 0) {
+      const double work = forces.tangential * slip;
+      const bool stuck = sticks(forces.law, forces.normal, forces.tangential) &&
+                         sticks(forces.law, forces.before.normal, forces.before.tangential);
+      (stuck ? flow_.creep : flow_.friction) += stuck ? work : -work;
+      return;
+    }
+    const bool had_spring = forces.before.tangential_compliance > 0;
+    const double longer = forces.stretch - (had_spring ? forces.before.stretch : 0);
+    const double before = had_spring ? forces.before.tangential : 0;
+    const double at_end = forces.tangential_at_end;
+    flow_.friction -= forces.tangential * (slip - longer);
+    flow_.algorithmic -= forces.tangential * longer + compliance * (at_end * at_end - before * before) / 2;
+  }
+
+  const StandardScene& scene_;
+  const StepTrail& trail_;
+  double forgotten_;  ///< of the springs at the start, those not met in this step
+  EnergyFlow flow_;
+};
+
+Point present_centroid(const StandardScene& scene, ElementIndex e, const Unknowns& q) {
+  return scene.reference.centroids[e] + Point{q[0], q[1]};
+}
+
+// Loads act for the whole step at its middle configuration, as the equation of the step has it.
+Momentum load_impulse(const StandardScene& scene, const StepTrail& trail) {
+  Momentum impulse;
+  for (ElementIndex e : indices(scene.bodies)) {
+    if (scene.bodies[e].mass.rows() == 0) continue;
+    const Unknowns& load = trail.loads[e];
+    const Point force{load[0], load[1]};
+    const Point arm = present_centroid(scene, e, (trail.start.q[e] + trail.smooth.q[e]) / 2) - scene.mass_centre;
+    impulse += {trail.dt * force, trail.dt * (cross(arm, force) + load[2])};
+  }
+  if (!scene.covers) return impulse;
+  const Eigen::VectorXd middle = (trail.start.q.covers + trail.smooth.q.covers) / 2;
+  for (const WholeBody& body : scene.covers->whole(middle, trail.loads.covers)) {
+    const Point force{body.resultant[0], body.resultant[1]};
+    impulse += {trail.dt * force, trail.dt * (cross(body.centre - scene.mass_centre, force) + body.resultant[2])};
+  }
+  return impulse;
+}
+
+}  // namespace
+
+StepAccount& StepAccount::operator+=(const StepAccount& other) {
+  flow += other.flow;
+  impulse += other.impulse;
+  return *this;
+}
+
+StepAccount account_of(const StandardScene& scene, const StepTrail& trail) {
+  StepAccount account{body_flow(scene, trail), load_impulse(scene, trail)};
+  account.flow += ContactFlow(scene, trail).run();
+  account.flow.rupture += ruptured(scene, trail);
+  const double smooth = kinetic_energy(scene, trail.smooth.v);
+  const double cleaned = kinetic_energy(scene, trail.cleaned);
+  account.flow.clean_up += smooth - cleaned;
+  account.flow.impact += cleaned - kinetic_energy(scene, trail.end.v);
+  return account;
+}
+
+double kinetic_energy(const StandardScene& scene, const UnknownsTable& v) {
+  double energy = 0;
+  for (ElementIndex e : indices(v))
+    if (v[e].size() > 0) energy += half_square(scene.bodies[e].mass, v[e]);
+  return scene.covers ? energy + scene.covers->kinetic_energy(v.covers) : energy;
+}
+
+StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion) {
+  StoredEnergy stored;
+  stored.kinetic = kinetic_energy(scene, motion.v);
+  stored.contact = spring_energy(motion) + bolt_energy(scene, motion);
+  for (ElementIndex e : indices(motion.q)) {
+    const Body& body = scene.bodies[e];
+    if (body.mass.rows() == 0) continue;
+    stored.strain += strain_energy(body, motion.q[e]);
+    stored.gravity -= body.weight.dot(motion.q[e]);
+  }
+  if (!scene.covers) return stored;
+  stored.strain += scene.covers->strain_energy(motion.q.covers);
+  stored.gravity -= scene.covers->weight().dot(motion.q.covers);
+  return stored;
+}
+
+LedgerRow ledger_row(const StandardScene& scene, const Motion& motion) {
+  LedgerRow row;
+  row.stored = stored_energy(scene, motion);
+  const auto add = [&](Point centre, double size, Point linear, double spin) {
+    const Point arm = centre - scene.mass_centre;
+    row.momentum += {linear, cross(arm, linear) + spin};
+    row.momentum_size.linear += length(linear);
+    row.momentum_size.angular += (length(arm) + size) * length(linear) + std::abs(spin);
+  };
+  for (ElementIndex e : indices(motion.v)) {
+    if (motion.v[e].size() == 0) continue;
+    const Unknowns p = scene.bodies[e].mass * motion.v[e];
+    add(present_centroid(scene, e, motion.q[e]), scene.bodies[e].size, {p[0], p[1]}, p[2]);
+  }
+  if (scene.covers)
+    for (const WholeBody& body : scene.covers->whole(motion.q.covers, scene.covers->momentum(motion.v.covers)))
+      add(body.centre, body.size, {body.resultant[0], body.resultant[1]}, body.resultant[2]);
+  return row;
+}
+
+LedgerScope ledger_scope(const StandardScene& scene) {
+  const bool has_supports =
+      std::ranges::any_of(scene.model.elements, [](const Element& element) { return !element.can_move(); });
+  const bool holds_covers = scene.covers && scene.covers->has_supports();
+  const bool is_dynamic = scene.settings.standard.motion == MotionRule::dynamic;
+  return {is_dynamic, has_supports || holds_covers || !scene.held.empty(), scene.mass_centre};
+}
+
+}  // namespace keyblock

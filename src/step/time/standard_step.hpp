@@ -1,0 +1,29 @@
+// One step of Dynamics::standard: smooth motion, overlaps removed, impacts, clean-up.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "step/time/ledger.hpp"
+
+namespace keyblock {
+
+/// What a step did, beside the motion it led to.
+struct StandardStep {
+  Motion motion;
+  StepAccount account;  ///< zero where no books are kept
+  int solves = 0;
+  int fallbacks = 0;        ///< solutions that needed sweeps
+  int halvings = 0;         ///< attempts thrown away
+  int locked_overlaps = 0;  ///< of impacts, left because other touches are in the way
+  double least = 0;         ///< smallest part made of a step in time
+  double residual = 0;
+  bool converged = true;
+  Touches touches;                     ///< all that were reckoned with
+  std::vector<std::size_t> undecided;  ///< of the touches: those that went round in a cycle
+  std::string failure;                 ///< why it was given up otherwise; empty if it was not
+};
+
+/// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in
+/// halves again; then it is given up.
+StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt);
+
+}  // namespace keyblock

@@ -1,0 +1,143 @@
+// Reads, pairs, checks, cuts and, where asked, prepares a job as the commands `check` and `run` do.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/batch/batch_check.hpp"
+
+#include <new>
+#include <variant>
+
+#include "cut/bodies/cut_blocks.hpp"
+#include "report/thumbnail.hpp"
+#include "run/prepare.hpp"
+#include "study/batch/batch_files.hpp"
+#include "study/batch/scene_sentence.hpp"
+#include "study/cases/named_files.hpp"
+
+namespace keyblock::study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using report::CatalogueRow;
+
+std::vector<std::string> paths_of(const fs::path& root, const std::vector<std::string>& files) {
+  std::vector<std::string> paths;
+  for (const std::string& file : files) paths.push_back(place_of(root, file).string());
+  return paths;
+}
+
+void replace_all(std::string& text, const std::string& old_text, const std::string& new_text) {
+  for (std::size_t at = text.find(old_text); at != std::string::npos; at = text.find(old_text, at + new_text.size()))
+    text.replace(at, old_text.size(), new_text);
+}
+
+// Names as the archive has them. Paths stand at the start of a message or behind a space.
+std::string below(const fs::path& root, const BatchJob& job, std::string text) {
+  for (const std::string& file : job.files)
+    if (const std::string place = place_of(root, file).string(); place != (root / file).string())
+      replace_all(text, place, (root / file).string());
+  const std::string prefix = (root / "").string();
+  for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {
+    if (at == 0 || text[at - 1] == ' ')
+      text.erase(at, prefix.size());
+    else
+      ++at;
+  }
+  return text;
+}
+
+void draw(CatalogueRow& row, const Problem& problem, const Blocks& blocks) {
+  if (problem.analysis) row.scene = scene_sentence(blocks, *problem.analysis);
+  row.blocks = static_cast<int>(blocks.blocks.size());
+  row.thumbnail = report::thumbnail(blocks);
+}
+
+// A drawing that closes no block is shown by its lines; the error says the rest.
+Warnings look_at_scene(CatalogueRow& row, const Problem& problem) {
+  if (problem.analysis) row.steps = problem.analysis->step_count;
+  if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) draw(row, problem, *blocks);
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry)) {
+    row.elements = static_cast<int>(cover->elements.size());
+    row.thumbnail = report::thumbnail(*cover);
+    if (problem.analysis) row.scene = scene_sentence(*cover, *problem.analysis);
+  }
+  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) {
+    row.thumbnail = report::thumbnail(*drawing);
+    const CutResult cut = cut_blocks(*drawing);
+    draw(row, problem, cut.blocks);
+    return cut.warnings;
+  }
+  return {};
+}
+
+// What is found out before something throws stays in the row.
+void follow(CatalogueRow& row, const std::vector<std::string>& paths, CheckDepth depth, const std::string& profile,
+            Warnings& warnings) {
+  std::vector<formats::Content> contents;
+  std::optional<InputError> unread;
+  for (const formats::FileReading& file : formats::read_files(paths)) {
+    if (file.error && !unread) unread = file.error;
+    if (!file.reading) continue;
+    contents.push_back(file.reading->content);
+    warnings = joined(std::move(warnings), file.reading->warnings);
+  }
+  const Checked checked = check(formats::pair(contents));
+  warnings = joined(std::move(warnings), checked.warnings);
+  if (unread) {
+    look_at_scene(row, checked.problem);
+    throw *unread;
+  }
+  if (!checked.errors.empty()) throw checked.errors.front();
+  const Warnings of_cut = look_at_scene(row, checked.problem);
+  const std::string chosen = profile_of(checked.problem, profile);
+  const bool is_prepared =
+      depth == CheckDepth::plan && can_prepare(checked.problem) && !is_solved_at_once(checked.problem, chosen, {});
+  warnings = joined(std::move(warnings),
+                    is_prepared ? prepare(with_named_files(checked.problem, {}, {}), chosen, {}).warnings : of_cut);
+}
+
+}  // namespace
+
+CatalogueRow row_without_check(const BatchJob& job, const std::vector<report::CatalogueFile>& files,
+                               const std::string& outcome, const std::string& message) {
+  CatalogueRow row;
+  row.name = job.name;
+  row.files = files;
+  row.paired_by = job.paired_by;
+  row.outcome = outcome;
+  row.message = message;
+  return row;
+}
+
+CatalogueRow check_job(const fs::path& root, const BatchJob& job, const std::vector<report::CatalogueFile>& files,
+                       CheckDepth depth, const std::string& profile) {
+  CatalogueRow row = row_without_check(job, files, "ok", "");
+  Warnings warnings;
+  try {
+    follow(row, paths_of(root, job.files), depth, profile, warnings);
+  } catch (const std::bad_alloc&) {
+    row.outcome = "failed";
+    row.message = "there is not enough memory for this";
+  } catch (const std::exception& error) {
+    row.outcome = "failed";
+    row.message = below(root, job, error.what());
+  }
+  row.warnings = static_cast<int>(warnings.size());
+  if (row.outcome == "ok" && !warnings.empty()) {
+    row.outcome = "warnings";
+    row.message = below(root, job, to_string(warnings.front()));
+  }
+  return row;
+}
+
+bool fit_together(const fs::path& root, const BatchFile& geometry, const BatchFile& analysis) {
+  try {
+    const auto readings = formats::read_files(paths_of(root, {geometry.path, analysis.path}));
+    if (!readings[0].reading || !readings[1].reading) return false;
+    return counts_of(readings[0].reading->content) == counts_of(readings[1].reading->content);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
+}  // namespace keyblock::study

@@ -1,0 +1,178 @@
+// Reads case.json, key by key.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/cases/case_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "formats/registry.hpp"
+#include "run/settings_file.hpp"
+#include "settings/profile.hpp"
+
+namespace keyblock::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kNotRun = "not run: ";
+
+/// A value of the file and the key it stands under, for messages.
+struct Node {
+  const CaseFolder& folder;
+  const std::string& file;
+  std::string key;
+  const Json& json;
+
+  [[noreturn]] void refuse(const std::string& expected) const {
+    throw InputError({file, 0, 0}, fmt::format("key {}: expected {}, found {}", key.empty() ? "(top)" : key, expected,
+                                               json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  }
+  Node at(const std::string& name) const {
+    return {folder, file, key.empty() ? name : key + "." + name, json.at(name)};
+  }
+  void require_object() const {
+    if (!json.is_object()) refuse("an object");
+  }
+  void require_keys(const std::vector<std::string>& known) const {
+    require_object();
+    for (const auto& [name, value] : json.items())
+      if (std::ranges::find(known, name) == known.end())
+        throw InputError({file, 0, 0}, fmt::format("expected one of the keys {}, found \"{}\"", fmt::join(known, ", "),
+                                                   key.empty() ? name : key + "." + name));
+  }
+  std::string text() const {
+    if (!json.is_string() || json.get<std::string>().empty()) refuse("text in quotes");
+    return json.get<std::string>();
+  }
+  bool flag() const {
+    if (!json.is_boolean()) refuse("true or false");
+    return json.get<bool>();
+  }
+};
+
+std::vector<Override> overrides_of(const Node& object) {
+  object.require_object();
+  std::vector<Override> overrides;
+  for (const auto& [name, value] : object.json.items())
+    overrides.emplace_back(name, value.is_number() ? value.dump() : object.at(name).text());
+  return overrides;
+}
+
+// A wrong one is told here, with its key. One of a variant is told when that is run: it leaves the other runs.
+std::vector<Override> checked(const Node& object) {
+  std::vector<Override> overrides = overrides_of(object);
+  for (const auto& [name, value] : overrides) {
+    try {
+      require_setting(name, value);
+    } catch (const std::invalid_argument& error) {
+      throw InputError({object.file, 0, 0}, fmt::format("key {}.{}: {}", object.key, name, error.what()));
+    }
+  }
+  return overrides;
+}
+
+void append(std::vector<Override>& list, const std::vector<Override>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+std::map<std::string, std::vector<Override>> sets_of(const Node& set) {
+  std::vector<std::string> known = rule_names();
+  known.insert(known.begin(), "both");
+  set.require_keys(known);
+  std::map<std::string, std::vector<Override>> sets;
+  for (const std::string& profile : rule_names())
+    for (const std::string& key : {std::string("both"), profile})
+      if (set.json.contains(key)) append(sets[profile], checked(set.at(key)));
+  return sets;
+}
+
+double positive(const Node& node) {
+  const double value = node.json.is_number() ? node.json.get<double>() : 0;
+  if (!std::isfinite(value) || value <= 0) node.refuse("a number greater than 0");
+  return value;
+}
+
+Variant variant_of(const Node& node) {
+  node.require_keys({"name", "profile", "set", "tolerance", "reason"});
+  for (const char* key : {"name", "profile", "set"})
+    if (!node.json.contains(key)) node.refuse(fmt::format("the key \"{}\" in it", key));
+  Variant variant{node.at("name").text(), node.at("profile").text(), overrides_of(node.at("set")), {}, {}};
+  const std::vector<std::string> profiles = rule_names();
+  if (std::ranges::find(profiles, variant.profile) == profiles.end())
+    node.at("profile").refuse(fmt::format("one of {}", fmt::join(profiles, ", ")));
+  if (node.json.contains("tolerance") != node.json.contains("reason"))
+    node.refuse("\"tolerance\" and its \"reason\" together");
+  if (!node.json.contains("tolerance")) return variant;
+  variant.tolerance = positive(node.at("tolerance"));
+  variant.reason = node.at("reason").text();
+  return variant;
+}
+
+Json parsed(const std::string& path) {
+  try {
+    return Json::parse(formats::load(path).text);
+  } catch (const Json::parse_error& error) {
+    throw InputError({path, 0, 0}, fmt::format("expected JSON: {}", error.what()));
+  }
+}
+
+// A name in the list stands for the list in that file.
+std::vector<Variant> variants_of(const Node& list) {
+  if (!list.json.is_array()) list.refuse("a list");
+  std::vector<Variant> variants;
+  for (std::size_t i = 0; i < list.json.size(); ++i) {
+    const Node node{list.folder, list.file, fmt::format("{}[{}]", list.key, i), list.json[i]};
+    if (!node.json.is_string()) {
+      variants.push_back(variant_of(node));
+      continue;
+    }
+    const std::string path = (list.folder.folder / node.text()).lexically_normal().string();
+    const Json shared = parsed(path);
+    for (Variant& variant : variants_of({list.folder, path, "", shared})) variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+std::string reason_of(const Node& node) {
+  const std::string text = node.text();
+  if (!text.starts_with(kNotRun) || text.size() == kNotRun.size()) node.refuse("\"not run: REASON\"");
+  return text.substr(kNotRun.size());
+}
+
+}  // namespace
+
+std::vector<Override> CaseFile::overrides(const std::string& profile) const {
+  const auto found = set.find(rules_of(profile));
+  return found == set.end() ? std::vector<Override>{} : found->second;
+}
+
+std::vector<Override> CaseFile::overrides(const Variant& variant) const {
+  std::vector<Override> all = overrides(variant.profile);
+  append(all, variant.set);
+  return all;
+}
+
+CaseFile read_case_file(const CaseFolder& folder) {
+  CaseFile file;
+  file.path = (folder.folder / "case.json").string();
+  if (!std::filesystem::exists(file.path)) return file;
+  const Json json = parsed(file.path);
+  const Node top{folder, file.path, "", json};
+  std::vector<std::string> known{"about", "slow", "set", "variants"};
+  for (const std::string& profile : rule_names()) known.push_back(profile);
+  top.require_keys(known);
+  if (json.contains("about")) file.about = top.at("about").text();
+  if (json.contains("slow")) file.is_slow = top.at("slow").flag();
+  if (json.contains("set")) file.set = sets_of(top.at("set"));
+  if (json.contains("variants")) file.variants = variants_of(top.at("variants"));
+  for (const std::string& profile : rule_names())
+    if (json.contains(profile)) file.not_run[profile] = reason_of(top.at(profile));
+  return file;
+}
+
+}  // namespace keyblock::study

@@ -1,0 +1,70 @@
+// Walks folders for cases.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/cases/cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace keyblock::study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>& cases) {
+  const bool has_expected = fs::exists(folder / "expected.csv");
+  const bool has_trace = fs::exists(folder / "steps.csv") && fs::exists(folder / "blocks.csv");
+  if (has_expected || has_trace) {
+    const fs::path relative = folder.lexically_relative(root);
+    const std::string name =
+        relative == "." ? folder.lexically_normal().filename().string() : relative.generic_string();
+    cases.push_back({folder, name, has_expected, has_trace});
+  }
+  std::vector<fs::path> inner;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_directory()) inner.push_back(entry.path());
+  std::ranges::sort(inner);
+  for (const fs::path& below : inner) visit(below, root, cases);
+}
+
+}  // namespace
+
+std::vector<std::string> CaseFolder::inputs() const {
+  const std::string base = (folder / fs::absolute(folder).lexically_normal().filename()).string();
+  if (fs::exists(base + ".json")) return {base + ".json"};
+  const auto either = [&](const char* native, const char* usual) {
+    return base + (fs::exists(base + native) ? native : usual);
+  };
+  return {either(".blk", ".geo"), either(".df", ".ana")};
+}
+
+std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths) {
+  std::vector<CaseFolder> cases;
+  for (const std::string& path : paths) {
+    fs::path root = fs::path(path).lexically_normal();
+    if (!root.has_filename()) root = root.parent_path();
+    if (!fs::is_directory(root)) throw InputError({path, 0, 0}, "expected a folder with cases, found none");
+    const std::size_t before = cases.size();
+    visit(root, root, cases);
+    if (cases.size() == before)
+      throw InputError({path, 0, 0},
+                       "expected a case (expected.csv, or steps.csv with blocks.csv), found none below it");
+  }
+  return cases;
+}
+
+CaseFolder the_case_in(const std::string& path) {
+  const std::vector<CaseFolder> folders = find_cases({path});
+  // Below a case may lie results of its runs.
+  const auto itself =
+      std::ranges::find_if(folders, [&](const CaseFolder& folder) { return fs::equivalent(folder.folder, path); });
+  if (itself != folders.end()) return *itself;
+  if (folders.size() != 1)
+    throw InputError({path, 0, 0}, fmt::format("expected one case, found {} below it", folders.size()));
+  return folders.front();
+}
+
+}  // namespace keyblock::study

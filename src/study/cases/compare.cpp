@@ -1,0 +1,178 @@
+// Runs a case as its folder says, and picks the values.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/cases/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <variant>
+
+#include "formats/case.hpp"
+#include "run/cover_case.hpp"
+#include "run/cover_settings.hpp"
+#include "run/prepare.hpp"
+#include "settings/profile.hpp"
+#include "study/cases/named_files.hpp"
+
+namespace keyblock::study {
+namespace {
+
+/// All that the folder holds, read once for all its runs.
+struct Loaded {
+  CaseFolder folder;
+  std::string table;  ///< path of expected.csv
+  CaseFile file;
+  std::vector<ExpectedValue> expected;
+  formats::Case input;
+};
+
+Loaded load(const CaseFolder& folder) {
+  const std::string table = (folder.folder / "expected.csv").string();
+  return {folder, table, read_case_file(folder), read_expected(table), formats::load_case(folder.inputs())};
+}
+
+int first_block(const std::vector<ComparedValue>& values) {
+  const auto followed =
+      std::ranges::find_if(values, [](const ComparedValue& v) { return owner_of(v.quantity) == Owner::block; });
+  return followed == values.end() ? 1 : *followed->block;
+}
+
+// A setting that is none is the case file's fault; a scene that the profile refuses is a result: the sentence why.
+std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, const std::string& profile,
+                                                        const std::vector<Override>& overrides) {
+  Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
+  try {
+    const std::vector<Override> left = set_plan(problem, overrides);
+    return prepare(problem, profile, left);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({loaded.file.path, 0, 0}, error.what());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
+  compared.followed_block = first_block(compared.values);
+  const auto block = static_cast<std::size_t>(compared.followed_block - 1);
+  RunSoFar so_far;
+  Observer observer;
+  observer.on_step = [&](const StepReport& report) { so_far.add(report); };
+  observer.on_frame = [&](const Frame& frame) {
+    pick(compared.values, so_far, frame, kSameInstant * scene.settings.time_step);
+    compared.times.push_back(frame.time);
+    compared.displacements.push_back(length(frame.elements[block].displacement));
+  };
+  compared.outcome = run(scene, 1, observer);
+  compared.start = so_far.start();
+  compared.end = so_far.now();
+  return compared;
+}
+
+// Bodies on covers: each load step is an instant. A body that can still move is how the run failed.
+ComparedCase solve_and_pick(const Loaded& loaded, const Problem& problem, ComparedCase compared) {
+  try {
+    const CoverCase cover_case(problem, compared.profile);
+    compared.warnings = joined(loaded.input.warnings, cover_case.warnings());
+    const Frame& start = cover_case.start().frame;
+    require_numbers(compared.values, start.measured_points.size(), start.elements.size(), loaded.table);
+    RunSoFar so_far;
+    const auto keep = [&](const SolvedStep& step) {
+      pick(compared.values, so_far, step.frame, kSameInstant * problem.analysis->time_step);
+      compared.times.push_back(step.time);
+      compared.displacements.push_back(length(step.frame.elements.front().displacement));
+      compared.outcome.steps = step.step;
+      compared.outcome.time = step.time;
+    };
+    keep(cover_case.start());
+    cover_case.run(keep);
+    compared.start = so_far.start();
+    compared.end = so_far.now();
+  } catch (const NotPositiveDefinite& error) {
+    compared.outcome.end = RunEnd::failed;
+    compared.outcome.reason = error.what();
+  } catch (const InputError& error) {
+    compared.not_run = error.what();
+  }
+  return compared;
+}
+
+ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
+  compared.name = loaded.folder.name;
+  Problem problem = loaded.input.problem;
+  try {
+    const std::vector<Override> left = set_plan(problem, overrides);
+    if (is_solved_at_once(problem, compared.profile, left)) return solve_and_pick(loaded, problem, std::move(compared));
+  } catch (const std::invalid_argument& error) {
+    throw InputError({loaded.file.path, 0, 0}, error.what());
+  }
+  const auto made = prepared_or_refused(loaded, compared.profile, overrides);
+  if (const auto* why = std::get_if<std::string>(&made)) {
+    compared.not_run = *why;
+    return compared;
+  }
+  const Prepared& prepared = std::get<Prepared>(made);
+  compared.warnings = joined(loaded.input.warnings, prepared.warnings);
+  require_numbers(compared.values, prepared.scene.model.measured_points.size(), prepared.scene.model.elements.size(),
+                  loaded.table);
+  return run_and_pick(prepared.scene, std::move(compared));
+}
+
+ComparedCase plain_run(const Loaded& loaded, const std::string& profile) {
+  ComparedCase compared;
+  compared.name = loaded.folder.name;
+  compared.profile = profile;
+  compared.values = values_to_find(loaded.expected, profile);
+  const auto not_run = loaded.file.not_run.find(rules_of(profile));
+  if (not_run == loaded.file.not_run.end())
+    return compared_with(loaded, std::move(compared), loaded.file.overrides(profile));
+  compared.not_run = not_run->second;
+  for (ComparedValue& v : compared.values) v.is_judged = false;
+  return compared;
+}
+
+ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
+  ComparedCase compared;
+  compared.profile = variant.profile;
+  compared.variant = variant.name;
+  compared.values = values_to_find(loaded.expected, variant.profile);
+  for (ComparedValue& v : compared.values) {
+    if (!variant.tolerance) continue;
+    v.tolerance = *variant.tolerance;
+    v.tolerance_reason = variant.reason;
+    v.listed_miss.clear();
+  }
+  try {
+    return compared_with(loaded, compared, loaded.file.overrides(variant));
+  } catch (const InputError& error) {  // the other runs of the case go on
+    compared.not_run = error.what();
+    return compared;
+  }
+}
+
+}  // namespace
+
+bool ComparedCase::holds() const {
+  if (std::ranges::none_of(values, &ComparedValue::is_judged)) return true;
+  return not_run.empty() && outcome.end == RunEnd::finished && std::ranges::none_of(values, &ComparedValue::is_missed);
+}
+
+bool CaseComparison::holds() const {
+  return std::ranges::all_of(plain, &ComparedCase::holds) && std::ranges::all_of(variants, &ComparedCase::holds);
+}
+
+ComparedCase compare_case(const CaseFolder& folder, const std::string& profile) {
+  return plain_run(load(folder), profile);
+}
+
+CaseComparison compare_in(const CaseFolder& folder, const std::vector<std::string>& profiles) {
+  const Loaded loaded = load(folder);
+  CaseComparison comparison{loaded.folder.name, loaded.file.about, {}, {}};
+  for (const std::string& profile : profiles) comparison.plain.push_back(plain_run(loaded, profile));
+  for (const Variant& variant : loaded.file.variants)
+    if (std::ranges::find(profiles, variant.profile) != profiles.end())
+      comparison.variants.push_back(variant_run(loaded, variant));
+  return comparison;
+}
+
+}  // namespace keyblock::study

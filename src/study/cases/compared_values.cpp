@@ -1,0 +1,63 @@
+// Picks values from the frames of a run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/cases/compared_values.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "settings/profile.hpp"
+
+namespace keyblock::study {
+
+bool ComparedValue::holds() const {
+  return computed && std::abs(error()) <= tolerance;
+}
+
+bool ComparedValue::is_listed_miss() const {
+  return is_judged && !listed_miss.empty() && computed && std::isfinite(*computed) && !holds();
+}
+
+std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expected, const std::string& profile) {
+  std::vector<ComparedValue> values;
+  for (const ExpectedValue& e : expected)
+    values.push_back({e.quantity,
+                      e.block,
+                      e.time,
+                      e.value,
+                      {},
+                      e.tolerance,
+                      e.tolerance_reason,
+                      e.source,
+                      e.listed_miss,
+                      e.is_judged_in(rules_of(profile))});
+  return values;
+}
+
+void require_numbers(const std::vector<ComparedValue>& values, std::size_t points, std::size_t elements,
+                     const std::string& file) {
+  for (const ComparedValue& v : values) {
+    const bool of_point = owner_of(v.quantity) == Owner::point;
+    const std::size_t count = of_point ? points : elements;
+    if (v.block && (*v.block < 1 || *v.block > static_cast<int>(count)))
+      throw InputError({file, 0, 0}, fmt::format("expected a {} from 1 to {}, found {}",
+                                                 of_point ? "measured point" : "block", count, *v.block));
+  }
+}
+
+void pick(std::vector<ComparedValue>& values, RunSoFar& run, const Frame& frame, double same) {
+  const double last = run.now().time;
+  std::vector<std::pair<ComparedValue*, double>> between;
+  for (ComparedValue& v : values)
+    if (!run.now().elements.empty() && v.time > last + same && v.time < frame.time - same)
+      between.emplace_back(&v, quantity_of(run, v.quantity, v.block));
+  run.add(frame);
+  for (const auto& [v, before] : between)
+    v->computed = std::lerp(before, quantity_of(run, v->quantity, v->block), (v->time - last) / (frame.time - last));
+  for (ComparedValue& v : values)
+    if (std::abs(frame.time - v.time) <= same) v.computed = quantity_of(run, v.quantity, v.block);
+}
+
+}  // namespace keyblock::study

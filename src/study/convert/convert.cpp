@@ -1,0 +1,215 @@
+// Puts the parts together, derives the geometry that the target asks for, writes, reads back and compares.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/convert/convert.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "formats/berkeley/ddaml.hpp"
+#include "formats/case_file/keyblock_case.hpp"
+#include "formats/dxf/dxf.hpp"
+#include "formats/shi/analysis_parts.hpp"
+#include "formats/shi/dda_analysis.hpp"
+#include "formats/shi/dda_blocks.hpp"
+#include "formats/shi/dda_geometry.hpp"
+#include "formats/shi/nmm_analysis.hpp"
+#include "formats/shi/nmm_cover.hpp"
+#include "formats/text/split.hpp"
+#include "formats/text/tokens.hpp"
+#include "formats/views/views.hpp"
+#include "study/convert/berkeley_faults.hpp"
+#include "study/convert/derived_geometry.hpp"
+#include "study/convert/dropped_comments.hpp"
+
+namespace keyblock::study {
+namespace {
+
+using formats::Content;
+using formats::Format;
+
+bool has_geometry(const Content& content) {
+  return content.drawing || content.blocks || content.cover;
+}
+
+template <class Part>
+void put(std::optional<Part>& into, const std::optional<Part>& part, const std::string& file, std::string_view noun) {
+  if (!part) return;
+  if (into) throw InputError({file}, fmt::format("expected one {} in all files, found a second", noun));
+  into = part;
+}
+
+void add_to(Content& all, const Content& content, const std::string& file) {
+  if (has_geometry(all) && has_geometry(content))
+    throw InputError({file}, "expected one geometry in all files, found a second");
+  put(all.drawing, content.drawing, file, "drawing");
+  put(all.blocks, content.blocks, file, "set of blocks");
+  put(all.cover, content.cover, file, "cover");
+  put(all.covers, content.covers, file, "set of covers");
+  put(all.analysis, content.analysis, file, "analysis");
+  all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
+  all.tracks.insert(all.tracks.end(), content.tracks.begin(), content.tracks.end());
+  put(all.motion, content.motion, file, "motion");
+  formats::put_units(all.units, content.units, {file});
+  put(all.choices, content.choices, file, "run");
+}
+
+struct Written {
+  std::string text;     ///< empty where the format cannot hold anything of the content
+  std::string why_not;  ///< the reason then
+};
+
+Written written(const Format& format, const Content& content) {
+  try {
+    return {format.write(content), {}};
+  } catch (const std::invalid_argument& error) {
+    return {{}, error.what()};
+  }
+}
+
+// Points of 3 numbers or 4, a head without its last count: one reader takes several layouts of which the writer has one.
+bool has_layout_of(const formats::FileReading& file, const Format& format, const std::string& text) {
+  if (file.choice->format->read != format.read) return false;
+  const bool is_marked = format.recognise != nullptr;
+  if (is_marked || file.choice->recognition.fit == formats::Recognition::Fit::surplus)
+    return file.choice->format == &format;
+  return formats::tokenise(file.source).numbers.size() == formats::tokenise({"converted", text}).numbers.size();
+}
+
+// The bytes of the file that already says this, in this format.
+const std::string* unchanged(const std::vector<formats::FileReading>& files, const Format& format,
+                             const std::string& text) {
+  for (const formats::FileReading& file : files)
+    if (has_layout_of(file, format, text) && written(format, file.reading->content).text == text)
+      return &file.source.text;
+  return nullptr;
+}
+
+// As the writers count: an analysis has as many curves as the geometry beside it has points.
+formats::ReadHint hint_of(const Content& content) {
+  formats::ReadHint hint = formats::counted_points(content);
+  if (hint.geometry == formats::GeometryKind::unknown) hint.geometry = formats::GeometryKind::drawing;
+  if (content.units) hint.length = content.units->length;
+  if (!content.analysis) return hint;
+  const auto count = [](const auto& curves) { return static_cast<int>(curves.size()); };
+  if (!hint.fixed_points) hint.fixed_points = count(content.analysis->fixed_point_motions);
+  if (!hint.loading_points) hint.loading_points = count(content.analysis->point_loads);
+  return hint;
+}
+
+// Files of Shi's line hold a curve for each point of the geometry, if only an empty one.
+void complete_curves(Content& content, const Target& target) {
+  const auto is_part = [&](const Format& format) {
+    return std::ranges::any_of(target.parts, [&](const Target::Part& part) { return part.format == &format; });
+  };
+  const bool is_shi = is_part(formats::kDdaAnalysisShi);
+  if (!content.analysis || (!is_shi && !is_part(formats::kNmmAnalysis))) return;
+  const formats::ReadHint counts = hint_of(content);
+  const auto grow = [](std::vector<TimeCurve>& curves, std::optional<int> size) {
+    curves.resize(std::max(curves.size(), static_cast<std::size_t>(size.value_or(0))));
+  };
+  if (is_shi) grow(content.analysis->fixed_point_motions, counts.fixed_points);
+  grow(content.analysis->point_loads, counts.loading_points);
+}
+
+bool is_lacking(const Content& content, const Format& format) {
+  return written(format, content).text.empty();
+}
+
+// Blocks or lines, where the target holds these and not the geometry there is.
+std::optional<Derivation> derived_geometry(const Content& content, const Target& target) {
+  const auto writes = [&](const Content& trial) {
+    return std::ranges::any_of(target.parts,
+                               [&](const Target::Part& part) { return !is_lacking(trial, *part.format); });
+  };
+  Content geometry, no_blocks, no_lines;
+  geometry.drawing = content.drawing;
+  geometry.blocks = content.blocks;
+  geometry.cover = content.cover;
+  no_blocks.blocks.emplace();
+  no_lines.drawing.emplace();
+  if (!has_geometry(geometry) || writes(geometry)) return std::nullopt;
+  std::optional<Derivation> derived;
+  if (writes(no_blocks)) derived = as_blocks(geometry);
+  if (!derived && writes(no_lines)) derived = as_lines(geometry);
+  return derived;
+}
+
+}  // namespace
+
+const std::vector<Target>& targets() {
+  using namespace formats;
+  static const std::vector<Target> all{
+      {"keyblock-case", "Keyblock case file", {{&kKeyblockCase, ".json"}}},
+      {"ddaml", "Berkeley XML, geometry and analysis in one file", {{&kDdaml, ".xml"}}},
+      {"dxf", "DXF drawing R12, lines by layer", {{&kDxf, ".dxf"}}},
+      {"dda-geometry", "geometry (lines) of the old cutting program", {{&kDdaGeometry, ".geo"}}},
+      {"dda-blocks", "block file, points of 4 numbers", {{&kDdaBlocks, ".blk"}}},
+      {"dda-blocks-3", "block file, points of 3 numbers", {{&kDdaBlocksOfThree, ".blk"}}},
+      {"dda-analysis-berkeley", "analysis file, Berkeley", {{&kDdaAnalysisBerkeley, ".ana"}}},
+      {"dda-analysis-shi", "analysis file, Shi", {{&kDdaAnalysisShi, ".df"}}},
+      {"nmm-cover", "cover of the manifold program", {{&kNmmCover, ".cv"}}},
+      {"nmm-analysis", "analysis of the manifold program", {{&kNmmAnalysis, ".mf"}}},
+      {"vtk", "for ParaView", {{&kVtk, ".vtu", left_out_by_vtk}}},
+      {"csv", "a table of corners and marks, or of frames", {{&kCsv, ".csv", left_out_by_csv}}},
+      {"berkeley",
+       "lines and analysis, as Berkeley's program takes them",
+       {{&kDdaGeometry, ".geo"}, {&kDdaAnalysisBerkeley, ".ana"}}},
+      {"shi", "blocks and analysis, as Shi's df takes them", {{&kDdaBlocks, ".blk"}, {&kDdaAnalysisShi, ".df"}}},
+      {"manifold", "cover and analysis, as Shi's mf takes them", {{&kNmmCover, ".cv"}, {&kNmmAnalysis, ".mf"}}},
+  };
+  return all;
+}
+
+const Target* find_target(std::string_view name) {
+  const auto found = std::ranges::find(targets(), name, &Target::name);
+  return found == targets().end() ? nullptr : &*found;
+}
+
+Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults) {
+  Conversion conversion;
+  Content content;
+  for (const formats::FileReading& file : files) {
+    if (file.error) throw *file.error;
+    const formats::Reading reading = faults == Faults::berkeley ? as_berkeley_reads(file) : *file.reading;
+    conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
+    add_to(content, reading.content, file.path);
+  }
+  conversion.warnings = joined(std::move(conversion.warnings), formats::mismatches(content));
+  if (std::optional<Derivation> derived = derived_geometry(content, target)) {
+    content.drawing = std::move(derived->content.drawing);
+    content.blocks = std::move(derived->content.blocks);
+    content.cover.reset();
+    conversion.losses.push_back({derived->from, 1, derived->sentence});
+    conversion.warnings = joined(std::move(conversion.warnings), derived->warnings);
+  }
+  complete_curves(content, target);
+  conversion.hint = hint_of(content);
+  Content back;
+  std::string why_not;
+  std::set<const std::string*> kept;
+  for (const Target::Part& part : target.parts) {
+    auto [text, reason] = written(*part.format, content);
+    why_not = std::move(reason);
+    if (text.empty()) continue;
+    if (part.format->read) add_to(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
+    const std::string* same = unchanged(files, *part.format, text);
+    kept.insert(same);
+    conversion.files.push_back({part.format, part.ending, same ? *same : std::move(text)});
+  }
+  if (conversion.files.empty())
+    throw InputError({files.front().path},
+                     fmt::format("expected something that {} holds, found none: {}", target.name, why_not));
+  for (const formats::FileReading& file : files)
+    if (std::optional<Warning> dropped = dropped_comments(file); dropped && !kept.contains(&file.source.text))
+      conversion.warnings.push_back(std::move(*dropped));
+  const auto left_out = target.parts.front().left_out;
+  for (Loss& loss : left_out != nullptr ? losses(content, left_out(content)) : losses(content, back))
+    conversion.losses.push_back(std::move(loss));
+  return conversion;
+}
+
+}  // namespace keyblock::study

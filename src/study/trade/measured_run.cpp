@@ -1,0 +1,242 @@
+// Frames only where values are asked for, so that what is measured are the steps.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/trade/measured_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+
+#include "base/stop.hpp"
+#include "run/cover_case.hpp"
+#include "run/cover_settings.hpp"
+#include "run/run.hpp"
+#include "settings/profile.hpp"
+#include "study/cases/cases.hpp"
+#include "study/cases/compared_values.hpp"
+#include "study/cases/named_files.hpp"
+
+namespace keyblock::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLeastTimed = 0.05;  // seconds: shorter ones are mostly the noise of the machine
+constexpr int kMostTimings = 1000;
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::vector<double> found(const std::vector<ComparedValue>& values) {
+  std::vector<double> numbers;
+  for (const ComparedValue& v : values) numbers.push_back(v.computed.value_or(std::nan("")));
+  return numbers;
+}
+
+std::vector<double> displacements(const Frame& frame) {
+  std::vector<double> numbers;
+  const auto add = [&](Point p) { numbers.insert(numbers.end(), {p.x, p.y}); };
+  for (const PointFrame& point : frame.measured_points) add(point.displacement);
+  if (numbers.empty())
+    for (const ElementFrame& element : frame.elements) add(element.displacement);
+  return numbers;
+}
+
+// Quantities of all the way, not of an instant.
+bool needs_every_step(const std::vector<ExpectedValue>& expected) {
+  return std::ranges::any_of(expected, [](const ExpectedValue& e) {
+    return e.quantity.starts_with("greatest_") || e.quantity == "converged_share";
+  });
+}
+
+// Frames as seldom as meets every expected time; every step where steps differ in size.
+int frame_interval(const std::vector<ExpectedValue>& expected, const Settings& settings) {
+  if (needs_every_step(expected)) return 1;
+  if (settings.dynamics == Dynamics::shi && settings.step_control == StepControl::shi) return 1;
+  int interval = settings.step_count;
+  for (const ExpectedValue& e : expected) {
+    const double steps = e.time / settings.time_step;
+    if (std::abs(steps - std::round(steps)) > kSameInstant || steps > settings.step_count) return 1;
+    interval = std::gcd(interval, static_cast<int>(std::round(steps)));
+  }
+  return interval;
+}
+
+/// What a run reads off as it goes; made anew for each timing.
+class Reading {
+ public:
+  explicit Reading(const StudyCase& chosen) : values_(values_to_find(chosen.expected, "standard")) {}
+
+  void add(const Frame& frame, double time_step) { pick(values_, so_far_, frame, kSameInstant * time_step); }
+  void add(const StepReport& report) { so_far_.add(report); }
+  std::vector<double> numbers() const { return values_.empty() ? displacements(so_far_.now()) : found(values_); }
+
+ private:
+  std::vector<ComparedValue> values_;
+  RunSoFar so_far_;
+};
+
+void run_blocks(const StudyCase& chosen, const Scene& scene, const RunLimits& limits, MeasuredRun& measured) {
+  Reading reading(chosen);
+  const double begin = cpu_seconds();
+  Observer observer;
+  observer.on_step = [&](const StepReport& report) { reading.add(report); };
+  observer.on_frame = [&](const Frame& frame) { reading.add(frame, scene.settings.time_step); };
+  bool is_asked = false;
+  observer.wants_stop = [&] {
+    is_asked = limits.wants_stop();
+    return is_asked || cpu_seconds() - begin > limits.cpu_seconds;
+  };
+  const RunOutcome outcome = run(scene, frame_interval(chosen.expected, scene.settings), observer);
+  measured.seconds = cpu_seconds() - begin;
+  measured.steps = outcome.steps;
+  if (outcome.end == RunEnd::failed) {
+    measured.end = MeasuredEnd::failed;
+    measured.reason = outcome.reason;
+  } else if (outcome.end == RunEnd::stopped) {
+    const std::string at = fmt::format("at step {} of {}", outcome.steps, scene.settings.step_count);
+    measured.end = is_asked ? MeasuredEnd::stopped : MeasuredEnd::over_limit;
+    measured.reason =
+        is_asked ? "by request " + at : fmt::format("{:.3g} s of processor time reached {}", limits.cpu_seconds, at);
+  }
+  measured.values = reading.numbers();
+}
+
+void run_on_covers(const StudyCase& chosen, const CoverCase& cover_case, double time_step, MeasuredRun& measured) {
+  Reading reading(chosen);
+  const double begin = cpu_seconds();
+  reading.add(cover_case.start().frame, time_step);
+  cover_case.run([&](const SolvedStep& step) {
+    reading.add(step.frame, time_step);
+    measured.steps = step.step;
+  });
+  measured.seconds = cpu_seconds() - begin;
+  measured.values = reading.numbers();
+}
+
+// Again until there is enough to measure; the least counts, because all that disturbs a run makes it longer.
+template <class Run>
+void best_of(const RunLimits& limits, MeasuredRun& measured, const Run& run) {
+  double sum = 0;
+  double best = std::numeric_limits<double>::max();
+  do {
+    MeasuredRun again = measured;
+    run(again);
+    const bool is_lost = again.end == MeasuredEnd::stopped && measured.timings > 0;
+    if (is_lost) break;  // the timings before it stand
+    measured = std::move(again);
+    ++measured.timings;
+    sum += measured.seconds;
+    best = std::min(best, measured.seconds);
+  } while (measured.end == MeasuredEnd::finished && measured.timings < kMostTimings && !limits.wants_stop() &&
+           (measured.timings < limits.repeat || sum < kLeastTimed));
+  measured.seconds = best;
+}
+
+void require_there(const StudyCase& chosen, std::size_t points, std::size_t elements) {
+  require_numbers(values_to_find(chosen.expected, "standard"), points, elements,
+                  (chosen.folder / "expected.csv").string());
+}
+
+// Meshes differ in their elements: what can be compared are points.
+void require_points(const StudyCase& chosen, const Problem& problem, std::size_t points) {
+  if (chosen.expected.empty() && points == 0 && problem.covers)
+    throw InputError(problem.covers->place,
+                     "expected measured points, or expected values to compare with, in a case on covers");
+}
+
+void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& measured) {
+  const RunPlan& plan = measured.plan;
+  std::vector<Override> overrides = chosen.overrides(plan.profile);
+  overrides.insert(overrides.end(), plan.set.begin(), plan.set.end());
+  Problem problem = with_named_files(chosen.input.problem, overrides, chosen.folder);
+  const std::vector<Override> left = set_plan(problem, overrides);
+  if (is_solved_at_once(problem, plan.profile, left)) {
+    for (const Override& setting : left) problem.choices.settings.push_back(setting);
+    const CoverCase cover_case(problem, plan.profile);
+    const Frame& start = cover_case.start().frame;
+    require_there(chosen, start.measured_points.size(), start.elements.size());
+    require_points(chosen, problem, start.measured_points.size());
+    measured.unknowns = cover_case.counts().unknowns;
+    best_of(limits, measured,
+            [&](MeasuredRun& run) { run_on_covers(chosen, cover_case, problem.analysis->time_step, run); });
+    return;
+  }
+  const Prepared prepared = prepare(problem, plan.profile, left);
+  const Model& model = prepared.scene.model;
+  require_there(chosen, model.measured_points.size(), model.elements.size());
+  require_points(chosen, problem, model.measured_points.size());
+  measured.unknowns = prepared.requirements.unknowns;
+  best_of(limits, measured, [&](MeasuredRun& run) { run_blocks(chosen, prepared.scene, limits, run); });
+}
+
+void tell(MeasuredRun& measured, MeasuredEnd end, const std::string& reason) {
+  measured.end = end;
+  measured.reason = reason;
+}
+
+}  // namespace
+
+std::vector<Override> StudyCase::overrides(const std::string& profile) const {
+  std::vector<Override> all = file.overrides(profile);
+  all.insert(all.end(), common.begin(), common.end());
+  return all;
+}
+
+StudyCase study_case(const std::vector<std::string>& paths) {
+  StudyCase chosen;
+  const bool is_folder = paths.size() == 1 && fs::is_directory(paths.front());
+  if (!is_folder) {
+    chosen.input = formats::load_case(paths);
+    chosen.name = fs::path(paths.front()).stem().string();
+    return chosen;
+  }
+  const CaseFolder folder = the_case_in(paths.front());
+  const fs::path whole = fs::absolute(folder.folder).lexically_normal();
+  chosen.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names as "coarse"
+  chosen.folder = folder.folder;
+  chosen.file = read_case_file(folder);
+  chosen.input = formats::load_case(folder.inputs());
+  if (folder.has_expected) chosen.expected = read_expected((folder.folder / "expected.csv").string());
+  return chosen;
+}
+
+std::string name_of(MeasuredEnd end) {
+  constexpr std::array<const char*, 5> kNames{"finished", "failed", "refused", "over limit", "stopped"};
+  return kNames.at(static_cast<std::size_t>(end));
+}
+
+MeasuredRun measured_run(const StudyCase& chosen, const RunPlan& plan, const RunLimits& limits) {
+  MeasuredRun measured;
+  measured.plan = plan;
+  if (const auto not_run = chosen.file.not_run.find(rules_of(plan.profile)); not_run != chosen.file.not_run.end()) {
+    tell(measured, MeasuredEnd::refused, not_run->second);
+    return measured;
+  }
+  try {
+    measure(chosen, limits, measured);
+  } catch (const StopRequested& error) {
+    tell(measured, MeasuredEnd::stopped, error.what());
+  } catch (const InputError& error) {
+    if (error.place().file.text() == (chosen.folder / "expected.csv").string()) throw;
+    tell(measured, MeasuredEnd::refused, error.what());
+  } catch (const std::invalid_argument& error) {
+    tell(measured, MeasuredEnd::refused, error.what());
+  } catch (const std::bad_alloc&) {
+    tell(measured, MeasuredEnd::failed, "there is not enough memory for this");
+  } catch (const std::exception& error) {
+    tell(measured, MeasuredEnd::failed, error.what());
+  }
+  return measured;
+}
+
+}  // namespace keyblock::study

@@ -1,0 +1,72 @@
+// One run of a case under settings of its own: what it costs in processor time and what it gives.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "formats/case.hpp"
+#include "run/prepare.hpp"
+#include "study/cases/case_file.hpp"
+#include "study/cases/expected.hpp"
+
+namespace keyblock::study {
+
+/// A case that is to be run in many ways, read once.
+struct StudyCase {
+  std::string name;
+  std::filesystem::path folder;  ///< that file names in settings start from
+  formats::Case input;
+  CaseFile file;                        ///< empty where files were given
+  std::vector<Override> common;         ///< on top of the case's own, for every run
+  std::vector<ExpectedValue> expected;  ///< what runs are held against; empty: what moved until the end is taken
+
+  /// The settings of all runs under `profile`.
+  std::vector<Override> overrides(const std::string& profile) const;
+};
+
+/// The case of one folder (study/cases/cases.hpp), or of the files of one. Throws InputError as reading does, and for a folder of
+/// several cases.
+StudyCase study_case(const std::vector<std::string>& paths);
+
+/// A way to run a case.
+struct RunPlan {
+  std::string name;     ///< "rigid, step x2"
+  std::string group;    ///< what is varied: "step", "basis and step", "profile"
+  std::string profile;  ///< below the settings
+  std::vector<Override> set;
+  std::string coarser;  ///< name of the plan that this one refines, if any
+  double growth = 1;    ///< at least so many times the cost of that one
+};
+
+struct RunLimits {
+  int repeat = 1;           ///< the best of so many
+  double cpu_seconds = 60;  ///< of one run; bodies on covers that are solved at once are not interrupted
+  std::function<bool()> wants_stop = [] { return false; };  ///< ends the run at hand, and all runs after it
+};
+
+enum class MeasuredEnd { finished, failed, refused, over_limit, stopped };
+
+struct MeasuredRun {
+  RunPlan plan;
+  MeasuredEnd end = MeasuredEnd::finished;
+  std::string reason;  ///< why there is no result
+  double seconds =
+      0;  ///< of processor time, all threads: start and steps, or load steps with their cutting; without reading
+  int timings = 0;  ///< the best of so many runs
+  int steps = 0;
+  int unknowns = 0;
+  /// Of `expected` the values in order; without it displacements (x, y) at the end, of the measured points or else all blocks.
+  std::vector<double> values;
+};
+
+/// A word for tables: "finished", "over limit".
+std::string name_of(MeasuredEnd end);
+
+/// Runs it, again until the times add up to 0.05 s. What goes wrong in the run is told in the result. Throws InputError for
+/// expected values of blocks that are not there.
+MeasuredRun measured_run(const StudyCase& chosen, const RunPlan& plan, const RunLimits& limits);
+
+}  // namespace keyblock::study

@@ -1,0 +1,393 @@
+// Levels are settings as `--set` takes them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/trade/run_design.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "model/cover_basis.hpp"
+#include "run/cover_settings.hpp"
+#include "settings/profile.hpp"
+#include "study/cases/compared_values.hpp"
+#include "study/cases/named_files.hpp"
+
+namespace keyblock::study {
+namespace {
+
+/// What the levels are made from.
+struct Base {
+  bool is_solved_at_once = false;
+  bool has_plan = false;        ///< bodies on covers, by a case file
+  bool has_cover_file = false;  ///< or by a file of covers
+  bool has_blocks = true;
+  Settings settings;
+  CoverPlan plan;
+  std::size_t blocks = 0;
+  std::vector<double> times;  ///< of expected values
+
+  bool is_standard() const { return settings.dynamics == Dynamics::standard; }
+};
+
+Base base_of(const StudyCase& chosen, const std::string& profile, const std::vector<Override>& more = {}) {
+  Base base;
+  std::vector<Override> overrides = chosen.overrides(profile);
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  Problem problem = with_named_files(chosen.input.problem, overrides, chosen.folder);
+  const std::vector<Override> left = set_plan(problem, overrides);
+  base.has_plan = problem.covers.has_value();
+  base.has_cover_file = std::holds_alternative<Cover>(problem.geometry);
+  base.has_blocks = !base.has_cover_file && !(base.has_plan && problem.covers->mesh.materials.empty());
+  if (base.has_plan) base.plan = *problem.covers;
+  base.is_solved_at_once = is_solved_at_once(problem, profile, left);
+  if (!base.is_solved_at_once) {
+    const Scene scene = prepare(problem, profile, left).scene;
+    base.settings = scene.settings;
+    base.blocks = scene.model.elements.size();
+  }
+  for (const ExpectedValue& e : chosen.expected) base.times.push_back(e.time);
+  return base;
+}
+
+// The number of steps is rounded so that the run ends at the same time and expected times stay ends of steps; nothing where
+// that leaves the case's own step.
+std::vector<Override> step_overrides(const Base& base, double factor) {
+  const Settings& own = base.settings;
+  int whole = own.step_count;
+  for (const double time : base.times) {
+    const double steps = time / own.time_step;
+    if (steps >= 1 && steps <= own.step_count && std::abs(steps - std::round(steps)) <= kSameInstant)
+      whole = std::gcd(whole, static_cast<int>(std::round(steps)));
+  }
+  const int parts = own.step_count / whole;
+  const int steps = parts * std::max(1, static_cast<int>(std::lround(whole / factor)));
+  if (steps == own.step_count) return {};
+  return {{"time_step", fmt::format("{:.15g}", own.time_step * own.step_count / steps)},
+          {"steps", fmt::format("{}", steps)}};
+}
+
+std::string factor_name(const char* of, double factor) {
+  return factor >= 1 ? fmt::format("{} x{:g}", of, factor) : fmt::format("{} /{:g}", of, 1 / factor);
+}
+
+constexpr std::array<double, 3> kCoarser{8, 4, 2};
+// Of so many blocks there are assemblies of contacts, whose forces are solved to a tolerance.
+constexpr std::size_t kManyBlocks = 20;
+constexpr int kFinest = 4;  // part of the step or the side
+
+// Behind the next coarser level or, the first that is finer than the case's own, behind that.
+void add_refinement(Axis& axis, const char* of, double factor, std::vector<Override> set) {
+  if (set.empty()) return;
+  Level level{factor_name(of, factor), std::move(set), 1 / factor, {}};
+  const double before = axis.levels.empty() ? 0 : axis.levels.back().refinement;
+  if (factor < 1 && before < 1)
+    level.coarser = "";
+  else if (!axis.levels.empty())
+    level.coarser = axis.levels.back().name;
+  axis.levels.push_back(std::move(level));
+}
+
+Axis step_axis(const Base& base, int finest) {
+  Axis axis{"step", {}};
+  const auto add = [&](double factor) { add_refinement(axis, "step", factor, step_overrides(base, factor)); };
+  std::ranges::for_each(kCoarser, add);
+  for (int part = 2; part <= finest; part *= 2) add(1.0 / part);
+  return axis;
+}
+
+std::vector<Override> mesh_overrides(const MeshPlan& mesh, double factor) {
+  if (mesh.side > 0) return {{"mesh.side", fmt::format("{:.12g}", mesh.side * factor)}};
+  const int rows = std::max(1, static_cast<int>(std::lround(mesh.half_rows / factor)));
+  if (rows == mesh.half_rows) return {};
+  return {{"mesh.half_rows", fmt::format("{}", rows)}};
+}
+
+Axis mesh_axis(const Base& base, int finest) {
+  Axis axis{"mesh", {}};
+  const auto add = [&](double factor) { add_refinement(axis, "side", factor, mesh_overrides(base.plan.mesh, factor)); };
+  for (const double factor : {4.0, 2.0}) add(factor);
+  for (int part = 2; part <= finest; part *= 2) add(1.0 / part);
+  return axis;
+}
+
+Axis functions_axis(const char* setting, CoverFunctions own) {
+  Axis axis{"functions", {}};
+  for (const CoverFunctions f :
+       {CoverFunctions::constant, CoverFunctions::derived, CoverFunctions::linear, CoverFunctions::quadratic})
+    if (f != own) axis.levels.push_back({std::string(name_of(f)), {{setting, std::string(name_of(f))}}});
+  return axis;
+}
+
+Axis basis_axis(const Base& base) {
+  const bool is_rigid = base.settings.basis.common == BlockBasis::rigid;
+  const char* other = is_rigid ? "affine" : "rigid";
+  return {"basis", {{other, {{"basis", other}}}}};
+}
+
+Axis enforcement_axis(const Base& base) {
+  Axis axis{"enforcement", {}};
+  const Enforcement own = base.settings.standard.enforcement.common;
+  if (own != Enforcement::lagrange) axis.levels.push_back({"multipliers", {{"enforcement", "lagrange"}}});
+  if (own != Enforcement::penalty) axis.levels.push_back({"springs", {{"enforcement", "penalty"}}});
+  if (own != Enforcement::augmented) axis.levels.push_back({"augmented", {{"enforcement", "augmented"}}});
+  return axis;
+}
+
+std::vector<Override> penalty_overrides(const Base& base, double factor) {
+  const std::pair<std::string, std::string> penalty{"contact_penalty",
+                                                    fmt::format("{:.12g}", base.settings.contact_penalty * factor)};
+  if (base.is_standard()) return {{"enforcement", "penalty"}, penalty};
+  return {{"penalty_control", "constant"}, penalty};
+}
+
+Axis penalty_axis(const Base& base) {
+  Axis axis{"penalty", {}};
+  for (const double factor : {10.0, 0.1})
+    axis.levels.push_back({factor_name("penalty", factor), penalty_overrides(base, factor)});
+  return axis;
+}
+
+// Steps as long as their error allows, up to eight of the case's.
+Axis tolerance_axis(const Base& base) {
+  Axis axis{"tolerance", {}};
+  std::vector<Override> coarse = step_overrides(base, kCoarser.front());
+  for (const char* tolerance : {"1e-2", "1e-3", "1e-4", "1e-5"}) {
+    Level level{fmt::format("tolerance {}", tolerance), {{"step_control", "error"}, {"step_tolerance", tolerance}}};
+    level.set.insert(level.set.end(), coarse.begin(), coarse.end());
+    axis.levels.push_back(std::move(level));
+  }
+  return axis;
+}
+
+Axis integrator_axis(const Base& base) {
+  Axis axis{"integrator", {}};
+  const Integrator own = base.settings.standard.integrator;
+  if (own != Integrator::weighted) axis.levels.push_back({"weighted", {{"integrator", "weighted"}}});
+  if (own != Integrator::newmark) axis.levels.push_back({"Newmark", {{"integrator", "newmark"}}});
+  if (own != Integrator::generalized_alpha)
+    axis.levels.push_back({"generalised alpha", {{"integrator", "generalized_alpha"}}});
+  return axis;
+}
+
+Axis impact_axis(const Base& base) {
+  const bool is_jump = base.settings.standard.impact == ImpactLaw::jump;
+  if (is_jump) return {"impact", {{"impact on springs", {{"impact", "springs"}, {"enforcement", "penalty"}}}}};
+  return {"impact", {{"impact as a jump", {{"impact", "jump"}}}}};
+}
+
+// Residual that contact forces of assemblies may leave, over the heaviest load on a block; of fewer contacts they leave none.
+Axis forces_axis() {
+  Axis axis{"forces", {}};
+  for (const char* tolerance : {"1e-3", "1e-4", "1e-9"})
+    axis.levels.push_back({fmt::format("forces to {}", tolerance), {{"force_tolerance", tolerance}}});
+  return axis;
+}
+
+std::vector<Axis> axes_of(const Base& base, int finest) {
+  std::vector<Axis> axes;
+  if (base.has_plan) axes.push_back(functions_axis("functions", base.plan.functions));
+  if (base.has_plan && base.plan.mesh.refined.empty()) axes.push_back(mesh_axis(base, finest));
+  if (base.is_solved_at_once) return axes;
+  if (base.has_cover_file && base.is_standard())
+    axes.push_back(functions_axis("cover_functions", base.settings.standard.cover_functions));
+  if (base.has_blocks) axes.push_back(basis_axis(base));
+  axes.push_back(step_axis(base, finest));
+  if (base.is_standard()) axes.push_back(enforcement_axis(base));
+  axes.push_back(penalty_axis(base));
+  const bool is_dynamic = base.settings.standard.motion == MotionRule::dynamic;
+  if (!base.is_standard() || !is_dynamic) return axes;
+  axes.push_back(tolerance_axis(base));
+  axes.push_back(integrator_axis(base));
+  axes.push_back(impact_axis(base));
+  if (base.blocks >= kManyBlocks) axes.push_back(forces_axis());
+  return axes;
+}
+
+/// Levels of different axes together, in the order of the axes.
+RunPlan plan_of(const std::string& profile, const std::vector<std::pair<const Axis*, const Level*>>& made) {
+  RunPlan plan;
+  plan.profile = profile;
+  std::string coarser;
+  for (const auto& [axis, level] : made) {
+    const auto append = [](std::string& text, const char* between, const std::string& more) {
+      if (!more.empty()) text += (text.empty() ? "" : between) + more;
+    };
+    append(plan.name, ", ", level->name);
+    append(plan.group, " and ", axis->name);
+    append(coarser, ", ", level->coarser.value_or(level->name));
+    plan.set.insert(plan.set.end(), level->set.begin(), level->set.end());
+    if (level->coarser) plan.growth *= axis->name == "mesh" ? 4 : 1.5;
+  }
+  if (plan.growth > 1) plan.coarser = coarser.empty() ? profile : coarser;
+  return plan;
+}
+
+std::vector<RunPlan> with_profiles(const Base& base, const std::string& profile) {
+  std::vector<RunPlan> plans{{profile, "profile", profile, {}, {}, 1}};
+  for (const std::string& other : profile_names())
+    if (other != profile && !(base.is_solved_at_once && rules_of(other) != rules_of(profile)))
+      plans.push_back({other, "profile", other, {}, {}, 1});
+  return plans;
+}
+
+const Axis* named(const std::vector<Axis>& axes, const char* name) {
+  const auto found = std::ranges::find(axes, name, [](const Axis& axis) { return axis.name; });
+  return found == axes.end() ? nullptr : &*found;
+}
+
+std::vector<Axis> only(std::vector<Axis> axes, const std::vector<std::string>& vary) {
+  std::vector<std::string> names;
+  for (const Axis& axis : axes) names.push_back(axis.name);
+  for (const std::string& name : vary)
+    if (std::ranges::find(names, name) == names.end())
+      throw std::invalid_argument(
+          fmt::format("--vary: expected some of {}, found \"{}\"", fmt::join(names, ", "), name));
+  if (!vary.empty())
+    std::erase_if(axes, [&](const Axis& axis) { return std::ranges::find(vary, axis.name) == vary.end(); });
+  return axes;
+}
+
+// Pairs worth their time; the second one varies fastest.
+constexpr std::array<std::pair<const char*, const char*>, 6> kPairs{{{"functions", "mesh"},
+                                                                     {"functions", "step"},
+                                                                     {"basis", "step"},
+                                                                     {"basis", "enforcement"},
+                                                                     {"basis", "tolerance"},
+                                                                     {"enforcement", "step"}}};
+
+}  // namespace
+
+std::vector<Axis> axes_of(const StudyCase& chosen, const std::string& profile) {
+  return axes_of(base_of(chosen, profile), kFinest);
+}
+
+std::vector<RunPlan> usual_design(const StudyCase& chosen, const std::string& profile,
+                                  const std::vector<std::string>& vary) {
+  const Base base = base_of(chosen, profile);
+  const std::vector<Axis> axes = only(axes_of(base, kFinest), vary);
+  std::vector<RunPlan> plans = with_profiles(base, profile);
+  for (const Axis& axis : axes)
+    for (const Level& level : axis.levels) plans.push_back(plan_of(profile, {{&axis, &level}}));
+  for (const auto& [first, second] : kPairs) {
+    const Axis* one = named(axes, first);
+    const Axis* other = named(axes, second);
+    if (one == nullptr || other == nullptr) continue;
+    for (const Level& a : one->levels)
+      for (const Level& b : other->levels) plans.push_back(plan_of(profile, {{one, &a}, {other, &b}}));
+  }
+  return plans;
+}
+
+std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& profile, std::size_t most,
+                                 const std::vector<std::string>& vary) {
+  const Base base = base_of(chosen, profile);
+  const std::vector<Axis> axes = only(axes_of(base, kFinest), vary);
+  std::vector<RunPlan> plans = with_profiles(base, profile);
+  std::vector<std::vector<std::pair<const Axis*, const Level*>>> made{{}};
+  for (const Axis& axis : axes) {
+    const std::size_t before = made.size();
+    for (const Level& level : axis.levels)
+      for (std::size_t i = 0; i < before; ++i) {
+        // Both choose the step, or the penalty's springs.
+        const auto chooses = [&](const char* name) {
+          return std::ranges::any_of(made[i], [&](const auto& pair) { return pair.first->name == name; });
+        };
+        if (axis.name == "tolerance" && chooses("step")) continue;
+        if (axis.name == "penalty" && chooses("enforcement")) continue;
+        made.push_back(made[i]);
+        made.back().emplace_back(&axis, &level);
+      }
+  }
+  for (const auto& levels : made)
+    if (!levels.empty() && plans.size() < most) plans.push_back(plan_of(profile, levels));
+  return plans;
+}
+
+std::vector<RunPlan> refinements(const StudyCase& chosen, const std::string& profile, int finest) {
+  const Base base = base_of(chosen, profile);
+  const Axis axis = base.is_solved_at_once ? mesh_axis(base, finest) : step_axis(base, finest);
+  std::vector<RunPlan> plans{{profile, "profile", profile, {}, {}, 1}};
+  for (const Level& level : axis.levels)
+    if (level.refinement > 1) plans.push_back(plan_of(profile, {{&axis, &level}}));
+  plans.erase(plans.begin(), plans.end() - std::min<std::ptrdiff_t>(3, std::ssize(plans)));
+  return plans;
+}
+
+namespace {
+
+/// What refinement changes, and what the level is called: relative to the case's own under the profile of the plan.
+struct Refinement {
+  std::string of;  ///< "step", "side", "tolerance"
+  std::string name;
+  std::vector<Override> set;
+};
+
+Refinement refinement_of(const Base& own, const Base& now, int parts) {
+  if (now.is_solved_at_once) {
+    const std::vector<Override> set = mesh_overrides(now.plan.mesh, 1.0 / parts);
+    const bool by_side = own.plan.mesh.side > 0;
+    const double factor = by_side ? now.plan.mesh.side / own.plan.mesh.side
+                                  : static_cast<double>(own.plan.mesh.half_rows) / now.plan.mesh.half_rows;
+    return {"side", factor_name("side", factor / parts), set};
+  }
+  if (now.settings.step_control == StepControl::error) {
+    const std::string tolerance = fmt::format("{:.2g}", now.settings.standard.step_tolerance / parts);
+    return {"tolerance", "tolerance " + tolerance, {{"step_tolerance", tolerance}}};
+  }
+  const double factor = static_cast<double>(own.settings.step_count) / now.settings.step_count / parts;
+  return {"step", factor_name("step", factor), step_overrides(now, 1.0 / parts)};
+}
+
+// "rigid, step /4" is "rigid" without its step, and "step /4" nothing.
+std::string without_level(const std::string& name, const std::string& of) {
+  const std::size_t at = name.rfind(of + ' ');
+  if (at == std::string::npos || (at > 0 && name[at - 1] != ' ')) return name;
+  return at == 0 ? "" : name.substr(0, at - 2);
+}
+
+}  // namespace
+
+std::optional<RunPlan> refined(const StudyCase& chosen, const std::string& profile, const RunPlan& plan, int parts) {
+  const Base now = base_of(chosen, plan.profile, plan.set);
+  const Refinement finer = refinement_of(base_of(chosen, plan.profile), now, parts);
+  if (finer.set.empty()) return std::nullopt;
+  RunPlan made = plan;
+  const std::string rest = plan.name == profile ? "" : without_level(plan.name, finer.of);
+  made.name = rest.empty() ? finer.name : rest + ", " + finer.name;
+  made.group = plan.group == "profile" ? finer.of : plan.group;
+  made.coarser = plan.name;
+  made.growth = 1.5;
+  for (const Override& setting : finer.set) {
+    std::erase_if(made.set, [&](const Override& old) { return old.first == setting.first; });
+    made.set.push_back(setting);
+  }
+  return made;
+}
+
+std::vector<RunPlan> penalty_step_map(const StudyCase& chosen, const std::string& profile,
+                                      const std::vector<double>& penalties, const std::vector<double>& steps) {
+  const Base base = base_of(chosen, profile);
+  if (base.is_solved_at_once)
+    throw std::invalid_argument("a case that is solved at once on covers has neither contact stiffness nor steps");
+  std::vector<RunPlan> plans;
+  for (const double penalty : penalties)
+    for (const double step : steps) {
+      RunPlan plan{fmt::format("{}, {}", factor_name("penalty", penalty), factor_name("step", step)),
+                   "penalty and step",
+                   profile,
+                   penalty_overrides(base, penalty),
+                   {},
+                   1};
+      const std::vector<Override> set = step_overrides(base, step);
+      plan.set.insert(plan.set.end(), set.begin(), set.end());
+      plans.push_back(std::move(plan));
+    }
+  return plans;
+}
+
+}  // namespace keyblock::study
