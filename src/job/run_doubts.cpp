@@ -5,7 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
+#include "geometry/polygon.hpp"
+#include "geometry/shared_area.hpp"
 #include "material/elastic.hpp"
 #include "model/body_load.hpp"
 
@@ -30,30 +34,105 @@ std::string law_of(const Element& element) {
   return fmt::format("; the elastic law gives way below a stretch of {:.2g}", kSofteningStretch);
 }
 
-}  // namespace
+std::string name_of(const Model& model, std::size_t element) {
+  return fmt::format("{} {}", model.nodes.empty() ? "block" : "element", element + 1);
+}
 
-Warnings doubts(const Prepared& prepared, const RunRecord& record, const Place& place) {
-  const TrustLimits& limits = prepared.scene.settings.trust;
-  Warnings found;
-  if (const double share = record.totals.penetration_share; share > limits.penetration)
+double area_at_start(const Model& model, const Element& element) {
+  double sum = 0;
+  VertexIndex v = element.first_vertex;
+  for (const int size : element.loop_sizes) {
+    std::vector<Point> loop;
+    for (int i = 0; i < size; ++i, ++v.value) loop.push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
+    sum += area(loop);
+  }
+  return sum;
+}
+
+/// The element of the least area over that of the unloaded scene.
+struct Crushed {
+  std::size_t element = 0;
+  double share = 1;
+};
+
+Crushed most_crushed(const Model& model, const Frame& frame) {
+  Crushed found;
+  for (std::size_t e = 0; e < frame.elements.size(); ++e) {
+    const double share =
+        frame.elements[e].area / area_at_start(model, model.elements[ElementIndex{static_cast<int>(e)}]);
+    if (share < found.share) found = {e, share};
+  }
+  return found;
+}
+
+void add_penetration(Warnings& found, const Prepared& prepared, double share, const Frame& last, const Place& place) {
+  const double limit = prepared.scene.settings.trust.penetration;
+  if (share > limit) {
     found.push_back(
         {"sunk_beyond_limit", place,
-         fmt::format("blocks lay as deep in one another as {:.2g} of the size of the smaller; beyond {:.2g} "
+         fmt::format("blocks lay as deep in one another as {:.3g} of the size of the smaller; beyond {:.3g} "
                      "(penetration_limit) the run is not trusted",
-                     share, limits.penetration)});
-  if (const double share = record.extremes.area_share; share < limits.crushing)
-    found.push_back({"crushed_beyond_limit", place,
-                     fmt::format("element {} is pressed to {:.2g} of its area{}; below {:.2g} (crushing_limit) the run "
-                                 "is not trusted",
-                                 record.extremes.crushed_element + 1, share,
-                                 law_of(prepared.scene.model.elements[ElementIndex{record.extremes.crushed_element}]),
-                                 limits.crushing)});
-  if (!keeps_energy(prepared, record)) return found;
-  if (const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope); made > limits.energy)
+                     share, limit)});
+    return;
+  }
+  std::vector<Loops> bodies;
+  for (const ElementFrame& element : last.elements) bodies.push_back(element.loops);
+  const SharedArea shared = shared_area(bodies, limit);
+  if (shared.pairs == 0) return;
+  const Model& model = prepared.scene.model;
+  found.push_back({"sunk_beyond_limit", place,
+                   fmt::format("{} and {} have {:.3g} of the smaller one's area in common at the end; beyond {:.3g} "
+                               "(penetration_limit) the run is not trusted",
+                               name_of(model, static_cast<std::size_t>(shared.first)),
+                               name_of(model, static_cast<std::size_t>(shared.second)), shared.share, limit)});
+}
+
+// A start closes gaps and strains blocks; one that carries a block as far as this has lifted it out of another.
+void add_start(Warnings& found, const Prepared& prepared, const Frame& first, const Place& place) {
+  const double limit = prepared.scene.settings.trust.penetration;
+  for (std::size_t e = 0; e < first.elements.size(); ++e) {
+    const double way = length(first.elements[e].displacement);
+    const double size = std::sqrt(first.elements[e].area);
+    if (!(way > limit * size)) continue;
+    found.push_back({"moved_by_start", place,
+                     fmt::format("the start moves {} by {:.3g}, {:.3g} of its size; beyond {:.3g} (penetration_limit) "
+                                 "the run is not trusted: blocks overlap in the input, or are too soft for their loads",
+                                 name_of(prepared.scene.model, e), way, way / size, limit)});
+    return;
+  }
+}
+
+void add_crushing(Warnings& found, const Prepared& prepared, const Frame& last, const Place& place) {
+  const Model& model = prepared.scene.model;
+  const double limit = prepared.scene.settings.trust.crushing;
+  const auto [element, share] = most_crushed(model, last);
+  if (share < limit)
+    found.push_back(
+        {"crushed_beyond_limit", place,
+         fmt::format("{} is pressed to {:.4g} of its area{}; below {:.4g} (crushing_limit) the run is not trusted",
+                     name_of(model, element), share, law_of(model.elements[ElementIndex{static_cast<int>(element)}]),
+                     limit)});
+}
+
+void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Place& place) {
+  if (!keeps_energy(prepared, record)) return;
+  const double limit = prepared.scene.settings.trust.energy;
+  if (const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope); made > limit)
     found.push_back({"energy_beyond_limit", place,
-                     fmt::format("energy came from nothing: {:.2g} of the largest there was; beyond {:.2g} "
+                     fmt::format("energy came from nothing: {:.3g} of the largest there was; beyond {:.3g} "
                                  "(energy_limit) the run is not trusted",
-                                 made, limits.energy)});
+                                 made, limit)});
+}
+
+}  // namespace
+
+Warnings doubts(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
+                const Place& place) {
+  Warnings found;
+  add_penetration(found, prepared, record.totals.penetration_share, last, place);
+  add_crushing(found, prepared, last, place);
+  add_start(found, prepared, first, place);
+  add_energy(found, prepared, record, place);
   return found;
 }
 

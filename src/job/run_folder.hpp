@@ -64,6 +64,8 @@ class RunFolder {
   /// run.json, last: where it stands, everything else does.
   void write_record(const std::string& json);
 
+  const Frame& first_frame() const { return frames_.front(); }
+  const Frame& last_frame() const { return frames_.back(); }
   /// Of the last frame against the first.
   Extremes extremes() const { return extremes_of(frames_.front(), frames_.back()); }
 

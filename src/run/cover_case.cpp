@@ -5,18 +5,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <optional>
-#include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "geometry/polygon.hpp"
+#include "model/continuum.hpp"
 #include "model/setup/free_pieces.hpp"
 #include "run/cover_plan_parts.hpp"
 #include "run/planned_bodies.hpp"
 #include "run/prepare.hpp"
 #include "settings/profile.hpp"
-#include "settings/settings_table.hpp"
 
 namespace keyblock {
 namespace {
@@ -28,29 +30,42 @@ double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// Statics, by the analysis or by the settings of the case file.
-void require_statics(const Problem& problem, const std::string& profile) {
-  const Place& place = problem.analysis->place;
+// Of the settings these alone say anything of linear statics.
+constexpr std::array<std::string_view, 8> kRead{"plane",     "gravity.x", "gravity.y",           "steps",
+                                                "time_step", "motion",    "velocity_carry_over", "linear_method"};
+
+// Statics, by the analysis or by the settings.
+void require_statics(const Problem& problem, const std::string& profile, const Settings& settings) {
   if (rules_of(profile) != "standard")
     throw InputError(problem.covers->place,
                      fmt::format("expected profile standard for bodies on covers, found {}", profile));
-  Settings settings = profile_settings(profile, *problem.analysis);
-  for (const auto& [name, value] : problem.choices.settings) {
-    try {
-      set(settings, name, value);
-    } catch (const std::invalid_argument& error) {
-      throw InputError(problem.choices.place, error.what());
-    }
-  }
   if (settings.standard.motion != MotionRule::equilibrium)
-    throw InputError(problem.covers->excavations.empty() ? place : problem.covers->excavations.front().place,
-                     fmt::format("expected statics where regions are dug out (velocity_carry_over 0), found {}",
-                                 problem.analysis->velocity_carry_over));
+    throw InputError(
+        problem.covers->excavations.empty() ? problem.analysis->place : problem.covers->excavations.front().place,
+        fmt::format("expected statics where regions are dug out (velocity_carry_over 0), found {}",
+                    problem.analysis->velocity_carry_over));
+}
+
+Warnings settings_without_effect(const Problem& problem, const std::vector<Override>& overrides) {
+  Warnings warnings;
+  const auto look = [&](const Override& setting, const Place& place) {
+    if (std::ranges::find(kRead, setting.first) == kRead.end())
+      warnings.push_back({"setting_without_effect", place,
+                          fmt::format("setting {} has no effect on a linear static solution", setting.first)});
+  };
+  const RunChoices& choices = problem.choices;
+  for (std::size_t i = 0; i < choices.settings.size(); ++i)
+    look(choices.settings[i], i < choices.setting_places.size() ? choices.setting_places[i] : choices.place);
+  for (const Override& setting : overrides) look(setting, problem.covers->place);
+  return warnings;
 }
 
 Warnings without_effect(const Problem& problem, bool touches) {
   Warnings warnings;
   const Place& place = problem.covers->place;
+  if (has_bolts(problem))
+    warnings.push_back(
+        {"bolts_without_effect", place, "bolts have no effect where contact is ignored or regions are dug out"});
   if (has_fixed_or_loading_points(problem))
     warnings.push_back({"points_without_effect", place,
                         "fixed and loading points have no effect where contact is ignored or regions are dug out: name "
@@ -60,12 +75,6 @@ Warnings without_effect(const Problem& problem, bool touches) {
         {"contact_without_effect", place,
          "bodies and the two sides of a joint do not feel each other: contact is ignored, or regions are dug out"});
   return warnings;
-}
-
-std::vector<BlockMaterial> weighted(std::vector<BlockMaterial> materials, const std::optional<double>& gravity) {
-  if (gravity)
-    for (BlockMaterial& material : materials) material.unit_weight = material.density * *gravity;
-  return materials;
 }
 
 double length_of(const BoundaryPart& part) {
@@ -131,24 +140,25 @@ Frame frame_of(const FieldFrame& field, const std::vector<BlockMaterial>& materi
 
 struct CoverCase::Parts {
   Problem problem;
+  Settings settings;
   PlannedBodies bodies;
   Warnings warnings;
   Continuum loads;  ///< all that depends on no mesh
   SolvedStep start;
   int load_steps = 1;
 
-  explicit Parts(const Problem& from) : problem(from), bodies(problem) {
-    const Analysis& analysis = *problem.analysis;
+  Parts(const Problem& from, Settings chosen, const std::vector<Override>& overrides)
+      : problem(from), settings(std::move(chosen)), bodies(problem) {
     const CoverPlan& plan = *problem.covers;
-    loads.materials = weighted(analysis.block_materials, analysis.gravity);
-    loads.plane = analysis.plane_strain ? Plane::strain : Plane::stress;
+    loads = continuum_of({}, problem.analysis->block_materials, settings, plan.functions);
     put_loads(loads, plan);
-    load_steps = analysis.step_count;
+    load_steps = settings.step_count;
     for (const ExcavationPlan& excavation : plan.excavations)
       if (excavation.step > load_steps)
         throw InputError(excavation.place, fmt::format("expected a load step from 1 to {}, the step_count, found {}",
                                                        load_steps, excavation.step));
     warnings = joined(bodies.warnings(), without_effect(problem, bodies.touches()));
+    warnings = joined(std::move(warnings), settings_without_effect(problem, overrides));
     const Continuum whole = continuum_at(0);
     look_at_chains(whole.manifold);
     start.counts = counts_of(whole.manifold, CoverBasis(whole.manifold, whole.functions));
@@ -240,10 +250,11 @@ struct CoverCase::Parts {
   }
 };
 
-CoverCase::CoverCase(const Problem& problem, const std::string& profile) {
+CoverCase::CoverCase(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (!problem.analysis) throw InputError(problem.covers->place, "expected an analysis beside covers, found none");
-  require_statics(problem, profile);
-  parts_ = std::make_unique<Parts>(problem);
+  Settings settings = settings_of(problem, profile, overrides);
+  require_statics(problem, profile, settings);
+  parts_ = std::make_unique<Parts>(problem, std::move(settings), overrides);
 }
 
 CoverCase::~CoverCase() = default;
@@ -265,7 +276,7 @@ void CoverCase::run(const std::function<void(const SolvedStep&)>& on_step) const
   for (int step = 1; step <= parts_->load_steps; ++step) {
     if (!last || parts_->bodies.changes_at(step)) last = parts_->solved(step);
     last->step = last->field.step = last->frame.step = step;
-    last->time = last->field.time = last->frame.time = step * parts_->problem.analysis->time_step;
+    last->time = last->field.time = last->frame.time = step * parts_->settings.time_step;
     on_step(*last);
   }
 }

@@ -11,6 +11,7 @@
 #include "problem/problem.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
+#include "settings/settings_table.hpp"
 #include "step/bodies/linear_static.hpp"
 
 namespace keyblock {
@@ -42,9 +43,9 @@ struct SolvedStep {
 
 class CoverCase {
  public:
-  /// Cuts the bodies of the start. Throws InputError where something is missing or cannot be: no geometry or analysis, dynamics,
+  /// Cuts the bodies of the start. Settings of the case file and overrides that say nothing of linear statics are warned of. Throws InputError where something is missing or cannot be: no geometry or analysis, dynamics,
   /// a chain away from all boundaries, a point away from all bodies.
-  CoverCase(const Problem& problem, const std::string& profile);
+  CoverCase(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
   ~CoverCase();
 
   const Warnings& warnings() const;

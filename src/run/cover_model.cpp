@@ -59,29 +59,19 @@ class Mixed {
     if (parts_.manifold.elements.empty())
       throw InputError(problem.covers->mesh.place, "expected a block of the materials that covers name, found none");
     const Analysis& analysis = *problem.analysis;
-    Blocks rest = parts_.rest;
-    for (BlockBolt bolt : cut_.blocks.bolts) {
-      bolt.first_block = at(bolt.first_block).block;
-      bolt.second_block = at(bolt.second_block).block;
-      if (bolt.first_block >= 0 && bolt.second_block >= 0)
-        rest.bolts.push_back(bolt);
-      else
-        ++lost_bolts_;
-    }
+    const Blocks& rest = parts_.rest;
     Model bodies =
         with_continuum(model_from_manifold(parts_.manifold, {}, analysis), planned(parts_.manifold, problem, settings));
     model_ = rest.blocks.empty() ? std::move(bodies) : joined(model_from_blocks(rest, analysis), bodies);
     model_.fixed_points = carried(cut_.blocks.fixed_points, analysis.fixed_point_motions);
     model_.loading_points = carried(cut_.blocks.loading_points, analysis.point_loads);
     model_.measured_points = carried(cut_.blocks.measured_points, {});
+    for (const BlockBolt& bolt : cut_.blocks.bolts)
+      model_.bolts.push_back(bolt_between(bolt, holding(bolt.first_block, bolt.segment.start, "a bolt end", bolt.place),
+                                          holding(bolt.second_block, bolt.segment.end, "a bolt end", bolt.place)));
   }
 
-  CoverModel result() && {
-    if (lost_bolts_ > 0)
-      cut_.warnings.push_back(
-          {"bolts_without_effect", problem_.covers->place, "bolts hold blocks, not bodies on covers"});
-    return {std::move(model_), std::move(cut_.warnings)};
-  }
+  CoverModel result() && { return {std::move(model_), std::move(cut_.warnings)}; }
 
  private:
   MeshedBlocks meshed() const {
@@ -99,16 +89,20 @@ class Mixed {
 
   const Whereabouts& at(int block) const { return parts_.blocks[static_cast<std::size_t>(block)]; }
 
+  /// The element of the joined model at a place of a block as it was cut.
+  ElementIndex holding(int block, Point position, const char* what, const Place& place) const {
+    const Whereabouts& where = at(block);
+    if (where.block >= 0) return {where.block};
+    const auto blocks = static_cast<int>(parts_.rest.blocks.size());
+    return {blocks + element_holding(parts_.manifold, where.body, position, what, place)};
+  }
+
   std::vector<CarriedPoint> carried(const std::vector<BlockPoint>& points, const std::vector<TimeCurve>& curves) const {
     std::vector<CarriedPoint> result;
-    const auto blocks = static_cast<int>(parts_.rest.blocks.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Whereabouts& where = at(points[i].block);
-      const int element = where.block >= 0
-                              ? where.block
-                              : blocks + element_holding(parts_.manifold, where.body, points[i].position,
-                                                         point_of(points[i].block).c_str(), points[i].place);
-      result.push_back({points[i].position, {element}, i < curves.size() ? curves[i] : TimeCurve{}});
+      const ElementIndex element =
+          holding(points[i].block, points[i].position, point_of(points[i].block).c_str(), points[i].place);
+      result.push_back({points[i].position, element, i < curves.size() ? curves[i] : TimeCurve{}});
     }
     return result;
   }
@@ -117,7 +111,6 @@ class Mixed {
   CutResult cut_;
   MeshedBlocks parts_;
   Model model_;
-  int lost_bolts_ = 0;
 };
 
 // All bodies on one mesh, with the joints that end inside them.
@@ -129,10 +122,14 @@ CoverModel all_on_covers(const Problem& problem, const Settings& settings) {
     for (const BlockPoint& point : *points)
       element_holding(manifold, point.block, point.position, point_of(point.block).c_str(), point.place);
   Model model = model_from_manifold(manifold, points_in_elements(manifold, bodies.blocks()), *problem.analysis);
-  Warnings warnings = bodies.warnings();
-  if (!bodies.blocks().bolts.empty())
-    warnings.push_back({"bolts_without_effect", problem.covers->place, "bolts hold blocks, not bodies on covers"});
-  return {with_continuum(std::move(model), planned(manifold, problem, settings)), std::move(warnings)};
+  for (const BlockBolt& bolt : bodies.blocks().bolts) {
+    const auto holding = [&](int body, Point end) {
+      return ElementIndex{element_holding(manifold, body, end, "a bolt end", bolt.place)};
+    };
+    model.bolts.push_back(bolt_between(bolt, holding(bolt.first_block, bolt.segment.start),
+                                       holding(bolt.second_block, bolt.segment.end)));
+  }
+  return {with_continuum(std::move(model), planned(manifold, problem, settings)), bodies.warnings()};
 }
 
 CoverModel of_cover_file(const Cover& cover, const Analysis& analysis, const Settings& settings) {

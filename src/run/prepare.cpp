@@ -208,23 +208,6 @@ void require_sound(const Settings& settings, const Analysis& analysis) {
     throw std::invalid_argument("setting body_acceleration_file: the file was not read");
 }
 
-// The profile with the choices of the file and the overrides on it.
-Settings settings_of(const Analysis& analysis, const std::string& profile, const RunChoices& choices,
-                     const std::vector<Override>& overrides) {
-  Settings settings = profile_settings(profile, analysis, [&](Settings& changed) {
-    set_as_in_file(changed, choices);
-    for (const auto& [name, value] : overrides) set(changed, name, value);
-  });
-  if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
-  try {
-    require_sound(settings, analysis);
-  } catch (const std::invalid_argument& error) {
-    if (choices.settings.empty() || !overrides.empty()) throw;
-    throw InputError(choices.place, error.what());
-  }
-  return settings;
-}
-
 Place place_of(const Problem& problem) {
   if (problem.analysis) return problem.analysis->place;
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) return drawing->place;
@@ -245,6 +228,23 @@ std::string profile_of(const Problem& problem, const std::string& asked) {
   return profile.empty() ? "standard" : profile;
 }
 
+Settings settings_of(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
+  const Analysis& analysis = *problem.analysis;
+  const RunChoices& choices = problem.choices;
+  Settings settings = profile_settings(profile, analysis, [&](Settings& changed) {
+    set_as_in_file(changed, choices);
+    for (const auto& [name, value] : overrides) set(changed, name, value);
+  });
+  if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
+  try {
+    require_sound(settings, analysis);
+  } catch (const std::invalid_argument& error) {
+    if (choices.settings.empty() || !overrides.empty()) throw;
+    throw InputError(choices.place, error.what());
+  }
+  return settings;
+}
+
 bool has_fixed_or_loading_points(const Problem& problem) {
   const auto has_points = [](const auto& geometry) {
     if constexpr (requires { geometry.fixed_points; })
@@ -257,14 +257,24 @@ bool has_fixed_or_loading_points(const Problem& problem) {
   return std::visit(has_points, problem.geometry);
 }
 
+bool has_bolts(const Problem& problem) {
+  const auto has = [](const auto& geometry) {
+    if constexpr (requires { geometry.bolts; })
+      return !geometry.bolts.empty();
+    else
+      return false;
+  };
+  return std::visit(has, problem.geometry);
+}
+
 bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (!problem.covers || !problem.analysis) return problem.covers.has_value();
   if (!problem.covers->excavations.empty()) return true;
-  const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
+  const Settings settings = settings_of(problem, profile, overrides);
   const bool is_static = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
   if (!is_static || !problem.covers->mesh.materials.empty()) return false;
   if (problem.covers->contact == CoverContact::ignored) return true;
-  return !has_fixed_or_loading_points(problem) && !PlannedBodies(problem).touches();
+  return !has_fixed_or_loading_points(problem) && !has_bolts(problem) && !PlannedBodies(problem).touches();
 }
 
 bool can_prepare(const Problem& problem) {
@@ -275,7 +285,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
-  const Settings settings = settings_of(*problem.analysis, profile, problem.choices, overrides);
+  const Settings settings = settings_of(problem, profile, overrides);
   auto [cut, scene_model] = geometry_of(problem, settings);
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   std::vector<Override> all = problem.choices.settings;

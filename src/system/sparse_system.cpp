@@ -106,4 +106,14 @@ void SparseSystem::add_scaled(double factor, const SparseSystem& other) {
   lower_.coeffs() += factor * other.lower_.coeffs();
 }
 
+void SparseSystem::add_scaled(std::span<const double> factors, const SparseSystem& other) {
+  assert(other.lower_.nonZeros() == lower_.nonZeros() && "both have the same groups");
+  for (Eigen::Index column = 0; column < lower_.outerSize(); ++column) {
+    const int begin = lower_.outerIndexPtr()[column];
+    const int count = lower_.outerIndexPtr()[column + 1] - begin;
+    lower_.coeffs().segment(begin, count) +=
+        factors[static_cast<std::size_t>(column / 2)] * other.lower_.coeffs().segment(begin, count);
+  }
+}
+
 }  // namespace keyblock

@@ -34,6 +34,8 @@ class SparseSystem {
   void clear();
   /// A += `factor` times the matrix of `other`, which has the same groups.
   void add_scaled(double factor, const SparseSystem& other);
+  /// The same with a factor for each function, of columns and rows alike: functions that couple have the same one.
+  void add_scaled(std::span<const double> factors, const SparseSystem& other);
   /// A x.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const { return lower_.selfadjointView<Eigen::Lower>() * x; }
 

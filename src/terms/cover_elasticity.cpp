@@ -44,6 +44,10 @@ Eigen::Matrix2d at_point(const Eigen::MatrixX2d& stacked, Eigen::Index point) {
   return stacked.middleRows<2>(2 * point).transpose();
 }
 
+double weight_of(int element, double common, std::span<const double> more) {
+  return more.empty() ? common : common + more[static_cast<std::size_t>(element)];
+}
+
 }  // namespace
 
 CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
@@ -82,13 +86,15 @@ double CoverElasticity::energy(const Eigen::VectorXd& d) const {
   return sum;
 }
 
-Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta) const {
+Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double common,
+                                       std::span<const double> more) const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(d0.size());
   Eigen::MatrixX2d flux;  // S F_halfᵀ
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
     const Eigen::MatrixX2d h0 = displacement_gradients(e, d0);
     const Eigen::MatrixX2d h1 = displacement_gradients(e, d1);
+    const double theta = weight_of(e, common, more);
     flux.resize(h0.rows(), 2);
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
       const Eigen::Matrix2d start = at_point(h0, i);
@@ -106,10 +112,11 @@ Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::V
   return force;
 }
 
-void CoverElasticity::add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta, double scale,
-                                  SparseSystem& system) const {
+void CoverElasticity::add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double common,
+                                  std::span<const double> more, double scale, SparseSystem& system) const {
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
+    const double theta = weight_of(e, common, more);
     const Eigen::MatrixX2d h0 = displacement_gradients(e, d0);
     const Eigen::MatrixX2d h1 = displacement_gradients(e, d1);
     Eigen::Matrix3Xd stress = element.initial;

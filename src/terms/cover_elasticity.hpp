@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "model/continuum.hpp"
@@ -27,12 +28,14 @@ class CoverElasticity {
   ///     f = ∫ ∇N · S_θ F_halfᵀ,   F_half = (F0 + F1)/2,   S_θ = S0 + D (E0 + θ (E1 - E0)).
   /// Its work f · (d1 - d0) is ∫ S_θ : (E1 - E0): the change of energy, and (θ - ½) ∫ ΔE : D : ΔE which is lost. It has no resultant
   /// and no moment about the mean positions (x0 + x1)/2, whatever θ. With d0 = d1 it is the gradient of the energy.
-  Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta) const;
+  /// θ of element e is `theta` + `more`[e], where any are given: a stress of damping follows the mean rate of strain.
+  Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta,
+                        std::span<const double> more = {}) const;
 
   /// A += `scale` times ∂f/∂d1, made symmetric by F_half in place of F1: ½ ∫ ∇N S_θ ∇N + θ ∫ B(F_half)ᵀ D B(F_half). What is left out
   /// is of first order in F1 - F0: Newton's method gains about log10(2/|F1 - F0|) digits a round.
-  void add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta, double scale,
-                   SparseSystem& system) const;
+  void add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta, std::span<const double> more,
+                   double scale, SparseSystem& system) const;
 
   /// A += `scale` times the second derivative of the energy; at d = 0 without initial stress the stiffness of `cover_stiffness`.
   void add_static_tangent(const Eigen::VectorXd& d, double scale, SparseSystem& system) const;

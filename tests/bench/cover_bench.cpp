@@ -100,7 +100,7 @@ void assemble_tangent(const ElasticBodies& bodies, const CoverMotion& start, con
   tangent.add_scaled(rule.inertia.increment, bodies.mass);
   tangent.add_scaled(rule.stiffness, bodies.ghost);
   tangent.add_scaled(rule.stiffness, bodies.supports);
-  bodies.elasticity.add_tangent(start.q, start.q + increment, rule.stiffness, 1, tangent);
+  bodies.elasticity.add_tangent(start.q, start.q + increment, rule.stiffness, {}, 1, tangent);
 }
 
 // A new factor gives other bits: a step tells how many rounds it took, but not whether it kept the factor. Two in one step count as one.

@@ -51,13 +51,13 @@ Problem square() {
 
 SolvedStep last_step(const Problem& problem) {
   SolvedStep last;
-  CoverCase(problem, "standard").run([&](const SolvedStep& step) { last = step; });
+  CoverCase(problem, "standard", {}).run([&](const SolvedStep& step) { last = step; });
   return last;
 }
 
 std::string fault_of(const Problem& problem) {
   try {
-    CoverCase(problem, "standard").run([](const SolvedStep&) {});
+    CoverCase(problem, "standard", {}).run([](const SolvedStep&) {});
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -146,7 +146,7 @@ TEST(CoverCase, what_is_dug_out_relaxes_its_edge) {
   covers.excavations = {{2, hole, {}}};
   std::vector<double> inward;
   std::vector<int> elements;
-  const CoverCase disc_case(problem, "standard");
+  const CoverCase disc_case(problem, "standard", {});
   EXPECT_EQ(disc_case.counts().solves, 2);
   disc_case.run([&](const SolvedStep& step) {
     const Point u = step.frame.measured_points[0].displacement;
@@ -194,7 +194,7 @@ TEST(CoverCase, what_cannot_be_is_named) {
   problem.covers->body_force.x = {};
   problem.covers->excavations = {{2, kSquare, {"f", 7, 1}}};
   EXPECT_EQ(fault_of(problem), "f:7:1: error: expected a load step from 1 to 1, the step_count, found 2");
-  EXPECT_THROW(CoverCase(square(), "legacy"), InputError);
+  EXPECT_THROW(CoverCase(square(), "legacy", {}), InputError);
 }
 
 TEST(CoverCase, a_force_and_a_spring_at_points_carry_each_other) {

@@ -125,7 +125,7 @@ TEST(CoverMotion, a_weight_above_one_half_damps_strain_and_keeps_momenta) {
 // Stress damping acts on the strain's rate: a steady turn is free of it. Fixed matrices of the start would stop it within a turn.
 TEST(CoverMotion, stiffness_damping_leaves_a_turning_body_alone) {
   const double dt = 0.01;
-  const ElasticBodies bodies(square(CoverFunctions::derived, 0.6), {0, 0.01});
+  const ElasticBodies bodies(square(CoverFunctions::derived, 0.6), {{}, {0.01}});
   CoverEquations equations(bodies);
   CoverMotion motion = moving(bodies, {0, 0, 2});
   const Eigen::VectorXd no_load = Eigen::VectorXd::Zero(bodies.unknown_count());

@@ -111,7 +111,7 @@ TEST(CoverElasticity, tangents_are_derivatives) {
     const Eigen::VectorXd down = d - h * along;
     check(elasticity.force(up, up, 1), elasticity.force(down, down, 1), statics);
     SparseSystem step = empty_like(bodies.mass);
-    elasticity.add_tangent(d, d, 0.8, 1, step);
+    elasticity.add_tangent(d, d, 0.8, {}, 1, step);
     check(elasticity.force(d, up, 0.8), elasticity.force(d, down, 0.8), step);
   }
 }
@@ -124,7 +124,7 @@ TEST(CoverElasticity, what_the_symmetric_tangent_leaves_out_falls_with_the_step)
     const Eigen::VectorXd d0 = bodies.rigid.turned(0, {}, {});
     const Eigen::VectorXd d1 = bodies.rigid.turned(angle, {}, {});
     SparseSystem tangent = empty_like(bodies.mass);
-    bodies.elasticity.add_tangent(d0, d1, 1, 1, tangent);
+    bodies.elasticity.add_tangent(d0, d1, 1, {}, 1, tangent);
     const double h = 1e-4;
     const Eigen::VectorXd difference =
         (bodies.elasticity.force(d0, d1 + h * along, 1) - bodies.elasticity.force(d0, d1 - h * along, 1)) / (2 * h);

@@ -39,7 +39,7 @@ void check(bool is_met, const std::string& what) {
 }
 
 /// The beam of nmm-04 with E 1e9 and ρ 2500.
-ElasticBodies beam(CoverFunctions functions, double rows, CoverDamping damping = {}) {
+ElasticBodies beam(CoverFunctions functions, double rows, const CoverDamping& damping = {}) {
   Continuum continuum = clamped_cantilever(functions, rows).continuum;
   continuum.materials[0] = elastic_material(1e9, 0.3);
   continuum.materials[0].density = 2500;
@@ -125,7 +125,7 @@ void print_curves() {
   fmt::print("  {:>6} {:>7} {:>7} | {}{:>8} {:>8} {:>8}\n", "dt s", "weight", "damping",
              "t/T = 0.5    1.0    1.5    2.0    3.0    4.0    5.0 | ", "highest", "of mode", "1 % at s");
   for (const auto& [dt, force_weight, ratio] : runs) {
-    const ElasticBodies bodies = beam(CoverFunctions::derived, 2, {0, 2 * ratio / omega});
+    const ElasticBodies bodies = beam(CoverFunctions::derived, 2, {{}, {2 * ratio / omega}});
     Swing swing(bodies, still);
     const StepRule rule = rule_of(force_weight, dt);
     double highest = 0;
@@ -225,7 +225,7 @@ void print_steps_of_damping() {
   Curve measured{"stiffness damping", {}, {}, Curve::Style::points};
   Curve theory{"theory", {}, {}, Curve::Style::line};
   for (const double ratio : {0.02, 0.05, 0.1, 0.2, 0.5, 0.8}) {
-    const ElasticBodies bodies = beam(CoverFunctions::derived, 2, {0, 2 * ratio / mode.omega});
+    const ElasticBodies bodies = beam(CoverFunctions::derived, 2, {{}, {2 * ratio / mode.omega}});
     Swing swing(bodies, still);
     const StepRule rule = rule_of(0.5, dt);
     int steps = 0;

@@ -175,7 +175,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
     const std::string chosen = profile_of(checked.problem, profile);
     if (is_solved_at_once(checked.problem, chosen, {})) {
-      const CoverCase cover_case(checked.problem, chosen);
+      const CoverCase cover_case(checked.problem, chosen, {});
       report.warnings = joined(std::move(report.warnings), cover_case.warnings());
       report.covers = cover_case.counts();
       return report;

@@ -79,7 +79,7 @@ std::string sentence_of(const CoverCounts& counts) {
 }
 
 ExitCode run_covers(const formats::Case& loaded, const CoverRunRequest& request) {
-  const CoverCase cover_case(loaded.problem, request.profile);
+  const CoverCase cover_case(loaded.problem, request.profile, request.overrides);
   RunFolder folder(request.folder, request.overwrite, Trace::no);
   bool has_begun = false;
   spdlog::info("{}", sentence_of(cover_case.counts()));

@@ -16,6 +16,7 @@ namespace keyblock {
 struct CoverRunRequest {
   std::string title;
   std::string profile;
+  std::vector<Override> overrides;
   std::string folder;
   Overwrite overwrite = Overwrite::no;
   bool as_json = false;

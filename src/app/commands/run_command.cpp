@@ -203,16 +203,8 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
 ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, const RunRecord& record,
                        const std::vector<Override>& overrides) {
   for (const std::string& file : options.files) require_not_below(file, options.folder);
-  formats::Case chosen = loaded;
-  for (const Override& setting : overrides) {
-    chosen.problem.choices.settings.push_back(setting);
-    if (setting.first != "motion" && setting.first != "velocity_carry_over")
-      chosen.warnings.push_back(
-          {"setting_without_effect", loaded.problem.covers->place,
-           fmt::format("setting {}: load steps that are solved at once do not know it", setting.first)});
-  }
   return run_covers(
-      chosen, {std::filesystem::path(options.files.front()).stem().string(), record.profile, options.folder,
+      loaded, {std::filesystem::path(options.files.front()).stem().string(), record.profile, overrides, options.folder,
                options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
 }
 
@@ -300,7 +292,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   record.warnings = joined(record.warnings, outcome_warnings(prepared, record.outcome, loaded.problem.analysis->place));
 
   record.is_static = watch_steps.is_static();
-  record.doubts = doubts(prepared, record, loaded.problem.analysis->place);
+  record.doubts = doubts(prepared, record, folder.first_frame(), folder.last_frame(), loaded.problem.analysis->place);
   record.warnings = joined(record.warnings, record.doubts);
 
   const std::string title =

@@ -36,11 +36,7 @@ double strength_of(const BlockBolt& bolt) {
 std::vector<Bolt> bolts_of(const Blocks& blocks) {
   std::vector<Bolt> bolts;
   for (const BlockBolt& bolt : blocks.bolts)
-    bolts.push_back({{bolt.segment.start, {bolt.first_block}},
-                     {bolt.segment.end, {bolt.second_block}},
-                     bolt.stiffness,
-                     strength_of(bolt),
-                     bolt.pretension});
+    bolts.push_back(bolt_between(bolt, {bolt.first_block}, {bolt.second_block}));
   return bolts;
 }
 
@@ -54,6 +50,10 @@ double mean_area_of(const Blocks& blocks) {
 }
 
 }  // namespace
+
+Bolt bolt_between(const BlockBolt& bolt, ElementIndex first, ElementIndex second) {
+  return {{bolt.segment.start, first}, {bolt.segment.end, second}, bolt.stiffness, strength_of(bolt), bolt.pretension};
+}
 
 Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {
   Model model;

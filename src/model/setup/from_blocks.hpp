@@ -11,4 +11,7 @@ namespace keyblock {
 /// points beyond the curves carry none.
 Model model_from_blocks(const Blocks& blocks, const Analysis& analysis);
 
+/// A bolt of the blocks between the elements that hold its ends.
+Bolt bolt_between(const BlockBolt& bolt, ElementIndex first, ElementIndex second);
+
 }  // namespace keyblock

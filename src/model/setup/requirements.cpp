@@ -141,8 +141,13 @@ Reason damping(const Model& model, const Settings& settings) {
   if (some([&](int m) { return settings.stiffness_damping.of(m).value_or(0) != 0; }))
     add("stiffness_damping of materials");
   const bool by_rule = is_standard(settings) && settings.standard.strain_damping == StrainDamping::critical;
-  if (by_rule && some([&](int m) { return !settings.stiffness_damping.of(m); }))
-    add("strain modes are damped critically, or they flutter in steady sliding (strain_damping = none leaves it out)");
+  const auto is_of_blocks = [&](int m) {
+    return std::ranges::any_of(model.elements,
+                               [&](const Element& e) { return e.material == m && e.can_move() && !e.is_on_covers(); });
+  };
+  if (by_rule && some([&](int m) { return !settings.stiffness_damping.of(m) && is_of_blocks(m); }))
+    add("strain modes of blocks are damped critically, or they flutter in steady sliding (strain_damping = none leaves "
+        "it out)");
   return reason.empty() ? std::nullopt : Reason(reason);
 }
 

@@ -21,13 +21,16 @@ CoverEquations::CoverEquations(const ElasticBodies& bodies)
       factors_(tangent_, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions)) {}
 
 void CoverEquations::begin(const CoverMotion& start, const Eigen::VectorXd& load, const StepRule& rule, double dt) {
-  const CoverDamping& damping = bodies_.damping;
   rule_ = rule;
   const bool is_damped = rule.damping.increment != 0 || rule.damping.velocity != 0 || rule.damping.acceleration != 0;
-  weights_ = {rule.stiffness + (is_damped ? damping.stiffness / dt : 0), rule.stiffness,
-              rule.inertia.increment + damping.mass * rule.damping.increment};
+  weights_ = {rule.stiffness, is_damped && !bodies_.stiffness_damping.empty() ? 1 / dt : 0, rule.inertia.increment,
+              bodies_.has_mass_damping ? rule.damping.increment : 0};
+  of_strain_rate_.clear();
+  if (weights_.strain_rate != 0)
+    for (const double b : bodies_.stiffness_damping) of_strain_rate_.push_back(b / dt);
   start_ = start.q;
-  known_inertia_ = known(rule.inertia, start) + damping.mass * known(rule.damping, start);
+  known_inertia_ = known(rule.inertia, start);
+  if (bodies_.has_mass_damping) known_damping_ = known(rule.damping, start);
   load_ = load;
   known_velocity_ = known(rule.end_velocity, start);
   known_acceleration_ = known(rule.end_acceleration, start);
@@ -41,9 +44,10 @@ void CoverEquations::linearise(const Eigen::VectorXd& increment) {
   evaluate(increment);
   tangent_.clear();
   tangent_.add_scaled(weights_.mass, bodies_.mass);
-  tangent_.add_scaled(weights_.support, bodies_.ghost);
-  tangent_.add_scaled(weights_.support, bodies_.supports);
-  bodies_.elasticity.add_tangent(start_, start_ + increment, weights_.strain, 1, tangent_);
+  if (bodies_.has_mass_damping) tangent_.add_scaled(weights_.damping, bodies_.mass_damping);
+  tangent_.add_scaled(weights_.force, bodies_.ghost);
+  tangent_.add_scaled(weights_.force, bodies_.supports);
+  bodies_.elasticity.add_tangent(start_, start_ + increment, weights_.force, of_strain_rate_, 1, tangent_);
   is_factorised_ = false;
   factors_.factorise(tangent_);
   is_factorised_ = true;
@@ -54,8 +58,9 @@ void CoverEquations::linearise(const Eigen::VectorXd& increment) {
 void CoverEquations::evaluate(const Eigen::VectorXd& increment) {
   increment_ = increment;
   const Eigen::VectorXd end = start_ + increment;
-  const Eigen::VectorXd inertia = bodies_.mass.times(weights_.mass * increment + known_inertia_);
-  const Eigen::VectorXd resisting = bodies_.force(start_, end, weights_.strain, weights_.support);
+  Eigen::VectorXd inertia = bodies_.mass.times(weights_.mass * increment + known_inertia_);
+  if (bodies_.has_mass_damping) inertia += bodies_.mass_damping.times(weights_.damping * increment + known_damping_);
+  const Eigen::VectorXd resisting = bodies_.force(start_, end, weights_.force, of_strain_rate_);
   residual_ = inertia + resisting - load_;
   force_scale_ = std::max({inertia.norm(), resisting.norm(), load_.norm()});
 }

@@ -61,9 +61,10 @@ class CoverEquations {
   SparseSystem tangent_;
   PartFactors factors_;
   struct Weights {
-    double strain = 1;   // θ + b/dt
-    double support = 1;  // θ
-    double mass = 0;     // of M Δq
+    double force = 1;        // θ
+    double strain_rate = 0;  // 1/dt, of b; 0 where the rule takes none
+    double mass = 0;         // of M Δq
+    double damping = 0;      // of a M Δq
     bool operator==(const Weights&) const = default;
   };
   StepRule rule_;
@@ -75,6 +76,8 @@ class CoverEquations {
   Eigen::VectorXd known_velocity_;
   Eigen::VectorXd known_acceleration_;
   Eigen::VectorXd known_inertia_;
+  Eigen::VectorXd known_damping_;
+  std::vector<double> of_strain_rate_;  // b/dt of each element; empty where all are 0
   Eigen::VectorXd increment_;
   Eigen::VectorXd residual_;
   double force_scale_ = 0;

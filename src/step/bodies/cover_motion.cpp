@@ -81,7 +81,7 @@ Eigen::VectorXd acceleration_at(const ElasticBodies& bodies, const Eigen::Vector
                                 const Eigen::VectorXd& load) {
   PartFactors factors(bodies.mass, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions));
   factors.factorise(bodies.mass);
-  const Eigen::VectorXd force = load - bodies.force(q) - bodies.damping.mass * bodies.mass.times(v);
+  const Eigen::VectorXd force = load - bodies.force(q) - bodies.mass_damping.times(v);
   return factors.solve(force);
 }
 

@@ -77,8 +77,13 @@ class MassAnswer : public CoverFlexibility {
   Eigen::Index size_;
 };
 
-CoverDamping damping_of(const Settings& settings) {
-  return {settings.mass_damping.common, settings.stiffness_damping.common.value_or(0)};
+CoverDamping damping_of(const std::vector<int>& body_materials, const Settings& settings) {
+  CoverDamping damping;
+  for (const int material : body_materials) {
+    damping.mass.push_back(settings.mass_damping.of(material));
+    damping.stiffness.push_back(settings.stiffness_damping.of(material).value_or(0));
+  }
+  return damping;
 }
 
 ElementIndex first_on_covers(const Model& model) {
@@ -90,7 +95,7 @@ ElementIndex first_on_covers(const Model& model) {
 }  // namespace
 
 CoverScene::CoverScene(const Model& model, const Settings& settings)
-    : bodies_(*model.continuum, damping_of(settings)),
+    : bodies_(*model.continuum, damping_of(model.continuum->manifold.body_materials, settings)),
       first_(first_on_covers(model)),
       kinematics_(std::make_shared<CoverKinematics>(model, first_, bodies_.basis())),
       equations_(std::make_unique<CoverEquations>(bodies_)),
@@ -200,17 +205,20 @@ std::vector<std::pair<ElementIndex, double>> CoverScene::largest_forces(const Ei
 
 double CoverScene::strain_loss(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double weight) const {
   const Eigen::VectorXd way = to - from;
-  const Eigen::VectorXd force = bodies_.force(from, to, weight, weight);
+  const Eigen::VectorXd force = bodies_.force(from, to, weight);
   return force.dot(way) - (strain_energy(to) - strain_energy(from));
 }
 
 double CoverScene::damping_work(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& rate,
                                 double dt) const {
   const Eigen::VectorXd way = to - from;
-  const double share = bodies_.damping.stiffness / dt;
-  const double of_strain =
-      share == 0 ? 0 : way.dot(bodies_.elasticity.force(from, to, share) - bodies_.elasticity.force(from, to, 0));
-  return of_strain + bodies_.damping.mass * way.dot(momentum(rate));
+  double work = 0;
+  if (!bodies_.stiffness_damping.empty()) {
+    std::vector<double> shares;
+    for (const double b : bodies_.stiffness_damping) shares.push_back(b / dt);
+    work = way.dot(bodies_.elasticity.force(from, to, 0, shares) - bodies_.elasticity.force(from, to, 0));
+  }
+  return bodies_.has_mass_damping ? work + way.dot(bodies_.mass_damping.times(rate)) : work;
 }
 
 Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d) const {

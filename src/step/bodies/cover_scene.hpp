@@ -71,7 +71,7 @@ class CoverScene {
                       double dt) const;
   Eigen::VectorXd elastic_force(const Eigen::VectorXd& d) const;  ///< ∂U/∂d
   /// Against v at rest from strain: a M v.
-  Eigen::VectorXd damping_force(const Eigen::VectorXd& v) const { return bodies_.damping.mass * momentum(v); }
+  Eigen::VectorXd damping_force(const Eigen::VectorXd& v) const { return bodies_.mass_damping.times(v); }
 
   Stress stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const;
   double rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const;  ///< of the polar decomposition, rad

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/elastic_bodies.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "step/bodies/linear_static.hpp"
@@ -35,21 +36,37 @@ SparseSystem supports_of(const Continuum& continuum, const CoverBasis& basis) {
   return supports;
 }
 
+bool damps(const std::vector<double>& of_bodies) {
+  return std::ranges::any_of(of_bodies, [](double share) { return share != 0; });
+}
+
 }  // namespace
 
-ElasticBodies::ElasticBodies(Continuum with_loads, CoverDamping with_damping)
+ElasticBodies::ElasticBodies(Continuum with_loads, const CoverDamping& damping)
     : continuum(std::move(with_loads)),
-      damping(with_damping),
       elasticity(continuum, CoverBasis(continuum.manifold, continuum.functions)),
       mass(mass_of(continuum, basis())),
+      mass_damping(mass),
+      has_mass_damping(damps(damping.mass)),
       ghost(ghost_of(continuum, basis())),
       supports(supports_of(continuum, basis())),
-      rigid(continuum.manifold, basis(), mass) {}
+      rigid(continuum.manifold, basis(), mass) {
+  mass_damping.clear();
+  if (has_mass_damping) {
+    std::vector<double> of_functions(static_cast<std::size_t>(basis().function_count()));
+    for (std::size_t body = 0; body < rigid.functions().size(); ++body)
+      for (const int f : rigid.functions()[body]) of_functions[static_cast<std::size_t>(f)] = damping.mass[body];
+    mass_damping.add_scaled(of_functions, mass);
+  }
+  if (damps(damping.stiffness))
+    for (const ManifoldElement& element : continuum.manifold.elements)
+      stiffness_damping.push_back(damping.stiffness[static_cast<std::size_t>(element.body)]);
+}
 
-Eigen::VectorXd ElasticBodies::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double strain,
-                                     double weight) const {
-  return elasticity.force(d0, d1, strain) + ghost_force(ghost, rigid.functions(), d0, d1, weight) +
-         supports.times(d0 + weight * (d1 - d0));
+Eigen::VectorXd ElasticBodies::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta,
+                                     std::span<const double> more) const {
+  return elasticity.force(d0, d1, theta, more) + ghost_force(ghost, rigid.functions(), d0, d1, theta) +
+         supports.times(d0 + theta * (d1 - d0));
 }
 
 double ElasticBodies::energy(const Eigen::VectorXd& d) const {

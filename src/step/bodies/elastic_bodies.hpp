@@ -12,15 +12,17 @@ namespace keyblock {
 /// a of a damping force a M v; b of a stress b D Ė against the rate of the Green strain, b K v at the start. It is objective: a turning
 /// body is not damped, as it would be by a fixed b K.
 struct CoverDamping {
-  double mass = 0;       ///< a, 1 / time
-  double stiffness = 0;  ///< b, time
+  std::vector<double> mass;       ///< a of each body, 1 / time; empty: none is damped so
+  std::vector<double> stiffness;  ///< b of each body, time; empty: none
 };
 
 struct ElasticBodies {
   Continuum continuum;
-  CoverDamping damping;
   CoverElasticity elasticity;
-  SparseSystem mass;  ///< M; its groups are those of every matrix here
+  SparseSystem mass;          ///< M; its groups are those of every matrix here
+  SparseSystem mass_damping;  ///< a M, with a of each body
+  bool has_mass_damping = false;
+  std::vector<double> stiffness_damping;  ///< b of each element; empty where all are 0
   SparseSystem
       ghost;  ///< G, a force after `ghost_force`: it vanishes for every affine d, so that rigid motion stays free
   /// H: Nitsche's terms of prescribed displacements and point springs, a force H d whatever the motion. Nitsche's terms take stress and normal
@@ -29,14 +31,15 @@ struct ElasticBodies {
   SparseSystem supports;
   CoverRigidMotion rigid;
 
-  explicit ElasticBodies(Continuum with_loads, CoverDamping with_damping = {});
+  explicit ElasticBodies(Continuum with_loads, const CoverDamping& damping = {});
 
   const CoverBasis& basis() const { return elasticity.basis(); }
   int unknown_count() const { return 2 * basis().function_count(); }
-  /// What resists the way from d0 to d1: elastic force with the weight `strain`, ghost_force with `weight`, H (d0 + weight (d1 - d0)).
-  Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double strain, double weight) const;
+  /// What resists the way from d0 to d1 at the weight θ: elastic force, with θ + `more`[e] in element e, ghost_force, and H (d0 + θ (d1 - d0)).
+  Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta,
+                        std::span<const double> more = {}) const;
   /// At rest: the gradient of the energy.
-  Eigen::VectorXd force(const Eigen::VectorXd& d) const { return force(d, d, 1, 1); }
+  Eigen::VectorXd force(const Eigen::VectorXd& d) const { return force(d, d, 1); }
   /// Elastic energy, ½ dᵀ G d and ½ dᵀ H d.
   double energy(const Eigen::VectorXd& d) const;
 };

@@ -70,9 +70,10 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
 }
 
 // Bodies on covers: each load step is an instant. A body that can still move is how the run failed.
-ComparedCase solve_and_pick(const Loaded& loaded, const Problem& problem, ComparedCase compared) {
+ComparedCase solve_and_pick(const Loaded& loaded, const Problem& problem, const std::vector<Override>& overrides,
+                            ComparedCase compared) {
   try {
-    const CoverCase cover_case(problem, compared.profile);
+    const CoverCase cover_case(problem, compared.profile, overrides);
     compared.warnings = joined(loaded.input.warnings, cover_case.warnings());
     const Frame& start = cover_case.start().frame;
     require_numbers(compared.values, start.measured_points.size(), start.elements.size(), loaded.table);
@@ -102,7 +103,8 @@ ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const st
   Problem problem = loaded.input.problem;
   try {
     const std::vector<Override> left = set_plan(problem, overrides);
-    if (is_solved_at_once(problem, compared.profile, left)) return solve_and_pick(loaded, problem, std::move(compared));
+    if (is_solved_at_once(problem, compared.profile, left))
+      return solve_and_pick(loaded, problem, left, std::move(compared));
   } catch (const std::invalid_argument& error) {
     throw InputError({loaded.file.path, 0, 0}, error.what());
   }

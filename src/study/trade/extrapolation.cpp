@@ -11,9 +11,18 @@ namespace {
 
 constexpr double kLeastOrder = 0.4;
 constexpr double kGreatestOrder = 6;
-// The integrators are of second order: what three runs show beyond it may be terms that cancel, and is not counted on.
+// The integrators are of first or second order: what three runs show well beyond is terms that cancel.
 constexpr double kOrderTrusted = 2;
+constexpr double kOrderOfCancelling = 2.5;
 constexpr double kSame = 1e-12;  // relative: round-off
+
+// The limit of a + b h + c h² from h, h/2 and h/4 (Romberg 1955).
+std::vector<double> without_both_orders(const std::array<std::vector<double>, 3>& values) {
+  const auto& [coarse, middle, fine] = values;
+  std::vector<double> limit(fine.size());
+  for (std::size_t i = 0; i < fine.size(); ++i) limit[i] = (8 * fine[i] - 6 * middle[i] + coarse[i]) / 3;
+  return limit;
+}
 
 }  // namespace
 
@@ -28,7 +37,7 @@ double relative_distance(const std::vector<double>& a, const std::vector<double>
   return size > 0 ? std::sqrt(apart / size) : std::sqrt(apart / static_cast<double>(b.size()));
 }
 
-Limit limit_of(const std::array<std::vector<double>, 3>& values) {
+Limit limit_of(const std::array<std::vector<double>, 3>& values, Refined refined) {
   const auto& [coarse, middle, fine] = values;
   const double first = relative_distance(coarse, fine);
   const double second = relative_distance(middle, fine);
@@ -47,6 +56,12 @@ Limit limit_of(const std::array<std::vector<double>, 3>& values) {
   limit.order = std::log2(sum_first / sum_second) / 2;
   if (!(*limit.order >= kLeastOrder && *limit.order <= kGreatestOrder)) {
     limit.uncertainty = std::max(first, second);
+    return limit;
+  }
+  if (refined == Refined::step && *limit.order > kOrderOfCancelling) {
+    limit.values = without_both_orders(values);
+    limit.is_extrapolated = true;
+    limit.uncertainty = std::max(relative_distance(fine, limit.values), second / 2);
     return limit;
   }
   const double share = 1 / (std::exp2(*limit.order) - 1);

@@ -161,8 +161,7 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   Problem problem = with_named_files(chosen.input.problem, overrides, chosen.folder);
   const std::vector<Override> left = set_plan(problem, overrides);
   if (is_solved_at_once(problem, plan.profile, left)) {
-    for (const Override& setting : left) problem.choices.settings.push_back(setting);
-    const CoverCase cover_case(problem, plan.profile);
+    const CoverCase cover_case(problem, plan.profile, left);
     const Frame& start = cover_case.start().frame;
     require_there(chosen, start.measured_points.size(), start.elements.size());
     require_points(chosen, problem, start.measured_points.size());

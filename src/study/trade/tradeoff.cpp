@@ -66,7 +66,9 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
           fmt::format("no reference: the run \"{}\" {}: {}", run->plan.name, name_of(run->end), run->reason));
     values[i] = run->values;
   }
-  const Limit limit = limit_of(values);
+  const bool is_of_steps =
+      std::ranges::any_of(limit_from.back().set, [](const Override& setting) { return setting.first == "time_step"; });
+  const Limit limit = limit_of(values, is_of_steps ? Refined::step : Refined::mesh);
   Reference reference;
   reference.values = limit.values;
   reference.uncertainty = limit.uncertainty;
