@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
+#include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
@@ -29,8 +30,8 @@ constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
 
 // The files that a run may leave in its folder, and all that it may leave.
-constexpr std::array kFiles{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
-                            "field.svg", "steps.csv",   "blocks.csv", "points.csv",  kCheckpoint};
+constexpr std::array<std::string_view, 10> kFiles{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
+                                                  "field.svg", "steps.csv",   "blocks.csv", "points.csv",  kCheckpoint};
 constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg", "field.svg",
                             "steps.csv", "blocks.csv",  "points.csv", kFrameFolder,  kCheckpoint};
 
@@ -119,9 +120,20 @@ void remove_frames(const fs::path& folder, const std::set<fs::path>& kept) {
 
 }  // namespace
 
+// By its record; a run that was killed before it wrote one left its frames and checkpoint alone.
+std::set<std::string> RunFolder::written_before() const {
+  std::set<std::string> names{kRecord, kCheckpoint};
+  if (!fs::is_regular_file(folder_ / kRecord)) return names;
+  const auto record = nlohmann::json::parse(formats::load((folder_ / kRecord).string()).text, nullptr, false);
+  if (!record.is_object() || !record.contains("outputs")) return names;
+  for (const auto& name : record.at("outputs"))
+    if (name.is_string() && std::ranges::find(kFiles, name.get<std::string>()) != kFiles.end()) names.insert(name);
+  return names;
+}
+
 void RunFolder::clear() {
   std::error_code error;
-  for (const char* name : kFiles) {
+  for (const std::string& name : written_before()) {
     fs::remove(folder_ / name, error);
     if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,6 +84,7 @@ class RunFolder {
   void write_frame(int step, double time, const std::string& text);
   void write_list_of_frames();
   void clear();
+  std::set<std::string> written_before() const;
   void flush_frames();
 
   std::filesystem::path folder_;

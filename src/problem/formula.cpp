@@ -25,6 +25,13 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
+// A message says which expression it is by this much of it.
+constexpr std::size_t kMostSaid = 60;
+
+std::string beginning_of(const std::string& text) {
+  return text.size() > kMostSaid ? text.substr(0, kMostSaid) + "…" : text;
+}
+
 // The opening quote stands before the first character; escapes are not counted, an expression needs none.
 Place place_in(const Formula& formula, std::size_t character) {
   Place place = formula.place;
@@ -72,14 +79,14 @@ struct Compiled::Expression {
       refuse_because(error);
     }
     if (parser.GetNumResults() != 1)
-      refuse(0, fmt::format("{} values in \"{}\"", parser.GetNumResults(), formula.text));
+      refuse(0, fmt::format("{} values in \"{}\"", parser.GetNumResults(), beginning_of(formula.text)));
   }
 
   [[noreturn]] void refuse_because(const mu::Parser::exception_type& error) const {
     const int at = error.GetPos();
     const std::size_t character = at < 0 ? 0 : std::min(static_cast<std::size_t>(at), formula.text.size());
     const std::string token = error.GetToken();
-    refuse(character, token.empty() ? fmt::format("\"{}\"", formula.text) : fmt::format("\"{}\"", token));
+    refuse(character, token.empty() ? fmt::format("\"{}\"", beginning_of(formula.text)) : fmt::format("\"{}\"", token));
   }
 };
 
@@ -111,7 +118,7 @@ double Compiled::operator()(std::initializer_list<double> values) const {
   for (std::size_t i = 0; i < expression_->names.size(); ++i)
     where += fmt::format("{}{} = {:g}", i == 0 ? "" : ", ", expression_->names[i], expression_->values[i]);
   throw InputError(expression_->formula.place, fmt::format("expected a finite value of \"{}\" where {}, found {}",
-                                                           expression_->formula.text, where, value));
+                                                           beginning_of(expression_->formula.text), where, value));
 }
 
 bool Compiled::is_zero() const {

@@ -72,6 +72,16 @@ TEST(ResultFolder, force_overwrites_results_and_leaves_the_rest) {
   EXPECT_TRUE(fs::exists(out + "/frames/00000004.vtu"));
 }
 
+TEST(ResultFolder, force_leaves_files_that_only_bear_the_name_of_a_result) {
+  const std::string out = fresh_folder("forced_names") + "/out";
+  ASSERT_EQ(run_keyblock(stack_into(out, "4")).exit_code, 0);
+  write_text(out + "/steps.csv", kNotARuns);  // the run had no trace
+  auto again = stack_into(out, "4");
+  again.emplace_back("--force");
+  EXPECT_EQ(run_keyblock(again).exit_code, 0);
+  EXPECT_EQ(read_text(out + "/steps.csv"), kNotARuns);
+}
+
 TEST(ResultFolder, drafts_of_a_killed_run_go_and_the_user_s_drafts_stay) {
   const std::string out = fresh_folder("drafts") + "/out";
   stop_after_frame_80(out);

@@ -240,8 +240,8 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
     fmt::print("{}", table_of(result));
   std::fflush(stdout);
   if (choice)
-    spdlog::info("chosen for {}: \"{}\"; keyblock run … --settings-file {}", wish_words(wish),
-                 result.runs[*choice].plan.name, file);
+    spdlog::info("chosen for {}: \"{}\", error {}; keyblock run … --settings-file {}", wish_words(wish),
+                 result.runs[*choice].plan.name, error_text(result, *choice), file);
   if (chooses && !choice) spdlog::error("no run meets {}; {}", wish_words(wish), words_of_nearest(result, wish));
   if (result.is_stopped && options.has_wish()) spdlog::warn("no settings were picked");
   if (result.is_stopped) return stopped_with(result);
@@ -261,7 +261,9 @@ Action configure_tradeoff(CLI::App& options) {
       ->delimiter(',');
   options.add_flag("--full", chosen->is_full, "all combinations, not only single choices and the usual pairs");
   options.add_option("--most", chosen->most, "runs of --full at most (default: 200)")->check(above_zero());
-  options.add_option("--budget", chosen->budget, "pick the most accurate run within this time: 10s, 500ms, 2min");
+  options.add_option(
+      "--budget", chosen->budget,
+      "pick the most accurate run within this time (10s, 500ms, 2min); to find it takes several times as long");
   options.add_option("--error", chosen->error, "pick the cheapest run within this error, as 1e-3")->check(above_zero());
   options.add_option("-o,--output", chosen->output,
                      "file for the settings picked, for run --settings-file (default: CASE.settings)");
