@@ -30,8 +30,8 @@ void put_units(std::optional<Units>& into, const std::optional<Units>& units, co
 /// One problem from the contents, in any order. Throws InputError at a second geometry or a second analysis.
 Problem pair(const std::vector<Content>& contents);
 
-/// What does not fit between geometry and analysis of one content, as `check` says it: materials that are not there, curves
-/// without points, points without curves.
+/// What does not fit between geometry and analysis of one content, as `check` says it: materials that are not there,
+/// curves without points, points without curves.
 Warnings mismatches(const Content& content);
 
 /// A case ready to use and everything odd about it, from the readers and from `check`.

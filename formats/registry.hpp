@@ -19,8 +19,8 @@ const Format* find_format(std::string_view name);
 /// A file on disk. Throws InputError if it is no readable regular file.
 Source load(const std::string& path);
 
-/// The same, but of a long file whose first bytes no text begins with, and which will be refused for that, these alone: a
-/// disk image may be larger than memory.
+/// The same, but of a long file whose first bytes no text begins with, and which will be refused for that, these alone:
+/// a disk image may be larger than memory.
 Source load_text(const std::string& path);
 
 /// The format chosen for a file, and from what.

@@ -1,8 +1,8 @@
 // The malformed inputs that brought the Berkeley program down each get the error or the named warning of the table,
 // from the program itself, in little time and memory.
-// The places, sentences and warning names of the table are our own wording, written down from our own output after reading
-// it: they guard against change. Only `final_dy` comes from elsewhere (the Berkeley program, or free fall); four accepted
-// inputs have none: 00_control_orig, 10_crlf_orig, 08_open_polygon_xml, 11_fixed_outside_xml.
+// The places, sentences and warning names of the table are our own wording, written down from our own output after
+// reading it: they guard against change. Only `final_dy` comes from elsewhere (the Berkeley program, or free fall);
+// four accepted inputs have none: 00_control_orig, 10_crlf_orig, 08_open_polygon_xml, 11_fixed_outside_xml.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -117,8 +117,8 @@ bool has_control_characters(const std::string& text) {
 
 }  // namespace
 
-// Numbers, places and shapes that no engineer writes and a program that writes files may: what once crashed, hung, was computed to
-// nothing or was passed over in silence. The table is our own wording, as that beside it.
+// Numbers, places and shapes that no engineer writes and a program that writes files may: what once crashed, hung, was
+// computed to nothing or was passed over in silence. The table is our own wording, as that beside it.
 TEST(Malformed, hostile_inputs_are_refused_or_named_at_their_place) {
   const std::vector<HostileRow> rows = hostile_rows();
   ASSERT_GE(rows.size(), 29U);

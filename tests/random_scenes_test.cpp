@@ -1,5 +1,5 @@
-// Random stacks and slopes in small: drawn alike every time, replayed from their files, and every step of profile `standard` converges. The
-// full count is `make validate`'s.
+// Random stacks and slopes in small: drawn alike every time, replayed from their files, and every step of profile
+// `standard` converges. The full count is `make validate`'s.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/validate/random_scenes.hpp"
 
@@ -30,8 +30,8 @@ TEST(RandomScenes, profile_standard_converges_without_cutting_and_never_ends_ear
   }
 }
 
-// Strain rates turned into rigid velocity, and overlaps pushed out within a step, once gave these slopes 1.5e-3, 5.6e-4 and 1e-5
-// of m g h, and let their centre of mass rise.
+// Strain rates turned into rigid velocity, and overlaps pushed out within a step, once gave these slopes 1.5e-3, 5.6e-4
+// and 1e-5 of m g h, and let their centre of mass rise.
 TEST(RandomScenes, slopes_of_short_steps_gain_no_energy) {
   std::vector<SceneRun> runs;
   for (const std::uint64_t seed : {43, 23, 117})

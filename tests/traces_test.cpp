@@ -29,7 +29,8 @@ void expect_followed(const CaseFolder& folder) {
       difference.stress, fmt::join(difference.unequal, "\n"));
 }
 
-/// A scene of reference_runs/scaling beside what the old program printed of it, kept in findings/traces: every block and step.
+/// A scene of reference_runs/scaling beside what the old program printed of it, kept in findings/traces: every block
+/// and step.
 struct Scaling {
   std::string name;      // of the drawing
   std::string analysis;  // without its ending
@@ -115,10 +116,10 @@ TEST(Traces, legacy_profile_follows_the_push_block_trace) {
   for (const CaseFolder& found : find_cases({folder.string()})) expect_followed(found);
 }
 
-// Not independent: the automatic penalty of native files, the mean area and the stiffness of the step rule were inferred from
-// these very figures. The Berkeley program's own example, native files with automatic step and penalty: what reference_runs/examples.csv
-// prints of it (passes in all, most contacts, greatest penetration, longest step; six digits) and the end time, which
-// round-off of its step formula keeps to six digits.
+// Not independent: the automatic penalty of native files, the mean area and the stiffness of the step rule were
+// inferred from these very figures. The Berkeley program's own example, native files with automatic step and penalty:
+// what reference_runs/examples.csv prints of it (passes in all, most contacts, greatest penetration, longest step; six
+// digits) and the end time, which round-off of its step formula keeps to six digits.
 TEST(Traces, the_circle_slope_example_comes_back_with_automatic_step_and_penalty) {
   const std::filesystem::path sample = shared_folder() / "legacy_samples" / "ntdda" / "circleslope";
   if (!std::filesystem::exists(sample.string() + ".geo"))

@@ -9,8 +9,8 @@
 //     (oo + 1) × j x y
 //     nBolts × x1 y1 x2 y2 n1 n2 e t f
 //     (nF + nL + nMe + 1) × type x y block
-// Of every list but that of the bolts the first row is without meaning. There are no times: frames are numbered as steps.
-// An aborted run leaves its last frame cut off: the whole ones are read, with a warning.
+// Of every list but that of the bolts the first row is without meaning. There are no times: frames are numbered as
+// steps. An aborted run leaves its last frame cut off: the whole ones are read, with a warning.
 #pragma once
 
 #include "formats/format.hpp"

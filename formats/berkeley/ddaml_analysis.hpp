@@ -7,7 +7,8 @@
 //   Gravity flag            yes: Berkeley's gravity phase, which is skipped; default no, with a warning
 //   Gravaccel value         length / time²; default 9.81, with a warning
 //   Autotimestep flag       default no, with a warning; likewise Planestrain flag
-//   Autopenalty flag, pfactor   pfactor × largest E is the starting penalty, flag only lets it change; default 50 with a
+//   Autopenalty flag, pfactor   pfactor × largest E is the starting penalty, flag only lets it change; default 50 with
+//                               a
 //                           warning: Berkeley's own default, 0, leaves contacts without stiffness
 //   Opencloselimit or OCLimit maxopenclose   default 8
 //   Saveinterval step       1 if absent, 10 if empty or 0

@@ -30,7 +30,8 @@ std::string_view local_name(std::string_view name) {
                    fmt::format("expected well-formed XML, found a fault: {}", result.description()));
 }
 
-/// What pugixml holds for a text, at most: a node an element and a node a text behind any tag, an attribute an equals sign.
+/// What pugixml holds for a text, at most: a node an element and a node a text behind any tag, an attribute an equals
+/// sign.
 std::size_t most_bytes(std::string_view text) {
   constexpr std::size_t kNode = 64, kAttribute = 40;
   std::size_t nodes = 0, attributes = 0;

@@ -3,7 +3,8 @@
 //
 //   Edgenodedist distance                     required
 //   Jointlist > Joint type       x1 y1 x2 y2  type: joint material from 1, required
-//   Boundlist > Line             x1 y1 x2 y2  boundary lines: placed first (Berkeley's reader drops them); joint material
+//   Boundlist > Line             x1 y1 x2 y2  boundary lines: placed first (Berkeley's reader drops them); joint
+//                                material
 //                                             1, or that of an attribute type, which is ours
 //   Fixedpointlist > Line, Point              4 or 2 numbers
 //   Loadpointlist, Measuredpointlist, Holepointlist > Point   x y

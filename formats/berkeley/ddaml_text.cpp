@@ -31,7 +31,8 @@ bool is_same(const BoltProperties& a, const BoltProperties& b) {
   return a.stiffness == b.stiffness && a.strength == b.strength && a.pretension == b.pretension;
 }
 
-/// Native files give each bolt its properties, DDAML gives it a type: those that state some get types behind the others.
+/// Native files give each bolt its properties, DDAML gives it a type: those that state some get types behind the
+/// others.
 void give_bolts_types(Content& content) {
   for (BoltLine& bolt : content.drawing->bolts) {
     const BoltProperties own{bolt.stiffness, bolt.strength, bolt.pretension};

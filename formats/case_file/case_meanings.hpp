@@ -7,8 +7,8 @@
 
 namespace keyblock::formats {
 
-/// A key, with the key that it stands under where that decides ("units.length"; "case" is the whole file), and its meaning
-/// with the unit: L length, M mass, T time, F force, all per unit thickness.
+/// A key, with the key that it stands under where that decides ("units.length"; "case" is the whole file), and its
+/// meaning with the unit: L length, M mass, T time, F force, all per unit thickness.
 struct CaseMeaning {
   std::string_view key;
   std::string_view meaning;

@@ -18,7 +18,8 @@
 
 namespace keyblock::formats {
 
-/// Reads the fields of one JSON value into one struct: by key where it is an object, in order where it is an array (a row).
+/// Reads the fields of one JSON value into one struct: by key where it is an object, in order where it is an array (a
+/// row).
 class CaseReading {
  public:
   static constexpr bool is_writing = false;

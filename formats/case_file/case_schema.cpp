@@ -1,4 +1,5 @@
-// The visitor that writes down the layout itself, as JSON Schema: what `describe` names can be checked by other programs too.
+// The visitor that writes down the layout itself, as JSON Schema: what `describe` names can be checked by other
+// programs too.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

@@ -16,7 +16,8 @@
 //                spacing*                   mean distance between rows
 //                trace gap                  mean length of traces, and of the rock between those of a row (0); without
 //                                           trace they go through
-//                scatter                    0 to 1: standard deviation over the mean of spacing, trace and gap; of the dip
+//                scatter                    0 to 1: standard deviation over the mean of spacing, trace and gap; of the
+//                                           dip
 //                                           over a quarter turn; 0
 //                dip_scatter spacing_scatter trace_scatter gap_scatter   where one differs
 //                distribution               of spacing, trace and gap: normal, lognormal (as if left out), exponential

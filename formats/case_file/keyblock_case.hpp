@@ -1,15 +1,17 @@
 // Keyblock's own case file: one JSON text that holds whatever Keyblock models.
 //
-// An object; comments as in C++ are allowed. Numbers of blocks, materials, slots … count from 1. Angles in degrees, all else in
-// one consistent set of units, which the file names. Keys, in any order; what is absent keeps its default
+// An object; comments as in C++ are allowed. Numbers of blocks, materials, slots … count from 1. Angles in degrees, all
+// else in one consistent set of units, which the file names. Keys, in any order; what is absent keeps its default
 // (a weight and an edge-node ratio not without a warning):
 //   keyblock   1, the version of the layout: needed
 //   units      length, mass, time: names of the base units
-//   drawing | blocks | cover    the geometry: lines that are cut to blocks, blocks, or elements on covers; lists of rows
+//   drawing | blocks | cover    the geometry: lines that are cut to blocks, blocks, or elements on covers; lists of
+//                               rows
 //   covers     bodies on covers: mesh, functions, what holds and loads them; values may be expressions in x, y, nx, ny
 //   analysis   controls, materials, loads in time
 //   motion     rows time, x, y: acceleration over gravity
-//   frames, tracks    results of a run: everything at instants, the ways of measured points; a run takes no notice of them
+//   frames, tracks    results of a run: everything at instants, the ways of measured points; a run takes no notice of
+//                     them
 //   run        profile, and `set`: settings as `keyblock run --set` takes them
 // `case_fields.hpp` names every key; `keyblock formats --schema` prints them with meaning, unit and default as
 // JSON Schema.

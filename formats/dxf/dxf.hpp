@@ -1,9 +1,10 @@
 // DXF, the exchange format of drawing programs: lines by layer to a drawing and back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ASCII text of groups: a line with a code, a line with its value [D]. Sections between 0 SECTION and 0 ENDSEC, 0 EOF at
-// the end; layout as published for R12 (AC1009) to 2018 (AC1032) [S].
-//   HEADER    $INSUNITS: coordinates are multiplied to metres, or to the length unit of a case file read beside it, and that is
+// ASCII text of groups: a line with a code, a line with its value [D]. Sections between 0 SECTION and 0 ENDSEC, 0 EOF
+// at the end; layout as published for R12 (AC1009) to 2018 (AC1032) [S].
+//   HEADER    $INSUNITS: coordinates are multiplied to metres, or to the length unit of a case file read beside it, and
+//             that is
 //             declared; absent or 0: taken as they are, nothing declared
 //   ENTITIES  in z = 0 of model space; 8: the layer, whose name says the part in the drawing (dxf_layers.hpp)
 //     LINE        10 20, 11 21: ends; extended data 1001 KEYBLOCK, 1040 × 3: stiffness, strength, pre-tension of a bolt
@@ -12,23 +13,26 @@
 //     ARC         10 20 centre, 40 radius, 50 51 angles in degrees, counter-clockwise
 //     CIRCLE      10 20 centre, 40 radius
 //     POINT       10 20
-//   999 keyblock edge-node ratio R  a comment: the edge-node ratio of the drawing; absent: kDxfEdgeNodeRatio. Written with
+//   999 keyblock edge-node ratio R  a comment: the edge-node ratio of the drawing; absent: kDxfEdgeNodeRatio. Written
+//                                   with
 //                                   blocks: kBlockEdgeNodeRatio
 // Arcs, circles and bulges become chords (dxf_curves.hpp). Everything else is skipped and listed, one warning a kind.
-// Written: R12, $INSUNITS of the declared length unit (0: none is declared), a LINE or POINT a record. A closed POLYLINE on BLOCK_n gives the sides of a block, each a joint of the
-// material that the layer JOINT_n of the VERTEX where it begins names, and a point that carries the block material.
-// Gaps that blocks enclose need a HOLE point to stay empty when cut.
+// Written: R12, $INSUNITS of the declared length unit (0: none is declared), a LINE or POINT a record. A closed
+// POLYLINE on BLOCK_n gives the sides of a block, each a joint of the material that the layer JOINT_n of the VERTEX
+// where it begins names, and a point that carries the block material. Gaps that blocks enclose need a HOLE point to
+// stay empty when cut.
 #pragma once
 
 #include "formats/format.hpp"
 
 namespace keyblock::formats {
 
-/// The edge-node ratio of a drawing that says none: drawing programs snap ends exactly, so nothing much is to be merged.
+/// The edge-node ratio of a drawing that says none: drawing programs snap ends exactly, so nothing much is to be
+/// merged.
 inline constexpr double kDxfEdgeNodeRatio = 0.001;
 
-/// That of blocks as lines: their corners are where they are, only what rounding parts is to be merged. With a drawing's own
-/// ratio corners that cutting had left apart would merge.
+/// That of blocks as lines: their corners are where they are, only what rounding parts is to be merged. With a
+/// drawing's own ratio corners that cutting had left apart would merge.
 inline constexpr double kBlockEdgeNodeRatio = 1e-6;
 
 extern const Format kDxf;

@@ -26,7 +26,8 @@ std::vector<Point> arc_points(Point centre, double radius, double start, double 
 std::vector<Point> bulge_points(Point start, Point end, double bulge) {
   if (bulge == 0) return {};
   const double sweep = 4 * std::atan(bulge);
-  // The centre lies to the left of the chord by (1 - b²) / (4 b) of its length: r cos(sweep / 2) with r = c / (2 sin(sweep / 2)).
+  // The centre lies to the left of the chord by (1 - b²) / (4 b) of its length: r cos(sweep / 2) with r = c / (2
+  // sin(sweep / 2)).
   const Point chord = end - start;
   const Point centre = start + 0.5 * chord + ((1 - bulge * bulge) / (4 * bulge)) * Point{-chord.y, chord.x};
   const Point arm = start - centre;

@@ -56,8 +56,8 @@ class DrawingMaker {
     }
   }
 
-  /// Layers by their names; those without a known word get the first joint materials not yet taken, but for drawings of the old
-  /// Windows program: there the colour says the joint material.
+  /// Layers by their names; those without a known word get the first joint materials not yet taken, but for drawings of
+  /// the old Windows program: there the colour says the joint material.
   void name_layers() {
     find_marks();
     std::set<int> taken;

@@ -9,8 +9,8 @@
 
 namespace keyblock::formats {
 
-/// What coordinates are multiplied with to the unit `length`, and the warning that says so. 1 and no unit where the file
-/// names none ($INSUNITS absent or 0) and where its number is unknown.
+/// What coordinates are multiplied with to the unit `length`, and the warning that says so. 1 and no unit where the
+/// file names none ($INSUNITS absent or 0) and where its number is unknown.
 struct DxfUnit {
   double factor = 1;
   std::string length = {};  ///< of the coordinates so multiplied, as a case file names it

@@ -10,9 +10,9 @@
 //   (nF + nL + nMe) × type x y block  type: 0 fixed, 1 measured, 2 loading                                 [S]
 //                     or x y block                                                                         [C]
 // Total: 6 + 3 nBlocks + 3 oo + 9 nBolts + (4 or 3) points. Slots of a block: its vertices counter-clockwise, the first
-// again, then three of scratch: (0, greatest radius, area), (0, Sx, Sy), (0, x, y of the centroid). In slot p stands the
-// material of the edge that arrives there from p − 1 (Berkeley). Whether another program meant the edge that leaves is
-// found out from the edges two blocks share: both must give them one material.
+// again, then three of scratch: (0, greatest radius, area), (0, Sx, Sy), (0, x, y of the centroid). In slot p stands
+// the material of the edge that arrives there from p − 1 (Berkeley). Whether another program meant the edge that leaves
+// is found out from the edges two blocks share: both must give them one material.
 // The file cannot hold holes of blocks; only outer loops are written, and the caller says so.
 #pragma once
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Numbers in this order, line breaks without meaning. [D] count and order shown by data, names [R] partly inferred.
-//   k01 n5 nb nj g2 g1 g0     velocity carry-over 0..1, steps, block and joint materials, displacement per step over w0,
+//   k01 n5 nb nj g2 g1 g0     velocity carry-over 0..1, steps, block and joint materials, displacement per step over
+//                             w0,
 //                             upper limit of the time step, contact stiffness (0: chosen by the program [R])
 //   nL × px py                constant force of each loading point; nL stands in the cover file
 //   nb × ma  fx fy  E nu      mass and force per unit area (signed: fy < 0 is weight), elasticity

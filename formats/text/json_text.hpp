@@ -55,7 +55,8 @@ class JsonValue {
   std::size_t node_;
 };
 
-/// A well-formed JSON text; comments as in C++ are passed over. Two words of memory a value. Views the source: keep it alive.
+/// A well-formed JSON text; comments as in C++ are passed over. Two words of memory a value. Views the source: keep it
+/// alive.
 class JsonText {
  public:
   /// Views the source: keep that alive. Throws InputError at the place where the text stops being well-formed, or nests

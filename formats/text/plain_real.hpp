@@ -23,15 +23,15 @@ inline std::uint64_t eight_characters(const char* at) {
   return eight;
 }
 
-/// In each of eight characters something but zero where it is no digit. Digits have 3 as upper half, also after 6 is added;
-/// what that carries out of a character which is none reaches only later ones.
+/// In each of eight characters something but zero where it is no digit. Digits have 3 as upper half, also after 6 is
+/// added; what that carries out of a character which is none reaches only later ones.
 constexpr std::uint64_t no_digits(std::uint64_t eight) {
   constexpr std::uint64_t kUpper = 0xF0F0F0F0F0F0F0F0, kSix = 0x0606060606060606;
   return ((eight & kUpper) ^ kZeros) | (((eight + kSix) & kUpper) ^ kZeros);
 }
 
-/// The number that eight digits make: neighbours are joined to pairs, pairs to fours, fours to the whole, in all lanes at once.
-/// A byte of zeros counts as digit 0.
+/// The number that eight digits make: neighbours are joined to pairs, pairs to fours, fours to the whole, in all lanes
+/// at once. A byte of zeros counts as digit 0.
 constexpr std::uint64_t value_of(std::uint64_t digits) {
   std::uint64_t lanes = digits & 0x0F0F0F0F0F0F0F0F;
   lanes = ((lanes * (1 + (10 << 8))) >> 8) & 0x00FF00FF00FF00FF;
@@ -46,11 +46,12 @@ constexpr double as_double(std::uint64_t whole) {
 
 }  // namespace plain
 
-/// The word of a text from `first` to `last`, not empty, no digit behind it, where it is a plain number of usual length:
-/// 1 to 7 digits, and a point and 1 to 8 digits or none. The same bits as `parse_real`, several times sooner. False, and
-/// nothing written, for every other word and for some near the ends of the text.
+/// The word of a text from `first` to `last`, not empty, no digit behind it, where it is a plain number of usual
+/// length: 1 to 7 digits, and a point and 1 to 8 digits or none. The same bits as `parse_real`, several times sooner.
+/// False, and nothing written, for every other word and for some near the ends of the text.
 ///
-/// One rounding of two exact doubles gives the nearest double (Clinger 1990, How to read floating point numbers accurately).
+/// One rounding of two exact doubles gives the nearest double (Clinger 1990, How to read floating point numbers
+/// accurately).
 inline bool read_plain_real(std::string_view text, std::size_t first, std::size_t last, double& value) {
   const bool is_negative = text[first] == '-';
   if (is_negative || text[first] == '+') ++first;

@@ -83,8 +83,8 @@ std::vector<Part> parts_of(std::string_view text, std::size_t first, std::size_t
   return parts;
 }
 
-/// Appends what was found in a part, in order; numbers only as long as no other word stands before them. Where all words
-/// are numbers they stand in their place already.
+/// Appends what was found in a part, in order; numbers only as long as no other word stands before them. Where all
+/// words are numbers they stand in their place already.
 void join(Tokens& tokens, const Part& part, std::size_t& number_count) {
   for (const Tokens::Mark& mark : part.marks) tokens.marks.push_back({tokens.word_count + mark.word, mark.offset});
   if (number_count == tokens.word_count) number_count += part.number_count;

@@ -57,7 +57,8 @@ struct Unfilled : std::allocator<T> {
 using Numbers = std::vector<double, Unfilled<double>>;
 
 /// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive. Little more than one
-/// double a token, because files of a hundred megabytes are read through it: only every so many-th word's offset is kept.
+/// double a token, because files of a hundred megabytes are read through it: only every so many-th word's offset is
+/// kept.
 struct Tokens {
   /// A word and the offset it begins at; no piece of text begins between it and the next mark.
   struct Mark {

@@ -98,8 +98,8 @@ int run_program(int argc, char** argv) {
   return static_cast<int>(code);
 }
 
-// The first file opened would otherwise take the place of a stream that is closed, and what is printed would go into it. What
-// cannot be said is not said; what cannot be printed is an error once it is asked for.
+// The first file opened would otherwise take the place of a stream that is closed, and what is printed would go into
+// it. What cannot be said is not said; what cannot be printed is an error once it is asked for.
 void fill_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);

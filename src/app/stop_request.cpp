@@ -19,7 +19,8 @@ namespace {
 std::atomic<int> last_signal = 0;
 std::atomic<std::int64_t> first_asked = 0;
 
-// Programs that pass a signal on may send it twice at once, as `timeout` does: only one that comes later is a second one.
+// Programs that pass a signal on may send it twice at once, as `timeout` does: only one that comes later is a second
+// one.
 constexpr std::int64_t kLater = 1'000;  // milliseconds
 
 constexpr std::string_view kStopping = "stopping; asked again in a second, it ends at once\n";

@@ -4,8 +4,8 @@
 
 namespace keyblock {
 
-/// From here on the signals that ask a program to end (SIGINT, SIGTERM, SIGHUP, SIGXCPU) request a stop; one of the first three that
-/// comes a second or more after another of them ends the program at once.
+/// From here on the signals that ask a program to end (SIGINT, SIGTERM, SIGHUP, SIGXCPU) request a stop; one of the
+/// first three that comes a second or more after another of them ends the program at once.
 void listen_for_stops();
 
 /// The last of them; 0: none came.

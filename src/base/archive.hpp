@@ -26,8 +26,8 @@ struct ArchiveNode {
   std::size_t next = 0;   ///< the child to look at first: members come in the same order every time
 };
 
-/// Saves what it is shown, or puts the saved values in its place, bit for bit. Restoring throws InputError, which names the
-/// file and the column, where a value is missing, of another kind or out of its bounds.
+/// Saves what it is shown, or puts the saved values in its place, bit for bit. Restoring throws InputError, which names
+/// the file and the column, where a value is missing, of another kind or out of its bounds.
 class Archive {
  public:
   Archive();

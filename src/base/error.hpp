@@ -64,8 +64,8 @@ struct Warning {
 
 using Warnings = std::vector<Warning>;
 
-/// Adds a warning about one record of many. A list that holds `kMostWarnings` takes one more, which says that the rest is
-/// not listed, and then none: a file may be odd in every record.
+/// Adds a warning about one record of many. A list that holds `kMostWarnings` takes one more, which says that the rest
+/// is not listed, and then none: a file may be odd in every record.
 void add_warning(Warnings& warnings, Warning warning);
 inline constexpr std::size_t kMostWarnings = 1000;
 

@@ -6,7 +6,8 @@
 
 namespace keyblock {
 
-/// Asks the system to back that room, not yet touched, by large pages where it is long enough. Never fails: it is advice.
+/// Asks the system to back that room, not yet touched, by large pages where it is long enough. Never fails: it is
+/// advice.
 void advise_large_pages(void* room, std::size_t bytes);
 
 /// `list.reserve(count)` in large pages.

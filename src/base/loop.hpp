@@ -22,12 +22,13 @@ inline std::size_t range_count(std::size_t count) {
   return (count + kLoopRange - 1) / kLoopRange;
 }
 
-/// What an entry takes: `heavy` a tenth of a microsecond and more (a product of blocks, a contact), `light` a few nanoseconds (a sum
-/// of vectors). Threads are woken from four heavy ranges on, and from 32 light ones, which take as long.
+/// What an entry takes: `heavy` a tenth of a microsecond and more (a product of blocks, a contact), `light` a few
+/// nanoseconds (a sum of vectors). Threads are woken from four heavy ranges on, and from 32 light ones, which take as
+/// long.
 enum class Work { heavy, light };
 
-/// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. An exception is thrown again
-/// when all are done, that of the lowest range. `base/parallel` is for whole jobs instead: files, runs.
+/// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. An exception is thrown
+/// again when all are done, that of the lowest range. `base/parallel` is for whole jobs instead: files, runs.
 void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work,
                 Work weight = Work::heavy);
 
@@ -48,7 +49,8 @@ void for_each_index(const Table<I, T>& table, const Each& each) {
   for_each_entry(table.size(), [&](std::size_t i) { each(I{static_cast<int>(i)}); });
 }
 
-/// Several sums over `term(i)`, an array of `N` each, with one order of addition. A term may write what belongs to its own i.
+/// Several sums over `term(i)`, an array of `N` each, with one order of addition. A term may write what belongs to its
+/// own i.
 template <std::size_t N, class Term>
 std::array<double, N> sums_over(std::size_t count, const Term& term, Work weight = Work::heavy) {
   std::vector<std::array<double, N>> parts(range_count(count));

@@ -8,7 +8,8 @@
 
 namespace keyblock {
 
-/// Letters to put in, take out, exchange or swap with the next one that make `a` of `b` (Damerau 1964, each place changed once).
+/// Letters to put in, take out, exchange or swap with the next one that make `a` of `b` (Damerau 1964, each place
+/// changed once).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The name fewest changes away; empty where more than a third of its letters would change. Of equals the first.

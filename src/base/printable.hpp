@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// The text with its control characters written out, `\x1b`, those of two bytes (U+0080 to U+009F) too: a name in a file
-/// must not clear the screen of who reads it.
+/// The text with its control characters written out, `\x1b`, those of two bytes (U+0080 to U+009F) too: a name in a
+/// file must not clear the screen of who reads it.
 std::string printable(std::string_view text);
 
 /// UTF-8, and a text that is none with a question mark in a lozenge (U+FFFD) for each byte that fits nowhere.

@@ -10,8 +10,8 @@
 
 namespace keyblock {
 
-/// Pairs i < j of boxes that touch when i is grown by `distance`, in no particular order, by an R*-tree filled at once (Beckmann et al.
-/// 1990; Leutenegger, Lopez & Edgington 1997): some ten times a fitting grid, whatever the sizes.
+/// Pairs i < j of boxes that touch when i is grown by `distance`, in no particular order, by an R*-tree filled at once
+/// (Beckmann et al. 1990; Leutenegger, Lopez & Edgington 1997): some ten times a fitting grid, whatever the sizes.
 std::vector<std::pair<int, int>> touching_by_tree(const std::vector<Box>& boxes, double distance);
 
 /// The same one by one, i ascending, as long as `visit` returns true: there may be n² of them.

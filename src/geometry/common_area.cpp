@@ -1,5 +1,5 @@
-// Both bodies are sums of triangles from one point, with sign. What they share is the sum over pairs of triangles, and two
-// triangles cut each other without special cases (Sutherland & Hodgman 1974).
+// Both bodies are sums of triangles from one point, with sign. What they share is the sum over pairs of triangles, and
+// two triangles cut each other without special cases (Sutherland & Hodgman 1974).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/common_area.hpp"
 

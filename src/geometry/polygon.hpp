@@ -22,8 +22,8 @@ enum class Side { outside, on_edge, inside };
 /// Where a point lies, by exact crossing counts (even-odd): no ray direction to be unlucky with.
 Side side(std::span<const Point> loop, Point p);
 
-/// A point that an odd number of the closed chains enclose (a polygon and its holes): on the level in the middle of the highest gap
-/// between their vertices. Nothing where they enclose nothing there.
+/// A point that an odd number of the closed chains enclose (a polygon and its holes): on the level in the middle of the
+/// highest gap between their vertices. Nothing where they enclose nothing there.
 std::optional<Point> point_inside(std::span<const std::vector<Point>> loops);
 
 }  // namespace keyblock

@@ -46,8 +46,8 @@ Eigen::MatrixX2d monomial_gradients(int degree, Point p);
 /// The product of polynomials of degree `degree_a` and `degree_b`.
 Eigen::VectorXd product(const Eigen::VectorXd& a, int degree_a, const Eigen::VectorXd& b, int degree_b);
 
-/// ∫ of all monomials of the local coordinates up to `degree` over the region to the left of the closed loops, clockwise
-/// loops (holes) counting negative; area in the squared unit of the loops.
+/// ∫ of all monomials of the local coordinates up to `degree` over the region to the left of the closed loops,
+/// clockwise loops (holes) counting negative; area in the squared unit of the loops.
 Eigen::VectorXd polygon_moments(std::span<const std::vector<Point>> loops, const LocalFrame& frame, int degree);
 
 }  // namespace keyblock

@@ -17,8 +17,8 @@ struct SharedArea {
   int pairs = 0;     ///< how many there are; none: 0, and so is all else
 };
 
-/// Pairs of bodies that have more than `least` of the smaller one in common. At most kMostSharedPairs are counted, and where corners crowd the search
-/// ends after some 300 products of corners for each corner: walls and slopes take 30.
+/// Pairs of bodies that have more than `least` of the smaller one in common. At most kMostSharedPairs are counted, and
+/// where corners crowd the search ends after some 300 products of corners for each corner: walls and slopes take 30.
 SharedArea shared_area(const std::vector<Loops>& bodies, double least);
 
 }  // namespace keyblock

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What a draft is called: this, the process and a count. Short, because the name of its file may be as long as names can be.
+// What a draft is called: this, the process and a count. Short, because the name of its file may be as long as names
+// can be.
 constexpr std::string_view kDraft = ".keyblock_draft_";
 
 bool is_taken(const fs::path& file) {

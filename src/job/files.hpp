@@ -13,9 +13,9 @@ enum class Overwrite { no, yes };
 /// Throws UsageError if something bears the name `file`, a link to nothing included, and may not be overwritten.
 void require_free(const std::filesystem::path& file, Overwrite overwrite);
 
-/// Before any work is done, so that a long one is not lost: throws UsageError where one of `outputs` is there already and may not
-/// be overwritten, and whatever --force says where it is one of `inputs`, is the same as another output, is no regular file
-/// (a device must not be replaced), or has no folder to stand in. Empty names are passed over.
+/// Before any work is done, so that a long one is not lost: throws UsageError where one of `outputs` is there already
+/// and may not be overwritten, and whatever --force says where it is one of `inputs`, is the same as another output, is
+/// no regular file (a device must not be replaced), or has no folder to stand in. Empty names are passed over.
 void require_writable(const std::vector<std::filesystem::path>& outputs,
                       const std::vector<std::filesystem::path>& inputs, Overwrite overwrite);
 
@@ -25,12 +25,13 @@ void require_not_below(const std::filesystem::path& input, const std::filesystem
 /// Until it returns the bytes may be lost with the power. Throws OutputError if it cannot.
 void flush_to_disk(const std::filesystem::path& file_or_folder);
 
-/// As `write_file`, and flushed before and after the renaming: at any moment the disk holds the old file or the new one, whole.
-/// Throws UsageError if there is one and it may not be overwritten: of two that write at once one is told so.
+/// As `write_file`, and flushed before and after the renaming: at any moment the disk holds the old file or the new
+/// one, whole. Throws UsageError if there is one and it may not be overwritten: of two that write at once one is told
+/// so.
 void write_durably(const std::filesystem::path& file, const std::string& bytes, Overwrite overwrite);
 
-/// Writes a draft beside the file and renames it, so that a reader never meets half a file. A link of that name is replaced, not
-/// followed. Throws OutputError if it cannot, or if the folder is gone.
+/// Writes a draft beside the file and renames it, so that a reader never meets half a file. A link of that name is
+/// replaced, not followed. Throws OutputError if it cannot, or if the folder is gone.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
 /// A file that the user named: where it is a symbolic link, the file that it points to is written and the link stays.

@@ -8,9 +8,10 @@
 
 namespace keyblock {
 
-/// One warning for each limit of `TrustLimits` that the run went beyond, at `place`; none where it can be trusted. Depths are those of all
-/// steps, areas in common those at the end `last`; areas are held against the unloaded scene, so that what the start pressed counts,
-/// and so does how far it moved a block, `first`. Energy is looked at where the ledger is kept and the run is in time.
+/// One warning for each limit of `TrustLimits` that the run went beyond, at `place`; none where it can be trusted.
+/// Depths are those of all steps, areas in common those at the end `last`; areas are held against the unloaded scene,
+/// so that what the start pressed counts, and so does how far it moved a block, `first`. Energy is looked at where the
+/// ledger is kept and the run is in time.
 Warnings doubts(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
                 const Place& place);
 

@@ -37,7 +37,8 @@ constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.s
 
 constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
 
-// What the rows of a history hold: measured points, blocks, or the elements of bodies, whose displacements are weighed to the bodies'.
+// What the rows of a history hold: measured points, blocks, or the elements of bodies, whose displacements are weighed
+// to the bodies'.
 struct Followed {
   const char* word;
   std::vector<std::vector<std::pair<std::size_t, double>>> parts;  ///< of each: points of a row with their shares

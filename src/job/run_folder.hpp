@@ -23,14 +23,16 @@ enum class Trace { no, yes };
 
 class RunFolder {
  public:
-  /// For a new run; nothing is changed before `begin`. Throws UsageError if there is a run already that may not be overwritten.
+  /// For a new run; nothing is changed before `begin`. Throws UsageError if there is a run already that may not be
+  /// overwritten.
   RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace);
 
   /// The folder of a run that goes on: `describe` has to follow, and then `drop_what_followed`, which changes it first.
   RunFolder(std::filesystem::path folder, Trace trace);
 
-  /// Makes the folder; what an earlier run left there goes, all else stays. The first checkpoint, if the run has any, comes before
-  /// the folder of frames: wherever that stands, the run can be resumed. Throws UsageError if another has just begun there.
+  /// Makes the folder; what an earlier run left there goes, all else stays. The first checkpoint, if the run has any,
+  /// comes before the folder of frames: wherever that stands, the run can be resumed. Throws UsageError if another has
+  /// just begun there.
   void begin(const std::string& checkpoint = {});
 
   /// What `begin` made and the frames since, for a run whose input turns out to be unusable.
@@ -53,12 +55,13 @@ class RunFolder {
   /// Writes the frame's .vtu at once.
   void add(const Frame& frame);
 
-  /// history.csv, fields.pvd, picture.svg, energy.svg if there is a ledger and, for a trace, steps.csv and blocks.csv. Where `field`
-  /// has elements on covers also field.svg, and points.csv where points are measured.
+  /// history.csv, fields.pvd, picture.svg, energy.svg if there is a ledger and, for a trace, steps.csv and blocks.csv.
+  /// Where `field` has elements on covers also field.svg, and points.csv where points are measured.
   void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
               const Ledger& ledger, const FieldFrame& field);
 
-  /// The same for bodies on covers: a frame's .vtu as `vtu` has it; history.csv, points.csv, fields.pvd and picture.svg.
+  /// The same for bodies on covers: a frame's .vtu as `vtu` has it; history.csv, points.csv, fields.pvd and
+  /// picture.svg.
   void add(const FieldFrame& frame);
   void finish(const std::string& picture, const History& history);
 

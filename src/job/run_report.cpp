@@ -124,7 +124,8 @@ Json json_of(const EquilibriumWay& way) {
   return {{"share", way.share ? Json(*way.share) : Json()}, {"last_step_ratio", way.last_step_ratio}};
 }
 
-// Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a name.
+// Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a
+// name.
 std::string kind_of(const Warning& warning) {
   constexpr std::string_view kDigits = "0123456789";
   constexpr std::string_view kOfNumbers = "0123456789.e+-";

@@ -152,8 +152,8 @@ Warnings StepWatch::warnings(const Place& place) const {
   return joined(std::move(warnings), far_from_equilibrium(place));
 }
 
-// Of a mode of frequency ω each step leaves the share p = 1 / (1 + (ω dt)²/2): steps shrink by p, and the sum of those to come is
-// the last times p / (1 - p).
+// Of a mode of frequency ω each step leaves the share p = 1 / (1 + (ω dt)²/2): steps shrink by p, and the sum of those
+// to come is the last times p / (1 - p).
 std::optional<EquilibriumWay> StepWatch::equilibrium_way() const {
   if (balances_ && steps_ > 0) return EquilibriumWay{1, 0};
   if (!creeps_ || steps_ < 2 || way_ == 0) return std::nullopt;

@@ -63,10 +63,12 @@ class CheckpointClock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The checkpoint of a run's folder, by its full path. Throws UsageError where there is none, InputError where it cannot be used.
+/// The checkpoint of a run's folder, by its full path. Throws UsageError where there is none, InputError where it
+/// cannot be used.
 Archive read_checkpoint(const std::filesystem::path& file);
 
-/// Throws InputError where the checkpoint is that of another folder, whose run still stands there: not where the folder was moved.
+/// Throws InputError where the checkpoint is that of another folder, whose run still stands there: not where the folder
+/// was moved.
 void require_own(const std::filesystem::path& checkpoint, const RunRequest& saved);
 
 /// Throws InputError where a file, the program or a setting is not that of the checkpoint any more.

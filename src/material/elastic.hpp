@@ -15,8 +15,8 @@ Eigen::Matrix3d plane_stress_modulus(const BlockMaterial& material);
 /// 3 × 3 modulus of plane strain, D = E/(1+nu) [(1-nu)/(1-2nu) nu/(1-2nu) 0; .. .. 0; 0 0 1/2] (ibid.).
 Eigen::Matrix3d plane_strain_modulus(const BlockMaterial& material);
 
-/// Under the law of St. Venant and Kirchhoff a bar pressed along its axis bears F/A = E λ (1 - λ²)/2 at the stretch λ, the most at
-/// 1/√3; shorter, it bears less and less, and nothing keeps it from being crushed to nothing.
+/// Under the law of St. Venant and Kirchhoff a bar pressed along its axis bears F/A = E λ (1 - λ²)/2 at the stretch λ,
+/// the most at 1/√3; shorter, it bears less and less, and nothing keeps it from being crushed to nothing.
 inline constexpr double kSofteningStretch = 0.5773502691896258;
 
 }  // namespace keyblock

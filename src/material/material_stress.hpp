@@ -1,4 +1,5 @@
-// What a block material says of stress: how much a strain makes in the plane of the run, and what there is at the start.
+// What a block material says of stress: how much a strain makes in the plane of the run, and what there is at the
+// start.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -36,8 +36,8 @@ struct Basis {
   /// u = T d at `offset` from the centroid.
   Point displacement(const Unknowns& d, Point offset) const;
 
-  /// Tᵀ F, n × 2: what each of two forces (columns of F, 2 × 2) at `offset` from the centroid is on the unknowns. `N`: how many
-  /// unknowns there are, where that is known.
+  /// Tᵀ F, n × 2: what each of two forces (columns of F, 2 × 2) at `offset` from the centroid is on the unknowns. `N`:
+  /// how many unknowns there are, where that is known.
   template <int N = Eigen::Dynamic>
   auto generalised_forces(Point offset, const Eigen::Matrix2d& pair) const {
     constexpr int kMost = N == Eigen::Dynamic ? kMostUnknowns : N;

@@ -34,7 +34,8 @@ struct PointForce {
   Point force;
 };
 
-/// Holds one direction (of length 1) of a point. As the only support of a body whose loads are in equilibrium it carries nothing.
+/// Holds one direction (of length 1) of a point. As the only support of a body whose loads are in equilibrium it
+/// carries nothing.
 struct PointSpring {
   int element = 0;
   Point at;
@@ -64,7 +65,8 @@ struct Continuum {
   Eigen::Vector3d initial_stress_at(int element, Point x) const;
 };
 
-/// Bodies on covers of a run in steps: materials weigh as `weight_per_area` says, those that do not exist are the nearest that do.
+/// Bodies on covers of a run in steps: materials weigh as `weight_per_area` says, those that do not exist are the
+/// nearest that do.
 Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& materials, const Settings& settings,
                        CoverFunctions functions);
 
@@ -91,7 +93,8 @@ struct ElementSide {
   Point normal() const;  ///< outward, of length 1
 };
 
-/// The boundary edges along a chain: both sides of it where it is a joint. "Along" is within 1e-10 of the manifold's extent.
+/// The boundary edges along a chain: both sides of it where it is a joint. "Along" is within 1e-10 of the manifold's
+/// extent.
 std::vector<ElementSide> sides_along(const Manifold& manifold, const BoundaryPart& part);
 
 }  // namespace keyblock

@@ -124,8 +124,9 @@ void CoverBasis::add(const std::vector<int>& functions, const Eigen::MatrixXd& m
   coefficients_.insert(coefficients_.end(), monomial.data(), monomial.data() + monomial.size());
 }
 
-// Function m of cover i is number i·count + m: λ_i times the m-th monomial of (x - x_i) in sides of the triangle. The side is
-// that of the element at hand: it is the same for all elements of a regular mesh only, so that the cover's own is taken.
+// Function m of cover i is number i·count + m: λ_i times the m-th monomial of (x - x_i) in sides of the triangle. The
+// side is that of the element at hand: it is the same for all elements of a regular mesh only, so that the cover's own
+// is taken.
 void CoverBasis::add_cover_polynomials(const Manifold& manifold) {
   const int count = monomial_count(degree_ - 1);
   std::vector<double> sizes(manifold.covers.size(), 1);

@@ -1,4 +1,5 @@
-// The displacement of points of a manifold from unknowns on its physical covers: u(x) = T(x) d, a polynomial in each element.
+// The displacement of points of a manifold from unknowns on its physical covers: u(x) = T(x) d, a polynomial in each
+// element.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -17,11 +17,12 @@ struct CoverGradient {
   std::vector<Share> shares;
 };
 
-/// Of the quadratic through the value of the cover that fits those of its star best, weighted by 1 / max(r², h²/4); the ring
-/// beyond is taken in where there are fewer than 6 neighbours or they determine the quadratic badly (condition above 50). A
-/// direction of the second order that is not determined even so (a body one row wide) is left out of the fit: linear fields
-/// have their gradient always, quadratic ones where the covers can tell. Covers are neighbours where they share an element,
-/// never across a joint. Relatives: FE-LSPIM (Rajendran & Zhang 2007), CN-LS (Yang, Tang & Zheng).
+/// Of the quadratic through the value of the cover that fits those of its star best, weighted by 1 / max(r², h²/4); the
+/// ring beyond is taken in where there are fewer than 6 neighbours or they determine the quadratic badly (condition
+/// above 50). A direction of the second order that is not determined even so (a body one row wide) is left out of the
+/// fit: linear fields have their gradient always, quadratic ones where the covers can tell. Covers are neighbours where
+/// they share an element, never across a joint. Relatives: FE-LSPIM (Rajendran & Zhang 2007), CN-LS (Yang, Tang &
+/// Zheng).
 std::vector<CoverGradient> derived_gradients(const Manifold& manifold);
 
 }  // namespace keyblock

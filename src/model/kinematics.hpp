@@ -11,8 +11,8 @@
 
 namespace keyblock {
 
-/// Unknowns of all blocks: displacement of the centroid, total angle, strain in the frame that turns with the block. Elements on
-/// covers have none of their own.
+/// Unknowns of all blocks: displacement of the centroid, total angle, strain in the frame that turns with the block.
+/// Elements on covers have none of their own.
 struct UnknownsTable : Table<ElementIndex, Unknowns> {
   using Table::Table;
 
@@ -46,8 +46,8 @@ Point translation(const Basis& basis, const Unknowns& q);
 /// ∂x/∂q at the material point X, 2 × n. The velocity of the point is this times the rate of q.
 DisplacementOperator jacobian(const Basis& basis, const Unknowns& q, Point offset);
 
-/// The map of one block at q: it moves many points for the price of a few. Blocks of few unknowns all lie in their one affine map
-/// x = c + A X, A = R (I + ε).
+/// The map of one block at q: it moves many points for the price of a few. Blocks of few unknowns all lie in their one
+/// affine map x = c + A X, A = R (I + ε).
 class BlockMap {
  public:
   BlockMap(const Basis& basis, const Unknowns& q, Point centroid_at_start);

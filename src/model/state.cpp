@@ -1,4 +1,5 @@
-// Where the operators and the polygon integrals of an element are taken, as its vertices lie now; which states are none.
+// Where the operators and the polygon integrals of an element are taken, as its vertices lie now; which states are
+// none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/state.hpp"
 

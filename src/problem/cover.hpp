@@ -20,7 +20,8 @@ struct SlotRange {
   bool operator==(const SlotRange&) const = default;
 };
 
-/// One element: its polygon (counter-clockwise) among the vertex slots, its material, its three covers (counter-clockwise).
+/// One element: its polygon (counter-clockwise) among the vertex slots, its material, its three covers
+/// (counter-clockwise).
 struct CoverElement {
   SlotRange vertices;
   int material = -1;          ///< block material, index from 0; -1: not assigned
@@ -33,7 +34,8 @@ struct CoverElement {
   }
 };
 
-/// A corner of a contact loop. `joint_material` belongs to the edge that leaves here (to the next corner), index from 0.
+/// A corner of a contact loop. `joint_material` belongs to the edge that leaves here (to the next corner), index from
+/// 0.
 struct LoopVertex {
   int slot = 0;  ///< vertex slot, index from 0
   int joint_material = 0;
@@ -48,8 +50,8 @@ struct CoverPoint {
   Place place;
 };
 
-/// The cover of a manifold problem. Lengths in the file's unit. Elements share no vertices: neighbours repeat positions,
-/// and each chain repeats its first slot at its end.
+/// The cover of a manifold problem. Lengths in the file's unit. Elements share no vertices: neighbours repeat
+/// positions, and each chain repeats its first slot at its end.
 struct Cover {
   std::vector<CoverElement> elements;
   std::vector<Point> vertices;   ///< vertex slots

@@ -1,4 +1,5 @@
-// What a case file says of its bodies on covers: the mesh, the functions, what holds and loads the bodies, what is dug out.
+// What a case file says of its bodies on covers: the mesh, the functions, what holds and loads the bodies, what is dug
+// out.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,8 +12,8 @@
 
 namespace keyblock {
 
-/// What a physical cover i says of the displacement about it, P_i(x); the weights of the triangle λ_i join the three covers
-/// of an element, u = Σ λ_i P_i.
+/// What a physical cover i says of the displacement about it, P_i(x); the weights of the triangle λ_i join the three
+/// covers of an element, u = Σ λ_i P_i.
 enum class CoverFunctions {
   constant,   ///< P_i = d_i: the old programs' first order, 2 unknowns a cover
   derived,    ///< P_i = d_i + ½ g_i · (x - x_i), g_i from the covers about (derived_gradients): quadratic, 2 unknowns
@@ -46,8 +47,8 @@ struct MeshedMaterial {
   int material = 0;  ///< block material, index from 0
 };
 
-/// felt: bodies, and the two sides of a joint, touch as blocks do, and each step is found with their forces; ignored: each load
-/// step is one linear solution in which they pass through each other.
+/// felt: bodies, and the two sides of a joint, touch as blocks do, and each step is found with their forces; ignored:
+/// each load step is one linear solution in which they pass through each other.
 enum class CoverContact { felt, ignored };
 
 /// A regular mesh has `half_rows` or `side`, an unstructured one `side`; with neither there is none.

@@ -49,10 +49,12 @@ struct MarkedPoint {
 /// How crossings nearer than the merging distance become one node.
 enum class NodeMerging {
   nearest_first,  ///< nearest pairs first; the drawing, not the order of its lines, decides where the node stands
-  in_order_found,  ///< as the old programs: a crossing joins the first node found before it that is near, and that one stays
+  /// as the old programs: a crossing joins the first node found before it that is near, and that one stays
+  in_order_found,
 };
 
-/// What becomes of a piece of a joint that passes a node nearer than the drawing's distance, or crosses another once nodes have moved.
+/// What becomes of a piece of a joint that passes a node nearer than the drawing's distance, or crosses another once
+/// nodes have moved.
 enum class NearPieces {
   led_through,  ///< it goes through the node
   deleted,      ///< as the old programs: it is lost, and what it bounded may be open

@@ -13,8 +13,8 @@
 
 namespace keyblock {
 
-/// As it was written. Operators + - * / ^, comparisons, && || and ?:, functions (sin, cos, atan2, sqrt, exp, ln, log10, abs,
-/// min, max, …), the constants _pi and _e, and the variables of its use: it can reach nothing else.
+/// As it was written. Operators + - * / ^, comparisons, && || and ?:, functions (sin, cos, atan2, sqrt, exp, ln, log10,
+/// abs, min, max, …), the constants _pi and _e, and the variables of its use: it can reach nothing else.
 struct Formula {
   std::string text = "0";
   Place place = {};  ///< of the value: the opening quote of a text

@@ -20,8 +20,8 @@ struct RectangleShape {
   double height = 0;
 };
 
-/// Ground that rises to the right. (x, y) is the foot of the face. The face rises `height` in `benches` equal lifts, each
-/// at `angle_deg` (above 0, 90 at most), with level benches of width `bench` between them.
+/// Ground that rises to the right. (x, y) is the foot of the face. The face rises `height` in `benches` equal lifts,
+/// each at `angle_deg` (above 0, 90 at most), with level benches of width `bench` between them.
 struct SlopeShape {
   double x = 0;
   double y = 0;

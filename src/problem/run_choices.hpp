@@ -10,7 +10,8 @@
 
 namespace keyblock {
 
-/// The names of the base units; one consistent set, to which only drawings (DXF) are brought. Empty: the old file did not say.
+/// The names of the base units; one consistent set, to which only drawings (DXF) are brought. Empty: the old file did
+/// not say.
 struct Units {
   std::string length;
   std::string mass;

@@ -9,8 +9,9 @@
 
 namespace keyblock {
 
-/// Blocks that have more than a hundredth of the smaller one in common: one warning, with the first pair and how many there are.
-/// Files of the old cutter overlap by its tolerance, and results of old runs by what they pressed, both far less.
+/// Blocks that have more than a hundredth of the smaller one in common: one warning, with the first pair and how many
+/// there are. Files of the old cutter overlap by its tolerance, and results of old runs by what they pressed, both far
+/// less.
 Warnings shared_ground(const Blocks& blocks);
 
 /// Holes that do not lie within their outer loop, or turn as it does: areas and centroids would be wrong.

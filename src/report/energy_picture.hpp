@@ -8,8 +8,8 @@
 
 namespace keyblock::report {
 
-/// An SVG document: kinetic and strain energy, gravity released, work done and energy lost, as far as the scene has them.
-/// Without rows the page holds the title alone.
+/// An SVG document: kinetic and strain energy, gravity released, work done and energy lost, as far as the scene has
+/// them. Without rows the page holds the title alone.
 std::string energy_picture(const std::string& title, const Ledger& ledger);
 
 }  // namespace keyblock::report

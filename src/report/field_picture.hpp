@@ -24,8 +24,8 @@ struct FieldPicture {
 /// The component that varies most.
 StressShown most_varied(const FieldFrame& field);
 
-/// An SVG document: three panels below each other, for tall bodies beside each other. The deformed mesh is scaled to be seen; the
-/// factor is named. Colours are of mean corner values over triangles from each element's middle.
+/// An SVG document: three panels below each other, for tall bodies beside each other. The deformed mesh is scaled to be
+/// seen; the factor is named. Colours are of mean corner values over triangles from each element's middle.
 std::string field_picture(const FieldPicture& picture);
 
 /// The mesh alone, elements over their bodies' colours: what `keyblock cut` shows.

@@ -10,8 +10,8 @@
 
 namespace keyblock::report {
 
-/// An SVG element to stand inside a page: the greatest blocks, the contact loops of a cover, or the lines of a drawing; at
-/// most `kThumbnailShapes` of them.
+/// An SVG element to stand inside a page: the greatest blocks, the contact loops of a cover, or the lines of a drawing;
+/// at most `kThumbnailShapes` of them.
 std::string thumbnail(const Blocks& blocks);
 std::string thumbnail(const Cover& cover);
 std::string thumbnail(const Drawing& drawing);

@@ -25,8 +25,8 @@ struct TradeoffPicture {
   double least_error = 0;  ///< errors below it are not told apart; 0: none is known
 };
 
-/// An SVG document: error over processor time, both in powers of ten; the front joined by a staircase, its runs and the profiles
-/// named as far as there is room. Without runs the page holds the titles alone.
+/// An SVG document: error over processor time, both in powers of ten; the front joined by a staircase, its runs and the
+/// profiles named as far as there is room. Without runs the page holds the titles alone.
 std::string tradeoff_picture(const TradeoffPicture& picture);
 
 }  // namespace keyblock::report

@@ -22,8 +22,8 @@ struct Extremes {
   int crushed_element = 0;
 };
 
-/// Of the instant `end` of a run that began with `start`: the same elements with as many vertices. Without any, all zero and
-/// the share of area 1.
+/// Of the instant `end` of a run that began with `start`: the same elements with as many vertices. Without any, all
+/// zero and the share of area 1.
 Extremes extremes_of(const Frame& start, const Frame& end);
 
 }  // namespace keyblock

@@ -88,8 +88,9 @@ struct LedgerSums {
   double angular_size = 0;
   double largest_stored = 0;  ///< kinetic, strain, contact, or gravity since the start
   double least = 0;           ///< of what was stored less the work of loads, so far
-  double made = 0;            ///< greatest kinetic, strain and gravity energy less the work of loads over the least before
-  double above_start = 0;     ///< the same over that of the start
+  /// greatest kinetic, strain and gravity energy less the work of loads over the least before
+  double made = 0;
+  double above_start = 0;  ///< the same over that of the start
 
   void add(const LedgerRow& row);
 
@@ -99,9 +100,9 @@ struct LedgerSums {
   double energy_closure() const;
   double linear_momentum_closure() const;
   double angular_momentum_closure() const;
-  /// Energy that nothing gave, over the largest stored: what moves, strains and lies high is more than all there was at some
-  /// instant before. What contact springs hold counts where it may come from, not where it goes to: it is not there until they
-  /// give it back. Without flows, where contact is not in the books, more than at the start.
+  /// Energy that nothing gave, over the largest stored: what moves, strains and lies high is more than all there was at
+  /// some instant before. What contact springs hold counts where it may come from, not where it goes to: it is not
+  /// there until they give it back. Without flows, where contact is not in the books, more than at the start.
   double energy_made(const LedgerScope& scope) const;
 };
 

@@ -18,8 +18,8 @@ struct StepReport {
   double displacement_ratio = 0;  ///< greatest vertex displacement over the allowed one
   double greatest_penetration = 0;  ///< of the closed contacts, length, ≥ 0
   double penetration_share = 0;     ///< greatest of theirs over the size of the smaller element, ≥ 0
-  /// Dynamics `shi`: largest relative residual of the step's linear solves; `standard`: forces out of balance over the largest
-  /// load on a block.
+  /// Dynamics `shi`: largest relative residual of the step's linear solves; `standard`: forces out of balance over the
+  /// largest load on a block.
   double residual = 0;
   int unresolved_parts = 0;    ///< made at the least size, with a greater error or displacement than wanted
   int locked_overlaps = 0;     ///< of impacts, left because other touches are in the way (dynamics `standard`)

@@ -19,8 +19,8 @@ constexpr int stride_of(int steps) {
   return std::max(1, (steps + kMostRows - 1) / kMostRows);
 }
 
-/// Rows with a number `step`, in rising order: every `stride`-th, the last, and the first row of the greatest value of each of
-/// `Extremes`: functions of a row.
+/// Rows with a number `step`, in rising order: every `stride`-th, the last, and the first row of the greatest value of
+/// each of `Extremes`: functions of a row.
 template <class Row, class Extremes>
 class Thinned {
  public:

@@ -8,12 +8,12 @@
 
 namespace keyblock {
 
-/// Byte 0: "keyblock checkpoint, layout N, sha256 S" and a line feed, zeros up to byte 512, the HDF5 file from there on. Its
-/// groups and datasets are the archive's; a table is one dataset a column. Any HDF5 tool opens it.
+/// Byte 0: "keyblock checkpoint, layout N, sha256 S" and a line feed, zeros up to byte 512, the HDF5 file from there
+/// on. Its groups and datasets are the archive's; a table is one dataset a column. Any HDF5 tool opens it.
 std::string checkpoint_bytes(const Archive& archive);
 
-/// The archive of a file's bytes, ready to restore from. Throws InputError with the name of the file where it is no checkpoint,
-/// of another layout, cut off or changed: the checksum is looked at before HDF5 sees a byte.
+/// The archive of a file's bytes, ready to restore from. Throws InputError with the name of the file where it is no
+/// checkpoint, of another layout, cut off or changed: the checksum is looked at before HDF5 sees a byte.
 Archive archive_of_checkpoint(const std::string& file, const std::string& bytes);
 
 }  // namespace keyblock

@@ -43,8 +43,9 @@ struct SolvedStep {
 
 class CoverCase {
  public:
-  /// Cuts the bodies of the start. Settings of the case file and overrides that say nothing of linear statics are warned of. Throws InputError where something is missing or cannot be: no geometry or analysis, dynamics,
-  /// a chain away from all boundaries, a point away from all bodies.
+  /// Cuts the bodies of the start. Settings of the case file and overrides that say nothing of linear statics are
+  /// warned of. Throws InputError where something is missing or cannot be: no geometry or analysis, dynamics, a chain
+  /// away from all boundaries, a point away from all bodies.
   CoverCase(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
   ~CoverCase();
 
@@ -54,8 +55,8 @@ class CoverCase {
   /// The bodies before any load step, undisplaced.
   const SolvedStep& start() const;
 
-  /// Solves the load steps in turn and hands out each; where nothing was dug out the solution of the step before is handed out
-  /// again. Throws NotPositiveDefinite that says which body can still move.
+  /// Solves the load steps in turn and hands out each; where nothing was dug out the solution of the step before is
+  /// handed out again. Throws NotPositiveDefinite that says which body can still move.
   void run(const std::function<void(const SolvedStep&)>& on_step) const;
 
  private:

@@ -17,9 +17,9 @@ struct CoverModel {
   Warnings warnings;
 };
 
-/// Of a cover file, elements as they are; of a drawing or blocks with a cover plan, bodies cut as the plan says: all, or the blocks of
-/// the materials it names beside others that stay blocks. Points keep their order. Throws InputError where the mesh cannot be, or a
-/// point lies in no body.
+/// Of a cover file, elements as they are; of a drawing or blocks with a cover plan, bodies cut as the plan says: all,
+/// or the blocks of the materials it names beside others that stay blocks. Points keep their order. Throws InputError
+/// where the mesh cannot be, or a point lies in no body.
 CoverModel cover_model(const Problem& problem, const Settings& settings);
 
 }  // namespace keyblock

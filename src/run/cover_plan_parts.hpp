@@ -7,7 +7,8 @@
 
 namespace keyblock {
 
-/// Everything of the plan that does not depend on the mesh. Functions throw InputError where a formula has no finite value.
+/// Everything of the plan that does not depend on the mesh. Functions throw InputError where a formula has no finite
+/// value.
 void put_loads(Continuum& continuum, const CoverPlan& plan);
 
 /// Forces and springs at points, into their elements. Throws InputError for one that lies in no body.

@@ -10,12 +10,12 @@
 
 namespace keyblock {
 
-/// functions; mesh.side or mesh.half_rows (one takes the place of the other); mesh.angle. Throws std::invalid_argument with the
-/// expected values if the name or the value is not valid.
+/// functions; mesh.side or mesh.half_rows (one takes the place of the other); mesh.angle. Throws std::invalid_argument
+/// with the expected values if the name or the value is not valid.
 void set(CoverPlan& plan, const std::string& name, const std::string& value);
 
-/// Sets those of the overrides that `set` above knows by name, where the problem has a plan; the others are left. Throws
-/// std::invalid_argument.
+/// Sets those of the overrides that `set` above knows by name, where the problem has a plan; the others are left.
+/// Throws std::invalid_argument.
 std::vector<std::pair<std::string, std::string>> set_plan(
     Problem& problem, const std::vector<std::pair<std::string, std::string>>& overrides);
 

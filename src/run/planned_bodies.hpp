@@ -13,8 +13,8 @@ namespace keyblock {
 
 class PlannedBodies {
  public:
-  /// `problem` has a drawing or blocks, an analysis and covers; views it. Throws InputError where it has not, or where the mesh
-  /// cannot be.
+  /// `problem` has a drawing or blocks, an analysis and covers; views it. Throws InputError where it has not, or where
+  /// the mesh cannot be.
   explicit PlannedBodies(const Problem& problem);
 
   /// The bodies at a load step; at 0 whole. Throws InputError where nothing is left.

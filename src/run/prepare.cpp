@@ -106,7 +106,8 @@ Geometry of_blocks(const Problem& problem, const Settings& settings) {
   return {std::move(cut), std::move(model)};
 }
 
-// The old step moves elements each by the affine field of its three nodes. The exact rotation of each would tear neighbours apart.
+// The old step moves elements each by the affine field of its three nodes. The exact rotation of each would tear
+// neighbours apart.
 Model by_old_rules(const Cover& cover, const Analysis& analysis, const Settings& settings) {
   if (settings.rotation == Rotation::exact)
     refuse_value("rotation", "first_order, for elements on covers would part under the other", "exact");
@@ -140,8 +141,8 @@ struct Plan {
   Requirements requirements;
 };
 
-// The model with the bases of `standard`, and the plan with the enforcement that was decided on. Throws InputError for a
-// scene that these dynamics cannot run.
+// The model with the bases of `standard`, and the plan with the enforcement that was decided on. Throws InputError for
+// a scene that these dynamics cannot run.
 Plan standard_plan(Model model, const Settings& settings, const Place& place) {
   model = with_bases(std::move(model), settings.basis);
   const StandardScene scene = [&] {
@@ -167,7 +168,8 @@ Plan plan_of(Model model, const Settings& settings, const Place& place) {
   return {std::move(model), std::move(needs)};
 }
 
-// Springs stop impacts where there are any: other forces are found at the end of the step alone, and blocks would overlap there.
+// Springs stop impacts where there are any: other forces are found at the end of the step alone, and blocks would
+// overlap there.
 void require_springs(const Settings& settings, int joint_materials) {
   if (settings.standard.impact != ImpactLaw::springs) return;
   for (int material = 0; material < joint_materials; ++material) {

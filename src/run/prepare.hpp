@@ -25,11 +25,12 @@ struct Prepared {
   Scene scene;
 };
 
-/// The profile asked for; where none is, that of the case file; where that names none, `standard`. Throws InputError where
-/// the case file names one that is none.
+/// The profile asked for; where none is, that of the case file; where that names none, `standard`. Throws InputError
+/// where the case file names one that is none.
 std::string profile_of(const Problem& problem, const std::string& asked);
 
-/// Every choice of a run: the profile, the settings of the case file on it, and the overrides on these. Throws as `prepare`.
+/// Every choice of a run: the profile, the settings of the case file on it, and the overrides on these. Throws as
+/// `prepare`.
 Settings settings_of(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 /// Whether its geometry names points (or lines of them) that are held or loaded; those of a cover file are not meant.
@@ -37,16 +38,17 @@ bool has_fixed_or_loading_points(const Problem& problem);
 
 bool has_bolts(const Problem& problem);
 
-/// Whether a case has bodies on covers of which each load step is one linear solution (run/cover_case): statics in which nothing
-/// touches, no point is held or loaded and no bolt ties bodies, or contact is ignored, or something is dug out. Throws as `prepare`.
+/// Whether a case has bodies on covers of which each load step is one linear solution (run/cover_case): statics in
+/// which nothing touches, no point is held or loaded and no bolt ties bodies, or contact is ignored, or something is
+/// dug out. Throws as `prepare`.
 bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 /// Whether geometry and analysis are there.
 bool can_prepare(const Problem& problem);
 
 /// The scene of a problem with geometry and analysis. Throws InputError where one is missing, lines close no block, or
-/// motions do not fit the points, or the case file has a setting or value that is none; std::invalid_argument for a profile or
-/// an override that is none. Settings of a case file count below the overrides.
+/// motions do not fit the points, or the case file has a setting or value that is none; std::invalid_argument for a
+/// profile or an override that is none. Settings of a case file count below the overrides.
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 }  // namespace keyblock

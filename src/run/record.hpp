@@ -18,7 +18,8 @@ HistoryRow history_row(const Model& model, const State& state, const StartPlaces
 /// Gives the measured points of a frame or a row the stress of where they lie in their elements.
 void put_point_stress(std::vector<PointFrame>& measured, const Model& model, const Stepper& stepper);
 
-/// Displacement and stress at the corners of all elements now, where some hang on covers that they share; else no elements.
+/// Displacement and stress at the corners of all elements now, where some hang on covers that they share; else no
+/// elements.
 FieldFrame field_of(const Model& model, const Stepper& stepper);
 
 }  // namespace keyblock

@@ -21,11 +21,13 @@ namespace keyblock {
 struct Observer {
   std::function<void(const Frame&)> on_frame;
   std::function<void(const StepReport&)> on_step;
-  /// At the start and after every step; where nothing is measured the rows hold all centroids, and come with the frames.
+  /// At the start and after every step; where nothing is measured the rows hold all centroids, and come with the
+  /// frames.
   std::function<void(const HistoryRow&)> on_row;
   std::function<bool()> wants_stop;
   std::function<void(const LedgerRow&)> on_ledger;  ///< at the start and after every step, if the settings ask for it
-  /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on takes.
+  /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on
+  /// takes.
   std::function<void(Stepper&)> between_steps = {};
 };
 
@@ -43,8 +45,8 @@ struct RunOutcome {
 };
 
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever
-/// the end was. Where a stop is requested in the middle of a step the run ends before it; throws StopRequested where that is in the
-/// search for the start, before anything was told.
+/// the end was. Where a stop is requested in the middle of a step the run ends before it; throws StopRequested where
+/// that is in the search for the start, before anything was told.
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer);
 
 /// The rest of a run, as if it had not been left between two steps; what was told before is not told again.

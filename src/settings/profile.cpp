@@ -27,8 +27,9 @@ double start_penalty(const Analysis& analysis) {
   return analysis.penalty_factor * stiffest->youngs_modulus;
 }
 
-// Manifold files state a time increment and a stiffness, and are taken at their word (inferred: under the rules that choose
-// both, nine of twelve old files come to a stop). Their program's velocities are those of the step made (legacy-formats 2.5).
+// Manifold files state a time increment and a stiffness, and are taken at their word (inferred: under the rules that
+// choose both, nine of twelve old files come to a stop). Their program's velocities are those of the step made
+// (legacy-formats 2.5).
 Settings as_in_manifold_files(Settings settings) {
   settings.step_control = StepControl::constant;
   settings.penalty_control = PenaltyControl::constant;
@@ -62,8 +63,8 @@ Settings legacy(const Analysis& analysis) {
   return analysis.dialect == AnalysisDialect::manifold ? as_in_manifold_files(settings) : settings;
 }
 
-// What theory asks for: the file's scene, materials and step; none of the old programs' rules. Native files give each material
-// its own weight; `Gravaccel` of a DDAML file is one acceleration for all.
+// What theory asks for: the file's scene, materials and step; none of the old programs' rules. Native files give each
+// material its own weight; `Gravaccel` of a DDAML file is one acceleration for all.
 Settings standard(const Analysis& analysis) {
   Settings settings = legacy(analysis);
   settings.dynamics = Dynamics::standard;
@@ -87,9 +88,10 @@ Settings with_steps(Settings settings, double factor) {
   return settings;
 }
 
-// Steps of `standard` stay accurate when they are long, while rigid blocks save little and lose what they are asked for. Twice and no
-// more: over all cases twice takes 0.83 of the time of `standard`, four times 1.25, because contacts that close in dense assemblies
-// then take more passes (sum of the runs of legacy_cases). Some scenes gain from four times: see legacy_cases/fronts.
+// Steps of `standard` stay accurate when they are long, while rigid blocks save little and lose what they are asked
+// for. Twice and no more: over all cases twice takes 0.83 of the time of `standard`, four times 1.25, because contacts
+// that close in dense assemblies then take more passes (sum of the runs of legacy_cases). Some scenes gain from four
+// times: see legacy_cases/fronts.
 constexpr double kDraft = 2;
 constexpr double kReference = 0.25;
 

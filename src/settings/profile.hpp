@@ -20,8 +20,8 @@ std::vector<std::string> rule_names();
 /// One of those: whose settings a case gives to profile `name` too, and as which it is judged. Throws as below.
 std::string rules_of(const std::string& name);
 
-/// The settings of profile `name` for this analysis, with `changes` to them. `draft` and `reference` take their share of the step
-/// that comes out of these, over the same time. Throws std::invalid_argument for a name that is none.
+/// The settings of profile `name` for this analysis, with `changes` to them. `draft` and `reference` take their share
+/// of the step that comes out of these, over the same time. Throws std::invalid_argument for a name that is none.
 Settings profile_settings(const std::string& name, const Analysis& analysis,
                           const std::function<void(Settings&)>& changes = {});
 

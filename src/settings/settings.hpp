@@ -34,8 +34,8 @@ struct BerkeleyQuirks {
   bool weight_of_first_material = true;  ///< formats 3.2: one gravity for all, from material 1 or `Gravaccel`
   bool cut_step_stays = true;            ///< 11.2: a step cut by the displacement ratio stays cut with constant steps
   bool fixed_pass_bound = true;          ///< 11.1: 8 passes whatever the limit; another limit accepts unfinished steps
-  /// 13: cumulative time in place of the displacement ratio. Off: it came into the Berkeley program in 2008, dynamic runs
-  /// with the automatic step grind to a halt under it, and no file of Shi's own time was run so.
+  /// 13: cumulative time in place of the displacement ratio. Off: it came into the Berkeley program in 2008, dynamic
+  /// runs with the automatic step grind to a halt under it, and no file of Shi's own time was run so.
   bool step_rule_by_time = false;
 
   /// The rules as they were meant.
@@ -71,7 +71,8 @@ struct Settings {
   StepControl step_control = StepControl::constant;
   PerMaterial<double> velocity_carry_over = 1;  ///< 0 static, 1 dynamic; by block material
   PerMaterial<double> mass_damping = 0;         ///< a of the damping matrix a M + b K, 1 / time; by block material
-  /// b of it, time, by block material; where it is not given, profile `standard` damps strain modes as strain_damping says.
+  /// b of it, time, by block material; where it is not given, profile `standard` damps strain modes as strain_damping
+  /// says.
   PerMaterial<std::optional<double>> stiffness_damping;
   Rotation rotation = Rotation::first_order;
   Plane plane = Plane::stress;

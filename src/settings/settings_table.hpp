@@ -24,15 +24,16 @@ struct SettingText {
   std::optional<Dynamics> dynamics = std::nullopt;  ///< that read it; nothing: both
 };
 
-/// All settings in the order of the table; behind those that materials may have of their own, `name.N` for each that does.
+/// All settings in the order of the table; behind those that materials may have of their own, `name.N` for each that
+/// does.
 std::vector<SettingText> list(const Settings& settings);
 
 /// Sets one setting from text. Throws std::invalid_argument with the expected values if the name or the value
 /// is not valid. `name.N` sets the value of material N, counted from 1, where the setting is one of materials.
 void set(Settings& settings, const std::string& name, const std::string& value);
 
-/// Why this setting has no effect beside the others: "is read under integrator = newmark alone"; empty where it has, or there
-/// is none of this name.
+/// Why this setting has no effect beside the others: "is read under integrator = newmark alone"; empty where it has, or
+/// there is none of this name.
 std::string why_unread(const Settings& settings, const std::string& name);
 
 /// Throws std::invalid_argument where a value was given for a material that is not there.

@@ -10,18 +10,20 @@ namespace keyblock {
 /// Which step is made: Shi's, as the old programs do, or midpoint kinematics with contact as complementarity.
 enum class Dynamics { shi, standard };
 
-/// How contact forces come about: as multipliers of gaps that do not close, as springs of finite stiffness, or as such springs
-/// whose forces are raised until nothing overlaps. automatic: multipliers or springs, as the blocks touch at the start.
+/// How contact forces come about: as multipliers of gaps that do not close, as springs of finite stiffness, or as such
+/// springs whose forces are raised until nothing overlaps. automatic: multipliers or springs, as the blocks touch at
+/// the start.
 enum class Enforcement { lagrange, penalty, augmented, automatic };
 
 /// Where the springs of two faces stand: at the ends of the stretch they share, or at Lobatto's three points.
 enum class SpringPoints { ends, lobatto };
 
-/// What stops blocks that meet fast: a jump of velocities with restitution, or the contact springs, which must then be soft
-/// against the step (a twentieth of the contact time at most).
+/// What stops blocks that meet fast: a jump of velocities with restitution, or the contact springs, which must then be
+/// soft against the step (a twentieth of the contact time at most).
 enum class ImpactLaw { jump, springs };
 
-/// compatible: contact forces and strains in equilibrium with the first accelerations; sudden: loads on unstressed blocks.
+/// compatible: contact forces and strains in equilibrium with the first accelerations; sudden: loads on unstressed
+/// blocks.
 enum class StartRule { compatible, sudden };
 
 /// Which sums of increment, velocity and acceleration make a step: the two weights, or those of the named methods.
@@ -30,8 +32,8 @@ enum class Integrator { weighted, newmark, generalized_alpha };
 /// critical: stiffness damping that keeps strain modes from fluttering under steady sliding; none: for wave studies.
 enum class StrainDamping { critical, none };
 
-/// dynamic: steps in time; equilibrium: each step is one of static equilibrium under the loads of its time; relaxation: the
-/// same equilibria, reached by a motion that is stopped at each peak of its kinetic energy.
+/// dynamic: steps in time; equilibrium: each step is one of static equilibrium under the loads of its time; relaxation:
+/// the same equilibria, reached by a motion that is stopped at each peak of its kinetic energy.
 enum class MotionRule { dynamic, equilibrium, relaxation };
 
 struct StandardChoices {

@@ -40,7 +40,8 @@ bool has_initial_stress(const StandardScene& scene) {
 
 // Forces whose gaps no shift can make are not those of elastic blocks: the start is settled instead.
 constexpr double kMisfit = 1e-6;
-// Jointed masses of more touching pairs than this are settled at once: multipliers between rigid blocks seldom settle there.
+// Jointed masses of more touching pairs than this are settled at once: multipliers between rigid blocks seldom settle
+// there.
 constexpr std::size_t kMostExact = 40;
 // Parts of the load in which a first equilibrium of bodies on covers is searched that was not found at once.
 constexpr std::array kFinerShares{5, 20};
@@ -59,7 +60,8 @@ std::string crushed_before(const StandardScene& scene, const State& before, cons
   return {};
 }
 
-/// Which blocks lie deeper in one another than the limit allows, beyond what their springs are pressed; empty where none do.
+/// Which blocks lie deeper in one another than the limit allows, beyond what their springs are pressed; empty where
+/// none do.
 std::string too_deep(const StandardScene& scene, const Motion& motion, const State& end) {
   for (const auto& [touch, memory] : motion.closed.all()) {
     const ElementIndex vertex = scene.model.vertices[touch.vertex].element;

@@ -90,7 +90,8 @@ class KernelOf : public BlockFactor::Kernel {
       upper_[at(pattern_->entry(b, a))].square().topLeftCorner(block.cols(), block.rows()) += block.transpose();
   }
 
-  // A pivot is split in two: of column j, `lower_` becomes L (rows below) and `upper_` the transposed rows of U to the right.
+  // A pivot is split in two: of column j, `lower_` becomes L (rows below) and `upper_` the transposed rows of U to the
+  // right.
   bool factorise(bool is_symmetric) override {
     Reaching reaching(*pattern_);
     std::vector<int> places(diagonal_.size());  // entry of each row in the column at hand
@@ -138,8 +139,9 @@ class KernelOf : public BlockFactor::Kernel {
   }
 
  private:
-  // P = L U of a pivot block: their inverses with the sign that a product wants, that of L with its rows exchanged and transposed.
-  // The inverse of P itself would lose as many figures as the block has between its stiffest and its softest unknown.
+  // P = L U of a pivot block: their inverses with the sign that a product wants, that of L with its rows exchanged and
+  // transposed. The inverse of P itself would lose as many figures as the block has between its stiffest and its
+  // softest unknown.
   struct Pivot {
     Padded<N> minus_lower_inverse;
     Padded<N> minus_upper_inverse;

@@ -1,4 +1,5 @@
-// The one factorisation that is our own: dense blocks of one fixed size, columns from the left, no pivoting between blocks.
+// The one factorisation that is our own: dense blocks of one fixed size, columns from the left, no pivoting between
+// blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,9 +11,9 @@
 
 namespace keyblock {
 
-/// A = L U of a sparse block matrix with symmetric pattern whose values need not be symmetric: Coulomb slip is not. Small
-/// blocks make it several times faster than a scalar factor (on a wall of 1,000 blocks 5 times Eigen's, 4 times CHOLMOD's).
-/// Blocks may differ in size up to N = 3 or 6, the smallest that holds all; smaller ones are padded.
+/// A = L U of a sparse block matrix with symmetric pattern whose values need not be symmetric: Coulomb slip is not.
+/// Small blocks make it several times faster than a scalar factor (on a wall of 1,000 blocks 5 times Eigen's, 4 times
+/// CHOLMOD's). Blocks may differ in size up to N = 3 or 6, the smallest that holds all; smaller ones are padded.
 class BlockFactor {
  public:
   using Block = BlockMatrix::Block;
@@ -30,8 +31,8 @@ class BlockFactor {
   void add(int i, int j, const Block& block);
 
   /// Replaces the values by the factor; false if a pivot block is exactly singular or a value is not finite.
-  /// A matrix said to be symmetric has half the work, and must be positive definite: both halves are still to be added, one of
-  /// them is not looked at.
+  /// A matrix said to be symmetric has half the work, and must be positive definite: both halves are still to be added,
+  /// one of them is not looked at.
   bool factorise(bool is_symmetric);
 
   /// b becomes A⁻¹ b. Block i has its rows one after another, block after block.

@@ -20,12 +20,14 @@ namespace keyblock {
 
 namespace {
 
-// A correction in single precision ends here, and the residual is formed anew in double: later it would no longer be that of the
-// directions so far, and they were lost (step_bench --side 30 --ratio 100: 1815 iterations with 1e-5, 72 with 1e-3, 69 with this).
+// A correction in single precision ends here, and the residual is formed anew in double: later it would no longer be
+// that of the directions so far, and they were lost (step_bench --side 30 --ratio 100: 1815 iterations with 1e-5, 72
+// with 1e-3, 69 with this).
 constexpr double kInnerTolerance = 1e-2;
 // Directions begin anew where the true residual is so many times theirs.
 constexpr double kRestartRatio = 2;
-// A correction that finds no smaller residual in so many iterations has come to the end of single precision, or of the matrix.
+// A correction that finds no smaller residual in so many iterations has come to the end of single precision, or of the
+// matrix.
 constexpr int kIdleIterations = 100;
 // Where a correction leaves more than this share there is no further one.
 constexpr double kLeastGain = 0.5;
@@ -205,8 +207,8 @@ class IncompleteFactor {
     upper_.push_back(transposed);
   }
 
-  // Of a symmetric block; nothing where it is not positive definite. Written out for a fixed size: Eigen's triangular solves took
-  // half of the time of the whole incomplete factor.
+  // Of a symmetric block; nothing where it is not positive definite. Written out for a fixed size: Eigen's triangular
+  // solves took half of the time of the whole incomplete factor.
   static std::optional<Square> inverse_by_cholesky(const Square& block) {
     float l[N][N] = {};  // the factor, 1 / l_ii on its diagonal
     float m[N][N] = {};  // its inverse
@@ -337,9 +339,10 @@ std::optional<IncompleteFactor<N>> incomplete_factor(const Rows<N, float>& rows)
   return factor;
 }
 
-// Corrections A y = b − A x, one after another: directions in single precision, which halves what an iteration reads, and each
-// residual from x in double. Beside gradients all in double that costs no iterations at R = 2, a sixth more at R = 100, and
-// two to three times as many where nothing but the factor is of use (random walls whose springs are 1e4 to 1e5 of inertia).
+// Corrections A y = b − A x, one after another: directions in single precision, which halves what an iteration reads,
+// and each residual from x in double. Beside gradients all in double that costs no iterations at R = 2, a sixth more at
+// R = 100, and two to three times as many where nothing but the factor is of use (random walls whose springs are 1e4 to
+// 1e5 of inertia).
 template <int N>
 IterationResult gradients(const BlockMatrix& matrix, const Eigen::VectorXd& b, const Eigen::VectorXd& start,
                           const IterationLimits& limits) {

@@ -22,12 +22,13 @@ struct IterationResult {
   bool converged = false;
 };
 
-/// Conjugate gradients (Hestenes & Stiefel 1952) from `start`, preconditioned by the incomplete block factor L D Lᵀ on the pattern
-/// of A (Meijerink & van der Vorst 1977). A: symmetric positive definite, blocks of up to 6 rows, all padded to one size (2, 3 or
-/// 6). Where a pivot is not positive the diagonal is raised by 1e-3 of itself, and by twice as much in every further attempt
-/// (Manteuffel 1980). All in single precision but x and the residual that it is corrected by, formed anew after every two figures
-/// (reliable updates: Sleijpen & van der Vorst 1996). Also converged where the residual stays within ten times the goal and a
-/// correction no longer halves it. Not converged: x is the best that was found.
+/// Conjugate gradients (Hestenes & Stiefel 1952) from `start`, preconditioned by the incomplete block factor L D Lᵀ on
+/// the pattern of A (Meijerink & van der Vorst 1977). A: symmetric positive definite, blocks of up to 6 rows, all
+/// padded to one size (2, 3 or 6). Where a pivot is not positive the diagonal is raised by 1e-3 of itself, and by twice
+/// as much in every further attempt (Manteuffel 1980). All in single precision but x and the residual that it is
+/// corrected by, formed anew after every two figures (reliable updates: Sleijpen & van der Vorst 1996). Also converged
+/// where the residual stays within ten times the goal and a correction no longer halves it. Not converged: x is the
+/// best that was found.
 IterationResult conjugate_gradients(const BlockMatrix& matrix, const Eigen::VectorXd& b, const Eigen::VectorXd& start,
                                     const IterationLimits& limits);
 

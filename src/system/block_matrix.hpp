@@ -23,7 +23,8 @@ class BlockMatrix {
     Block block;
   };
 
-  /// Room for `coupled` is made at once and stays, zero or not; others can be added, at the price of moving what is stored.
+  /// Room for `coupled` is made at once and stays, zero or not; others can be added, at the price of moving what is
+  /// stored.
   explicit BlockMatrix(std::vector<int> sizes, const Pairs& coupled = {});
 
   /// Adds `block` (size(i) × size(j)) at (i, j), and with it its transpose at (j, i).

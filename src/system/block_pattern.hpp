@@ -7,9 +7,9 @@
 
 namespace keyblock {
 
-/// Symbolic factor of a block matrix with symmetric pattern: approximate minimum degree on the graph of blocks (Amestoy, Davis &
-/// Duff 1996), then the union of what is eliminated with what it reaches (George & Liu 1981). It depends on nothing but its
-/// arguments, so that a kept one gives the same numbers as a new one.
+/// Symbolic factor of a block matrix with symmetric pattern: approximate minimum degree on the graph of blocks
+/// (Amestoy, Davis & Duff 1996), then the union of what is eliminated with what it reaches (George & Liu 1981). It
+/// depends on nothing but its arguments, so that a kept one gives the same numbers as a new one.
 class BlockPattern {
  public:
   using Pairs = std::vector<std::pair<int, int>>;

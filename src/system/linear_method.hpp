@@ -8,7 +8,8 @@ enum class LinearMethod {
   automatic,  ///< gradients where inertia rules and blocks are many, as `Solver` says; else the factor
   factor,
   conjugate_gradients,
-  over_relaxation,  ///< of the old programs, which did not look at its residual; here one above 1e-11 after 3,000 sweeps ends the run
+  /// of the old programs, which did not look at its residual; here one above 1e-11 after 3,000 sweeps ends the run
+  over_relaxation,
 };
 
 }  // namespace keyblock

@@ -1,4 +1,5 @@
-// Factors of a large symmetric matrix whose functions fall into parts that do not couple, as bodies without contact: one a part.
+// Factors of a large symmetric matrix whose functions fall into parts that do not couple, as bodies without contact:
+// one a part.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +13,8 @@ namespace keyblock {
 
 class PartFactors {
  public:
-  /// Each part lists its functions, ascending; every function is in one. Analyses the pattern of `system`, whose values do not matter.
+  /// Each part lists its functions, ascending; every function is in one. Analyses the pattern of `system`, whose values
+  /// do not matter.
   PartFactors(const SparseSystem& system, std::vector<std::vector<int>> parts, Definiteness definiteness);
 
   int part_count() const { return static_cast<int>(parts_.size()); }

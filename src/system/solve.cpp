@@ -11,12 +11,13 @@
 namespace keyblock {
 namespace {
 
-// Residual of iterations. At 1e-11 a grid of 401 blocks leaves the factor within 40 steps, by 4e-5 and in passes, because contact decisions
-// see what is left; at 1e-13 it stays to 4e-13, for a fifth more time, and a smaller residual changes nothing more.
+// Residual of iterations. At 1e-11 a grid of 401 blocks leaves the factor within 40 steps, by 4e-5 and in passes,
+// because contact decisions see what is left; at 1e-13 it stays to 4e-13, for a fifth more time, and a smaller residual
+// changes nothing more.
 constexpr double kIterated = 1e-13;
-// Measured on walls of bricks, blocks of six unknowns (step_bench --ratio): below so many blocks the factor wins. Above, gradients win up to this ratio,
-// and up to so many iterations, which cost what a factor does: 9 to 14 ms beside 0.1 ms an iteration at 916 blocks, 210 to 240 ms
-// beside 0.7 at 4,936, 540 ms beside 1.8 at 9,851.
+// Measured on walls of bricks, blocks of six unknowns (step_bench --ratio): below so many blocks the factor wins.
+// Above, gradients win up to this ratio, and up to so many iterations, which cost what a factor does: 9 to 14 ms beside
+// 0.1 ms an iteration at 916 blocks, 210 to 240 ms beside 0.7 at 4,936, 540 ms beside 1.8 at 9,851.
 constexpr int kFewBlocks = 300;
 constexpr int kManyBlocks = 4000;
 constexpr double kGreatestRatio = 400;
@@ -79,7 +80,8 @@ std::optional<Eigen::VectorXd> Solver::by_factor(const System& system) {
   }
   Eigen::VectorXd x = system.load;
   factor.solve(entries(x));
-  // Refined once, whatever the residual: it finds the small entries that the norm does not see, and impacts multiply errors by ten.
+  // Refined once, whatever the residual: it finds the small entries that the norm does not see, and impacts multiply
+  // errors by ten.
   Eigen::VectorXd correction = system.load - system.matrix * x;
   factor.solve(entries(correction));
   x += correction;

@@ -1,4 +1,5 @@
-// One call that solves a symmetric block system, by a factor or by iterations, and says how well: the true residual is recomputed.
+// One call that solves a symmetric block system, by a factor or by iterations, and says how well: the true residual is
+// recomputed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,13 +25,15 @@ struct SystemKind {
   Eigen::VectorXd guess{};  ///< of the solution; empty: zero
 };
 
-/// Keeps the symbolic factor while the pattern stays the same. The factor is always the block factor: CHOLMOD gained nothing beside
-/// it. `automatic`: conjugate gradients for 300 blocks and more where R ≤ 400, until they once fail to converge in what costs as
-/// much as a factor (100 iterations; from 4,000 blocks 250); then the factor from there on. Systems of covers go by the same rule.
+/// Keeps the symbolic factor while the pattern stays the same. The factor is always the block factor: CHOLMOD gained
+/// nothing beside it. `automatic`: conjugate gradients for 300 blocks and more where R ≤ 400, until they once fail to
+/// converge in what costs as much as a factor (100 iterations; from 4,000 blocks 250); then the factor from there on.
+/// Systems of covers go by the same rule.
 class Solver {
  public:
-  /// Nothing if the factorisation breaks down or the result is not finite. Gradients are to reach 1e-11, or 1e-10 where they gain no
-  /// more; what they do not reach is left to the factor. Over-relaxation that does not reach 1e-11 has no solution.
+  /// Nothing if the factorisation breaks down or the result is not finite. Gradients are to reach 1e-11, or 1e-10 where
+  /// they gain no more; what they do not reach is left to the factor. Over-relaxation that does not reach 1e-11 has no
+  /// solution.
   std::optional<Solution> solve(const System& system, const SystemKind& kind = {});
 
   LinearMethod method = LinearMethod::automatic;

@@ -1,4 +1,5 @@
-// The Cholesky factor of a large symmetric matrix whose values change while its pattern stays, as from round to round of Newton's method.
+// The Cholesky factor of a large symmetric matrix whose values change while its pattern stays, as from round to round
+// of Newton's method.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,9 +20,9 @@ enum class Definiteness {
   semidefinite,  ///< unknowns may depend on each other; the load lies in the range of the matrix
 };
 
-/// Supernodal L Lᵀ (CHOLMOD) of the matrix scaled to a diagonal of ones. A semidefinite matrix is factorised with 1e-11 added to
-/// its diagonal; refinement takes that out again (Strouboulis, Babuška & Copps 2000): what it leaves undetermined is a
-/// combination of unknowns that makes no displacement. Not for two threads at once.
+/// Supernodal L Lᵀ (CHOLMOD) of the matrix scaled to a diagonal of ones. A semidefinite matrix is factorised with 1e-11
+/// added to its diagonal; refinement takes that out again (Strouboulis, Babuška & Copps 2000): what it leaves
+/// undetermined is a combination of unknowns that makes no displacement. Not for two threads at once.
 class SparseFactor {
  public:
   /// Orders and analyses the pattern of a lower triangle, whose diagonals open their columns; the values do not matter.

@@ -1,4 +1,5 @@
-// The symmetric matrix of many functions with two unknowns each, on a pattern known beforehand, and the vector beside it.
+// The symmetric matrix of many functions with two unknowns each, on a pattern known beforehand, and the vector beside
+// it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +21,8 @@ class FunctionGroups {
   std::vector<std::size_t> first_{0};
 };
 
-/// A x = b. Function a has rows 2a and 2a + 1; the lower triangle of A is stored. What couples in no group cannot be added.
+/// A x = b. Function a has rows 2a and 2a + 1; the lower triangle of A is stored. What couples in no group cannot be
+/// added.
 class SparseSystem {
  public:
   SparseSystem(int function_count, const FunctionGroups& groups);

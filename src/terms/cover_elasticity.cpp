@@ -10,8 +10,8 @@
 namespace keyblock {
 namespace {
 
-/// Points exact for the energy: E is of degree 2 (degree - 1). First-order functions need one, at the centroid, where a stress that
-/// changes with y has its mean.
+/// Points exact for the energy: E is of degree 2 (degree - 1). First-order functions need one, at the centroid, where a
+/// stress that changes with y has its mean.
 std::vector<AreaPoint> points_of(const std::vector<std::vector<Point>>& loops, const ElementShape& shape) {
   if (shape.degree > 1) return polygon_rule(loops, 4 * (shape.degree - 1));
   const Eigen::VectorXd moments = polygon_moments(loops, shape.frame, 1);

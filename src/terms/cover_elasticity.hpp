@@ -1,4 +1,5 @@
-// Elasticity of bodies on covers under large displacement: total Lagrangian, St. Venant-Kirchhoff, energy and momentum kept by its steps.
+// Elasticity of bodies on covers under large displacement: total Lagrangian, St. Venant-Kirchhoff, energy and momentum
+// kept by its steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,9 +13,9 @@
 
 namespace keyblock {
 
-/// x = X + Σ N_a(X) d_a on the undeformed manifold; F = I + Σ d_a ⊗ ∇N_a, E = ½ (FᵀF - I), S = S0 + D E with S0 the initial stress of the
-/// materials. Entries 2a, 2a + 1 of d belong to function a. Integrals are exact; E does not change in a rigid motion.
-/// Keeps the basis and what else it needs by value.
+/// x = X + Σ N_a(X) d_a on the undeformed manifold; F = I + Σ d_a ⊗ ∇N_a, E = ½ (FᵀF - I), S = S0 + D E with S0 the
+/// initial stress of the materials. Entries 2a, 2a + 1 of d belong to function a. Integrals are exact; E does not
+/// change in a rigid motion. Keeps the basis and what else it needs by value.
 class CoverElasticity {
  public:
   CoverElasticity(const Continuum& continuum, CoverBasis basis);
@@ -26,18 +27,20 @@ class CoverElasticity {
 
   /// The force of a step from d0 to d1 (Simo & Tarnow 1992):
   ///     f = ∫ ∇N · S_θ F_halfᵀ,   F_half = (F0 + F1)/2,   S_θ = S0 + D (E0 + θ (E1 - E0)).
-  /// Its work f · (d1 - d0) is ∫ S_θ : (E1 - E0): the change of energy, and (θ - ½) ∫ ΔE : D : ΔE which is lost. It has no resultant
-  /// and no moment about the mean positions (x0 + x1)/2, whatever θ. With d0 = d1 it is the gradient of the energy.
-  /// θ of element e is `theta` + `more`[e], where any are given: a stress of damping follows the mean rate of strain.
+  /// Its work f · (d1 - d0) is ∫ S_θ : (E1 - E0): the change of energy, and (θ - ½) ∫ ΔE : D : ΔE which is lost. It has
+  /// no resultant and no moment about the mean positions (x0 + x1)/2, whatever θ. With d0 = d1 it is the gradient of
+  /// the energy. θ of element e is `theta` + `more`[e], where any are given: a stress of damping follows the mean rate
+  /// of strain.
   Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta,
                         std::span<const double> more = {}) const;
 
-  /// A += `scale` times ∂f/∂d1, made symmetric by F_half in place of F1: ½ ∫ ∇N S_θ ∇N + θ ∫ B(F_half)ᵀ D B(F_half). What is left out
-  /// is of first order in F1 - F0: Newton's method gains about log10(2/|F1 - F0|) digits a round.
+  /// A += `scale` times ∂f/∂d1, made symmetric by F_half in place of F1: ½ ∫ ∇N S_θ ∇N + θ ∫ B(F_half)ᵀ D B(F_half).
+  /// What is left out is of first order in F1 - F0: Newton's method gains about log10(2/|F1 - F0|) digits a round.
   void add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta, std::span<const double> more,
                    double scale, SparseSystem& system) const;
 
-  /// A += `scale` times the second derivative of the energy; at d = 0 without initial stress the stiffness of `cover_stiffness`.
+  /// A += `scale` times the second derivative of the energy; at d = 0 without initial stress the stiffness of
+  /// `cover_stiffness`.
   void add_static_tangent(const Eigen::VectorXd& d, double scale, SparseSystem& system) const;
 
   /// Where the point of an element lies that was at X.
@@ -46,7 +49,8 @@ class CoverElasticity {
   /// F at X.
   Eigen::Matrix2d deformation(const Eigen::VectorXd& d, int element, Point at_start) const;
 
-  /// Cauchy stress F S Fᵀ / det F in the axes of the plane, tension positive; the change of thickness under plane stress is left out.
+  /// Cauchy stress F S Fᵀ / det F in the axes of the plane, tension positive; the change of thickness under plane
+  /// stress is left out.
   Stress stress(const Eigen::VectorXd& d, int element, Point at_start) const;
 
  private:

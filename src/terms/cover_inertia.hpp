@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// ∫ ρ NᵀN over an element, n × n, the same for both components; `moments` are those of its polygon in its shape's frame, to twice
-/// its degree. Exact for any polygon.
+/// ∫ ρ NᵀN over an element, n × n, the same for both components; `moments` are those of its polygon in its shape's
+/// frame, to twice its degree. Exact for any polygon.
 Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& moments, double density);
 
 /// A += M: ½ vᵀ M v is the kinetic energy at any configuration, for x = X + Σ N_a d_a is linear in d.

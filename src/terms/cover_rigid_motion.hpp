@@ -1,4 +1,5 @@
-// What bodies on covers are as a whole: mass, centre, rotary inertia, momenta, and the velocities of their rigid motions.
+// What bodies on covers are as a whole: mass, centre, rotary inertia, momenta, and the velocities of their rigid
+// motions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,8 +22,8 @@ struct RigidMotion {
   double kinetic_energy = 0;    ///< of all motion, not only of the rigid part
 };
 
-/// Positions are functions of the covers themselves, x = Σ N_a x_a with x_a = X_a + d_a: X_a is the node of a cover for its constant function, 0
-/// for the others, in each kind of cover functions.
+/// Positions are functions of the covers themselves, x = Σ N_a x_a with x_a = X_a + d_a: X_a is the node of a cover for
+/// its constant function, 0 for the others, in each kind of cover functions.
 class CoverRigidMotion {
  public:
   /// `mass` as add_cover_mass makes it; kept as a copy.
@@ -38,7 +39,8 @@ class CoverRigidMotion {
   /// Of all bodies at positions d under velocities v.
   std::vector<RigidMotion> motions(const Eigen::VectorXd& d, const Eigen::VectorXd& v) const;
 
-  /// Velocities of the body's functions (rows as `functions`) in columns: 1 in x, 1 in y, 1 rad/time about `centre`, at positions d.
+  /// Velocities of the body's functions (rows as `functions`) in columns: 1 in x, 1 in y, 1 rad/time about `centre`, at
+  /// positions d.
   Eigen::MatrixX3d modes(int body, const Eigen::VectorXd& d, Point centre) const;
 
   /// Unknowns at which each body is turned by `angle` about the point, then moved.

@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// ∫ Bᵀ D B over an element, 2n × 2n; `moments` are those of its polygon in its shape's frame, to degree 2 (degree - 1).
-/// Exact for any polygon; D has no coupling of shear with normal strains.
+/// ∫ Bᵀ D B over an element, 2n × 2n; `moments` are those of its polygon in its shape's frame, to degree 2 (degree -
+/// 1). Exact for any polygon; D has no coupling of shear with normal strains.
 Eigen::MatrixXd cover_stiffness(const ElementShape& shape, const Eigen::VectorXd& moments,
                                 const Eigen::Matrix3d& modulus);
 

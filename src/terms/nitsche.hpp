@@ -8,13 +8,13 @@
 namespace keyblock {
 
 /// a(u, v) - ∫ σ(u)n·Pv - ∫ σ(v)n·P(u - g) + β ∫ P(u - g)·v with β = c (degree)² M/h (Nitsche 1971): P leaves the held
-/// component, σ includes the initial stress, M is the modulus against strain in one direction, h the size of the element's triangle, c that of
-/// `stabilisation`. Consistent and symmetric; no unknown is added.
+/// component, σ includes the initial stress, M is the modulus against strain in one direction, h the size of the
+/// element's triangle, c that of `stabilisation`. Consistent and symmetric; no unknown is added.
 void add_prescribed(const Continuum& continuum, const CoverBasis& basis, const PrescribedDisplacement& prescribed,
                     SparseSystem& system);
 
-/// What the support exerts on the body, ∫ Pσn - βP(u - g), from the solution `unknowns`: with it the forces on each body and their
-/// moments balance to round-off.
+/// What the support exerts on the body, ∫ Pσn - βP(u - g), from the solution `unknowns`: with it the forces on each
+/// body and their moments balance to round-off.
 Resultant reaction_of(const Continuum& continuum, const CoverBasis& basis, const PrescribedDisplacement& prescribed,
                       const Eigen::VectorXd& unknowns);
 

@@ -11,10 +11,10 @@ struct Stabilisation {
   double nitsche = 0;  ///< c in c (degree)² M / h
 };
 
-/// Too little makes the matrix indefinite, more costs accuracy: 5 to 20 % of the error for c 50 instead of 20. What binds is a
-/// corner held on both sides and cut small along one or both: with these constants none of 240 such meshes (cuts from 0.5 to 1e-8
-/// of a side) and none of 100 turned at random was indefinite; with (0.15, 50), (0.05, 40) and (0.07, 50) for constant, linear and
-/// quadratic functions 108 of the 240 were.
+/// Too little makes the matrix indefinite, more costs accuracy: 5 to 20 % of the error for c 50 instead of 20. What
+/// binds is a corner held on both sides and cut small along one or both: with these constants none of 240 such meshes
+/// (cuts from 0.5 to 1e-8 of a side) and none of 100 turned at random was indefinite; with (0.15, 50), (0.05, 40) and
+/// (0.07, 50) for constant, linear and quadratic functions 108 of the 240 were.
 constexpr Stabilisation stabilisation(CoverFunctions functions) {
   switch (functions) {
     case CoverFunctions::constant:

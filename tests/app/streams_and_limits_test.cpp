@@ -63,7 +63,8 @@ TEST(StreamsAndLimits, a_file_that_may_not_grow_is_exit_4_and_the_run_can_be_res
   EXPECT_TRUE(contents(folder + "/out") == contents(folder + "/whole"));
 }
 
-// Below some size the loader finds no room for the libraries, or one of them none for itself, before the program begins.
+// Below some size the loader finds no room for the libraries, or one of them none for itself, before the program
+// begins.
 TEST(StreamsAndLimits, too_little_memory_is_exit_5_however_little) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "the sanitizer reserves more than any limit";

@@ -10,8 +10,8 @@
 
 namespace keyblock::bench {
 
-/// A held floor and `side` courses of as many bricks of 1 m × 0.5 m in running bond, every second course with halves at its ends.
-/// `slope` turns all of it, rad.
+/// A held floor and `side` courses of as many bricks of 1 m × 0.5 m in running bond, every second course with halves at
+/// its ends. `slope` turns all of it, rad.
 inline Blocks brick_wall(int side, double slope = 0) {
   Blocks blocks;
   const double width = side;
@@ -52,7 +52,8 @@ inline Blocks pyramid(int rows) {
   return blocks;
 }
 
-/// As the scaling runs of the Berkeley program: 1 ms, E 5 GPa, penalty E, friction of 35 degrees; contacts within 50 mm.
+/// As the scaling runs of the Berkeley program: 1 ms, E 5 GPa, penalty E, friction of 35 degrees; contacts within 50
+/// mm.
 inline Analysis scaling_analysis(const Blocks& blocks) {
   Analysis analysis = support::plain_analysis(1e-3, 1000000);
   analysis.joint_materials[0].friction_angle_deg = 35;

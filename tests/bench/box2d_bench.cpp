@@ -1,4 +1,5 @@
-// The same brick wall and pyramid of rigid blocks by Box2D and by us: steps per second, greatest penetration, energy made or lost.
+// The same brick wall and pyramid of rigid blocks by Box2D and by us: steps per second, greatest penetration, energy
+// made or lost.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <box2d/box2d.h>
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// Prints what a step and a static solution on covers cost beside the bare kernels: is the factor cheaper than conjugate gradients?
+// Prints what a step and a static solution on covers cost beside the bare kernels: is the factor cheaper than conjugate
+// gradients?
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -103,7 +104,8 @@ void assemble_tangent(const ElasticBodies& bodies, const CoverMotion& start, con
   bodies.elasticity.add_tangent(start.q, start.q + increment, rule.stiffness, {}, 1, tangent);
 }
 
-// A new factor gives other bits: a step tells how many rounds it took, but not whether it kept the factor. Two in one step count as one.
+// A new factor gives other bits: a step tells how many rounds it took, but not whether it kept the factor. Two in one
+// step count as one.
 class FactorWatch {
  public:
   explicit FactorWatch(const CoverEquations& equations)
@@ -170,7 +172,8 @@ Json gradients(const Sparse& lower, const Eigen::VectorXd& right) {
   return row;
 }
 
-/// Each part of a step alone, and conjugate gradients in the place of the factor, for the first round of the step from `start`.
+/// Each part of a step alone, and conjugate gradients in the place of the factor, for the first round of the step from
+/// `start`.
 Json kernels_of(CoverEquations& equations, const StepRule& rule, double dt, const CoverMotion& start) {
   const ElasticBodies& bodies = equations.bodies();
   const Eigen::VectorXd increment = dt * start.v;
@@ -199,7 +202,8 @@ double number(const Json& row, const char* key) {
   return row[key].get<double>();
 }
 
-/// The gain or loss of each: a step over the kernels that it calls, and conjugate gradients over what the kept factor costs a step.
+/// The gain or loss of each: a step over the kernels that it calls, and conjugate gradients over what the kept factor
+/// costs a step.
 void add_ratios(Json& row) {
   const double solve = number(row, "solve");
   row["first_over_kernel"] = number(row, "first_step") / (number(row, "factor") + number(row, "first_rounds") * solve);

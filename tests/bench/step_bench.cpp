@@ -1,4 +1,5 @@
-// Prints what a step costs as scenes grow, in both profiles, and where its time goes; what it kept stands in a JSON file.
+// Prints what a step costs as scenes grow, in both profiles, and where its time goes; what it kept stands in a JSON
+// file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <malloc.h>
@@ -84,8 +85,8 @@ const std::map<int, double>& berkeley_bricks() {
   return seconds;
 }
 
-// Least time of a pass, s a block: what memory and arithmetic of one core of the machine of Keyblock's performance study can give
-// walls with six contacts a brick, for a factor or for iterations at dt c / h = 2, whichever is less
+// Least time of a pass, s a block: what memory and arithmetic of one core of the machine of Keyblock's performance
+// study can give walls with six contacts a brick, for a factor or for iterations at dt c / h = 2, whichever is less
 // (1 / (4 passes × steps a second × blocks)). Between its three sizes by powers.
 double bound_of_pass(double blocks) {
   constexpr std::array<std::pair<double, double>, 3> kBounds{{{1e3, 3.5e-6}, {1e4, 1e-5}, {1e5, 2.27e-5}}};

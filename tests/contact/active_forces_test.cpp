@@ -1,4 +1,5 @@
-// The forces of an active set meet the equations that define it: few by a dense factor, many by way of the blocks, very many by iterations.
+// The forces of an active set meet the equations that define it: few by a dense factor, many by way of the blocks, very
+// many by iterations.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/active_forces.hpp"
 
@@ -9,7 +10,8 @@
 namespace keyblock::active_forces_test {
 namespace {
 
-// A chain of rigid and deformable elements, each pair of forces between two of them, the last between an element and itself.
+// A chain of rigid and deformable elements, each pair of forces between two of them, the last between an element and
+// itself.
 FrictionalProblem chain(int elements, std::mt19937& engine) {
   std::uniform_real_distribution<double> number(-1, 1);
   const auto random = [&](int rows, int columns) {
@@ -75,8 +77,8 @@ TEST(ActiveForces, soft_springs_between_many_blocks_are_solved_by_iterations_as_
   EXPECT_LE(misfit(400, 1e-3, false), 1e-10);
 }
 
-// Two unit masses in line pressed against a wall by redundant forces that are asked for gaps a rounding apart: no forces close
-// both, and what is left is tolerated; a force that its law forbids is not.
+// Two unit masses in line pressed against a wall by redundant forces that are asked for gaps a rounding apart: no
+// forces close both, and what is left is tolerated; a force that its law forbids is not.
 TEST(FrictionalProblem, a_tolerated_gap_settles_forces_that_their_law_allows) {
   ContactRows rows;
   for (int k = 0; k < 2; ++k) {

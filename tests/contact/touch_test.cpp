@@ -77,8 +77,8 @@ TEST(Touch, a_corner_past_the_end_of_the_floor_is_not_over_it) {
   }
 }
 
-// Where the tops of two floors are in line, a block that slides along the first comes up to the end face of the second. It
-// passes, or lands on the top; it does not hit the end.
+// Where the tops of two floors are in line, a block that slides along the first comes up to the end face of the second.
+// It passes, or lands on the top; it does not hit the end.
 TEST(Touch, a_block_that_slides_on_to_the_next_floor_does_not_hit_its_end) {
   const BlockPolygon floor = rectangle({4, -1}, {8, 0});
   const BlockPolygon block = rectangle({2.95, 0}, {3.95, 1});

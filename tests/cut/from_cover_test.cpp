@@ -1,4 +1,5 @@
-// A cover file as a cut mesh: elements, covers, loops and materials are those of the file, and writing gives the file back.
+// A cover file as a cut mesh: elements, covers, loops and materials are those of the file, and writing gives the file
+// back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/from_cover.hpp"
 
@@ -18,8 +19,8 @@
 namespace keyblock::from_cover_test {
 namespace {
 
-// Pieces and covers of each file as their loops have been counted apart from this program; bodies are the loops less two
-// for every hole (a hole has a loop of its own, and two of five in cv15 are one ring).
+// Pieces and covers of each file as their loops have been counted apart from this program; bodies are the loops less
+// two for every hole (a hole has a loop of its own, and two of five in cv15 are one ring).
 struct Sample {
   const char* number;
   std::size_t elements;

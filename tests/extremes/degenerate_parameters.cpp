@@ -1,5 +1,5 @@
-// ext-08: parameters at the end of their range: the exact answer where there is one, a sentence that says what is wrong where
-// there is none, never a NaN in silence.
+// ext-08: parameters at the end of their range: the exact answer where there is one, a sentence that says what is wrong
+// where there is none, never a NaN in silence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

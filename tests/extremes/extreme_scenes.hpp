@@ -53,8 +53,8 @@ Blocks scene_of_blocks(std::vector<BlockPolygon> held, const std::vector<BlockPo
 /// Block 0: a held slope of 20 m falling to the right at `slope`; block 1: a square metre on it.
 Blocks block_on_slope(double slope);
 
-/// Block 0: a held floor; blocks 1 … count on top of one another, a metre square, with a measured point in the middle of the
-/// topmost edge.
+/// Block 0: a held floor; blocks 1 … count on top of one another, a metre square, with a measured point in the middle
+/// of the topmost edge.
 Blocks column(int count);
 
 /// (g/2) (sin α − cos α tan φ) t², 0 where friction holds.

@@ -24,7 +24,8 @@ Extremes lying_triangle(double height) {
   const std::string variant = fmt::format("triangle {:g} high: ", height);
   const Run run = run_standard(problem);
   const double area = height / 2;
-  // Rest: its mean vertical stress is a third of the pressure of its greatest depth, by Σ of weight times height of the centroid.
+  // Rest: its mean vertical stress is a third of the pressure of its greatest depth, by Σ of weight times height of the
+  // centroid.
   return {{"ext-05", variant + "area", area, run.block(1).area, kStrained * area, run.trouble},
           {"ext-05",
            variant + "vertical stress",
@@ -69,8 +70,8 @@ Extremes cut_strip(double distance) {
           {"ext-05", variant + "sinking of the upper block", 0, length(run.travel(upper)), 1e-9, {}}};
 }
 
-// Ends of such joints outside the square meet within the reach of a line and leave needles there, which nothing holds: they fall,
-// or the run says what it cannot do.
+// Ends of such joints outside the square meet within the reach of a line and leave needles there, which nothing holds:
+// they fall, or the run says what it cannot do.
 Extreme needles(double distance) {
   const Run run = run_strip(distance, 0.1);
   return {"ext-05", fmt::format("needles {:g} wide: no crash, no NaN", distance),

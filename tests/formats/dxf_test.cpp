@@ -107,7 +107,8 @@ TEST(Dxf, chords_leave_their_arc_by_no_more_than_the_stated_share_of_the_radius)
   for (const double bulge : {0.01, 0.3, 1.0, -1.0, 5.0, -0.2}) {
     const Point start{2, 1}, end{5, 5};
     std::vector<Point> points = bulge_points(start, end, bulge);
-    // The circle through the ends and the point at which the arc stands out by bulge times half the chord, to the right.
+    // The circle through the ends and the point at which the arc stands out by bulge times half the chord, to the
+    // right.
     const Point middle = 0.5 * (start + end), right = (1.0 / 5) * Point{4, -3};
     const Point apex = middle + 2.5 * bulge * right;
     const double radius = 2.5 * (1 + bulge * bulge) / (2 * std::abs(bulge));

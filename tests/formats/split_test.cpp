@@ -11,7 +11,8 @@
 namespace keyblock::formats::split_test {
 namespace {
 
-/// A text of words, separators of every kind and comments; `odd` in a hundred pieces are neither numbers nor white space.
+/// A text of words, separators of every kind and comments; `odd` in a hundred pieces are neither numbers nor white
+/// space.
 std::string some_text(std::mt19937& random, unsigned odd) {
   const auto one_of = [&](std::initializer_list<const char*> list) { return *(list.begin() + random() % list.size()); };
   std::string text;

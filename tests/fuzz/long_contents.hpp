@@ -1,4 +1,5 @@
-// Contents with one long list of the shortest numbers each: what a format says in the fewest bytes takes the most memory.
+// Contents with one long list of the shortest numbers each: what a format says in the fewest bytes takes the most
+// memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -26,8 +26,8 @@ TEST(Polynomial, moments_of_the_unit_triangle_are_products_of_factorials) {
   for (const Exponents& e : exponents(6)) EXPECT_NEAR(moments(monomial(e.x, e.y)), of_unit_triangle(e.x, e.y), 1e-15);
 }
 
-// A square of side 2 about the origin less a clockwise square of side 1: ∫ x⁴ = 2·(2/5) - 1·(2·0.5⁵/5), in a frame that is
-// shifted and scaled.
+// A square of side 2 about the origin less a clockwise square of side 1: ∫ x⁴ = 2·(2/5) - 1·(2·0.5⁵/5), in a frame that
+// is shifted and scaled.
 TEST(Polynomial, holes_count_negative_and_the_frame_is_taken_out) {
   const auto square = [](double a) { return std::vector<Point>{{-a, -a}, {a, -a}, {a, a}, {-a, a}}; };
   std::vector<std::vector<Point>> loops = {square(1), square(0.5)};

@@ -1,4 +1,5 @@
-// The folder of a run holds what the run wrote and what the user put there: neither is lost, mixed up or taken for the other.
+// The folder of a run holds what the run wrote and what the user put there: neither is lost, mixed up or taken for the
+// other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

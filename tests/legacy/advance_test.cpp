@@ -143,8 +143,8 @@ TEST(ShiStep, only_the_first_solve_of_a_run_is_repeated) {
   EXPECT_EQ(step_once(scene, stepping).passes, 1);
 }
 
-// s = g (sin α − tan φ cos α) t²/2, for two rigid blocks and for a rigid one on one that deforms. The contact sticks through the
-// first step, so that the block is late by one: 2 dt / t of the way.
+// s = g (sin α − tan φ cos α) t²/2, for two rigid blocks and for a rigid one on one that deforms. The contact sticks
+// through the first step, so that the block is late by one: 2 dt / t of the way.
 TEST(ShiStep, rigid_blocks_slide_as_theory_says_on_each_other_and_on_affine_ones) {
   const double slope = support::radians(30);
   const double dt = 1e-3;

@@ -69,8 +69,8 @@ TEST(Detect, reference_lines_have_the_other_block_outside) {
   }
 }
 
-// Legacy-rules 3: of two corners with a parallel pair of edges the one whose vertex lies between the ends of the other's
-// edge acts.
+// Legacy-rules 3: of two corners with a parallel pair of edges the one whose vertex lies between the ends of the
+// other's edge acts.
 TEST(Detect, of_a_parallel_pair_the_vertex_that_lies_beside_the_others_edge_acts) {
   const BlockPolygon lower = rectangle({0, 0}, {1, 1});
   const Contacts to_the_right = detected({lower, rectangle({0.02, 1}, {1.02, 2})}).contacts;

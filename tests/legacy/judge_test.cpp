@@ -71,8 +71,8 @@ TEST(Judge, an_open_vertex_vertex_contact_stays_open_while_it_is_outside_of_eith
   EXPECT_TRUE(pair.after({-kFar, -0.9 * pair.scene.rules.closing_depth}).is_open());
 }
 
-// Legacy-rules 10.2: where the line changes, the distance to the line active before decides, though that to the new line
-// is the one that is kept.
+// Legacy-rules 10.2: where the line changes, the distance to the line active before decides, though that to the new
+// line is the one that is kept.
 TEST(Judge, a_vertex_vertex_contact_that_changes_line_opens_by_the_line_active_before) {
   const Contact to_second = in_the_corner(ContactState::on_first_line).after({kFar, -kFar});
   EXPECT_EQ(to_second.state, ContactState::on_second_line);

@@ -1,4 +1,5 @@
-// The springs and the friction of one contact against energies and virtual work of its moved points; lists against their contacts.
+// The springs and the friction of one contact against energies and virtual work of its moved points; lists against
+// their contacts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/springs.hpp"
 
@@ -83,7 +84,8 @@ Matrix dense(const BlockMatrix& matrix) {
   return full;
 }
 
-/// `length` is stretched by the moved points; the force is the gradient of ½ k length², the stiffness k ∇length ∇lengthᵀ.
+/// `length` is stretched by the moved points; the force is the gradient of ½ k length², the stiffness k ∇length
+/// ∇lengthᵀ.
 void expect_springs(const System& found,
                     const std::vector<std::pair<double, std::function<double(const Vector&)>>>& springs) {
   Vector load = Vector::Zero();
@@ -187,8 +189,8 @@ TEST(Friction, needs_sliding_a_direction_and_leave_to_act) {
   EXPECT_EQ(pair.friction().norm(), 0);
 }
 
-// A list is what its contacts are one by one: several of a pair, one of them open, lines on either element, both orders; for blocks
-// of six unknowns, of three, of both, and for one that has none.
+// A list is what its contacts are one by one: several of a pair, one of them open, lines on either element, both
+// orders; for blocks of six unknowns, of three, of both, and for one that has none.
 TEST(Springs, a_list_adds_up_to_its_contacts_whatever_the_bases) {
   for (const auto& [lower, upper] : {std::pair{&affine_basis(), &affine_basis()},
                                      {&rigid_basis(), &rigid_basis()},

@@ -1,4 +1,5 @@
-// What the functions of covers can say: constants, linear and quadratic fields, and how their gradients follow from values.
+// What the functions of covers can say: constants, linear and quadratic fields, and how their gradients follow from
+// values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/cover_basis.hpp"
 

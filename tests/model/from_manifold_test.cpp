@@ -1,4 +1,5 @@
-// A model of elements on covers has the corners, covers and materials of the cut mesh, and knows which edges lie inside.
+// A model of elements on covers has the corners, covers and materials of the cut mesh, and knows which edges lie
+// inside.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/from_manifold.hpp"
 

@@ -1,5 +1,5 @@
-// A run left between two steps and restored from its checkpoint tells what the run that was not left tells, bit for bit; a
-// checkpoint that is not whole is refused.
+// A run left between two steps and restored from its checkpoint tells what the run that was not left tells, bit for
+// bit; a checkpoint that is not whole is refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/checkpoint.hpp"
 

@@ -84,8 +84,8 @@ std::vector<Point> quarter(double radius) {
 
 }  // namespace
 
-// A column free to widen carries 3 (2 - y); its field is quadratic: v = -3/1000 (2y - y²/2) + 3 · 0.25/2000 x², which its base is
-// given.
+// A column free to widen carries 3 (2 - y); its field is quadratic: v = -3/1000 (2y - y²/2) + 3 · 0.25/2000 x², which
+// its base is given.
 TEST(CoverCase, a_column_carries_its_weight_and_all_forces_balance) {
   for (const char* functions : {"derived", "linear", "quadratic"}) {
     Problem problem = square();
@@ -121,7 +121,8 @@ TEST(CoverCase, an_initial_stress_in_balance_with_the_loads_moves_nothing) {
   EXPECT_LT(length(last_step(other).frame.measured_points[0].displacement), 1e-14);
 }
 
-// Lamé: dug out of a disc under -1 all round, the hole's edge moves by (1 + ν)/E · a²/(b² - a²) ((1 - 2ν) a + b²/a) inwards.
+// Lamé: dug out of a disc under -1 all round, the hole's edge moves by (1 + ν)/E · a²/(b² - a²) ((1 - 2ν) a + b²/a)
+// inwards.
 TEST(CoverCase, what_is_dug_out_relaxes_its_edge) {
   Problem problem = square();
   std::vector<Point> disc = quarter(2);

@@ -1,4 +1,5 @@
-// The factor on joint strength reaches the steps of both profiles: a block slides as fast as the reduced friction lets it.
+// The factor on joint strength reaches the steps of both profiles: a block slides as fast as the reduced friction lets
+// it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -30,7 +31,8 @@ double expected_way(double factor) {
 
 }  // namespace
 
-// s = g (sin α − f tan φ cos α) t²/2. The displacement counts from the unloaded block: 2.5e-6 m of settlement under its weight.
+// s = g (sin α − f tan φ cos α) t²/2. The displacement counts from the unloaded block: 2.5e-6 m of settlement under its
+// weight.
 TEST(JointStrengthRun, standard_slides_at_the_reduced_friction_and_holds_at_the_full_one) {
   EXPECT_NEAR(way_down("standard", "0.5"), expected_way(0.5), 5e-6);
   EXPECT_LT(way_down("standard", "1"), 5e-6);

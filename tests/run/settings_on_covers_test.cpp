@@ -80,8 +80,8 @@ TEST(SettingsOnCovers, mass_damping_of_one_material_is_that_of_all_where_all_hav
   EXPECT_NEAR(all[0], all[1], 1e-12);
 }
 
-// A bolt without springs' weakness: two free bodies of mass m on a bolt of stiffness k along y, pulled at the start by the
-// pretension P, swing about the place where it is slack: each by P/(2k) (1 - cos ωt), ω² = 2k/m.
+// A bolt without springs' weakness: two free bodies of mass m on a bolt of stiffness k along y, pulled at the start by
+// the pretension P, swing about the place where it is slack: each by P/(2k) (1 - cos ωt), ω² = 2k/m.
 TEST(SettingsOnCovers, a_bolt_holds_bodies_on_covers) {
   const std::string still = R"("velocity_carry_over": 1, "step_count": 400, "time_step": 0.0005, "gravity": 0, )";
   const std::string bolt = R"(, "bolts": [[0.5, 0.5, 0.5, 4.5, 1, 2, 1e6, 0, 2e3]])";
@@ -93,9 +93,11 @@ TEST(SettingsOnCovers, a_bolt_holds_bodies_on_covers) {
   EXPECT_NEAR(dy[1], -way, 0.02 * 1e-3);
 }
 
-// A square of height h held on its lower side and pressed by p on its upper one, in linear statics: it sinks by p h/E in plane stress.
+// A square of height h held on its lower side and pressed by p on its upper one, in linear statics: it sinks by p h/E
+// in plane stress.
 std::string held_square(const std::string& settings) {
-  return R"({"keyblock": 1, "blocks": {"blocks": [{"material": 1, "outer": [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]]}],
+  return R"({"keyblock": 1, "blocks": {"blocks": [
+    {"material": 1, "outer": [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]]}],
     "measured_points": [[1, 2, 1]]},
     "analysis": {"velocity_carry_over": 0, "step_count": 1, "time_step": 1, "allowed_displacement_ratio": 1,
     "plane_strain": false,
@@ -117,7 +119,8 @@ TEST(SettingsOnCovers, settings_of_the_case_file_and_of_the_command_line_reach_l
   EXPECT_NEAR(last_row(held_square(""), {"--set", "plane=strain"}, messages).at(5), -in_strain, 1e-9);
 }
 
-// A weight moves the mean of the square by as much as a pressure of half of it on the upper side; twice the gravity moves it twice as far.
+// A weight moves the mean of the square by as much as a pressure of half of it on the upper side; twice the gravity
+// moves it twice as far.
 TEST(SettingsOnCovers, gravity_of_the_case_file_reaches_linear_statics) {
   std::string messages;
   const auto sinks = [&](const char* gravity) {

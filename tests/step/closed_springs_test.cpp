@@ -1,4 +1,5 @@
-// One rigid block on two springs: each step by the rule of a spring that was closed before, at rest soon where the step is too long for it.
+// One rigid block on two springs: each step by the rule of a spring that was closed before, at rest soon where the step
+// is too long for it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -105,7 +106,8 @@ TEST(ClosedSprings, what_rings_down_is_in_the_ledger_as_algorithmic_loss) {
   EXPECT_LE(sums.energy_closure(), 1e-9);
 }
 
-// A column that leans by half a radian falls about its corner: the normal of the floor has no part in what its corner does.
+// A column that leans by half a radian falls about its corner: the normal of the floor has no part in what its corner
+// does.
 TEST(ClosedSprings, a_block_that_turns_about_its_corner_loses_little_and_in_second_order) {
   double before = 0;
   for (const double dt : {1e-2, 5e-3}) {

@@ -58,8 +58,8 @@ double drop_of(const Blocks& blocks, double time) {
   return from - stepper.state().elements[ElementIndex{1}].centroid.y;
 }
 
-/// Angular acceleration of the rigid column about its toe: (b² + h²)/3 θ'' = g/2 √(b² + h²) sin θ, θ from the vertical to the
-/// line from toe to centroid.
+/// Angular acceleration of the rigid column about its toe: (b² + h²)/3 θ'' = g/2 √(b² + h²) sin θ, θ from the vertical
+/// to the line from toe to centroid.
 double first_acceleration() {
   const double theta = radians(10) - std::atan(kWidth / height());
   return 1.5 * 9.81 * std::sin(theta) / std::hypot(kWidth, height());
@@ -67,8 +67,8 @@ double first_acceleration() {
 
 }  // namespace
 
-// A heel pressed into its spring by the shift of the toe would throw the column over at 7e-4 rad/s, 30 times as fast as it is
-// after these steps.
+// A heel pressed into its spring by the shift of the toe would throw the column over at 7e-4 rad/s, 30 times as fast as
+// it is after these steps.
 TEST(CompatibleStart, the_heel_of_a_toppling_column_on_springs_gives_it_no_spin) {
   for (const BlockBasis basis : {BlockBasis::rigid, BlockBasis::affine}) {
     Analysis analysis = plain_analysis(kStep, 100);
@@ -118,8 +118,8 @@ TEST(CompatibleStart, the_start_is_reported) {
             "as the file has it");
 }
 
-// Each bolt bears half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A bolt that has half the
-// weight by its pretension gets this alone.
+// Each bolt bears half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A
+// bolt that has half the weight by its pretension gets this alone.
 TEST(CompatibleStart, a_hung_block_is_in_balance_with_its_bolts) {
   const Analysis analysis = of_hung_block();
   for (const double pretension : {0.0, 0.3 * kWeight, 0.5 * kWeight}) {
@@ -140,7 +140,8 @@ TEST(CompatibleStart, a_bolt_that_the_weight_breaks_is_not_balanced) {
               2e-5);
 }
 
-// Contacts bear what they can: the bolts of a block on a floor stay as the file has them, and so does a pretension that pulls.
+// Contacts bear what they can: the bolts of a block on a floor stay as the file has them, and so does a pretension that
+// pulls.
 TEST(CompatibleStart, bolts_that_the_loads_do_not_stretch_stay_as_they_are) {
   const Analysis analysis = of_hung_block();
   Blocks scene = hung_block(100, 0);
@@ -152,8 +153,9 @@ TEST(CompatibleStart, bolts_that_the_loads_do_not_stretch_stay_as_they_are) {
     EXPECT_NEAR(bolt.force, 100, 3) << "the block gives by 2.4 µm under its weight";
 }
 
-// A block of a millionth of the mass between two heavy ones: forces were once judged by what they do to the light one, so that none of the
-// weight was borne, and shifts left 4 % of the gaps. Springs let the column ring by 1 % for a second.
+// A block of a millionth of the mass between two heavy ones: forces were once judged by what they do to the light one,
+// so that none of the weight was borne, and shifts left 4 % of the gaps. Springs let the column ring by 1 % for a
+// second.
 TEST(CompatibleStart, a_light_block_between_heavy_ones_bears_the_upper_one) {
   constexpr double kHeavy = 2.6e6, kLight = 2.6;
   for (const Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
@@ -197,7 +199,8 @@ TEST(CompatibleStart, three_bolts_share_the_weight_by_their_stiffness) {
   }
 }
 
-// Weight that presses a block through itself, and lengths whose forces underflow, gave frames of NaN or of blocks inside out.
+// Weight that presses a block through itself, and lengths whose forces underflow, gave frames of NaN or of blocks
+// inside out.
 TEST(CompatibleStart, a_start_that_is_none_leaves_the_scene_as_drawn_and_ends_the_run) {
   Blocks blocks;
   blocks.blocks = {support::rectangle({0, -1}, {10, 0}), support::rectangle({1, 0}, {2, 1})};

@@ -117,8 +117,8 @@ Pile fallen(double dt, double time) {
   return pile;
 }
 
-// Faces meet at nodes of four blocks, of which two touch with their corners alone. Such pairs were once lost while the glue of the start
-// dissolved, and blocks slipped past each other.
+// Faces meet at nodes of four blocks, of which two touch with their corners alone. Such pairs were once lost while the
+// glue of the start dissolved, and blocks slipped past each other.
 TEST(CornerPile, the_settled_start_leaves_no_block_in_another) {
   const Scene scene = column_scene(2e-3, 1);
   const StandardStepper stepper(scene);
@@ -126,8 +126,9 @@ TEST(CornerPile, the_settled_start_leaves_no_block_in_another) {
   EXPECT_LT(deepest_at(scene, stepper.state()), 1e-4 * kSide);
 }
 
-// Blocks once sank into each other by a third of their size and fell through the floor. Granular columns of this shape run out by about
-// 1.9 a^(2/3) = 5 of their half-widths (Lube, Huppert, Sparks and Freundt 2005: a = H/r0 = 5, axially symmetric and of many grains).
+// Blocks once sank into each other by a third of their size and fell through the floor. Granular columns of this shape
+// run out by about 1.9 a^(2/3) = 5 of their half-widths (Lube, Huppert, Sparks and Freundt 2005: a = H/r0 = 5, axially
+// symmetric and of many grains).
 TEST(CornerPile, diamonds_keep_their_contacts_and_come_to_rest_on_the_floor) {
   const double weight = 35 * kDensity * kSide * kSide * 9.81;
   const double height = (kRows + 1) * kHalf;

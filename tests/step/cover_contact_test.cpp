@@ -182,8 +182,8 @@ Collision collision_of(const Scene& scene, double dt) {
   return found;
 }
 
-// Wave theory of two equal bars (Saint-Venant 1867): they part after 2 L/c with their speeds exchanged, and nothing is lost. What a
-// mesh loses is the motion of its layer at the faces.
+// Wave theory of two equal bars (Saint-Venant 1867): they part after 2 L/c with their speeds exchanged, and nothing is
+// lost. What a mesh loses is the motion of its layer at the faces.
 TEST(CoverContact, bars_on_covers_exchange_their_speeds_in_the_time_of_the_wave) {
   constexpr double kStep = 5e-5;
   double lost = 1;

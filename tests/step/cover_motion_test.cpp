@@ -1,4 +1,5 @@
-// Bodies on covers that fly, spin, swing and bend far, against closed forms: benchmarks nmm-02 and nmm-06, the elastica.
+// Bodies on covers that fly, spin, swing and bend far, against closed forms: benchmarks nmm-02 and nmm-06, the
+// elastica.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/cover_motion.hpp"
 
@@ -113,8 +114,8 @@ TEST(CoverMotion, every_kind_of_cover_functions_spins_without_loss) {
   }
 }
 
-// The vibration of the sudden start dies away (θ = 1) into steady spinning, whose energy the weight does not touch: what is lost is
-// no more than the elastic energy of the start's vibration, 0.1 % of all.
+// The vibration of the sudden start dies away (θ = 1) into steady spinning, whose energy the weight does not touch:
+// what is lost is no more than the elastic energy of the start's vibration, 0.1 % of all.
 TEST(CoverMotion, a_weight_above_one_half_damps_strain_and_keeps_momenta) {
   const Spin worst = spin(CoverFunctions::derived, 1, 1000);
   EXPECT_LT(worst.momentum, 1e-10);
@@ -122,7 +123,8 @@ TEST(CoverMotion, a_weight_above_one_half_damps_strain_and_keeps_momenta) {
   EXPECT_LT(worst.energy, 1e-3);
 }
 
-// Stress damping acts on the strain's rate: a steady turn is free of it. Fixed matrices of the start would stop it within a turn.
+// Stress damping acts on the strain's rate: a steady turn is free of it. Fixed matrices of the start would stop it
+// within a turn.
 TEST(CoverMotion, stiffness_damping_leaves_a_turning_body_alone) {
   const double dt = 0.01;
   const ElasticBodies bodies(square(CoverFunctions::derived, 0.6), {{}, {0.01}});
@@ -141,7 +143,8 @@ TEST(CoverMotion, stiffness_damping_leaves_a_turning_body_alone) {
   EXPECT_NEAR(energy() / settled, 1, 1e-10);
 }
 
-// nmm-06: the beam of nmm-04 with E 1e9, ρ 2500 under a load put on at once. 1.0149 Hz is that of the plane body (2-D, converged).
+// nmm-06: the beam of nmm-04 with E 1e9, ρ 2500 under a load put on at once. 1.0149 Hz is that of the plane body (2-D,
+// converged).
 TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection) {
   ContinuumBenchmark beam = clamped_cantilever(CoverFunctions::derived, 3);
   beam.continuum.materials[0] = elastic_material(1e9, 0.3);
@@ -181,7 +184,8 @@ TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection)
     }
     before = off;
   }
-  // Of Bernoulli's beam 97.07 % of the tip's deflection are of the first mode: twice that is sure, twice all of it the limit.
+  // Of Bernoulli's beam 97.07 % of the tip's deflection are of the first mode: twice that is sure, twice all of it the
+  // limit.
   EXPECT_GT(highest, 2 * 0.97);
   EXPECT_LT(highest, 2.001);
   EXPECT_NEAR(peak, 2, 0.001) << "of the first";
@@ -190,8 +194,8 @@ TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection)
   EXPECT_NEAR(1 / period, std::atan(mode.omega * dt / 2) / (std::numbers::pi * dt), 1e-4);
 }
 
-// Elastica of Bisshopp & Drucker 1945: a thin cantilever under a load P at its end that keeps its direction, P L² / EI = 2 and 5. The
-// deflections are theirs to the digits of Mattiasson 1981, checked by integration of EI κ' = -P cos ψ.
+// Elastica of Bisshopp & Drucker 1945: a thin cantilever under a load P at its end that keeps its direction, P L² / EI
+// = 2 and 5. The deflections are theirs to the digits of Mattiasson 1981, checked by integration of EI κ' = -P cos ψ.
 TEST(CoverMotion, a_thin_cantilever_bends_as_the_elastica) {
   const double height = 0.01;
   Continuum continuum;

@@ -82,8 +82,8 @@ TEST(Damping, mass_damping_slows_rigid_motion_in_both_profiles) {
   }
 }
 
-// ξ = (a/ω + b ω)/2. The average acceleration stretches the period by (ω dt)²/12: at 200 steps a period and 8.2 rad a phase
-// error of 7e-4.
+// ξ = (a/ω + b ω)/2. The average acceleration stretches the period by (ω dt)²/12: at 200 steps a period and 8.2 rad a
+// phase error of 7e-4.
 TEST(Damping, a_strain_mode_swings_out_as_the_damped_oscillator) {
   const double ratio = 0.1;
   Settings by_mass;

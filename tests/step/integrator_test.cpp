@@ -1,4 +1,5 @@
-// Spectral radii of the integrators on one spring and mass, against closed forms (benchmark dda-12) and a matrix of its own.
+// Spectral radii of the integrators on one spring and mass, against closed forms (benchmark dda-12) and a matrix of its
+// own.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/integrator.hpp"
 
@@ -95,8 +96,8 @@ TEST(Integrator, shi_damps_an_oscillator_by_the_closed_form) {
   }
 }
 
-// (1 + Ω²) u1 = u0 − Ω² q0, q1 = q0 + (u0 + u1)/2 with u = dt v: the determinant is (1 + Ω²/2)/(1 + Ω²), the trace (1 + ½)/(1 + Ω²) + ½, and
-// the roots are a conjugate pair wherever they matter.
+// (1 + Ω²) u1 = u0 − Ω² q0, q1 = q0 + (u0 + u1)/2 with u = dt v: the determinant is (1 + Ω²/2)/(1 + Ω²), the trace (1 +
+// ½)/(1 + Ω²) + ½, and the roots are a conjugate pair wherever they matter.
 TEST(Integrator, strains_that_follow_the_rate_are_damped_by_the_closed_form_and_never_turned_over_for_ever) {
   StandardChoices choices = weighted(0.5, 0.5);
   choices.strain_damping = StrainDamping::critical;
@@ -118,8 +119,8 @@ TEST(Integrator, newmark_damps_by_the_product_of_its_roots) {
     EXPECT_NEAR(spectral_radius(newmark(0.36, 0.7), w), std::sqrt(1 - 0.2 * w * w / (1 + 0.36 * w * w)), 1e-9) << w;
 }
 
-// At the limit all three roots meet at −ρ∞. An eigenvalue is known there to the cube root of round-off only; the sum and the
-// product of the roots are known in full.
+// At the limit all three roots meet at −ρ∞. An eigenvalue is known there to the cube root of round-off only; the sum
+// and the product of the roots are known in full.
 TEST(Integrator, generalised_alpha_leaves_rho_infinity_of_high_frequencies) {
   for (double rho : {0.0, 0.3, 0.5, 0.8, 1.0}) {
     const Eigen::Matrix3d limit = amplification(generalized_alpha(rho), 1e5);

@@ -203,8 +203,8 @@ TEST(Ledger, a_drop_loses_to_the_impact_and_projection_stays_within_one_step_of_
   }
 }
 
-// σ²A/(2E) of uniaxial stress; with Shi's weight it goes to the algorithm, with damping to damping but for what strains that follow
-// the rate lose to the algorithm, else nowhere.
+// σ²A/(2E) of uniaxial stress; with Shi's weight it goes to the algorithm, with damping to damping but for what strains
+// that follow the rate lose to the algorithm, else nowhere.
 TEST(Ledger, the_strain_energy_of_a_released_block_goes_where_the_choices_send_it) {
   const auto end_of = [](const Scene& scene) {
     const Ledger ledger = ledger_of(scene, 0.02);

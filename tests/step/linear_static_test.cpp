@@ -1,5 +1,5 @@
-// Patches of linear and quadratic fields, rigid motion, rates of convergence, and what is refused, on meshes that no side of
-// the body follows.
+// Patches of linear and quadratic fields, rigid motion, rates of convergence, and what is refused, on meshes that no
+// side of the body follows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/linear_static.hpp"
 
@@ -28,7 +28,8 @@ ExactField polynomial_field(double quadratic) {
   return field;
 }
 
-/// The benchmark's plate (0.24 × 0.12, nmm-01), every side held by the exact field, which a body force keeps in equilibrium.
+/// The benchmark's plate (0.24 × 0.12, nmm-01), every side held by the exact field, which a body force keeps in
+/// equilibrium.
 Continuum patch(CoverFunctions functions, const MeshSetting& mesh, double quadratic, Plane plane = Plane::stress) {
   Continuum continuum;
   const std::vector<Point> corners = rectangle_corners({0, 0}, {0.24, 0.12});
@@ -48,7 +49,8 @@ Continuum patch(CoverFunctions functions, const MeshSetting& mesh, double quadra
   return continuum;
 }
 
-// A row of nodes 1e-8 of a side below the upper edge, another as near to the right: elements of 1e-8 and 1e-16 of a triangle.
+// A row of nodes 1e-8 of a side below the upper edge, another as near to the right: elements of 1e-8 and 1e-16 of a
+// triangle.
 MeshSetting sliver_mesh(double share) {
   MeshSetting mesh;
   mesh.h = 0.03;

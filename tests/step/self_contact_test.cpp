@@ -1,4 +1,5 @@
-// One body on covers that closes on itself: a fork whose tines meet, against beam theory and against its own mirror image.
+// One body on covers that closes on itself: a fork whose tines meet, against beam theory and against its own mirror
+// image.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -21,7 +22,8 @@ constexpr double kHeight = 0.4;  // m
 constexpr double kGap = 0.02;    // m, between the tines
 constexpr double kHalf = kGap / 2;
 
-// Deflection of the tip of a tine under a force there, with the rotation and shear of a beam on an elastic stem left out.
+// Deflection of the tip of a tine under a force there, with the rotation and shear of a beam on an elastic stem left
+// out.
 double force_of(double deflection) {
   return 3 * kModulus * (kHeight * kHeight * kHeight / 12) * deflection / (kLength * kLength * kLength);
 }

@@ -43,8 +43,8 @@ double rebound(BlockBasis basis, Enforcement enforcement, double restitution, do
   return stepper.state().elements[ElementIndex{1}].velocity[1];
 }
 
-// Blocks side by side that overlap by a micrometre each, the first of them held: a wall behind the last one leaves them no room. Beside
-// them two blocks of their own that have room.
+// Blocks side by side that overlap by a micrometre each, the first of them held: a wall behind the last one leaves them
+// no room. Beside them two blocks of their own that have room.
 struct PressedRow {
   static constexpr double kOverlap = 1e-6;
 
@@ -201,7 +201,8 @@ TEST(StandardImpact, an_oblique_impact_keeps_momentum_and_makes_no_energy) {
   }
 }
 
-// A drop from 1 m bounces to e² of its height: h1/h0 = e². The floor is met inside a step; the rebound has the rest of it.
+// A drop from 1 m bounces to e² of its height: h1/h0 = e². The floor is met inside a step; the rebound has the rest of
+// it.
 TEST(StandardImpact, a_dropped_block_bounces_without_gaining_energy) {
   for (BlockBasis basis : kBases) {
     for (double dt : {1e-4, 1e-3, 1e-2}) {
@@ -233,8 +234,8 @@ TEST(StandardImpact, a_dropped_block_bounces_without_gaining_energy) {
   }
 }
 
-// A block that swells against its floor: its corners approach, the block does not. Rigid velocity made of that would be energy
-// made of nothing, T⁺ > T.
+// A block that swells against its floor: its corners approach, the block does not. Rigid velocity made of that would be
+// energy made of nothing, T⁺ > T.
 TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})};
@@ -288,8 +289,8 @@ TEST(StandardImpact, an_overlap_that_was_there_makes_no_velocity) {
   }
 }
 
-// The energy of a spring is given back whatever the step over its period: with p = 10 E a millisecond is eight of them. The old law gave
-// 1.94 times the approach speed, and 3.4 times the energy to a cradle of five.
+// The energy of a spring is given back whatever the step over its period: with p = 10 E a millisecond is eight of them.
+// The old law gave 1.94 times the approach speed, and 3.4 times the energy to a cradle of five.
 TEST(StandardImpact, springs_that_stop_blocks_make_no_energy_at_any_step) {
   Blocks blocks;
   blocks.blocks = {rectangle({-5, -1}, {5, 0}), rectangle({-1, 1}, {0, 2})};

@@ -146,8 +146,8 @@ double flutter_error(double dt, StrainDamping damping) {
 
 }  // namespace
 
-// Steady sliding of an elastic block is unstable at high friction (eigenvalues: standard_body.cpp); the stiffness damping of the strain
-// modes, on by default, keeps it still at steps that resolve the flutter too.
+// Steady sliding of an elastic block is unstable at high friction (eigenvalues: standard_body.cpp); the stiffness
+// damping of the strain modes, on by default, keeps it still at steps that resolve the flutter too.
 TEST(StandardSlide, strain_damping_keeps_a_block_from_fluttering_at_small_steps) {
   EXPECT_LE(std::abs(flutter_error(1e-4, StrainDamping::critical)), 1e-10);
   EXPECT_GE(std::abs(flutter_error(1e-4, StrainDamping::none)), 1e-6);
@@ -172,8 +172,8 @@ TEST(StandardSlide, a_suddenly_loaded_block_slides_within_two_millimetres) {
   }
 }
 
-// dda-05: s = v0²/(2 a), a = g (cos a tan phi - sin a). The step in which the block stops is resolved to about a step of time:
-// the distance error is at most a (dt)²/2, and the block rests afterwards.
+// dda-05: s = v0²/(2 a), a = g (cos a tan phi - sin a). The step in which the block stops is resolved to about a step
+// of time: the distance error is at most a (dt)²/2, and the block rests afterwards.
 TEST(StandardSlide, a_block_faster_than_friction_allows_stops_where_it_should_and_stays) {
   struct Case {
     double slope, friction, speed;

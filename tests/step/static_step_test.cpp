@@ -1,5 +1,5 @@
-// Static equilibria, found directly and by dynamic relaxation: benchmark dda-30, blocks held by contact alone, and blocks
-// that nothing holds.
+// Static equilibria, found directly and by dynamic relaxation: benchmark dda-30, blocks held by contact alone, and
+// blocks that nothing holds.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/static_step.hpp"
 

@@ -45,8 +45,10 @@ TEST(BatchAnswers, the_last_point_of_the_last_row_is_the_answer) {
 
 TEST(BatchAnswers, measures_of_all_elements_come_from_the_record) {
   const auto record = [](const std::string& more) {
-    return R"({"outcome": {"end": "finished", "steps": 4, "time": 0.5}, "counts": {"measured_points": 2, "most_contacts": 12},
-               "extremes": {"greatest_displacement": {"value": 7, "element": 1}, "least_principal_stress": {"value": -2, "element": 1},
+    return R"({"outcome": {"end": "finished", "steps": 4, "time": 0.5},
+               "counts": {"measured_points": 2, "most_contacts": 12},
+               "extremes": {"greatest_displacement": {"value": 7, "element": 1},
+                "least_principal_stress": {"value": -2, "element": 1},
                             "greatest_principal_stress": {"value": 0.5, "element": 2}})" +
            more + "}";
   };
@@ -71,14 +73,16 @@ TEST(BatchAnswers, a_missing_or_damaged_record_is_an_end_too) {
   EXPECT_TRUE(
       answer_in(run_folder("torn", "{\"outcome\"", kHistory), "legacy").end.starts_with("run.json cannot be read"));
   const std::string failed =
-      R"({"outcome": {"end": "failed", "reason": "too far", "steps": 4, "time": 0.5}, "counts": {"measured_points": 2}})";
+      R"({"outcome": {"end": "failed", "reason": "too far", "steps": 4, "time": 0.5},
+          "counts": {"measured_points": 2}})";
   EXPECT_EQ(answer_in(run_folder("failed", failed, kHistory), "legacy").end, "failed: too far");
 }
 
 TEST(BatchAnswers, verdicts_of_a_comparison_are_one_sentence) {
   EXPECT_EQ(
       verdict_of(R"({"cases": [{"runs": [{"profile": "legacy", "holds": true}, {"profile": "standard", "holds": false},
-                           {"profile": "draft", "not_run": "no"}, {"profile": "legacy", "variant": "b", "holds": false}]}]})"),
+                           {"profile": "draft", "not_run": "no"},
+                            {"profile": "legacy", "variant": "b", "holds": false}]}]})"),
       "legacy: hold, standard: missed, draft: not run");
   EXPECT_EQ(verdict_of("no json"), "not compared");
 }

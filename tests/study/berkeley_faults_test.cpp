@@ -1,4 +1,5 @@
-// What the Berkeley program makes of its files, by the sentences of legacy-formats 2.1, 2.3.1, 2.6, 4 and legacy-rules 16.1.
+// What the Berkeley program makes of its files, by the sentences of legacy-formats 2.1, 2.3.1, 2.6, 4 and legacy-rules
+// 16.1.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/berkeley_faults.hpp"
 
@@ -44,7 +45,8 @@ const std::string kXml = R"(<?xml version="1.0"?><DDA>
 <Boltlist><Bolt type="1">0 0 1 1</Bolt></Boltlist></Geometry>
 <Analysis><Numtimesteps timesteps="5"/><Maxtimestep maxtimestep="0.1"/><Maxdisplacement maxdisplacement="0.1"/>
 <Blockmaterial type="1"><Unitmass>2</Unitmass><Unitweight>20</Unitweight><Youngsmod>1e6</Youngsmod>
-<Poissonratio>0.2</Poissonratio><Istress>1 2 3</Istress><Ivelocity>1 0 2</Ivelocity><Istrain>7 8 9</Istrain></Blockmaterial>
+<Poissonratio>0.2</Poissonratio>
+<Istress>1 2 3</Istress><Ivelocity>1 0 2</Ivelocity><Istrain>7 8 9</Istrain></Blockmaterial>
 <Jointproperties type="1"><Friction>30</Friction><Cohesion>0</Cohesion><Tensile>0</Tensile></Jointproperties>
 </Analysis></DDA>)";
 

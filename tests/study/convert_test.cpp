@@ -1,4 +1,5 @@
-// From every kind of file to every target: what is lost is what conversion_losses.txt says, and the rest comes back equal.
+// From every kind of file to every target: what is lost is what conversion_losses.txt says, and the rest comes back
+// equal.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/convert.hpp"
 

@@ -72,7 +72,8 @@ TEST(DerivedGeometry, the_loops_of_a_cover_are_its_blocks) {
   EXPECT_EQ(derived.from, "cover");
   EXPECT_EQ(derived.warnings, Warnings{});
   const Blocks& blocks = *derived.content.blocks;
-  // The joint material of a loop's corner is that of the edge that leaves it, of a block's that of the edge that arrives.
+  // The joint material of a loop's corner is that of the edge that leaves it, of a block's that of the edge that
+  // arrives.
   ASSERT_EQ(blocks.blocks.size(), 2U);
   EXPECT_EQ(blocks.blocks[0], (BlockPolygon{0, {{{0, 0}, 1}, {{1, 0}, 0}, {{1, 1}, 0}}, {}}));
   EXPECT_EQ(blocks.fixed_points.at(0).block, 0);

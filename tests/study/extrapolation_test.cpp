@@ -35,8 +35,8 @@ TEST(Extrapolation, finds_order_and_limit_of_a_pure_power) {
   }
 }
 
-// The trapezoidal rule for the integral of e^x over 0..1 is of second order with terms beyond: 2, 4, 8 intervals give the
-// limit e - 1 to Boole's error.
+// The trapezoidal rule for the integral of e^x over 0..1 is of second order with terms beyond: 2, 4, 8 intervals give
+// the limit e - 1 to Boole's error.
 TEST(Extrapolation, brings_the_trapezoidal_rule_nearer_to_the_integral) {
   std::array<std::vector<double>, 3> values;
   int intervals = 2;
@@ -53,7 +53,8 @@ TEST(Extrapolation, brings_the_trapezoidal_rule_nearer_to_the_integral) {
   EXPECT_LT(std::abs(limit.values[0] - exact), 0.02 * std::abs(values[2][0] - exact));
 }
 
-// 1 - 0.6 h + h² at h = 1, 1/2, 1/4: differences shrink by 12, as those of order 3.6 would, which is none of the method's.
+// 1 - 0.6 h + h² at h = 1, 1/2, 1/4: differences shrink by 12, as those of order 3.6 would, which is none of the
+// method's.
 TEST(Extrapolation, takes_out_first_and_second_order_where_they_cancel) {
   const auto u = [](double h) { return std::vector<double>{1 - 0.6 * h + h * h}; };
   const Limit limit = limit_of({u(1), u(0.5), u(0.25)}, Refined::step);

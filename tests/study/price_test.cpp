@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// Front: 1 (1 s, 1e-1), 4 (2 s, 1e-3), 0 (5 s, 1e-4). 2 is dearer than 4 and worse, 3 as good as 0 and dearer, 5 failed though cheap.
+// Front: 1 (1 s, 1e-1), 4 (2 s, 1e-3), 0 (5 s, 1e-4). 2 is dearer than 4 and worse, 3 as good as 0 and dearer, 5 failed
+// though cheap.
 const std::vector<Price> kMarket{{5, 1e-4}, {1, 1e-1}, {3, 1e-2}, {8, 1e-4}, {2, 1e-3}, {0.1, kNone}};
 
 }  // namespace

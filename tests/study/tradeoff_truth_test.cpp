@@ -1,4 +1,5 @@
-// The errors that `tradeoff` tells, held against closed forms: never less than the true ones, and at most three times as great.
+// The errors that `tradeoff` tells, held against closed forms: never less than the true ones, and at most three times
+// as great.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -54,7 +55,8 @@ StudyCase case_of(const Oscillator& oscillator) {
  "analysis": {{"velocity_carry_over": 1, "step_count": 150, "time_step": 0.01, "allowed_displacement_ratio": 0.05,
    "block_materials": [
      {{"density": 2500, "unit_weight": 0, "youngs_modulus": 5e9, "poissons_ratio": 0.25}},
-     {{"density": 2500, "unit_weight": 0, "youngs_modulus": 5e9, "poissons_ratio": 0.25, "initial_velocity": [{}, 0, 0]}}],
+     {{"density": 2500, "unit_weight": 0, "youngs_modulus": 5e9, "poissons_ratio": 0.25,
+       "initial_velocity": [{}, 0, 0]}}],
    "joint_materials": [{{"friction_angle_deg": 30, "cohesion": 0, "tensile_strength": 0}}],
    "penalty_factor": 10, "gravity": 0, "dialect": "ddaml"}}}})";
   support::write_text(folder + "/a.json",

@@ -1,4 +1,5 @@
-// Bodies on meshes turned and shifted against them, and the errors of their solutions: for the tests and tables of continua.
+// Bodies on meshes turned and shifted against them, and the errors of their solutions: for the tests and tables of
+// continua.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +12,8 @@
 
 namespace keyblock {
 
-/// Triangles of side `h` in rows turned by `angle` (rad), a node at `through`; equilateral where `side_over_row` is 2/√3.
+/// Triangles of side `h` in rows turned by `angle` (rad), a node at `through`; equilateral where `side_over_row` is
+/// 2/√3.
 struct MeshSetting {
   double h = 1;
   double angle = 10 * std::numbers::pi / 180;

@@ -1,4 +1,5 @@
-// What the held bodies of a scene would come to by linear elasticity alone, and how fast static steps of the old kind go there.
+// What the held bodies of a scene would come to by linear elasticity alone, and how fast static steps of the old kind
+// go there.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -23,7 +23,8 @@ inline BlockPolygon turned_rectangle(Point low, Point high, double angle) {
   return block;
 }
 
-/// Block 1, held: 20 m long, its top through the origin, falling to the right at `slope`. Block 2: a square metre on it.
+/// Block 1, held: 20 m long, its top through the origin, falling to the right at `slope`. Block 2: a square metre on
+/// it.
 inline Blocks block_on_slope(double slope) {
   Blocks scene;
   scene.blocks = {turned_rectangle({0, -2}, {20, 0}, -slope), turned_rectangle({1, 0}, {2, 1}, -slope)};

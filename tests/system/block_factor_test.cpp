@@ -93,8 +93,8 @@ TEST(BlockPattern, fills_no_more_than_it_must) {
   EXPECT_EQ(BlockPattern(20, chain).entry_count(), 20 + 17);
 }
 
-// Two blocks of unit inertia with a spring of 1e9 between them, pulled across it: what the spring does not hold moves by 1. An inverse
-// of the pivot itself would lose nine figures.
+// Two blocks of unit inertia with a spring of 1e9 between them, pulled across it: what the spring does not hold moves
+// by 1. An inverse of the pivot itself would lose nine figures.
 TEST(BlockFactor, keeps_what_is_soft_beside_what_is_stiff) {
   constexpr double kStiffness = 1e9;
   Random random;

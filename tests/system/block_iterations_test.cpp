@@ -194,7 +194,8 @@ TEST(Solver, over_relaxation_that_does_not_end_is_no_solution) {
   EXPECT_LT(solution->residual, 2e-11);
 }
 
-// Positive definite, but the incomplete factor of its ring of four blocks is not: 1 beside 0.7 three times and −0.7 once.
+// Positive definite, but the incomplete factor of its ring of four blocks is not: 1 beside 0.7 three times and −0.7
+// once.
 TEST(BlockIterations, a_raised_diagonal_makes_a_factor_where_the_pattern_alone_does_not) {
   System system({2, 2, 2, 2});
   const Block one = Block::Identity(2, 2);

@@ -1,5 +1,5 @@
-// Energy, force and tangent of large displacements against each other by differences, against the linear stiffness, and under
-// rigid motion (benchmark nmm-02).
+// Energy, force and tangent of large displacements against each other by differences, against the linear stiffness, and
+// under rigid motion (benchmark nmm-02).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_elasticity.hpp"
 

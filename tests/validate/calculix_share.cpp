@@ -1,4 +1,5 @@
-// Solves a clamped beam by covers of constant functions and by CalculiX (ccx) on the same triangles: displacement and time of both.
+// Solves a clamped beam by covers of constant functions and by CalculiX (ccx) on the same triangles: displacement and
+// time of both.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/os.h>
@@ -107,8 +108,8 @@ std::vector<double> node_loads(const Continuum& continuum) {
   return loads;
 }
 
-// CalculiX makes solids of plane elements and keeps u and v equal through the thickness: where that is not small beside the depth,
-// the change of thickness along the beam is sheared (2.3 % too stiff at a thickness of 1).
+// CalculiX makes solids of plane elements and keeps u and v equal through the thickness: where that is not small beside
+// the depth, the change of thickness along the beam is sheared (2.3 % too stiff at a thickness of 1).
 constexpr double kThickness = 1e-3;
 
 void write_input(const Continuum& continuum, const std::vector<double>& loads, const std::string& file) {

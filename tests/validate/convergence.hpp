@@ -11,8 +11,8 @@
 
 namespace keyblock {
 
-/// How a run ended. `refused`: the scene asks for something the profile says it cannot do; `failed`: a step could not be made;
-/// `crashed`: an exception that is no answer to a user.
+/// How a run ended. `refused`: the scene asks for something the profile says it cannot do; `failed`: a step could not
+/// be made; `crashed`: an exception that is no answer to a user.
 enum class End { finished, refused, failed, crashed };
 
 /// What one run did.

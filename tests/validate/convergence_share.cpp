@@ -1,5 +1,5 @@
-// Prints how many steps of random stacks and slopes converge without cutting, under both profiles, and fails where profile
-// `standard` misses what is asked of it.
+// Prints how many steps of random stacks and slopes converge without cutting, under both profiles, and fails where
+// profile `standard` misses what is asked of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

@@ -20,8 +20,8 @@ namespace {
 
 using namespace keyblock;
 
-/// A sheet of `count` triangles, two a cell, whose covers are the nodes of the cells. `digits` behind the point: 6 is what
-/// the old programs print, 17 what a double may take.
+/// A sheet of `count` triangles, two a cell, whose covers are the nodes of the cells. `digits` behind the point: 6 is
+/// what the old programs print, 17 what a double may take.
 std::string cover_text(int count, int digits) {
   const int columns = 1000, rows = count / columns / 2;
   std::string text =

@@ -1,5 +1,6 @@
-// Random moments of a case and profile: the run is killed there, resumed on other threads, and compared byte by byte to the run
-// that was not; a row in which no run was resumed fails too. Words on the command line: only the cases whose names hold one.
+// Random moments of a case and profile: the run is killed there, resumed on other threads, and compared byte by byte to
+// the run that was not; a row in which no run was resumed fails too. Words on the command line: only the cases whose
+// names hold one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
-// A mixed archive checked, killed in the middle and resumed: the time on two cores, and whether both catalogues are the same.
+// A mixed archive checked, killed in the middle and resumed: the time on two cores, and whether both catalogues are the
+// same.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/mixed_archive.hpp"
 

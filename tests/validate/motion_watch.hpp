@@ -1,4 +1,5 @@
-// What no falling heap may do: gain more kinetic energy than its weight gave, rise, change area, or go through what it rests on.
+// What no falling heap may do: gain more kinetic energy than its weight gave, rise, change area, or go through what it
+// rests on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -26,13 +27,13 @@ class MotionWatch {
   double greatest_rise() const { return rise_; }
   /// Greatest relative change of the area of a block.
   double greatest_area_change() const { return area_change_; }
-  /// The same, less what the change of its stress makes of its area: none but by false strain. A small block that carries its
-  /// neighbours is strained by more than the weight of the whole slope would strain it.
+  /// The same, less what the change of its stress makes of its area: none but by false strain. A small block that
+  /// carries its neighbours is strained by more than the weight of the whole slope would strain it.
   double greatest_false_area_change() const { return false_area_change_; }
   /// Greatest kinetic over released potential energy, where more than 1e-9 of the energy scale is released.
   double greatest_ratio() const { return ratio_; }
-  /// Greatest area that blocks share, all pairs together, over the area of the moving blocks. Free fall through the ground passes
-  /// every other watch.
+  /// Greatest area that blocks share, all pairs together, over the area of the moving blocks. Free fall through the
+  /// ground passes every other watch.
   double greatest_overlap() const { return overlap_; }
   bool all_finite() const { return all_finite_; }
 

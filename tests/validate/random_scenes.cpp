@@ -38,7 +38,8 @@ Analysis drawn_analysis(Dice& dice) {
 
 constexpr double kStiffest = 1e11;
 constexpr double kSoftestOfStack = 1e8;
-// Under the weight of 30 m of rock this is strained by 5e-4; a corner block that carries its neighbours, by more than a thousandth.
+// Under the weight of 30 m of rock this is strained by 5e-4; a corner block that carries its neighbours, by more than a
+// thousandth.
 constexpr double kSoftestOfSlope = 2e9;
 
 BlockMaterial drawn_rock(Dice& dice, double softest) {
@@ -102,8 +103,8 @@ class StackDrawing {
   }
 
  private:
-  // Every block leans against the line x = left or stands off it by a few hundredths of its width; so does its neighbour from the
-  // other side. Returns how far the tower reaches.
+  // Every block leans against the line x = left or stands off it by a few hundredths of its width; so does its
+  // neighbour from the other side. Returns how far the tower reaches.
   double tower(double left, int count) {
     const double width = dice_.between(0.5, 2);
     double right = left;
@@ -196,7 +197,8 @@ class SlopeDrawing {
     return {{{first, spacing * slenderness, 1}, {first + between, spacing / slenderness, 2}}};
   }
 
-  // Lines through the whole slope, at distances that scatter by a fifth of the spacing and at angles that scatter by 3 degrees.
+  // Lines through the whole slope, at distances that scatter by a fifth of the spacing and at angles that scatter by 3
+  // degrees.
   void cut_by(const JointSet& set) {
     const Point middle{toe_ / 2, height_ / 2};
     const double reach = length(middle);

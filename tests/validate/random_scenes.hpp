@@ -30,8 +30,8 @@ RandomScene random_slope(std::uint64_t seed);
 /// Even seeds are stacks, odd ones slopes. The time step is 0.5, 1, 2 or 5 ms.
 RandomScene random_scene(std::uint64_t seed);
 
-/// Writes `NAME.geo` or `NAME.blk` and `NAME.ana` into an existing folder, for `keyblock run`. The native analysis file says no step
-/// control: profile `legacy` needs `--set step_control=constant` to repeat a run of the problem in memory.
+/// Writes `NAME.geo` or `NAME.blk` and `NAME.ana` into an existing folder, for `keyblock run`. The native analysis file
+/// says no step control: profile `legacy` needs `--set step_control=constant` to repeat a run of the problem in memory.
 void write_scene(const RandomScene& scene, const std::filesystem::path& folder);
 
 }  // namespace keyblock

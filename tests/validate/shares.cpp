@@ -15,8 +15,8 @@ constexpr double kShareAsked = 0.999;
 constexpr double kResidualAsked = 1e-6;  // of the largest load on a block
 // Contact forces are known to kResidualAsked: over a step's travel that is the energy they may be wrong by.
 constexpr double kEnergyAsked = 1e-6;
-// Asked is 1e-3 of the area as it is; that soft rock under its neighbours exceeds it is elasticity. What no stress explains is held far
-// below it.
+// Asked is 1e-3 of the area as it is; that soft rock under its neighbours exceeds it is elasticity. What no stress
+// explains is held far below it.
 constexpr double kFalseAreaAsked = 1e-6;
 // Springs of the modulus press the blocks of a slope together by a hundredth of this; a block that sinks in takes more.
 constexpr double kOverlapAsked = 1e-3;

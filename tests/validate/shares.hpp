@@ -49,7 +49,8 @@ std::string shares_csv(const std::vector<Share>& shares);
 /// The runs that did not finish: scene, profile, blocks, step, steps made, end, reason.
 std::string ended_csv(const std::vector<SceneRun>& runs);
 
-/// How many runs did not finish, by profile, end and reason; the reason without its step and what is named after a semicolon.
+/// How many runs did not finish, by profile, end and reason; the reason without its step and what is named after a
+/// semicolon.
 std::string reasons_csv(const std::vector<SceneRun>& runs);
 
 /// One line a run: what shares_csv sums, by scene.

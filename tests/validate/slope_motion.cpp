@@ -1,5 +1,5 @@
-// Prints what jointed slopes do in 0.4 s under profile `standard`, and fails where one gains energy, rises or swells. The slopes of the
-// Berkeley program's runs are taken from ../shared where that folder is; those drawn here need none.
+// Prints what jointed slopes do in 0.4 s under profile `standard`, and fails where one gains energy, rises or swells.
+// The slopes of the Berkeley program's runs are taken from ../shared where that folder is; those drawn here need none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

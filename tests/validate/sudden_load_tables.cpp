@@ -1,5 +1,5 @@
-// Prints benchmark nmm-06, a beam on covers under a load put on at once: frequency, curves of the tip for steps and dampings, steps to
-// equilibrium; fails where theory is missed. With the path of a file it draws the curves there.
+// Prints benchmark nmm-06, a beam on covers under a load put on at once: frequency, curves of the tip for steps and
+// dampings, steps to equilibrium; fails where theory is missed. With the path of a file it draws the curves there.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -110,7 +110,8 @@ Eigen::VectorXd still_of(const ElasticBodies& bodies) {
   return cover_equilibrium(bodies, rest(bodies).q, bodies.supports.load()).q;
 }
 
-/// Tip over static deflection each quarter period, its highest value and that of the first mode, and the time after which it stays within 1 %.
+/// Tip over static deflection each quarter period, its highest value and that of the first mode, and the time after
+/// which it stays within 1 %.
 void print_curves() {
   const struct {
     double dt, force_weight, ratio;  // of stiffness damping to critical, in the first mode
@@ -160,8 +161,8 @@ void print_curves() {
   }
 }
 
-/// Steps until what is left of the first mode is 1/1000: with the velocity carried over (amplitude of the vibration), and set to 0 before each
-/// step; theory per step (1 + Ω²/2)^-½ and (1 + Ω²/2)^-1, Ω = ω dt, of the weights ½ and 1.
+/// Steps until what is left of the first mode is 1/1000: with the velocity carried over (amplitude of the vibration),
+/// and set to 0 before each step; theory per step (1 + Ω²/2)^-½ and (1 + Ω²/2)^-1, Ω = ω dt, of the weights ½ and 1.
 void print_steps_to_equilibrium() {
   const ElasticBodies bodies = beam(CoverFunctions::derived, 2);
   const Eigen::VectorXd still = still_of(bodies);

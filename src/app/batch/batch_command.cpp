@@ -79,7 +79,8 @@ int thread_count(const BatchOptions& options) {
   return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// journal.jsonl, open at its end; a line is written by one call, so that a sudden end leaves at most the last one torn.
+/// journal.jsonl, open at its end; a line is written by one call, so that a sudden end leaves at most the last one
+/// torn.
 class JournalFile {
  public:
   explicit JournalFile(const fs::path& file) : name_(file.string()) {
@@ -105,7 +106,8 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
   return !below.empty() && *below.begin() != "..";
 }
 
-/// What an earlier batch left in the folder; empty where none did. Throws UsageError where results could meet other files.
+/// What an earlier batch left in the folder; empty where none did. Throws UsageError where results could meet other
+/// files.
 study::Journal journal_in(const BatchPlan& plan) {
   if (lies_in(plan.root, plan.folder))
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", plan.root.string()));

@@ -1,4 +1,5 @@
-// Carries out jobs; results of a run or conversion go to jobs/NAME in the results' folder, what an earlier try left is removed.
+// Carries out jobs; results of a run or conversion go to jobs/NAME in the results' folder, what an earlier try left is
+// removed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/batch_work.hpp"
 

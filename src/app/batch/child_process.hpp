@@ -18,8 +18,8 @@ struct ChildEnd {
   bool ran_out_of_time = false;  ///< killed at the limit, or stopped there with its results written
 };
 
-/// This program with those arguments, until it ends. It stands in a process group of its own, so that Ctrl-C at the terminal
-/// does not reach it, and ends when the calling thread does. Throws OutputError where it cannot be started.
+/// This program with those arguments, until it ends. It stands in a process group of its own, so that Ctrl-C at the
+/// terminal does not reach it, and ends when the calling thread does. Throws OutputError where it cannot be started.
 ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
                    const std::filesystem::path& output, const std::filesystem::path& messages);
 

@@ -73,7 +73,8 @@ Json json_of(const TraceDifference& t) {
           {"stress", t.stress},     {"disp_ratio", t.disp_ratio}};
 }
 
-// Start and end of the last profile that ran, and the displacements of all of the first block named beside the expected values.
+// Start and end of the last profile that ran, and the displacements of all of the first block named beside the expected
+// values.
 std::string picture_of(const CaseComparison& comparison) {
   std::vector<report::Curve> curves;
   const ComparedCase* shown = &comparison.plain.front();

@@ -208,7 +208,8 @@ ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, c
                options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
 }
 
-// `saved`: the checkpoint to go on from, its request already taken, or all that a run left before its first one; none for a new run.
+// `saved`: the checkpoint to go on from, its request already taken, or all that a run left before its first one; none
+// for a new run.
 ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
   RunRecord record;
@@ -336,8 +337,8 @@ std::string beside(const std::filesystem::path& folder, const std::string& name,
   return name == "body_acceleration_file" && !value.empty() ? (folder / value).string() : value;
 }
 
-// The files of a case folder, with what its case file sets for the profile below all that is asked. A file that a value names is
-// taken from the folder.
+// The files of a case folder, with what its case file sets for the profile below all that is asked. A file that a value
+// names is taken from the folder.
 RunOptions with_case_folder(RunOptions options) {
   if (options.files.size() != 1 || !std::filesystem::is_directory(options.files.front())) return options;
   const study::CaseFolder folder = study::the_case_in(options.files.front());
@@ -354,7 +355,8 @@ RunOptions with_case_folder(RunOptions options) {
   return options;
 }
 
-// The file's settings come first: those of the command line overrule them. A file that a value names is taken from beside it.
+// The file's settings come first: those of the command line overrule them. A file that a value names is taken from
+// beside it.
 RunOptions with_settings_file(RunOptions options) {
   if (options.settings_file.empty()) return options;
   const SettingsFile file = read_settings(options.settings_file, formats::load(options.settings_file).text);

@@ -1,4 +1,5 @@
-// What `tradeoff` and `sweep` share: the case, the limits of its runs, what they are held against, and who else is running.
+// What `tradeoff` and `sweep` share: the case, the limits of its runs, what they are held against, and who else is
+// running.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -33,8 +34,8 @@ void add_study_options(CLI::App& options, StudyOptions& chosen);
 /// key=value, as `--set` has it. Throws UsageError.
 std::vector<Override> overrides_of(const std::vector<std::string>& sets);
 
-/// The case as asked for. Throws UsageError for settings that are none, for a part that is no power of two, and where expected
-/// values are asked for that are not there.
+/// The case as asked for. Throws UsageError for settings that are none, for a part that is no power of two, and where
+/// expected values are asked for that are not there.
 study::StudyCase case_asked(const StudyOptions& options);
 
 /// On the standard error, run by run.

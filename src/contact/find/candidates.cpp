@@ -1,4 +1,5 @@
-// A uniform grid over the bounding boxes, linear in the number of elements where sizes are alike; a tree where they are not.
+// A uniform grid over the bounding boxes, linear in the number of elements where sizes are alike; a tree where they are
+// not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/find/candidates.hpp"
 

@@ -1,5 +1,5 @@
-// Joins holes to the outer loop, then cuts at one reflex corner after another, each time along the shortest diagonal that makes the
-// corner convex.
+// Joins holes to the outer loop, then cuts at one reflex corner after another, each time along the shortest diagonal
+// that makes the corner convex.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/find/convex_pieces.hpp"
 
@@ -14,8 +14,9 @@
 namespace keyblock {
 namespace {
 
-// Sine of the turn below which a vertex lies on a straight edge. Cutting leaves vertices where joints meet an edge; drawings
-// carry ten digits, so their turn is far below this, and a corner of less than 0.006 degrees is none to the eye.
+// Sine of the turn below which a vertex lies on a straight edge. Cutting leaves vertices where joints meet an edge;
+// drawings carry ten digits, so their turn is far below this, and a corner of less than 0.006 degrees is none to the
+// eye.
 constexpr double kStraightSine = 1e-4;
 
 // A corner that turns by less than this after a cut is avoided where another diagonal does not leave it.
@@ -85,7 +86,8 @@ class Cutter {
     return ring;
   }
 
-  // Joins the hole that is nearest to the ring by a cut there and back, which crosses nothing. False where there is none.
+  // Joins the hole that is nearest to the ring by a cut there and back, which crosses nothing. False where there is
+  // none.
   bool bridge(ConvexPiece& ring, std::vector<ConvexPiece>& holes) const {
     std::size_t hole = 0, from = 0, to = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -132,7 +134,8 @@ class Cutter {
     return false;
   }
 
-  // Whether a corner sees a point between its edges. Where a cut joins a hole two corners lie in one place, and each has its own side.
+  // Whether a corner sees a point between its edges. Where a cut joins a hole two corners lie in one place, and each
+  // has its own side.
   bool in_cone(const ConvexPiece& p, std::size_t i, Point target) const {
     const Point here = corner(p, i);
     const Point before = corner(p, i + p.corners.size() - 1) - here;
@@ -188,8 +191,8 @@ class Cutter {
     return best;
   }
 
-  // What a diagonal makes of the reflex corner that it starts from. A straight corner would leave an inner and an outer edge on one
-  // line, and contact could not tell whose face it is.
+  // What a diagonal makes of the reflex corner that it starts from. A straight corner would leave an inner and an outer
+  // edge on one line, and contact could not tell whose face it is.
   enum class Cut { leaves_it, makes_straight, makes_convex };
 
   Cut cut_made(const ConvexPiece& piece, std::size_t from, std::size_t to) const {

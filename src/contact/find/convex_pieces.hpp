@@ -17,8 +17,8 @@ struct ConvexPiece {
 
 using ConvexPieces = std::vector<ConvexPiece>;
 
-/// One piece for a convex element; none for an element with inner edges only, or whose hole no cut joins to its outer loop. Vertices on a straight edge are no
-/// corners, unless one side of it is inner.
+/// One piece for a convex element; none for an element with inner edges only, or whose hole no cut joins to its outer
+/// loop. Vertices on a straight edge are no corners, unless one side of it is inner.
 ConvexPieces convex_pieces(const Model& model, ElementIndex element);
 
 }  // namespace keyblock

@@ -11,21 +11,24 @@
 namespace keyblock {
 namespace {
 
-// Two separations that differ by less than this share of the edge are equal up to round-off: the first one found stays, so
-// that parallel faces do not change their line of reference from step to step.
+// Two separations that differ by less than this share of the edge are equal up to round-off: the first one found stays,
+// so that parallel faces do not change their line of reference from step to step.
 constexpr double kTie = 1e-9;
-// Sine of the angle between two edges below which they count as parallel: half the turn of a corner that is one to the eye.
+// Sine of the angle between two edges below which they count as parallel: half the turn of a corner that is one to the
+// eye.
 constexpr double kParallel = 1e-4;
-// Lobatto's weights on three points are exact for cubics (Abramowitz & Stegun 1964, 25.4.32), so that springs on them turn as
-// stiffly as an evenly sprung stretch, k L²/12, where two at the ends are three times as stiff; the end point is the pivot.
+// Lobatto's weights on three points are exact for cubics (Abramowitz & Stegun 1964, 25.4.32), so that springs on them
+// turn as stiffly as an evenly sprung stretch, k L²/12, where two at the ends are three times as stiff; the end point
+// is the pivot.
 constexpr double kLobattoEnd = 1.0 / 6;
 
-// Corners meet that are no farther apart than this many times what separates the pieces or counts as none: those of an exterior
-// angle of thirty degrees. Faces that lean a little towards each other are as far apart at many places, but not corner to corner.
+// Corners meet that are no farther apart than this many times what separates the pieces or counts as none: those of an
+// exterior angle of thirty degrees. Faces that lean a little towards each other are as far apart at many places, but
+// not corner to corner.
 constexpr double kNearCorner = 4;
 
-// Sine of the angle between two edges that face each other over a stretch below which they close like a wedge: the far end is what
-// meets next, and either normal serves.
+// Sine of the angle between two edges that face each other over a stretch below which they close like a wedge: the far
+// end is what meets next, and either normal serves.
 constexpr double kWedge = 0.1;
 
 // A foot this share of the edge beyond its end lies at the end.
@@ -99,8 +102,8 @@ class PairTouches {
     return low <= length(along(edge)) && high >= 0;
   }
 
-  // An inner edge leads only if it leads clearly: it may lie on one line with an edge of the boundary. Of two edges of the boundary
-  // on one line that leads over which the other piece lies.
+  // An inner edge leads only if it leads clearly: it may lie on one line with an edge of the boundary. Of two edges of
+  // the boundary on one line that leads over which the other piece lies.
   Leading best_edge(const ConvexPiece& of, const ConvexPiece& from) const {
     Leading best;
     for (std::size_t i = 0; i < of.corners.size(); ++i) {
@@ -132,8 +135,8 @@ class PairTouches {
     return tie;
   }
 
-  // Faces whose ends are in line may pass each other: a block that slides along the tops of a row of blocks comes up to the
-  // end face of each, which it will not hit.
+  // Faces whose ends are in line may pass each other: a block that slides along the tops of a row of blocks comes up to
+  // the end face of each, which it will not hit.
   CornerTie tie_at_corners() const {
     const auto [p, q] = nearest_corners();
     return tie_of(edges_at(p, a_), edges_at(q, b_));
@@ -148,8 +151,8 @@ class PairTouches {
     return edges;
   }
 
-  // Edges that lead as well as the best within round-off and slack; pieces that touch or overlap within the slack count as just
-  // touching.
+  // Edges that lead as well as the best within round-off and slack; pieces that touch or overlap within the slack count
+  // as just touching.
   std::vector<Edge> leading(const ConvexPiece& of, const ConvexPiece& from, double best) const {
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < of.corners.size(); ++i) {
@@ -231,7 +234,8 @@ class PairTouches {
     return std::min(length(along(reference.edge)), station(reference.edge, facing.start)) - low;
   }
 
-  // Of a stretch: round-off, slack, and what an angle that is none to the eye makes of it over the distance of the edges.
+  // Of a stretch: round-off, slack, and what an angle that is none to the eye makes of it over the distance of the
+  // edges.
   double doubt(const Leading& reference) const {
     return kTie * length(along(reference.edge)) + slack_ + kParallel * std::max(0.0, reference.separation);
   }

@@ -12,12 +12,12 @@
 
 namespace keyblock {
 
-/// corner: a corner against the line of an edge. middle: a point inside an edge, against the line of an edge. bisector: a
-/// corner against a corner, along the bisector of the normals of two edges of which neither leads.
+/// corner: a corner against the line of an edge. middle: a point inside an edge, against the line of an edge. bisector:
+/// a corner against a corner, along the bisector of the normals of two edges of which neither leads.
 enum class TouchKind { corner, middle, bisector };
 
-/// Two edges that face each other, by their first vertices, lower one first, and where along them: 0 and 2 at the ends of the
-/// stretch they share, 1 inside. It stays the same when the line of reference passes from one edge to the other.
+/// Two edges that face each other, by their first vertices, lower one first, and where along them: 0 and 2 at the ends
+/// of the stretch they share, 1 inside. It stays the same when the line of reference passes from one edge to the other.
 struct Facing {
   VertexIndex lower;
   VertexIndex upper;
@@ -26,8 +26,8 @@ struct Facing {
   auto operator<=>(const Facing&) const = default;
 };
 
-/// A point of an element against an edge of another element, whose outside lies to the right of start → end. The first four
-/// members are its name, by which forces are remembered from step to step.
+/// A point of an element against an edge of another element, whose outside lies to the right of start → end. The first
+/// four members are its name, by which forces are remembered from step to step.
 struct Touch {
   VertexIndex vertex;
   VertexIndex start;
@@ -51,7 +51,8 @@ struct Touch {
 
 using Touches = std::vector<Touch>;
 
-/// Corner on corner, neither edge leading: which of them takes the touch cannot be said before it is known how they move.
+/// Corner on corner, neither edge leading: which of them takes the touch cannot be said before it is known how they
+/// move.
 struct CornerTie {
   Touches candidates;  ///< one an edge, then one bisector a pair of edges that are not parallel
 };
@@ -64,7 +65,8 @@ struct FoundTouches {
 /// How finely touches are searched.
 struct TouchSearch {
   double reach = 0;  ///< pieces farther apart do not touch
-  /// Overlap that counts as none between corner and corner, of each element: the compression of its contact springs. Empty: none.
+  /// Overlap that counts as none between corner and corner, of each element: the compression of its contact springs.
+  /// Empty: none.
   Table<ElementIndex, double> slack = {};
   bool with_middles =
       false;  ///< a third point inside each shared stretch, weights 1/6, 4/6, 1/6 (Lobatto); else two halves
@@ -72,17 +74,17 @@ struct TouchSearch {
   double slack_of(ElementIndex a, ElementIndex b) const { return slack.empty() ? 0 : std::max(slack[a], slack[b]); }
 };
 
-/// The touches of the given pairs. For two convex pieces the line of reference is the edge, of either, from which the other
-/// keeps the largest separation; the points are the ends of the stretch along which the most opposed edge of the other
-/// faces it. Geometry alone decides (Ericson 2005, separating axes and clipping, from memory). Inner edges
+/// The touches of the given pairs. For two convex pieces the line of reference is the edge, of either, from which the
+/// other keeps the largest separation; the points are the ends of the stretch along which the most opposed edge of the
+/// other faces it. Geometry alone decides (Ericson 2005, separating axes and clipping, from memory). Inner edges
 /// may keep pieces apart, but nothing touches them.
 FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
                           const Table<VertexIndex, Point>& vertices, const TouchSearch& search);
 
-/// The touch that a tie became by a motion from `before` to `after`: the edge towards which the two approached least, the
-/// bisector of two where they approached equally, none where they stayed apart by more than `overlap` (negative). What
-/// overlap there was before, up to the slack, is not counted: a block that slides along a line of joints passes the corners of
-/// the blocks below.
+/// The touch that a tie became by a motion from `before` to `after`: the edge towards which the two approached least,
+/// the bisector of two where they approached equally, none where they stayed apart by more than `overlap` (negative).
+/// What overlap there was before, up to the slack, is not counted: a block that slides along a line of joints passes
+/// the corners of the blocks below.
 const Touch* touch_of(const CornerTie& tie, const Table<VertexIndex, Point>& before,
                       const Table<VertexIndex, Point>& after, double overlap);
 

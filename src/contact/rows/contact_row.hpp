@@ -16,8 +16,8 @@ struct CoverEntry {
   double y = 0;
 };
 
-/// One row of G: what a unit rate of the unknowns of the two elements does to gap or slip. The part of an element on covers stands
-/// in `covers`, and its own row is empty.
+/// One row of G: what a unit rate of the unknowns of the two elements does to gap or slip. The part of an element on
+/// covers stands in `covers`, and its own row is empty.
 struct ContactRow {
   using Row = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMostUnknowns>;
   ElementIndex vertex_element;

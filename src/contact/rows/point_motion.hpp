@@ -18,13 +18,14 @@ struct PointMotion {
 /// (1 − s) a + s b, both points of one element.
 PointMotion between(PointMotion a, const PointMotion& b, double s);
 
-/// Points of the elements of a model in the configuration q. The map of a block is made when one of its points is first asked for.
+/// Points of the elements of a model in the configuration q. The map of a block is made when one of its points is first
+/// asked for.
 class PointMotions {
  public:
   PointMotions(const Model& model, const Reference& reference, const UnknownsTable& q);
 
-  /// Makes the maps of these elements, repeated or not, so that several threads may ask for them; others are made when they are
-  /// first asked for, by one thread.
+  /// Makes the maps of these elements, repeated or not, so that several threads may ask for them; others are made when
+  /// they are first asked for, by one thread.
   void prepare(const std::vector<ElementIndex>& elements);
 
   PointMotion of_vertex(VertexIndex v) const;

@@ -11,9 +11,9 @@ namespace keyblock {
 
 /// Rows 2i and 2i + 1 belong to bolt i of the model; the second end moves against the first. Along the bolt, with l its
 /// present direction from the first end to the second, ∂(length) = l·(∂x2 − ∂x1) exactly, the turning of l included. A
-/// bolt of force f (tension positive) puts −f times this row on the unknowns. Across (l turned by +90°) it has no force.
-/// A bolt whose ends meet has no direction: zero rows. Where both ends are on one element the row of that element is
-/// the sum, and `of_edge` is zero.
+/// bolt of force f (tension positive) puts −f times this row on the unknowns. Across (l turned by +90°) it has no
+/// force. A bolt whose ends meet has no direction: zero rows. Where both ends are on one element the row of that
+/// element is the sum, and `of_edge` is zero.
 ContactRows bolt_rows(const Model& model, const Reference& reference, const UnknownsTable& q);
 
 /// Present length less that at the start, one a bolt.

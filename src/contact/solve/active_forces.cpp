@@ -135,7 +135,8 @@ std::optional<Eigen::VectorXd> ActiveForces::by_iterations(const Eigen::VectorXd
     judged = std::min(judged, problem_.compliance()[row] / std::sqrt(own));
   }
   const int most = static_cast<int>(kMostProducts * std::sqrt(static_cast<double>(problem_.w.blocks().count())));
-  // A residual r of two blocks changes the force of a pair by G A⁻¹ r over its compliance, at most √(2 W) times the greater norm.
+  // A residual r of two blocks changes the force of a pair by G A⁻¹ r over its compliance, at most √(2 W) times the
+  // greater norm.
   const PairSystem::Result result =
       problem_.w.pairs()->solve(h, set_.forces(right.cwiseQuotient(springs), 0), set_.forces(set_.kept(near), 0),
                                 goal * judged / std::numbers::sqrt2, most);

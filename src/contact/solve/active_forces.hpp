@@ -12,8 +12,8 @@ namespace keyblock {
 
 class ForcesOfBlocks;
 
-/// Which forces of an active set are unknown. Open pairs have their least normal force, slipping ones λt = ± (cohesion + μ λn):
-/// what is left are one unknown a slipping pair and two a sticking one, with yn = 0 and, sticking, yt = 0.
+/// Which forces of an active set are unknown. Open pairs have their least normal force, slipping ones λt = ± (cohesion
+/// + μ λn): what is left are one unknown a slipping pair and two a sticking one, with yn = 0 and, sticking, yt = 0.
 struct ActiveSet {
   struct Column {
     Eigen::Index unknown = -1;  ///< of the force; none if it is given
@@ -32,10 +32,12 @@ struct ActiveSet {
 };
 
 /// The slip makes the matrix nonsymmetric. The dense matrix of a few forces is factorised once
-/// and serves any right side, else the sparse one of the blocks that they act on; iterations take its place where inertia rules.
+/// and serves any right side, else the sparse one of the blocks that they act on; iterations take its place where
+/// inertia rules.
 class ActiveForces {
  public:
-  /// `added` stands on the diagonal of W beside its own entries; where an unknown force has neither, few forces can be solved only.
+  /// `added` stands on the diagonal of W beside its own entries; where an unknown force has neither, few forces can be
+  /// solved only.
   ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips, const Eigen::VectorXd& added);
   ActiveForces(const ActiveForces&) = delete;  // its parts refer to each other
   ~ActiveForces();
@@ -46,12 +48,13 @@ class ActiveForces {
   /// False where no factor was found: the active set leaves forces open.
   bool is_regular() const;
 
-  /// The forces of all pairs for y = (W + added) λ + b; nothing where iterations fail and no factor is found either. Iterations begin at
-  /// `near`, forces that may be near, and end where y, judged as a force, is at most `goal`; factors need neither.
+  /// The forces of all pairs for y = (W + added) λ + b; nothing where iterations fail and no factor is found either.
+  /// Iterations begin at `near`, forces that may be near, and end where y, judged as a force, is at most `goal`;
+  /// factors need neither.
   std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal);
 
-  /// y of `rows` for a unit of force along each of them, all of them open, while the other forces answer: a Schur complement, by
-  /// factors alone. Nothing where no factor is found.
+  /// y of `rows` for a unit of force along each of them, all of them open, while the other forces answer: a Schur
+  /// complement, by factors alone. Nothing where no factor is found.
   std::optional<Eigen::MatrixXd> flexibility(const std::vector<Eigen::Index>& rows);
 
  private:

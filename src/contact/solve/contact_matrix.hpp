@@ -29,8 +29,9 @@ class CoverCoupling {
   Eigen::MatrixXd matrix_;
 };
 
-/// W = G B Gᵀ + diag(added), with a row of G a force and a block of B an element: the flexibility of its unknowns, symmetric,
-/// zero in rows and columns of unknowns that do not answer. Those that do come first. Covers have one common part of B.
+/// W = G B Gᵀ + diag(added), with a row of G a force and a block of B an element: the flexibility of its unknowns,
+/// symmetric, zero in rows and columns of unknowns that do not answer. Those that do come first. Covers have one common
+/// part of B.
 class ContactMatrix {
  public:
   ContactMatrix() = default;
@@ -69,7 +70,8 @@ class ContactMatrix {
 /// The diagonal of G B Gᵀ alone, with what covers couple made already.
 Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const CoverCoupling& covers);
 
-/// A row of G times B, for entries of W where a few are wanted: entry (i, j) is row i times row j, without what was added.
+/// A row of G times B, for entries of W where a few are wanted: entry (i, j) is row i times row j, without what was
+/// added.
 class RowThrough {
  public:
   RowThrough(const ContactMatrix& w, Eigen::Index i);

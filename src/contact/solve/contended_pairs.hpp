@@ -15,12 +15,13 @@ struct DenseFriction {
   std::vector<ForceLaw> laws;
 };
 
-/// Forces of a dense problem, by Newton and projected Gauss-Seidel in turn, from `start` until the natural map changes none by more
-/// than `goal`, or the best of a named number of sweeps.
+/// Forces of a dense problem, by Newton and projected Gauss-Seidel in turn, from `start` until the natural map changes
+/// none by more than `goal`, or the best of a named number of sweeps.
 Eigen::VectorXd solve_dense(const DenseFriction& problem, Eigen::VectorXd start, double goal);
 
-/// `grips` with those of `pairs` as they settle while all others keep theirs: what these answer is in a Schur complement, two solutions
-/// with one factor a pair. `added` stands on the diagonal of W beside its own entries, b is that of y = (W + added) λ + b.
+/// `grips` with those of `pairs` as they settle while all others keep theirs: what these answer is in a Schur
+/// complement, two solutions with one factor a pair. `added` stands on the diagonal of W beside its own entries, b is
+/// that of y = (W + added) λ + b.
 std::vector<Grip> settled_among(const FrictionalProblem& problem, std::vector<Grip> grips,
                                 std::span<const std::size_t> pairs, const Eigen::VectorXd& added,
                                 const Eigen::VectorXd& b, const Eigen::VectorXd& forces);

@@ -1,4 +1,5 @@
-// The forces of an active set by way of the blocks that they act on: as many equations as unknowns of blocks, and sparse.
+// The forces of an active set by way of the blocks that they act on: as many equations as unknowns of blocks, and
+// sparse.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,11 +8,11 @@
 
 namespace keyblock {
 
-/// With W = G B Gᵀ (contact_matrix.hpp), (R W F + R D F) u = f, R the rows kept, F the columns and D > 0 what stands on the diagonal
-/// besides (compliance and proximal weight, length / force), is
+/// With W = G B Gᵀ (contact_matrix.hpp), (R W F + R D F) u = f, R the rows kept, F the columns and D > 0 what stands on
+/// the diagonal besides (compliance and proximal weight, length / force), is
 ///     (A + Gᵀ F D⁻¹ R G) x = Gᵀ F D⁻¹ f,   u = D⁻¹ (f − R G x),   A = B⁻¹,
-/// for D stands alone in the row of each unknown. It is what penalty springs of stiffness 1/D put between blocks (Shi 1988), slip
-/// included, and is refined on the equations of the forces.
+/// for D stands alone in the row of each unknown. It is what penalty springs of stiffness 1/D put between blocks (Shi
+/// 1988), slip included, and is refined on the equations of the forces.
 class ForcesOfBlocks {
  public:
   ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added);

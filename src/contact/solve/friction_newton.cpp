@@ -14,16 +14,18 @@
 namespace keyblock {
 namespace {
 
-// Weight of the proximal term over the compliance of a force, in the first round that has one: small ones need few rounds but run away
-// on jointed masses, where larger ones follow. From round to round it changes by a factor of ten.
+// Weight of the proximal term over the compliance of a force, in the first round that has one: small ones need few
+// rounds but run away on jointed masses, where larger ones follow. From round to round it changes by a factor of ten.
 constexpr double kFirstWeight = 1e-3;
 constexpr double kTen = 10;
-// Softer than this, a round moves next to nothing; sharper, jointed masses are singular. Between a light block and a heavy one W_ii is
-// that of the light one, and a share of it yields more than the heavy one does: few pairs go on to the last one.
+// Softer than this, a round moves next to nothing; sharper, jointed masses are singular. Between a light block and a
+// heavy one W_ii is that of the light one, and a share of it yields more than the heavy one does: few pairs go on to
+// the last one.
 constexpr double kSoftest = 1;
 constexpr double kSharpest = 1e-6;
 constexpr double kSharpestOfFew = 1e-8;
-// Held points have no springs and do not open: this share makes them regular, and leaves less in one round than a held block strains.
+// Held points have no springs and do not open: this share makes them regular, and leaves less in one round than a held
+// block strains.
 constexpr double kOfHeld = 1e-8;
 // Where springs make forces unique, weights below this one are left out altogether.
 constexpr double kAsNone = 1e-4;
@@ -33,23 +35,25 @@ constexpr double kOfRound = 1e-3;
 constexpr double kGood = 0.1;
 // An acceptable residual that a round improves by less than this is left as it is.
 constexpr double kProgress = 0.5;
-// After a lost round of many pairs projected Gauss-Seidel takes away what lies in single blocks: it costs what a few systems do.
+// After a lost round of many pairs projected Gauss-Seidel takes away what lies in single blocks: it costs what a few
+// systems do.
 constexpr int kSweeps = 100;
-// Rounds lost in all, and active sets of one round. Of many pairs a round that takes longer is better made with a greater weight.
+// Rounds lost in all, and active sets of one round. Of many pairs a round that takes longer is better made with a
+// greater weight.
 constexpr int kMostLost = 4;
 constexpr int kMostRounds = 40;
 constexpr int kMostSets = 60;
 constexpr int kMostSetsOfMany = 12;
-// From this set on a round of many pairs has run away if more than half as many of them change as did at first, and more than the
-// second figure.
+// From this set on a round of many pairs has run away if more than half as many of them change as did at first, and
+// more than the second figure.
 constexpr int kSetsToSettle = 4;
 constexpr std::size_t kStillFew = 20;
 // Pairs of a cycle that are worth a dense matrix.
 constexpr std::size_t kMostContended = 60;
 // Few forces are left as they are where their residual is this share of the goal.
 constexpr double kOfGoal = 1e-3;
-// Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the residual
-// that it starts with.
+// Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the
+// residual that it starts with.
 constexpr double kInner = 0.3;
 constexpr double kForcing = 0.001;
 
@@ -80,7 +84,8 @@ class Newton {
       if (is_enough()) break;
       if (settled && gain < 1) {
         if (solution_.converged && gain > kProgress && weight <= sharpest()) break;
-        // Of few forces those that take a large motion to matter are left to the first weight, unless only digits are missing.
+        // Of few forces those that take a large motion to matter are left to the first weight, unless only digits are
+        // missing.
         if (!is_unique_ && !problem_.has_many() && !solution_.converged) continue;
         const double sharper = sharper_than(weight);
         const bool may_sharpen = sharper > lost_at || solution_.residual < kGood * lost_residual;
@@ -187,8 +192,8 @@ class Newton {
     ++solution_.solves;
   }
 
-  // A system of few pairs costs next to nothing, and a gap left within the goal of its force would be closed in a later step: with a
-  // velocity that strains stiff ones.
+  // A system of few pairs costs next to nothing, and a gap left within the goal of its force would be closed in a later
+  // step: with a velocity that strains stiff ones.
   bool is_left_as_is() const { return solution_.residual <= (problem_.has_many() ? 1 : kOfGoal) * problem_.goal; }
   bool is_solved() const { return solution_.residual <= problem_.goal; }
   bool is_enough() const {

@@ -14,7 +14,8 @@ namespace {
 // The residual costs as much as a sweep: it is looked at this often.
 constexpr int kLook = 10;
 
-// A pair as sweeps read it: what its two forces see of each side, and what the side answers, one after another in memory.
+// A pair as sweeps read it: what its two forces see of each side, and what the side answers, one after another in
+// memory.
 struct SweptPair {
   struct Side {
     int first = 0;  // unknown of its element

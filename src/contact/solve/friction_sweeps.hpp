@@ -6,8 +6,8 @@
 
 namespace keyblock {
 
-/// Continues from the forces of `solution`, normal then tangential of each pair in turn (Jean 1999, contact by contact), until
-/// the residual is acceptable or `most_sweeps` are made.
+/// Continues from the forces of `solution`, normal then tangential of each pair in turn (Jean 1999, contact by
+/// contact), until the residual is acceptable or `most_sweeps` are made.
 FrictionalSolution sweep(const FrictionalProblem& problem, FrictionalSolution solution, int most_sweeps);
 
 }  // namespace keyblock

@@ -11,12 +11,13 @@
 namespace keyblock {
 namespace {
 
-// Sweeps between two attempts of Newton: enough to leave the cycle in which it was caught. Few pairs may take their time.
+// Sweeps between two attempts of Newton: enough to leave the cycle in which it was caught. Few pairs may take their
+// time.
 constexpr int kSweepsBetween = 200;
 constexpr int kMostTurns = 8;
 constexpr int kTurnsOfMany = 2;
-// Many pairs whose residual is this much above the acceptable one are first swept: thirty sweeps cost what a system does, and bring
-// what Newton needs ten for.
+// Many pairs whose residual is this much above the acceptable one are first swept: thirty sweeps cost what a system
+// does, and bring what Newton needs ten for.
 constexpr double kFarOff = 10;
 constexpr int kFirstSweeps = 30;
 

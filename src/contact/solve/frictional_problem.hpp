@@ -44,7 +44,8 @@ struct FrictionalProblem {
   double acceptable = 0;  ///< residual that counts as solved where the goal is out of reach; at least the goal
   Eigen::VectorXd
       proximal;  ///< weights of the first proximal term, as 1/p of an augmented Lagrangian; empty: our choice
-  /// |y| that counts as zero: redundant forces may be asked to close gaps that round-off made unequal, and then no forces do.
+  /// |y| that counts as zero: redundant forces may be asked to close gaps that round-off made unequal, and then no
+  /// forces do.
   double gap_tolerance = 0;
   Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
   int most_systems = 400;   ///< linear systems after which the best forces so far are kept
@@ -61,7 +62,8 @@ struct FrictionalProblem {
   static constexpr std::size_t kVeryManyPairs = 500;
 };
 
-/// open: at the least normal force, which is none for a touch; open_stick: the same, yet yt = 0; slip_forward: λt = +limit.
+/// open: at the least normal force, which is none for a touch; open_stick: the same, yet yt = 0; slip_forward: λt =
+/// +limit.
 enum class Grip { open, open_stick, stick, slip_forward, slip_backward };
 
 inline bool is_open(Grip grip) {
@@ -78,7 +80,8 @@ struct FrictionalSolution {
       undecided;  ///< pairs whose state went round in a cycle, or which hold the residual up at the end
 };
 
-/// What λ would become under the natural map (Alart & Curnier 1991), with r one over the compliance by which y is judged (W_ii unless the problem has a scale):
+/// What λ would become under the natural map (Alart & Curnier 1991), with r one over the compliance by which y is
+/// judged (W_ii unless the problem has a scale):
 ///     λn → max(least, λn − rn yn),  λt → clamp(λt − rt yt, ± limit of the new λn).
 struct NaturalMap {
   Eigen::VectorXd forces;
@@ -89,7 +92,8 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
 NaturalMap natural_map(const std::vector<ForceLaw>& laws, const Eigen::VectorXd& forces, const Eigen::VectorXd& y,
                        const Eigen::VectorXd& compliance);
 
-/// A term `weights` ∘ (λ − reference) added to y: it makes redundant contacts regular, and vanishes where λ is the reference.
+/// A term `weights` ∘ (λ − reference) added to y: it makes redundant contacts regular, and vanishes where λ is the
+/// reference.
 struct Proximal {
   Eigen::VectorXd weights;
   Eigen::VectorXd reference;
@@ -107,17 +111,18 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, con
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 double residual(const FrictionalProblem& problem, const Tried& tried);
 
-/// Whether every force is settled: the natural map changes it by no more than is acceptable, or it is one that its law allows
-/// and its |y| is tolerated.
+/// Whether every force is settled: the natural map changes it by no more than is acceptable, or it is one that its law
+/// allows and its |y| is tolerated.
 bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 bool is_acceptable(const FrictionalProblem& problem, const Tried& tried);
 
 /// The linear system of the last active set, for problems that differ in b alone.
 struct KeptSystem;
 
-/// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and Newton
-/// in turn from the best forces seen. Many pairs whose start is far off are swept a little first. The forces of open touches are
-/// exactly zero. `kept` is used where its system is that of an active set, and holds the last one after.
+/// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and
+/// Newton in turn from the best forces seen. Many pairs whose start is far off are swept a little first. The forces of
+/// open touches are exactly zero. `kept` is used where its system is that of an active set, and holds the last one
+/// after.
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start, KeptSystem* kept = nullptr);
 FrictionalSolution solve(const FrictionalProblem& problem, Tried start, KeptSystem* kept = nullptr);
 

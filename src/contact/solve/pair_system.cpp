@@ -1,5 +1,6 @@
-// Two passes a product: forces pair by pair, then their sum block by block, so that nothing is written twice. Corrections are
-// found in single precision, at less than half the memory that a product has to read; what is left is measured in double.
+// Two passes a product: forces pair by pair, then their sum block by block, so that nothing is written twice.
+// Corrections are found in single precision, at less than half the memory that a product has to read; what is left is
+// measured in double.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/pair_system.hpp"
 

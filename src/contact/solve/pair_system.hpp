@@ -10,7 +10,8 @@
 
 namespace keyblock {
 
-/// H of one pair, force / length: the forces that rates make, fn = nn un and ft = tn un + tt ut. Slip is what tn is for.
+/// H of one pair, force / length: the forces that rates make, fn = nn un and ft = tn un + tt ut. Slip is what tn is
+/// for.
 struct PairStiffness {
   double nn = 0;
   double tn = 0;
@@ -19,8 +20,9 @@ struct PairStiffness {
   bool is_none() const { return nn == 0 && tn == 0 && tt == 0; }
 };
 
-/// (A + Gᵀ H G) x = Gᵀ f with a block of A a block of the scene and two rows of G a pair. Stabilised biconjugate gradients (van der
-/// Vorst 1992), for slip makes the matrix nonsymmetric, preconditioned by the diagonal blocks of all of it.
+/// (A + Gᵀ H G) x = Gᵀ f with a block of A a block of the scene and two rows of G a pair. Stabilised biconjugate
+/// gradients (van der Vorst 1992), for slip makes the matrix nonsymmetric, preconditioned by the diagonal blocks of all
+/// of it.
 class PairSystem {
  public:
   /// Rows 2i and 2i + 1 belong to pair i and the same two elements; none of them may be on covers.
@@ -33,7 +35,8 @@ class PairSystem {
     bool converged = false;
   };
 
-  /// `h` has an entry a pair, `f` and `start` two, normal and tangential, as the rates of the result. From x = A⁻¹ Gᵀ `start`, until no block has a residual r with √(rᵀ A⁻¹ r) above the `goal`, or so many products were made.
+  /// `h` has an entry a pair, `f` and `start` two, normal and tangential, as the rates of the result. From x = A⁻¹ Gᵀ
+  /// `start`, until no block has a residual r with √(rᵀ A⁻¹ r) above the `goal`, or so many products were made.
   Result solve(const std::vector<PairStiffness>& h, const Eigen::VectorXd& f, const Eigen::VectorXd& start, double goal,
                int most_products) const;
 

@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// A straight piece between two nodes. Outlines say which body lies on either side; a slit (a joint that ends inside, or
-/// that joins two loops) has the same body on both sides, whichever that is.
+/// A straight piece between two nodes. Outlines say which body lies on either side; a slit (a joint that ends inside,
+/// or that joins two loops) has the same body on both sides, whichever that is.
 struct BodyPiece {
   int from = 0;
   int to = 0;

@@ -13,8 +13,8 @@ namespace keyblock {
 Drawing lines_of(const Blocks& blocks);
 
 /// The bodies of the drawing less all that lies within the closed chains `outlines`, and of each its material (from
-/// `blocks` where they are given, whose lines the drawing is). A joint that an outline cuts ends there. Throws InputError
-/// where nothing is left.
+/// `blocks` where they are given, whose lines the drawing is). A joint that an outline cuts ends there. Throws
+/// InputError where nothing is left.
 BodyGraph excavated(const Drawing& drawing, const std::vector<std::vector<Point>>& outlines, NodeMerging merging,
                     const Blocks* blocks = nullptr);
 

@@ -126,8 +126,8 @@ class Labelling {
     return (half_edge % 2 == 0) != from.side_is_reversed ? side.left : side.right;
   }
 
-  /// Outlines say what lies beside them; it reaches on across sides of the mesh and slits. Where rounding makes outlines
-  /// contradict each other the greater length is believed.
+  /// Outlines say what lies beside them; it reaches on across sides of the mesh and slits. Where rounding makes
+  /// outlines contradict each other the greater length is believed.
   void find_bodies() {
     struct Vote {
       int region, body;

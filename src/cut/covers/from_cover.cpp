@@ -63,7 +63,8 @@ class FromCover {
     }
   }
 
-  /// A slot may stand twice in the chain of an element with a hole: once where a bridge leaves, once where the loop goes on.
+  /// A slot may stand twice in the chain of an element with a hole: once where a bridge leaves, once where the loop
+  /// goes on.
   void mark_loop_edges() {
     is_in_loop_.assign(cover_.vertices.size(), 0);
     for (const SlotRange& loop : cover_.loops) {

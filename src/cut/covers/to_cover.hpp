@@ -14,8 +14,8 @@ int element_at(const Manifold& manifold, int body, Point p);
 /// The points of the bodies, each in its element.
 ElementPoints points_in_elements(const Manifold& manifold, const Blocks& blocks);
 
-/// `blocks` are the bodies of the manifold: their points go along, their bolts do not. An element with holes becomes one
-/// chain, which runs to each hole and back on the same line.
+/// `blocks` are the bodies of the manifold: their points go along, their bolts do not. An element with holes becomes
+/// one chain, which runs to each hole and back on the same line.
 Cover to_cover(const Manifold& manifold, const Blocks& blocks);
 
 }  // namespace keyblock

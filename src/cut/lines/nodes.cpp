@@ -112,7 +112,8 @@ class Merger {
     return leaders;
   }
 
-  /// Earlier nodes win, no averaging, boundary lines' crossings with one another never merge (legacy-formats 3.6, rule 1).
+  /// Earlier nodes win, no averaging, boundary lines' crossings with one another never merge (legacy-formats 3.6, rule
+  /// 1).
   void merge_with_earlier(const CutTolerances& tolerances) {
     const auto [leaders, points] = leaders_of_groups();
     const auto rank = [this](int crossing) { return std::pair(!is_found_early(crossing), crossing); };

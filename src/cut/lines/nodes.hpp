@@ -31,9 +31,9 @@ struct NodeTable {
 /// Numbers the nodes in the order in which the old programs find them: boundary lines' crossings first, then
 /// by higher line, then by lower line.
 ///
-/// Under NodeMerging::nearest_first, which crossings merge does not depend on that order: pairs are joined from the nearest on, as long as no
-/// two members of a group are farther apart than the merging distance. Two crossings of boundary lines stay
-/// apart unless they coincide to round-off.
+/// Under NodeMerging::nearest_first, which crossings merge does not depend on that order: pairs are joined from the
+/// nearest on, as long as no two members of a group are farther apart than the merging distance. Two crossings of
+/// boundary lines stay apart unless they coincide to round-off.
 NodeTable make_nodes(std::vector<Segment> lines, std::size_t boundary_count, const Crossings& crossings,
                      const CutTolerances& tolerances, NodeMerging merging);
 

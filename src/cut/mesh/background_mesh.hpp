@@ -28,8 +28,8 @@ RegularMesh centred_mesh(const Box& box, int half_rows, MeshShape shape);
 /// 2n rows of triangles from the lower to the upper edge of the box, a node in its lower left corner.
 RegularMesh aligned_mesh(const Box& box, int half_rows, MeshShape shape);
 
-/// The triangles of the mesh about the box, and a few beyond. Nodes are numbered row by row from the bottom, from left to
-/// right. An upward triangle names its lower left node first, a downward one its upper left node.
+/// The triangles of the mesh about the box, and a few beyond. Nodes are numbered row by row from the bottom, from left
+/// to right. An upward triangle names its lower left node first, a downward one its upper left node.
 TriangleMesh regular_triangles(const Box& box, const RegularMesh& mesh);
 
 }  // namespace keyblock

@@ -19,7 +19,8 @@ struct FittedMesh {
 /// The box about all bodies.
 Box box_of(const BodyGraph& graph);
 
-/// The mesh over all bodies. Throws std::invalid_argument where a length of the plan is none, or the mesh would be too large.
+/// The mesh over all bodies. Throws std::invalid_argument where a length of the plan is none, or the mesh would be too
+/// large.
 FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph);
 
 }  // namespace keyblock

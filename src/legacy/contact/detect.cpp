@@ -30,8 +30,9 @@ constexpr double kSureSquare = 1 + 1e-9;
 // vertex-vertex).
 constexpr double kTieShare = 0.3;
 
-// The π of the old program (legacy-rules, Conventions). Where four blocks meet, the bisectors of opposite wedges have sines that are
-// equal but for rounding; this π makes them differ by 1e-10, and so decides which entrance line is taken.
+// The π of the old program (legacy-rules, Conventions). Where four blocks meet, the bisectors of opposite wedges have
+// sines that are equal but for rounding; this π makes them differ by 1e-10, and so decides which entrance line is
+// taken.
 constexpr double kOldPi = 3.1415926535;
 
 double sine_of(double degrees) {

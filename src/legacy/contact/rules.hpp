@@ -22,8 +22,8 @@ struct ContactRules {
   double start_distance = 0;    ///< in step 1 of a dynamic run, nearer contacts start closed
 };
 
-// Shi's choices (legacy-formats 3.4): contacts are searched within this many allowed displacements, to a depth of at least
-// this share of that, and of at least this many allowed penetrations.
+// Shi's choices (legacy-formats 3.4): contacts are searched within this many allowed displacements, to a depth of at
+// least this share of that, and of at least this many allowed penetrations.
 inline constexpr double kSearchedDisplacements = 2.5;
 inline constexpr double kSearchedDepthShare = 0.3;
 inline constexpr double kSearchedPenetrations = 3;

@@ -13,15 +13,16 @@
 namespace keyblock {
 namespace {
 
-// Pairs of elements whose springs are summed by up to four threads before they are added one by one: a megabyte of sums.
+// Pairs of elements whose springs are summed by up to four threads before they are added one by one: a megabyte of
+// sums.
 constexpr std::size_t kMadeAtOnce = 4 * kLoopRange;
 
 Eigen::Vector2d vector(Point p) {
   return {p.x, p.y};
 }
 
-// The two springs of a contact, normal and shear a column each: lengths whose changes are the sums of `at_k` · u(P_k), and which
-// are `stretch` at the start of the step. P1 is of one element, the line P2 P3 of the other.
+// The two springs of a contact, normal and shear a column each: lengths whose changes are the sums of `at_k` · u(P_k),
+// and which are `stretch` at the start of the step. P1 is of one element, the line P2 P3 of the other.
 struct SpringPair {
   Eigen::Matrix2d at1 = Eigen::Matrix2d::Zero();
   Eigen::Matrix2d at2 = Eigen::Matrix2d::Zero();

@@ -1,4 +1,5 @@
-// The unknowns of a step are those of covers; terms and contacts are written in those of elements. Here one becomes the other.
+// The unknowns of a step are those of covers; terms and contacts are written in those of elements. Here one becomes the
+// other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,9 +12,9 @@
 
 namespace keyblock {
 
-/// How the unknowns D of elements follow from those d of covers at the start of a step: D = A d, so that a system K D = F of
-/// elements is A'K A d = A'F of covers. An element with a cover of its own has that cover's unknowns, A = 1; where all
-/// have, as blocks do, nothing is done.
+/// How the unknowns D of elements follow from those d of covers at the start of a step: D = A d, so that a system K D =
+/// F of elements is A'K A d = A'F of covers. An element with a cover of its own has that cover's unknowns, A = 1; where
+/// all have, as blocks do, nothing is done.
 class CoverUnknowns {
  public:
   CoverUnknowns(const Model& model, const State& state);

@@ -1,4 +1,5 @@
-// Elements that hang on nodes: a first-order manifold element moves as a block does, by the displacements of three nodes.
+// Elements that hang on nodes: a first-order manifold element moves as a block does, by the displacements of three
+// nodes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,8 +20,8 @@ Eigen::Matrix<double, 6, 6> affine_from_nodes(const Element& element, Point cent
 /// The same model with Shi's basis for all elements; those that hang on nodes take its unknowns from them.
 Model with_affine_elements(Model model);
 
-/// Nodes where they lie at the start, with the velocity of the body that they belong to: that of its material, turning about
-/// its centroid.
+/// Nodes where they lie at the start, with the velocity of the body that they belong to: that of its material, turning
+/// about its centroid.
 std::vector<NodeState> start_nodes(const Model& model, const Table<ElementIndex, ElementState>& elements);
 
 /// Gives elements that hang on nodes the velocity of these.

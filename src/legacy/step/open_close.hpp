@@ -15,8 +15,8 @@ namespace keyblock {
 /// The Berkeley loop ends here whatever the limit in the file says (legacy-rules 11.1).
 inline constexpr int kBerkeleyPassBound = 8;
 
-/// Forces out of balance by more than this share of the load make a solve useless: the next step could not tell the error
-/// from a load. Well above round-off of a sound system (1e-12 … 1e-9), well below what engineering asks.
+/// Forces out of balance by more than this share of the load make a solve useless: the next step could not tell the
+/// error from a load. Well above round-off of a sound system (1e-12 … 1e-9), well below what engineering asks.
 inline constexpr double kUselessResidual = 1e-6;
 
 /// Where the iteration stands within its step and its run.

@@ -17,8 +17,8 @@ struct Misfit {
 };
 Misfit misfit(const Contacts& contacts);
 
-/// Greatest penetration of the closed contacts over the size of the smaller element, that is the largest distance of its
-/// vertices from its centroid; ≥ 0.
+/// Greatest penetration of the closed contacts over the size of the smaller element, that is the largest distance of
+/// its vertices from its centroid; ≥ 0.
 double penetration_share(const Contacts& contacts, const Model& model, const State& state);
 
 /// The adapted stiffness, and whether penetration was so deep that the step must be redone with it

@@ -11,8 +11,8 @@
 namespace keyblock {
 namespace {
 
-// What the Berkeley engine has in its material slots 8 to 10: stress gradient and start velocity (legacy-rules 7.5, 16.1). Which values
-// those are depends on the dialect of the file.
+// What the Berkeley engine has in its material slots 8 to 10: stress gradient and start velocity (legacy-rules 7.5,
+// 16.1). Which values those are depends on the dialect of the file.
 Velocity slots_8_to_10(const BlockMaterial& material, const BerkeleyQuirks& quirks) {
   if (quirks.ddaml_slots) return material.initial_velocity;
   return {material.stress_gradient.xx, material.stress_gradient.yy, material.stress_gradient.xy};

@@ -7,8 +7,8 @@
 namespace keyblock {
 
 /// Block materials and joint materials out of range are taken as the nearest one that exists (the check of
-/// the problem warns of them). Horizontal body forces of manifold files act on no block. Loads are given to loading points in order;
-/// points beyond the curves carry none.
+/// the problem warns of them). Horizontal body forces of manifold files act on no block. Loads are given to loading
+/// points in order; points beyond the curves carry none.
 Model model_from_blocks(const Blocks& blocks, const Analysis& analysis);
 
 /// A bolt of the blocks between the elements that hold its ends.

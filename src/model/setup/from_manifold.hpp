@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// Elements keep their numbers and their covers', vertices are their corners. No element has unknowns yet. Materials out of
-/// range, and loads beyond the curves, as with blocks.
+/// Elements keep their numbers and their covers', vertices are their corners. No element has unknowns yet. Materials
+/// out of range, and loads beyond the curves, as with blocks.
 Model model_from_manifold(const Manifold& manifold, const ElementPoints& points, const Analysis& analysis);
 
 }  // namespace keyblock

@@ -6,8 +6,8 @@
 
 namespace keyblock {
 
-/// The elements of `bodies` behind those of `blocks`, all numbers moved on; materials are those of `blocks`. Points and bolts of
-/// `blocks` come first, then those of `bodies`.
+/// The elements of `bodies` behind those of `blocks`, all numbers moved on; materials are those of `blocks`. Points and
+/// bolts of `blocks` come first, then those of `bodies`.
 Model joined(Model blocks, const Model& bodies);
 
 }  // namespace keyblock

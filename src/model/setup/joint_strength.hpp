@@ -6,8 +6,8 @@
 
 namespace keyblock {
 
-/// tan φ, cohesion and tensile strength of every joint material times `factor` ≥ 0. Under the factor 1 nothing changes, to the
-/// bit.
+/// tan φ, cohesion and tensile strength of every joint material times `factor` ≥ 0. Under the factor 1 nothing changes,
+/// to the bit.
 Model with_joint_strength(Model model, double factor);
 
 }  // namespace keyblock

@@ -44,8 +44,8 @@ struct Requirements {
   bool has(TermKind term) const;
 };
 
-/// The plan of a run, in the order of the theory. `why_enforcement` says why contact forces come about as they do, where that
-/// was not asked for.
+/// The plan of a run, in the order of the theory. `why_enforcement` says why contact forces come about as they do,
+/// where that was not asked for.
 Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement = {});
 
 }  // namespace keyblock

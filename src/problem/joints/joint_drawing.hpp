@@ -26,8 +26,8 @@ struct JointScene {
 /// The parts of a segment inside the outer loop and outside every other loop, in order.
 std::vector<Segment> clipped(const Segment& segment, const std::vector<Outline>& loops);
 
-/// Boundary lines around outline and tunnels, the traces of every set between them, a hole point in every tunnel. Throws
-/// InputError where a tunnel leaves the outline or meets another.
+/// Boundary lines around outline and tunnels, the traces of every set between them, a hole point in every tunnel.
+/// Throws InputError where a tunnel leaves the outline or meets another.
 Drawing drawing_of(const JointScene& scene);
 
 }  // namespace keyblock

@@ -28,8 +28,9 @@ struct JointSet {
 /// More traces than these no run could cut.
 inline constexpr std::size_t kMostTraces = 1000000;
 
-/// The traces of a set around `centre`, drawn over a circle of twice the radius `reach`, so that turned traces enter from
-/// outside as well. Rows and traces begin at random before the circle. Throws InputError for more than kMostTraces.
+/// The traces of a set around `centre`, drawn over a circle of twice the radius `reach`, so that turned traces enter
+/// from outside as well. Rows and traces begin at random before the circle. Throws InputError for more than
+/// kMostTraces.
 std::vector<Segment> traces(const JointSet& set, Point centre, double reach);
 
 }  // namespace keyblock

@@ -24,8 +24,8 @@ class RandomStream {
 
 enum class Distribution { normal, lognormal, exponential };
 
-/// `scatter` is the standard deviation over the mean, 0 to 1; 0 gives the mean itself. The exponential law has a scatter
-/// of 1 whatever is said.
+/// `scatter` is the standard deviation over the mean, 0 to 1; 0 gives the mean itself. The exponential law has a
+/// scatter of 1 whatever is said.
 struct RandomLength {
   double mean = 0;
   double scatter = 0;

@@ -36,7 +36,8 @@ std::vector<Point> thinned(const std::vector<Point>& points) {
   return some;
 }
 
-/// The line as the eye sees it: of each of some thousand stretches the first, the lowest, the highest and the last point.
+/// The line as the eye sees it: of each of some thousand stretches the first, the lowest, the highest and the last
+/// point.
 std::vector<Point> condensed(const std::vector<Point>& points) {
   if (points.size() <= 4 * kStretches) return points;
   std::vector<Point> line;

@@ -26,8 +26,8 @@ inline constexpr double kGreatestDrawn = 1e300;
 /// About `wanted` intervals from at or below `low` to at or above `high`, both cut to `kGreatestDrawn`.
 Axis make_axis(double low, double high, int wanted);
 
-/// The same for an axis of powers of ten, of values > 0: ticks are logarithms, at decades, or at 1, 2 and 5 of each where there
-/// are fewer than three; labels the values.
+/// The same for an axis of powers of ten, of values > 0: ticks are logarithms, at decades, or at 1, 2 and 5 of each
+/// where there are fewer than three; labels the values.
 Axis make_log_axis(double low, double high);
 
 }  // namespace keyblock::report

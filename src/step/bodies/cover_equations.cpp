@@ -54,7 +54,8 @@ void CoverEquations::linearise(const Eigen::VectorXd& increment) {
   factor_weights_ = weights_;
 }
 
-// Inertia is multiplied out after its sum is taken: what a steady motion has of it cancels in the sum, not in the forces.
+// Inertia is multiplied out after its sum is taken: what a steady motion has of it cancels in the sum, not in the
+// forces.
 void CoverEquations::evaluate(const Eigen::VectorXd& increment) {
   increment_ = increment;
   const Eigen::VectorXd end = start_ + increment;

@@ -1,4 +1,5 @@
-// The equations of one step of bodies on covers, linearised about an estimate: what a contact solver drives, as step_equations for a block.
+// The equations of one step of bodies on covers, linearised about an estimate: what a contact solver drives, as
+// step_equations for a block.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,18 +19,19 @@ struct CoverMotion {
 };
 
 /// r(Δq) = M inertia + a M damping + f(q0, q0 + Δq; θ + b/dt) + ghost_force(q0, q0 + Δq; θ) + H (q0 + θ Δq) - F,
-/// the sums and θ = rule.stiffness as StepRule has them; a, b of CoverDamping, where b takes the mean rate of strain over the step
-/// whatever the rule. In the step with contact
+/// the sums and θ = rule.stiffness as StepRule has them; a, b of CoverDamping, where b takes the mean rate of strain
+/// over the step whatever the rule. In the step with contact
 ///     Δq = free_increment + A⁻¹ Jᵀ λ,   A = ∂r/∂Δq made symmetric (CoverElasticity::add_tangent),
-/// solved again from linearise(Δq) until Δq stays: the residual is exact, A need not be. The end of the step is end(Δq).
-/// One object serves all steps of a run; the bodies must outlive it. The order of elimination is found once.
+/// solved again from linearise(Δq) until Δq stays: the residual is exact, A need not be. The end of the step is
+/// end(Δq). One object serves all steps of a run; the bodies must outlive it. The order of elimination is found once.
 class CoverEquations {
  public:
   explicit CoverEquations(const ElasticBodies& bodies);
 
   const ElasticBodies& bodies() const { return bodies_; }
 
-  /// A new step. `load` F: all forces on the unknowns besides those above, ElasticBodies::supports.load() included where its loads act.
+  /// A new step. `load` F: all forces on the unknowns besides those above, ElasticBodies::supports.load() included
+  /// where its loads act.
   void begin(const CoverMotion& start, const Eigen::VectorXd& load, const StepRule& rule, double dt);
 
   /// Residual and factor at Δq = `increment`. Throws NotPositiveDefinite.
@@ -52,8 +54,8 @@ class CoverEquations {
   /// Velocity and acceleration at the end: known part and the rule's share of Δq.
   const Eigen::VectorXd& known_velocity() const { return known_velocity_; }
   const Eigen::VectorXd& known_acceleration() const { return known_acceleration_; }
-  /// Of functions that depend on each other, the velocities that move nothing are taken out: a step would carry their round-off on to the
-  /// next, where it grows.
+  /// Of functions that depend on each other, the velocities that move nothing are taken out: a step would carry their
+  /// round-off on to the next, where it grows.
   CoverMotion end(const Eigen::VectorXd& increment) const;
 
  private:

@@ -13,13 +13,15 @@ namespace {
 
 constexpr int kMostRounds = 30;
 constexpr double kSolved = 1e-13;
-// Corrections no longer fall: at round-off where they are this small beside the unknowns; otherwise Newton's method has failed.
+// Corrections no longer fall: at round-off where they are this small beside the unknowns; otherwise Newton's method has
+// failed.
 constexpr double kRoundOff = 1e-9;
-// A factor costs some five forces: it is kept, from round to round and from step to step, as long as a round gains a digit and a half.
+// A factor costs some five forces: it is kept, from round to round and from step to step, as long as a round gains a
+// digit and a half.
 constexpr double kWorstGain = 0.03;
 
-/// Says when rounds end, from the corrections and the residuals they left. Corrections are measured by their displacements, of which
-/// unknowns that depend on each other have none.
+/// Says when rounds end, from the corrections and the residuals they left. Corrections are measured by their
+/// displacements, of which unknowns that depend on each other have none.
 class Rounds {
  public:
   explicit Rounds(const SparseSystem& mass) : mass_(mass) {}

@@ -14,8 +14,8 @@ struct ElasticStep {
   bool is_solved = false;
 };
 
-/// From `start` under `load` (CoverEquations::begin). Where is_solved is false, `end` is what 30 rounds left: a shorter step is the
-/// remedy. Throws NotPositiveDefinite.
+/// From `start` under `load` (CoverEquations::begin). Where is_solved is false, `end` is what 30 rounds left: a shorter
+/// step is the remedy. Throws NotPositiveDefinite.
 ElasticStep cover_step(CoverEquations& equations, const CoverMotion& start, const Eigen::VectorXd& load,
                        const StepRule& rule, double dt);
 

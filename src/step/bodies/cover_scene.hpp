@@ -1,4 +1,5 @@
-// Bodies on covers as the steps of Dynamics::standard see them: what loads them, how they answer, what they do as a whole.
+// Bodies on covers as the steps of Dynamics::standard see them: what loads them, how they answer, what they do as a
+// whole.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -35,8 +36,8 @@ class CoverScene {
   const WholeBody& body_at_start(ElementIndex e) const;
   const std::vector<WholeBody>& at_start() const { return at_start_; }
   double size() const { return size_; }  ///< of the largest body
-  /// Of a wave of stretching through the largest body, √(E/ρ) over its size, the least of the materials: about that of the
-  /// first mode of a stout body.
+  /// Of a wave of stretching through the largest body, √(E/ρ) over its size, the least of the materials: about that of
+  /// the first mode of a stout body.
   double slow_frequency() const { return slow_frequency_; }
 
   /// The initial velocities of the materials, as rigid motions about the mass centres.

@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// a of a damping force a M v; b of a stress b D Ė against the rate of the Green strain, b K v at the start. It is objective: a turning
-/// body is not damped, as it would be by a fixed b K.
+/// a of a damping force a M v; b of a stress b D Ė against the rate of the Green strain, b K v at the start. It is
+/// objective: a turning body is not damped, as it would be by a fixed b K.
 struct CoverDamping {
   std::vector<double> mass;       ///< a of each body, 1 / time; empty: none is damped so
   std::vector<double> stiffness;  ///< b of each body, time; empty: none
@@ -25,9 +25,10 @@ struct ElasticBodies {
   std::vector<double> stiffness_damping;  ///< b of each element; empty where all are 0
   SparseSystem
       ghost;  ///< G, a force after `ghost_force`: it vanishes for every affine d, so that rigid motion stays free
-  /// H: Nitsche's terms of prescribed displacements and point springs, a force H d whatever the motion. Nitsche's terms take stress and normal
-  /// of the boundary as at the start: a held part may not turn by more than a strain. Its load: body force, tractions, point forces and
-  /// what prescribed displacements other than 0 need, all in directions and sizes of the start.
+  /// H: Nitsche's terms of prescribed displacements and point springs, a force H d whatever the motion. Nitsche's terms
+  /// take stress and normal of the boundary as at the start: a held part may not turn by more than a strain. Its load:
+  /// body force, tractions, point forces and what prescribed displacements other than 0 need, all in directions and
+  /// sizes of the start.
   SparseSystem supports;
   CoverRigidMotion rigid;
 
@@ -35,7 +36,8 @@ struct ElasticBodies {
 
   const CoverBasis& basis() const { return elasticity.basis(); }
   int unknown_count() const { return 2 * basis().function_count(); }
-  /// What resists the way from d0 to d1 at the weight θ: elastic force, with θ + `more`[e] in element e, ghost_force, and H (d0 + θ (d1 - d0)).
+  /// What resists the way from d0 to d1 at the weight θ: elastic force, with θ + `more`[e] in element e, ghost_force,
+  /// and H (d0 + θ (d1 - d0)).
   Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta,
                         std::span<const double> more = {}) const;
   /// At rest: the gradient of the energy.

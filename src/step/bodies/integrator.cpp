@@ -8,7 +8,8 @@
 namespace keyblock {
 namespace {
 
-// Without inertia forces are judged as over a step of 30 over the slowest frequency of a body: nearly elastic, not quite free.
+// Without inertia forces are judged as over a step of 30 over the slowest frequency of a body: nearly elastic, not
+// quite free.
 constexpr double kJudging = 1.0 / 900;
 
 StepSum scaled(const StepSum& sum, double by) {

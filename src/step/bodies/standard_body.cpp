@@ -16,9 +16,9 @@
 namespace keyblock {
 namespace {
 
-// An undamped block in steady sliding is unstable above φ of about 20 degrees: eigenvalues of q̈ = −M⁻¹K q + M⁻¹H S⁻¹ Gₙ M⁻¹K q of a
-// square on two sliding corners, H = Gₙᵀ − μ Gₜᵀ, S = Gₙ M⁻¹ H, grow by up to 0.13 ω₁ at 45 degrees. With
-// β + (θf − ½) dt ≥ 2/ω₁ its slowest strain mode is damped critically, twice what 45 degrees needs.
+// An undamped block in steady sliding is unstable above φ of about 20 degrees: eigenvalues of q̈ = −M⁻¹K q + M⁻¹H S⁻¹
+// Gₙ M⁻¹K q of a square on two sliding corners, H = Gₙᵀ − μ Gₜᵀ, S = Gₙ M⁻¹ H, grow by up to 0.13 ω₁ at 45 degrees.
+// With β + (θf − ½) dt ≥ 2/ω₁ its slowest strain mode is damped critically, twice what 45 degrees needs.
 constexpr double kDampingOverPeriod = 2;
 
 UnknownBlock rigid_inverse(const UnknownBlock& mass) {

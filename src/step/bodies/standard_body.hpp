@@ -11,8 +11,8 @@ namespace keyblock {
 inline constexpr int kRigidUnknowns = 3;
 inline constexpr int kMostStrains = kMostUnknowns - kRigidUnknowns;
 
-/// Mass and stiffness do not change with the motion: rotation is an unknown of its own and strain is measured in the block
-/// frame (terms of order ω² ε are left out).
+/// Mass and stiffness do not change with the motion: rotation is an unknown of its own and strain is measured in the
+/// block frame (terms of order ω² ε are left out).
 struct Body {
   using Stiffness = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostStrains, kMostStrains>;
 

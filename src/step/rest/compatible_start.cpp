@@ -107,7 +107,8 @@ class Settling {
     rows_.insert(rows_.end(), of_points.begin(), of_points.end());
   }
 
-  // Velocities after one step of free acceleration stand for g̈, so that a block that slides already keeps its direction.
+  // Velocities after one step of free acceleration stand for g̈, so that a block that slides already keeps its
+  // direction.
   void find_forces() {
     const double dt = scene_.settings.time_step;
     forces_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
@@ -138,8 +139,8 @@ class Settling {
     }
   }
 
-  // Bolts that the loads stretch, where contacts and the pretension do not suffice. A bolt whose pretension pulls its ends together does
-  // so; a constant force stays as it is.
+  // Bolts that the loads stretch, where contacts and the pretension do not suffice. A bolt whose pretension pulls its
+  // ends together does so; a constant force stays as it is.
   bool stretch_bolts() {
     if (scene_.model.bolts.empty()) return false;
     const Eigen::VectorXd longer = rates(bolt_rows(scene_.model, scene_.reference, motion_.q), acceleration_);
@@ -188,9 +189,9 @@ class Settling {
     return motion_.bonds.size() < before;
   }
 
-  // Forces of rigid blocks are not unique where more touches carry than statics needs. Those of elastic blocks are: the ones
-  // under which blocks loaded by f − M a strain and shift until the gaps are met (inertia relief), sliding touches sliding
-  // on. Rigid motion is kept finite by a mass over a long time squared.
+  // Forces of rigid blocks are not unique where more touches carry than statics needs. Those of elastic blocks are: the
+  // ones under which blocks loaded by f − M a strain and shift until the gaps are met (inertia relief), sliding touches
+  // sliding on. Rigid motion is kept finite by a mass over a long time squared.
   void distribute() {
     if (rows_.empty()) return;
     double softest = scene_.normal_stiffness();
@@ -245,9 +246,9 @@ class Settling {
     }
   }
 
-  // Touches that carry get the gap of their force; the others are only kept from overlapping, or their springs would kick.
-  // Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of pushes that
-  // would close a gap by a large shift only to the elastic contact.
+  // Touches that carry get the gap of their force; the others are only kept from overlapping, or their springs would
+  // kick. Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of
+  // pushes that would close a gap by a large shift only to the elastic contact.
   void shift() {
     const Table<ElementIndex, UnknownBlock> yielding = counted_as(kLightest);
     FrictionalProblem problem{ContactMatrix(rows_, {yielding}), Eigen::VectorXd::Zero(forces_.size()), {}, 0, 0, {}};
@@ -277,8 +278,8 @@ class Settling {
       if (by[e].size() > 0) greatest_shift_ = std::max(greatest_shift_, by[e].head<2>().norm());
   }
 
-  // Beside what a block of a millionth of their mass yields, what two heavy blocks do to each other is round-off. Which of two a shift moves is
-  // open, and by which of them a force is judged: light ones count as a share of the heaviest.
+  // Beside what a block of a millionth of their mass yields, what two heavy blocks do to each other is round-off. Which
+  // of two a shift moves is open, and by which of them a force is judged: light ones count as a share of the heaviest.
   Table<ElementIndex, UnknownBlock> counted_as(double share) const {
     Table<ElementIndex, UnknownBlock> blocks = rigid_;
     for (ElementIndex e : indices(blocks))
@@ -310,7 +311,8 @@ class Settling {
     return sum;
   }
 
-  // Whether forces that elasticity distributed still give the accelerations, where bolts are among them: contacts have their gaps for that.
+  // Whether forces that elasticity distributed still give the accelerations, where bolts are among them: contacts have
+  // their gaps for that.
   bool balances() const {
     if (bolts_.empty()) return true;
     const UnknownsTable made = plus(product(rigid_, loads_), 1, answer(rows_, {rigid_}, forces_));

@@ -17,9 +17,9 @@ struct CompatibleStart {
 };
 
 /// (a) rigid accelerations and contact forces from 0 ≤ g̈ ⊥ λn ≥ 0 with Coulomb friction; (b) strains from
-/// K ε = f_ε + G_εᵀ λ − M_εr a_r; (c) blocks shifted until closed gaps are 0, or −λn/p with springs; (d) the slip of the
-/// springs. Bolts that the loads would stretch at once take part in all three: they pull what contacts and pretension do not bear.
-/// It serves blocks that will slide or topple at once, which settling in time cannot.
+/// K ε = f_ε + G_εᵀ λ − M_εr a_r; (c) blocks shifted until closed gaps are 0, or −λn/p with springs; (d) the slip of
+/// the springs. Bolts that the loads would stretch at once take part in all three: they pull what contacts and
+/// pretension do not bear. It serves blocks that will slide or topple at once, which settling in time cannot.
 /// In masses of wedged blocks (a) is one answer of many and (c) may not be possible with small shifts: then it fails.
 CompatibleStart compatible(const StandardScene& scene, Motion motion);
 

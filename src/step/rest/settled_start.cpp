@@ -17,14 +17,14 @@
 namespace keyblock {
 namespace {
 
-// Stiffness of the contacts over what keeps parts that nothing holds from being free, as a share of their mass: the slowest mode of a mass
-// a thousand blocks high has a millionth of the stiffness of a contact, and should not feel it.
+// Stiffness of the contacts over what keeps parts that nothing holds from being free, as a share of their mass: the
+// slowest mode of a mass a thousand blocks high has a millionth of the stiffness of a contact, and should not feel it.
 constexpr double kHeldByNothing = 1e10;
 // Compliance of held points over that of a contact.
 constexpr double kRigid = 1e-4;
-// Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue: a free block moves by half that times
-// its weight over the contact stiffness in each. It grows from step to step while nothing moves farther than a share of block size: what
-// the glue bore across many blocks finds its way in long steps only.
+// Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue: a free block moves
+// by half that times its weight over the contact stiffness in each. It grows from step to step while nothing moves
+// farther than a share of block size: what the glue bore across many blocks finds its way in long steps only.
 constexpr double kShortest = 16;
 constexpr double kLongest = 4096;
 constexpr double kGrowth = 4;
@@ -144,7 +144,8 @@ class Settling {
     return farthest;
   }
 
-  // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past each other.
+  // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past
+  // each other.
   Touches overlapping_at(const UnknownsTable& q, const Motion& before) const {
     return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_);
   }

@@ -18,8 +18,8 @@
 namespace keyblock {
 namespace {
 
-// Residual of the contact forces over the largest load, to reach and to be content with at the end; on the way a share of what
-// is out of balance does, as for any inexact proximal point.
+// Residual of the contact forces over the largest load, to reach and to be content with at the end; on the way a share
+// of what is out of balance does, as for any inexact proximal point.
 constexpr double kForceGoal = 1e-10;
 constexpr double kForceAcceptable = 1e-9;
 constexpr double kForceOnTheWay = 1e-6;
@@ -31,10 +31,12 @@ constexpr double kGrowthAfterCut = 1.2;  // once contact forces did not settle u
 // Longest τ times the slowest frequency of a block: what is left of an elastic error after one iteration is its square
 // inverse, where blocks bend as a whole more by as much as that is slower.
 constexpr double kLongest = 3e3;
-// Where a body does not strain, forces are judged by its rigid motion, and a longer τ would let springs and gaps go unjudged.
+// Where a body does not strain, forces are judged by its rigid motion, and a longer τ would let springs and gaps go
+// unjudged.
 constexpr double kLongestOfRigid = 30;
-// Loads that turn with a block are not part of the linearisation: a τ beyond what they allow throws a hanging block over its rest,
-// further each time. Where blocks turn back and more is out of balance than before, τ stays below a share of the one that did it.
+// Loads that turn with a block are not part of the linearisation: a τ beyond what they allow throws a hanging block
+// over its rest, further each time. Where blocks turn back and more is out of balance than before, τ stays below a
+// share of the one that did it.
 constexpr double kAfterRise = 0.5;
 constexpr double kRaised = 1.2;  // in each iteration without such a turn
 constexpr int kLook = 10;        // iterations between two looks at what is out of balance
@@ -132,8 +134,8 @@ class StaticSolve {
     tau_ = std::min(tau_, bound_);
   }
 
-  // Every few iterations: where forces out of balance fall no more, they may be as small as contact forces can be told; if not,
-  // a longer τ moves what is slow, or shows what accelerates.
+  // Every few iterations: where forces out of balance fall no more, they may be as small as contact forces can be told;
+  // if not, a longer τ moves what is slow, or shows what accelerates.
   bool settles_for_less() {
     if (++since_look_ < kLook) return false;
     since_look_ = 0;

@@ -32,24 +32,24 @@ Touches without_springs(const StandardScene& scene, Touches touches);
 /// What a touch with this law remembers of its forces: its springs are as long as they ask for.
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential);
 
-/// The same after a step in which its point slipped by `slip`, `before` it or nothing. A spring that sticks is longer by all of that: its
-/// force in the step is that of the velocity at the end, whose sum over the steps is another way wherever velocities are changed
-/// between steps, and would wind springs up.
+/// The same after a step in which its point slipped by `slip`, `before` it or nothing. A spring that sticks is longer
+/// by all of that: its force in the step is that of the velocity at the end, whose sum over the steps is another way
+/// wherever velocities are changed between steps, and would wind springs up.
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential, double slip,
                         const ContactMemory* before);
 
 /// Whether a tangential force is below what friction or a bond holds, by more than round-off.
 bool sticks(const ContactLaw& law, double normal, double tangential);
 
-/// λn ≥ −T l and no slip for bonded touches, with l the length that the touch stands for; Coulomb for the others. The shear of
-/// bonds is judged by `sheared_bonds`. A spring stands for the share of its stretch: both ends of a stretch have the contact
-/// stiffness p each, three points 2p by Lobatto's weights.
+/// λn ≥ −T l and no slip for bonded touches, with l the length that the touch stands for; Coulomb for the others. The
+/// shear of bonds is judged by `sheared_bonds`. A spring stands for the share of its stretch: both ends of a stretch
+/// have the contact stiffness p each, three points 2p by Lobatto's weights.
 ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch);
 
 /// The bonds between edges whose shear is beyond Mohr and Coulomb's limit by more than `tolerance`,
 ///     |Σ λt| > Σ (c l + λn tan φ),
-/// summed over the bonds of a pair of edges: how two elastic blocks share a force among the points of one face is no matter of
-/// the strength of that face (limit equilibrium of a joint, Hoek & Bray 1981).
+/// summed over the bonds of a pair of edges: how two elastic blocks share a force among the points of one face is no
+/// matter of the strength of that face (limit equilibrium of a joint, Hoek & Bray 1981).
 std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
                                   const Eigen::VectorXd& forces, double tolerance);
 

@@ -20,8 +20,9 @@ struct ContactMemory {
   double normal_compliance = 0;  ///< of the spring, 0 of a multiplier
   double tangential_compliance = 0;
   double normal_at_end = 0;  ///< force of the spring at the end of the step: not `normal` where that acts at its middle
-  /// Of the normal spring at the end of the step, by the gap: more than the force makes of it where the surfaces came to rest within the
-  /// step. The next step pushes that out; no energy is held by it, nor by what a point slipped while it came to rest.
+  /// Of the normal spring at the end of the step, by the gap: more than the force makes of it where the surfaces came
+  /// to rest within the step. The next step pushes that out; no energy is held by it, nor by what a point slipped while
+  /// it came to rest.
   double compression = 0;
 
   /// Held by the springs.
@@ -35,12 +36,13 @@ struct ClosedContact {
   ContactMemory memory;
 };
 
-/// Closed contacts by the name of their touch. Where the line of reference has passed from one of two facing edges to the
-/// other, the touch at the same end of the stretch inherits: gap and slip keep their signs.
+/// Closed contacts by the name of their touch. Where the line of reference has passed from one of two facing edges to
+/// the other, the touch at the same end of the stretch inherits: gap and slip keep their signs.
 class ClosedContacts {
  public:
   ClosedContacts() = default;
-  /// In any order. Of several on one touch the last one counts, of several on one facing that of the last touch by name.
+  /// In any order. Of several on one touch the last one counts, of several on one facing that of the last touch by
+  /// name.
   explicit ClosedContacts(std::vector<ClosedContact> contacts);
 
   /// None for a contact that was open.

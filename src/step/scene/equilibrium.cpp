@@ -1,4 +1,5 @@
-// Forces out of balance are what would accelerate a block: M times the balanced acceleration of a motion without velocity.
+// Forces out of balance are what would accelerate a block: M times the balanced acceleration of a motion without
+// velocity.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/equilibrium.hpp"
 
@@ -19,8 +20,8 @@ constexpr double kBalanced = 1e-8;
 // Way of a held point from where it is wanted, over the size of its block: above what steps settle increments to.
 constexpr double kInPlace = 1e-9;
 
-// A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from its place
-// than its own size.
+// A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from
+// its place than its own size.
 bool is_held(const StandardScene& scene, ElementIndex e) {
   if (scene.reference.is_on_covers(e) && scene.covers->has_supports()) return true;
   const CarriedPoint* first = nullptr;

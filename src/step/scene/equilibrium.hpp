@@ -16,19 +16,19 @@ struct Balance {
   bool holds() const { return blocks.empty() && holds_points; }
 };
 
-/// Of loads, stress and the remembered contact forces at `time`; velocities count for nothing. Moments and strain forces
-/// are taken over the size of the block. The largest load counts as no smaller than `least_load`.
+/// Of loads, stress and the remembered contact forces at `time`; velocities count for nothing. Moments and strain
+/// forces are taken over the size of the block. The largest load counts as no smaller than `least_load`.
 Balance balance_of(const StandardScene& scene, const Motion& motion, double time, double least_load = 0);
 
-/// Largest force that brings a block within dt to where its held points are driven to by `time`; 0 where they are there. It
-/// stands for the load in scenes without one.
+/// Largest force that brings a block within dt to where its held points are driven to by `time`; 0 where they are
+/// there. It stands for the load in scenes without one.
 double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt);
 
 /// The largest load, or force of the initial stress, on a block.
 double largest_load(const StandardScene& scene, const UnknownsTable& loads);
 
-/// Greatest way of a vertex between two motions over the size of its block, and the blocks that came further than their own
-/// size, unless two points hold them: an equilibrium so far away is another one.
+/// Greatest way of a vertex between two motions over the size of its block, and the blocks that came further than their
+/// own size, unless two points hold them: an equilibrium so far away is another one.
 struct Travel {
   double share = 0;
   std::vector<ElementIndex> far;

@@ -50,11 +50,13 @@ struct Motion {
 
 Motion start_motion(const StandardScene& scene);
 
-/// Adds what the spin of a block stretches it by, seen from its own turning frame: d'Alembert's force ρ ω² r over the strain modes
-/// u = ε r is ω² M ε with the unit strains εx = εy = 1. A bar of length L that spins about its middle has the mean stress ρ ω² L²/12.
+/// Adds what the spin of a block stretches it by, seen from its own turning frame: d'Alembert's force ρ ω² r over the
+/// strain modes u = ε r is ω² M ε with the unit strains εx = εy = 1. A bar of length L that spins about its middle has
+/// the mean stress ρ ω² L²/12.
 void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, UnknownsTable& loads);
 
-/// The scene's share of weight, given acceleration, point loads and bolts of constant force on the unknowns, at `time` and in the configuration q.
+/// The scene's share of weight, given acceleration, point loads and bolts of constant force on the unknowns, at `time`
+/// and in the configuration q.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
 
 /// Largest force on a block, and largest acceleration it gives a free block.
@@ -67,8 +69,8 @@ struct Scales {
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,
                  const UnknownsTable& v);
 
-/// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of free
-/// acceleration would give.
+/// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of
+/// free acceleration would give.
 double slow_speed(const Scales& scales, const UnknownsTable& v, double dt);
 
 }  // namespace keyblock

@@ -10,10 +10,10 @@
 
 namespace keyblock {
 
-/// The springs among the bolts that are not broken, then the held points, each a pair of forces. A bolt is a spring along its direction
-/// with the force f = pretension + stiffness × elongation; over a step it has λ = −((1−θ) f0 + θ f1) ≥ −strength, with the weight θ of
-/// the elastic force, 1/2 for the mean of both ends that keeps its energy (Simo, Tarnow & Wong 1992). A point is held in x and y where
-/// its motion wants it at the end of the step.
+/// The springs among the bolts that are not broken, then the held points, each a pair of forces. A bolt is a spring
+/// along its direction with the force f = pretension + stiffness × elongation; over a step it has λ = −((1−θ) f0 + θ
+/// f1) ≥ −strength, with the weight θ of the elastic force, 1/2 for the mean of both ends that keeps its energy (Simo,
+/// Tarnow & Wong 1992). A point is held in x and y where its motion wants it at the end of the step.
 class StepTies {
  public:
   StepTies(const StandardScene& scene, const Motion& start, double time, double dt, double weight = 1);
@@ -30,7 +30,8 @@ class StepTies {
   double compliance(std::size_t tie) const;
   ForceLaw law(std::size_t tie) const;
 
-  /// What would be left between the ties and where they want to be at q without further force: 2i normal, 2i + 1 across.
+  /// What would be left between the ties and where they want to be at q without further force: 2i normal, 2i + 1
+  /// across.
   Eigen::VectorXd gaps(const UnknownsTable& q) const;
 
   /// Force of a bolt after the step, its strength where it has broken.

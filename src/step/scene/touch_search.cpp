@@ -17,11 +17,12 @@ namespace {
 constexpr double kReachOverTravel = 2;
 // Touching blocks are within reach whatever the speed: round-off of file coordinates, as a share of block size.
 constexpr double kReachAtRest = 1e-6;
-// Overlap that a step may leave between corners it did not reckon with, as a share of block size: the next step sees it.
+// Overlap that a step may leave between corners it did not reckon with, as a share of block size: the next step sees
+// it.
 constexpr double kNewOverlap = 1e-9;
 
-// Overlap at the start of a step that it may push out, as a share of block size: round-off of coordinates far from the origin, and
-// what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
+// Overlap at the start of a step that it may push out, as a share of block size: round-off of coordinates far from the
+// origin, and what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
 constexpr double kPushedOut = 1e-7;
 
 // Cosine of the angle between two faces that carry a block as one: two and a half degrees.
@@ -42,8 +43,8 @@ double top_speed(const StandardScene& scene, const UnknownsTable& v) {
   return top;
 }
 
-// Neither what springs give, along the face too, nor what overlap closed contacts were left with is one between corners; twice the
-// greatest of an element is on the safe side, for what it meets next too. `vertices`: of the motion.
+// Neither what springs give, along the face too, nor what overlap closed contacts were left with is one between
+// corners; twice the greatest of an element is on the safe side, for what it meets next too. `vertices`: of the motion.
 TouchSearch search_of(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
                       double reach) {
   TouchSearch search{reach, {}, scene.has_springs() && scene.settings.standard.spring_points == SpringPoints::lobatto};
@@ -60,7 +61,8 @@ TouchSearch search_of(const StandardScene& scene, const Motion& motion, const Ta
   return search;
 }
 
-// Of the part of the edge where the foot of the point lies: vertices on a straight edge part it, and each part has its own.
+// Of the part of the edge where the foot of the point lies: vertices on a straight edge part it, and each part has its
+// own.
 int joint_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices) {
   VertexIndex part = model.vertices[touch.start].next;
   const Point along = vertices[touch.end] - vertices[touch.start];
@@ -112,7 +114,8 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   std::set<Touch> added;
   bool is_sorted = false;  // few steps have a touch to look up
   std::vector<Facing> facings;
-  // New by name; a bonded touch also at the same end of the same two faces, where the other edge leads now: its bond is counted.
+  // New by name; a bonded touch also at the same end of the same two faces, where the other edge leads now: its bond is
+  // counted.
   const auto is_new = [&](const Touch& touch) {
     if (!std::exchange(is_sorted, true)) {
       std::ranges::sort(sorted);
@@ -151,8 +154,8 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
 
 namespace {
 
-// Compression of the spring that the corner of a touch had against another face on nearly one line with it, and has no more: a
-// block that slides on over the joint of two bases goes on as deep as it was, and nothing is gained by it.
+// Compression of the spring that the corner of a touch had against another face on nearly one line with it, and has no
+// more: a block that slides on over the joint of two bases goes on as deep as it was, and nothing is gained by it.
 double handed_on(const Motion& start, const Touch& touch, const Touches& present,
                  const Table<VertexIndex, Point>& vertices) {
   if (touch.kind != TouchKind::corner) return 0;

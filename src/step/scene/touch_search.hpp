@@ -6,18 +6,19 @@
 
 namespace keyblock {
 
-/// Pairs within reach of a step of `dt`, as touches. Ties of corners that were closed in the last step are touches still.
+/// Pairs within reach of a step of `dt`, as touches. Ties of corners that were closed in the last step are touches
+/// still.
 FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);
 
-/// Touches that overlap at the end of a motion to `vertices` by more than a named share of block size and are not in `known`:
-/// corners that came round, and ties that closed.
+/// Touches that overlap at the end of a motion to `vertices` by more than a named share of block size and are not in
+/// `known`: corners that came round, and ties that closed.
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
                           const FoundTouches& known, const Scales& scales);
 
-/// Names as the rest gap of each touch the overlap at the start of a step that no force answers for: corners that a jump or
-/// their neighbours pushed past each other. To push it out within a step would make velocity of it, the more the shorter the
-/// step. Round-off and what is left of a solution is pushed out; and all of it where springs stop impacts, whose forces follow
-/// the gap.
+/// Names as the rest gap of each touch the overlap at the start of a step that no force answers for: corners that a
+/// jump or their neighbours pushed past each other. To push it out within a step would make velocity of it, the more
+/// the shorter the step. Round-off and what is left of a solution is pushed out; and all of it where springs stop
+/// impacts, whose forces follow the gap.
 void leave_overlaps(const StandardScene& scene, const Motion& start, const Scales& scales, Touches& touches);
 
 /// Touches that are closed at the start, within a share of block size, and do not approach as an impact would.

@@ -15,10 +15,10 @@ struct ControlledStep {
 };
 
 /// From `time` to `time + interval`, beginning with a part of `first`; 0 lets the rule choose.
-/// Rule error: a part is made again if its error passes the tolerance. With a1 − a0 the change of acceleration in the part, its
-/// position is wrong by c dt² (a1 − a0), c of the rule (Zienkiewicz & Xie 1991), and by dt times the jump of
-/// its velocity, since an impact happens somewhere within. Rule shi: that of `next_step_size`, and a part that moves three
-/// times the allowed displacement is made again. Where contact cannot be solved the part is cut too.
+/// Rule error: a part is made again if its error passes the tolerance. With a1 − a0 the change of acceleration in the
+/// part, its position is wrong by c dt² (a1 − a0), c of the rule (Zienkiewicz & Xie 1991), and by dt times the jump of
+/// its velocity, since an impact happens somewhere within. Rule shi: that of `next_step_size`, and a part that moves
+/// three times the allowed displacement is made again. Where contact cannot be solved the part is cut too.
 ControlledStep controlled_step(const StandardScene& scene, const Motion& start, double time, double interval,
                                double first);
 

@@ -16,14 +16,14 @@
 namespace keyblock {
 namespace {
 
-// Overlap of this share of block size is round-off of a position; linearised passes get there in two or three. In assemblies what is left
-// is far below what the next step pushes out by itself.
+// Overlap of this share of block size is round-off of a position; linearised passes get there in two or three. In
+// assemblies what is left is far below what the next step pushes out by itself.
 constexpr double kNoOverlap = 1e-14;
 constexpr double kNoOverlapOfMany = 5e-11;
 constexpr int kMostPasses = 10;
-// Overlaps may lock each other, so that no push takes them all away. Which do is found with touches that yield this share of what
-// their blocks do, so soft that there is always a push: where it leaves more than the second share of an overlap, it is taken
-// for locked. A pair with room keeps a hundredth, a chain of ten a tenth.
+// Overlaps may lock each other, so that no push takes them all away. Which do is found with touches that yield this
+// share of what their blocks do, so soft that there is always a push: where it leaves more than the second share of an
+// overlap, it is taken for locked. A pair with room keeps a hundredth, a chain of ten a tenth.
 constexpr double kYield = 1e-2;
 constexpr double kLocked = 0.1;
 // In assemblies such soft pushes are all there are: each is settled to this share of the greatest overlap.
@@ -31,25 +31,28 @@ constexpr double kPushed = 1e-3;
 constexpr double kLeftToStep = 1e-7;  // of block size, which the next step pushes out by itself
 constexpr double kWorse = 1.1;
 constexpr int kMostSoftPasses = 5;
-// Among very many touches an impact moves all blocks that hang together by what its impulses are uncertain: pushed out in two passes but for
-// this. Deep overlaps, of blocks that fly into each other, lie far apart and are pushed out as they are.
+// Among very many touches an impact moves all blocks that hang together by what its impulses are uncertain: pushed out
+// in two passes but for this. Deep overlaps, of blocks that fly into each other, lie far apart and are pushed out as
+// they are.
 constexpr int kSoftPassesOfVeryMany = 2;
 constexpr double kLeftLate = 1e-4;  // of block size
 constexpr double kDeep = 1e-3;      // of block size
 // What yields so leaves a ten-thousandth of a push to the neighbours of the neighbours of the blocks that overlap.
 constexpr int kRings = 3;
-// Impulses are settled at this share of the largest momentum; a residual this much larger still counts where redundant ones keep it out
-// of reach.
+// Impulses are settled at this share of the largest momentum; a residual this much larger still counts where redundant
+// ones keep it out of reach.
 constexpr double kImpulseTolerance = 1e-13;
 constexpr double kLooser = 1e4;
-// In assemblies they are settled as well as forces are: to a millionth of the largest momentum or, where that is more, a hundredth of the
-// largest impulse that one impact alone would make. A pair that still approaches at this share of what counts as slow is left to the next step.
+// In assemblies they are settled as well as forces are: to a millionth of the largest momentum or, where that is more,
+// a hundredth of the largest impulse that one impact alone would make. A pair that still approaches at this share of
+// what counts as slow is left to the next step.
 constexpr double kImpulseToleranceOfMany = 1e-6;
 constexpr double kShareOfImpulse = 1e-2;
 constexpr double kShareOfSlow = 1e-2;
 constexpr int kMostSystems = 40;
 constexpr int kFewestSystems = 12;
-// Friction of what makes velocities vanish is taken from the round before: each leaves a share of friction times slenderness.
+// Friction of what makes velocities vanish is taken from the round before: each leaves a share of friction times
+// slenderness.
 constexpr int kMostFrictionRounds = 5;
 constexpr double kSmallest = 1e-300;  // a tolerance is never zero
 
@@ -92,8 +95,8 @@ std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, 
   return gaps;
 }
 
-// Rows of a touch, with the arms that its forces had `time` ago: both centroids and the point of contact then lay back along
-// their velocities. The directions stay. Bodies on covers keep the arms of the end of the step.
+// Rows of a touch, with the arms that its forces had `time` ago: both centroids and the point of contact then lay back
+// along their velocities. The directions stay. Bodies on covers keep the arms of the end of the step.
 void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& v, double time) {
   if (!normal.covers.empty()) return;
   const Unknowns& of_vertex = v[normal.vertex_element];
@@ -113,8 +116,8 @@ void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& 
   }
 }
 
-// Two entries a meeting. What answers them at once, closed touches and held points, takes the least of their times: more could
-// lift blocks out of reach of what they rest on.
+// Two entries a meeting. What answers them at once, closed touches and held points, takes the least of their times:
+// more could lift blocks out of reach of what they rest on.
 Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size) {
   const double least = std::ranges::min_element(meetings, {}, &Meeting::since)->since;
   Eigen::VectorXd times = Eigen::VectorXd::Constant(size, least);
@@ -205,8 +208,8 @@ class Separation {
         problem.w.add_to_diagonal(n, kYield * problem.w.diagonal()[n]);
   }
 
-  // In assemblies, where a block or two overlap among thousands that rest against each other in rings: these and their neighbours give way.
-  // What is left after a few passes is a rest gap of the next step. False where nothing is gained.
+  // In assemblies, where a block or two overlap among thousands that rest against each other in rings: these and their
+  // neighbours give way. What is left after a few passes is a rest gap of the next step. False where nothing is gained.
   bool push_softly(const std::vector<double>& room, const std::vector<std::size_t>& among) {
     const double before = std::ranges::min(room);
     Touches near;

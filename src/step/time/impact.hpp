@@ -37,38 +37,39 @@ struct Separated {
   int solves = 0;  ///< linear systems factorised
 };
 
-/// Velocities that an impulse makes. A block answers with its rigid mass: the corner of a deformable block sees a fraction of the mass,
-/// and the law at the corner would not give the block's restitution. A body on covers answers with what the instant can reach, the
-/// inertia of a step of it, M + θ dt² K: `step` is A⁻¹ of the step.
+/// Velocities that an impulse makes. A block answers with its rigid mass: the corner of a deformable block sees a
+/// fraction of the mass, and the law at the corner would not give the block's restitution. A body on covers answers
+/// with what the instant can reach, the inertia of a step of it, M + θ dt² K: `step` is A⁻¹ of the step.
 Flexibility impact_flexibility(const StandardScene& scene, const Flexibility& step, const StepRule& rule);
 
-/// Moves blocks along the gap rows with the inverse mass of an impact until no `impact` is beyond its rest gap, but for those that lock
-/// each other, and no `other` touch overlaps more than it did `before` the jump.
+/// Moves blocks along the gap rows with the inverse mass of an impact until no `impact` is beyond its rest gap, but for
+/// those that lock each other, and no `other` touch overlaps more than it did `before` the jump.
 Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& others,
                           const UnknownsTable& before, const Flexibility& flexibility);
 
 /// Newton's law with restitution e and Coulomb's cone on the impulses (Moreau 1988), where and when the surfaces met:
 ///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + B Gᵀ p,  q⁺ = q + B Gᵀ (since ∘ p),  B the flexibility of an impact.
-/// With the arms in G and the way since the meeting angular momentum is kept as linear is; a law at the end of the step loses
-/// it with the overlap. Closed touches take part without restitution; none approaches faster than before, and bonded ones go on as they
-/// do. Strain rates of blocks do not jump, nor are they seen: an impulse that makes rigid velocity of a strain rate creates energy.
-/// Among many touches those that approach at a share of the slow speed are left to the next step.
+/// With the arms in G and the way since the meeting angular momentum is kept as linear is; a law at the end of the step
+/// loses it with the overlap. Closed touches take part without restitution; none approaches faster than before, and
+/// bonded ones go on as they do. Strain rates of blocks do not jump, nor are they seen: an impulse that makes rigid
+/// velocity of a strain rate creates energy. Among many touches those that approach at a share of the slow speed are
+/// left to the next step.
 Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v, const Impacts& impacts,
                 const Flexibility& flexibility);
 
-/// Puts held points where their motion wants them at `time`: what impulses that did not settle leave of their offsets would be pulled back
-/// in the next step by any force.
+/// Puts held points where their motion wants them at `time`: what impulses that did not settle leave of their offsets
+/// would be pulled back in the next step by any force.
 UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, double time,
                                    const Flexibility& flexibility);
 
 /// Velocities without the strain rates of blocks.
 UnknownsTable rigid_part(UnknownsTable v);
 
-/// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in positions, and
-/// without this their rates would change sign each step. `flexibility` is that of the step, A⁻¹: what answers is the inertia that a step
-/// reaches, M + θ dt² K up to a factor, so that strains too stiff for the step are not struck by round-off of gaps.
-/// Where a contact slides, `slides` is its friction over its normal force, and so is that of the impulse: else what the impulses bear of
-/// the normal force would be without friction.
+/// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in
+/// positions, and without this their rates would change sign each step. `flexibility` is that of the step, A⁻¹: what
+/// answers is the inertia that a step reaches, M + θ dt² K up to a factor, so that strains too stiff for the step are
+/// not struck by round-off of gaps. Where a contact slides, `slides` is its friction over its normal force, and so is
+/// that of the impulse: else what the impulses bear of the normal force would be without friction.
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
                                    const Touches& closed, const std::vector<double>& slides, double time, double dt,
                                    const Flexibility& flexibility);

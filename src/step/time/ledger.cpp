@@ -56,8 +56,8 @@ Unknowns sum_of(const StepSum& sum, const Unknowns& increment, const Motion& sta
   return sum.increment * increment + sum.velocity * start.v[e] + sum.acceleration * start.a[e];
 }
 
-// pᵀ M Δv/dt + (dt v̄ + p)ᵀ M r of `account_of`, from velocities and accelerations alone: that they fit the increments is what the
-// closure checks.
+// pᵀ M Δv/dt + (dt v̄ + p)ᵀ M r of `account_of`, from velocities and accelerations alone: that they fit the increments
+// is what the closure checks.
 double inertia_loss(const Body& body, const StepTrail& trail, ElementIndex e) {
   const StepRule& rule = trail.rule;
   const Unknowns dv = trail.smooth.v[e] - trail.start.v[e];
@@ -192,8 +192,8 @@ class ContactFlow {
     flow_.algorithmic += compliance * (forces.normal - mean) * change;
   }
 
-  // What the slip does beyond the stretch of the spring is friction; a multiplier that sticks lets slip pass while its velocity
-  // comes to rest.
+  // What the slip does beyond the stretch of the spring is friction; a multiplier that sticks lets slip pass while its
+  // velocity comes to rest.
   void add_tangential(const Forces& forces, double slip) {
     const double compliance = forces.law.tangential_compliance;
     if (compliance == 0) {

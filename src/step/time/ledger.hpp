@@ -29,16 +29,17 @@ struct StepAccount {
   StepAccount& operator+=(const StepAccount& other);
 };
 
-/// Closes to round-off because Δqᵀ times the balance of the step (`StepRule`), M inertia + C damping + K (q0 + κ Δq) = F + Gᵀ λ, is
+/// Closes to round-off because Δqᵀ times the balance of the step (`StepRule`), M inertia + C damping + K (q0 + κ Δq) =
+/// F + Gᵀ λ, is
 ///     ΔT + ΔU + A + (κ−½) Δqᵀ K Δq + Δqᵀ C damping = F·Δq + λᵀ G Δq,
 ///     A = pᵀ M Δv/dt + (dt v̄ + p)ᵀ M r,   Δq = dt v̄ + p,   inertia = Δv/dt + r,   v̄ = (v0 + v1)/2,
-/// with p and r by the rule from the changes of velocity and acceleration: for the weights θv and θf the algorithmic loss is
-/// (θv−½) Δvᵀ M Δv + (θf−½) Δqᵀ K Δq.
-/// A contact of compliance c (0 for multipliers) whose spring has the force s at the ends of the step, and λ in it, has over
-/// the gap or slip y that λ works on
+/// with p and r by the rule from the changes of velocity and acceleration: for the weights θv and θf the algorithmic
+/// loss is (θv−½) Δvᵀ M Δv + (θf−½) Δqᵀ K Δq.
+/// A contact of compliance c (0 for multipliers) whose spring has the force s at the ends of the step, and λ in it, has
+/// over the gap or slip y that λ works on
 ///     −λ Δy = Δ(c s²/2) + c (λ − s̄) Δs − λ (Δy + c Δs),  s̄ the mean of both ends:
-/// stored, algorithmic, and what is left: closing of a gap, or friction. A point that stuck before and sticks still has no
-/// friction: its law asks for no velocity at the end of the step, and what slips meanwhile is creep.
+/// stored, algorithmic, and what is left: closing of a gap, or friction. A point that stuck before and sticks still has
+/// no friction: its law asks for no velocity at the end of the step, and what slips meanwhile is creep.
 StepAccount account_of(const StandardScene& scene, const StepTrail& trail);
 
 StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion);

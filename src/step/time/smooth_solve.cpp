@@ -22,26 +22,29 @@ namespace {
 
 // Increments that change by less than this share of block size are settled: a hundred times round-off of a position.
 constexpr double kSettled = 1e-12;
-// One to three rounds are usual. What still moves after the last one, by less than the second figure, is left as a gap error
-// of that size for the next step to close; more is a failure, unless the forces meet the gaps as the last round left them: a
-// light block moves far by what is nothing to a heavy one.
+// One to three rounds are usual. What still moves after the last one, by less than the second figure, is left as a gap
+// error of that size for the next step to close; more is a failure, unless the forces meet the gaps as the last round
+// left them: a light block moves far by what is nothing to a heavy one.
 constexpr int kMostRounds = 8;
 constexpr int kMostRoundsOfSprings = 30;  // whose law is not linear where they meet or part
 constexpr double kTolerable = 1e-6;
-// Rows and matrix are made anew about the first estimates, and where these moved by more than the second figure: directions of
-// forces are then as good as that, and gaps are those of the estimate itself in any case.
+// Rows and matrix are made anew about the first estimates, and where these moved by more than the second figure:
+// directions of forces are then as good as that, and gaps are those of the estimate itself in any case.
 constexpr int kMostRows = 2;
 constexpr double kSameRows = 1e-9;
-// In assemblies rows may be as wrong as forces are, and forces that meet the gaps of the last estimate within this many times their goal,
-// a hundred-thousandth of the heaviest load, are not sought again: what is left is a share of that size of the free fall of a step.
+// In assemblies rows may be as wrong as forces are, and forces that meet the gaps of the last estimate within this many
+// times their goal, a hundred-thousandth of the heaviest load, are not sought again: what is left is a share of that
+// size of the free fall of a step.
 constexpr double kSameRowsOfMany = 1e-5;
 constexpr double kGoalsOfEstimate = 10;
 constexpr double kOfLast = 2;
-// The matrix of bodies on covers is kept from round to round while a round leaves less than this share of the change before.
+// The matrix of bodies on covers is kept from round to round while a round leaves less than this share of the change
+// before.
 constexpr double kWorstGain = 0.03;
 // Gaps of this share of block size need not be closed further by forces without springs.
 constexpr double kGapTolerance = 1e-9;
-// Where nothing loads a scene, no load says what forces are small: round-off is these shares of what the gaps ask for one by one.
+// Where nothing loads a scene, no load says what forces are small: round-off is these shares of what the gaps ask for
+// one by one.
 constexpr double kRoundOff = 1e-14;
 constexpr double kFewRoundOffs = 1e-12;
 // Linear systems that a round may make whatever those before it took.
@@ -155,7 +158,8 @@ class SmoothSolve {
   // Very many pairs between blocks alone.
   bool is_coarse() const { return !covers_ && touches_.size() > FrictionalProblem::kVeryManyPairs; }
 
-  // What forces leave of the gaps of the last estimate is nothing to their goal, or no more than they left of those before.
+  // What forces leave of the gaps of the last estimate is nothing to their goal, or no more than they left of those
+  // before.
   bool is_good_enough(double unsolved) const {
     return is_coarse() && unsolved <= std::max(kGoalsOfEstimate * problem_.goal, kOfLast * result_.residual);
   }
@@ -278,9 +282,10 @@ class SmoothSolve {
     problem_.acceptable = kFewRoundOffs * asked;
   }
 
-  // Springs that stop an impact give back what they took, whatever the step: their force is the change of their energy U = p min(g, 0)²/2
-  // over that of the gap, λ = −(U(g1) − U(g0)) / (g1 − g0) (Gonzalez 2000): the mean of both ends while they are pressed. Where they meet or
-  // part within the step it is not linear in g1, and each round takes its tangent at the last estimate.
+  // Springs that stop an impact give back what they took, whatever the step: their force is the change of their energy
+  // U = p min(g, 0)²/2 over that of the gap, λ = −(U(g1) − U(g0)) / (g1 − g0) (Gonzalez 2000): the mean of both ends
+  // while they are pressed. Where they meet or part within the step it is not linear in g1, and each round takes its
+  // tangent at the last estimate.
   bool springs_stop() const { return scene_.settings.standard.impact == ImpactLaw::springs; }
   double normal_scale(std::size_t i) const { return springs_stop() ? 0 : follows_rate(i) ? of_stretch() : 1; }
 
@@ -311,19 +316,20 @@ class SmoothSolve {
     line_compliance_ = compliance;
   }
 
-  // A spring that was closed before is compressed by dt times the velocity at the end of the step, λ = −p (g0 + dt ġ1), as the tangential
-  // one is stretched: where it is too stiff for the step, the gap at its end would leave its rate turned over in every step for ever.
+  // A spring that was closed before is compressed by dt times the velocity at the end of the step, λ = −p (g0 + dt ġ1),
+  // as the tangential one is stretched: where it is too stiff for the step, the gap at its end would leave its rate
+  // turned over in every step for ever.
   bool follows_rate(std::size_t i) const {
     const bool is_step = !rule_.carries_acceleration() && rule_.judging_inertia == 0;
     return is_step && !springs_stop() && memories_[i] && laws_[i].normal_compliance > 0;
   }
 
-  // The tangential spring is stretched by dt times the velocity at the end of the step: a spring too stiff for the step then
-  // brings its point to rest, where the displacement of the step would turn the velocity over in each step.
+  // The tangential spring is stretched by dt times the velocity at the end of the step: a spring too stiff for the step
+  // then brings its point to rest, where the displacement of the step would turn the velocity over in each step.
   double of_stretch() const { return 1 / (rate() * dt_); }
 
-  // A bond that opens is gone, one that carries all it can without moving, because its neighbour holds, stays. Where none
-  // opens, faces sheared beyond their strength lose all theirs; contacts go on without cohesion (brittle joint).
+  // A bond that opens is gone, one that carries all it can without moving, because its neighbour holds, stays. Where
+  // none opens, faces sheared beyond their strength lose all theirs; contacts go on without cohesion (brittle joint).
   bool break_bonds() {
     const std::size_t before = bonds_.size();
     const NaturalMap map = natural_map(problem_, result_.forces);

@@ -41,11 +41,13 @@ struct SmoothMotion {
   std::vector<std::size_t> undecided;  ///< touches that would not settle
 };
 
-/// With weights θv of the velocity and θf of the elastic force (Moreau 1988 for the half weights, Shi 1988 for ½ and 1),
+/// With weights θv of the velocity and θf of the elastic force (Moreau 1988 for the half weights, Shi 1988 for ½ and
+/// 1),
 ///     A Δq = r + Gᵀ λ,  A = M/(θv dt²) + θf K + C/dt,  r = F − K q0 + M v0/(θv dt),  v1 = (Δq/dt − (1−θv) v0)/θv.
 /// The normal law is in positions at the end of the step, friction in velocities, G along the mid-step normal
-/// (Moreau 1988, Jean 1999); with springs, both have the compliance of the spring. Bolts and held points are part of it.
-/// `before`: of the same step with the first of the touches alone, where it has been solved so; its forces are tried first.
+/// (Moreau 1988, Jean 1999); with springs, both have the compliance of the spring. Bolts and held points are part of
+/// it. `before`: of the same step with the first of the touches alone, where it has been solved so; its forces are
+/// tried first.
 SmoothMotion smooth_solve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
                           const Touches& touches, const ForceTolerance& tolerance, double time, double dt,
                           const StepRule& rule, const SmoothMotion* before = nullptr);

@@ -1,5 +1,5 @@
-// Smooth motion, overlaps removed, clean-up, jump (src/README.md, a step of `standard`); the clean-up comes before the jump, so
-// that it cannot undo a separation.
+// Smooth motion, overlaps removed, clean-up, jump (src/README.md, a step of `standard`); the clean-up comes before the
+// jump, so that it cannot undo a separation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/standard_step.hpp"
 
@@ -25,25 +25,26 @@ constexpr int kMostSearches = 4;
 // Residual of the contact forces over the largest load on a block: few contacts reach the first, assemblies the second.
 constexpr double kForceGoal = 1e-10;
 constexpr double kForceAcceptable = 1e-6;
-// In assemblies of more touches than `kFewPairs` the first is a setting, a millionth, far below what a step does to forces; and a
-// thousandth, judged by what one force does to its own blocks in the step, is a gap of a thousandth of their free fall.
+// In assemblies of more touches than `kFewPairs` the first is a setting, a millionth, far below what a step does to
+// forces; and a thousandth, judged by what one force does to its own blocks in the step, is a gap of a thousandth of
+// their free fall.
 constexpr double kForceAcceptableOfMany = 1e-3;
-// In the shortest part of a cut step a few pairs among many may go on changing sides: a hundredth is taken, or what changes the largest
-// momentum by a ten-thousandth, and the pairs are told.
+// In the shortest part of a cut step a few pairs among many may go on changing sides: a hundredth is taken, or what
+// changes the largest momentum by a ten-thousandth, and the pairs are told.
 constexpr double kForceToleratedOfMany = 1e-2;
 constexpr double kMomentumToleratedOfMany = 1e-4;
 // A force below this is round-off of gaps in a short step.
 constexpr double kLeastForceOfMany = 1e-8;
 constexpr int kMostSystemsOfMany = 100;
-// Of very many touches, forces that have not reached the goal after this many systems are taken where they are acceptable: on slopes that
-// slide a pair or two of thousands goes on changing sides.
+// Of very many touches, forces that have not reached the goal after this many systems are taken where they are
+// acceptable: on slopes that slide a pair or two of thousands goes on changing sides.
 constexpr int kEnoughSystems = 12;
 constexpr int kMostSystems = 40;
 // Where nothing loads the blocks, forces come from momentum alone: the same over momentum / dt.
 constexpr double kMomentumGoal = 1e-13;
 constexpr double kMomentumAcceptable = 1e-9;
-// Touches that overlap take part in the jump, and those with a gap below this share of block size: the corners of a flat
-// impact meet within round-off.
+// Touches that overlap take part in the jump, and those with a gap below this share of block size: the corners of a
+// flat impact meet within round-off.
 constexpr double kMeeting = 1e-10;
 
 // A body does not jump apart from itself: rigid motions leave such a touch as it is.
@@ -52,8 +53,9 @@ bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
                                                     scene.model.vertices[touch.start].element);
 }
 
-// Bodies on covers resolve by themselves how an impact goes on: their own inertia near the touch takes part in the motion of the step,
-// and nothing else is struck. Their rebound is that of their own elasticity: Newton's law with a restitution is one of whole blocks.
+// Bodies on covers resolve by themselves how an impact goes on: their own inertia near the touch takes part in the
+// motion of the step, and nothing else is struck. Their rebound is that of their own elasticity: Newton's law with a
+// restitution is one of whole blocks.
 bool resolves_impact(const StandardScene& scene, const Touch& touch) {
   const auto is_on_covers = [&](VertexIndex vertex) {
     return scene.reference.is_on_covers(scene.model.vertices[vertex].element);
@@ -183,7 +185,8 @@ class Attempt {
     return closed;
   }
 
-  // Those whose gap decides what they do in the step: multipliers, and what has just closed on bodies on covers, which would be thrown back.
+  // Those whose gap decides what they do in the step: multipliers, and what has just closed on bodies on covers, which
+  // would be thrown back.
   std::vector<std::size_t> to_be_held() const {
     const bool springs_throw_back =
         scene_.covers && scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
@@ -198,8 +201,8 @@ class Attempt {
     return held;
   }
 
-  // Friction over normal force where a contact of bodies on covers slides, 0 where it sticks. Blocks, whose strains are damped, come to
-  // rest against each other in a step or two.
+  // Friction over normal force where a contact of bodies on covers slides, 0 where it sticks. Blocks, whose strains are
+  // damped, come to rest against each other in a step or two.
   double slide(std::size_t i) const {
     const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
     if (!resolves_impact(scene_, parts_.smooth[i])) return 0;
@@ -251,8 +254,8 @@ class Attempt {
     return others;
   }
 
-  // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that it left
-  // would push it in a direction in which there is no face.
+  // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that
+  // it left would push it in a direction in which there is no face.
   void drop_passed() {
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
     std::size_t kept = 0;
@@ -265,8 +268,8 @@ class Attempt {
     parts_.impact_speeds.resize(kept);
   }
 
-  // Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and d the
-  // overshoot; d was covered at the mean of both speeds.
+  // Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and
+  // d the overshoot; d was covered at the mean of both speeds.
   Meeting meeting(const Touch& touch, double at_start, double at_end, double overshoot) const {
     if (at_end >= 0) return {touch, 0, 0};
     const double acceleration = (at_end - at_start) / dt_;

@@ -19,9 +19,9 @@ struct StepHistory {
 /// loads (Shi's rule; legacy-formats 3.4). `start_speed` is the largest start velocity component.
 double first_step_size(const Model& model, const State& state, const Settings& settings, double start_speed);
 
-/// Later steps: the same from penetration and loads, at most 1.3 times the last (legacy-rules 13). The mean area is that of
-/// the blocks at the start and the stiffness that of the last step: so the 20 steps of the Berkeley program's own example,
-/// circle slope, come back (69 passes, 59 contacts, end time to 1e-6). Inferred from that one run, with no
+/// Later steps: the same from penetration and loads, at most 1.3 times the last (legacy-rules 13). The mean area is
+/// that of the blocks at the start and the stiffness that of the last step: so the 20 steps of the Berkeley program's
+/// own example, circle slope, come back (69 passes, 59 contacts, end time to 1e-6). Inferred from that one run, with no
 /// other to confirm it; the Berkeley program's -0.00335 on tests/malformed/00_control_orig does not come back.
 double next_step_size(const Model& model, const State& state, const Settings& settings, const StepHistory& last);
 

@@ -11,8 +11,8 @@
 
 namespace keyblock::study {
 
-/// The answer in a folder that `keyblock run` wrote: end, steps, and the displacement of the last measured point or, without
-/// any, of the centroid of the last block. Where the record is missing or damaged, `end` says so.
+/// The answer in a folder that `keyblock run` wrote: end, steps, and the displacement of the last measured point or,
+/// without any, of the centroid of the last block. Where the record is missing or damaged, `end` says so.
 report::CatalogueAnswer answer_in(const std::filesystem::path& folder, const std::string& profile);
 
 /// The verdict of `keyblock compare --json` in one sentence, a profile after the other.

@@ -19,8 +19,8 @@ enum class CheckDepth {
   plan,   ///< and prepared as for a run, which may refuse it
 };
 
-/// The row of a job, `files` with their checksums. `profile` as `keyblock run` takes it; empty: its default. What is wrong is
-/// told in the row, not thrown; paths in messages are those below `root`.
+/// The row of a job, `files` with their checksums. `profile` as `keyblock run` takes it; empty: its default. What is
+/// wrong is told in the row, not thrown; paths in messages are those below `root`.
 report::CatalogueRow check_job(const std::filesystem::path& root, const BatchJob& job,
                                const std::vector<report::CatalogueFile>& files, CheckDepth depth,
                                const std::string& profile);

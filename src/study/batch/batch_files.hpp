@@ -1,4 +1,5 @@
-// The files of an archive: where they lie, what each is to a batch, and the counts by which a geometry and an analysis fit.
+// The files of an archive: where they lie, what each is to a batch, and the counts by which a geometry and an analysis
+// fit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -49,9 +50,9 @@ struct FoundFiles {
   std::vector<PassedOver> passed_over;
 };
 
-/// The regular files at or below `root`; passed over are hidden files and folders, links to folders, dead links, devices and
-/// pipes, and folders with the results of other batches. What lies in `left_out` is not even that. Throws InputError where `root` is
-/// no folder.
+/// The regular files at or below `root`; passed over are hidden files and folders, links to folders, dead links,
+/// devices and pipes, and folders with the results of other batches. What lies in `left_out` is not even that. Throws
+/// InputError where `root` is no folder.
 FoundFiles files_below(const std::filesystem::path& root, const std::filesystem::path& left_out);
 
 /// How many for which reason, with the first: "2 × hidden (the first .git), 1 × dead link (x)"; empty for none.

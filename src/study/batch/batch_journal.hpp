@@ -1,8 +1,8 @@
 // The journal of a batch: one line a finished job, from which a stopped batch goes on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// journal.jsonl, one JSON object a line: {"batch": 1, "task": "…"} first, then {"row": {…}, "seconds": 0.1} a job. A line
-// counts when it is whole; what a sudden end left of the last one is no line.
+// journal.jsonl, one JSON object a line: {"batch": 1, "task": "…"} first, then {"row": {…}, "seconds": 0.1} a job. A
+// line counts when it is whole; what a sudden end left of the last one is no line.
 #pragma once
 
 #include <map>

@@ -7,8 +7,8 @@
 //    "variants": [{"name": "10 ms, rigid", "profile": "standard", "set": {"SETTING": "VALUE"},
 //                  "tolerance": 2e-3, "reason": "why this tolerance"}],
 //    "legacy": "not run: REASON", "standard": "not run: REASON"}
-// A text in the list of variants names a file, relative to the folder, with a list of more, so that cases can share them.
-// A value is text or a number. A file that a setting names is looked for in the case folder.
+// A text in the list of variants names a file, relative to the folder, with a list of more, so that cases can share
+// them. A value is text or a number. A file that a setting names is looked for in the case folder.
 #pragma once
 
 #include <map>

@@ -8,8 +8,8 @@
 
 namespace keyblock::study {
 
-/// A case folder: `NAME/NAME.json`, a case file; or `NAME/NAME.geo` or `.blk`, and `NAME/NAME.ana` or `.df`; and `expected.csv` or `steps.csv` with
-/// `blocks.csv`.
+/// A case folder: `NAME/NAME.json`, a case file; or `NAME/NAME.geo` or `.blk`, and `NAME/NAME.ana` or `.df`; and
+/// `expected.csv` or `steps.csv` with `blocks.csv`.
 struct CaseFolder {
   std::filesystem::path folder;
   std::string name;  ///< the folder as it was asked for, for tables

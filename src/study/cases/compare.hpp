@@ -43,8 +43,8 @@ struct CaseComparison {
   bool holds() const;
 };
 
-/// The plain run under `profile`. A scene that the profile refuses is told in `not_run`. Throws InputError for unreadable
-/// files, a quantity that is none, a block that is not there, or a setting of the case file that is none.
+/// The plain run under `profile`. A scene that the profile refuses is told in `not_run`. Throws InputError for
+/// unreadable files, a quantity that is none, a block that is not there, or a setting of the case file that is none.
 ComparedCase compare_case(const CaseFolder& folder, const std::string& profile);
 
 /// The plain run under each profile, then the variants of these profiles. Throws as `compare_case`.

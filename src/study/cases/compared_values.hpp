@@ -44,8 +44,8 @@ std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expe
 void require_numbers(const std::vector<ComparedValue>& values, std::size_t points, std::size_t elements,
                      const std::string& file);
 
-/// Takes in a frame and picks the values of its time, which instants within `same` of it have; between two frames, as automatic
-/// steps have them, values are linear.
+/// Takes in a frame and picks the values of its time, which instants within `same` of it have; between two frames, as
+/// automatic steps have them, values are linear.
 void pick(std::vector<ComparedValue>& values, RunSoFar& run, const Frame& frame, double same);
 
 }  // namespace keyblock::study

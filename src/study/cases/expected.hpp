@@ -1,9 +1,9 @@
 // The expected values of a case: the rows of expected.csv.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Columns: quantity,block,time,value,tolerance,tolerance_reason,source and, where wanted, judged: `both` (as without the
-// column), `legacy` or `standard`, the profile whose value is held against the tolerance; and listed_miss: why a benchmark is known
-// not to be met, empty where it is.
+// Columns: quantity,block,time,value,tolerance,tolerance_reason,source and, where wanted, judged: `both` (as without
+// the column), `legacy` or `standard`, the profile whose value is held against the tolerance; and listed_miss: why a
+// benchmark is known not to be met, empty where it is.
 #pragma once
 
 #include <filesystem>
@@ -28,8 +28,8 @@ struct ExpectedValue {
   bool is_judged_in(const std::string& rules) const { return judged == "both" || judged == rules; }
 };
 
-/// A value whose tolerance is so great a share of it says whether something happens, not how far it goes: no error is measured
-/// against it.
+/// A value whose tolerance is so great a share of it says whether something happens, not how far it goes: no error is
+/// measured against it.
 inline constexpr double kVerdict = 0.2;
 std::vector<ExpectedValue> without_verdicts(std::vector<ExpectedValue> expected);
 

@@ -70,7 +70,8 @@ Written written(const Format& format, const Content& content) {
   }
 }
 
-// Points of 3 numbers or 4, a head without its last count: one reader takes several layouts of which the writer has one.
+// Points of 3 numbers or 4, a head without its last count: one reader takes several layouts of which the writer has
+// one.
 bool has_layout_of(const formats::FileReading& file, const Format& format, const std::string& text) {
   if (file.choice->format->read != format.read) return false;
   const bool is_marked = format.recognise != nullptr;

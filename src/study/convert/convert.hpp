@@ -44,9 +44,9 @@ struct Conversion {
 
 enum class Faults { none, berkeley };
 
-/// Lines are cut where the target holds blocks, blocks and covers become their edges where it holds lines, loops of a cover become
-/// blocks: each said as a loss. A file already in the target's format whose content stays comes out with the same bytes; comments of any other are dropped with a
-/// warning.
+/// Lines are cut where the target holds blocks, blocks and covers become their edges where it holds lines, loops of a
+/// cover become blocks: each said as a loss. A file already in the target's format whose content stays comes out with
+/// the same bytes; comments of any other are dropped with a warning.
 /// `Faults::berkeley` takes the files as the Berkeley program does (berkeley_faults.hpp).
 /// Throws the InputError of a file that cannot be read, or where nothing of the files fits the target.
 Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults);

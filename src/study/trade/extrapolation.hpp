@@ -15,18 +15,19 @@ struct Limit {
   std::vector<double> values;
   std::optional<double> order;  ///< observed, of h; nothing where the three are the same
   bool is_extrapolated = false;
-  /// Of `values`, relative: what extrapolation of at most second order adds to the finest run or, without it, how far the others
-  /// are from that at most.
+  /// Of `values`, relative: what extrapolation of at most second order adds to the finest run or, without it, how far
+  /// the others are from that at most.
   double uncertainty = 0;
 };
 
 /// Root mean square of `a` less `b` over that of `b`; of equal length. Where `b` is 0 throughout, not divided by it.
 double relative_distance(const std::vector<double>& a, const std::vector<double>& b);
 
-/// The limit of values of equal length, coarsest first, each of half the h of the one before. The order p = log2(|a - b| / |b - c|)
-/// is common to all values. Where it is below 0.4 or above 6, differences do not shrink as those of a convergent method:
-/// then the limit is the finest as it is. Where steps show more than 2.5, a term of first and one of second order cancel in part: both are
-/// taken out, and the limit is known to what that changes, or to half the last difference, whichever is greater.
+/// The limit of values of equal length, coarsest first, each of half the h of the one before. The order p = log2(|a -
+/// b| / |b - c|) is common to all values. Where it is below 0.4 or above 6, differences do not shrink as those of a
+/// convergent method: then the limit is the finest as it is. Where steps show more than 2.5, a term of first and one of
+/// second order cancel in part: both are taken out, and the limit is known to what that changes, or to half the last
+/// difference, whichever is greater.
 Limit limit_of(const std::array<std::vector<double>, 3>& values, Refined refined);
 
 }  // namespace keyblock::study

@@ -27,8 +27,8 @@ struct StudyCase {
   std::vector<Override> overrides(const std::string& profile) const;
 };
 
-/// The case of one folder (study/cases/cases.hpp), or of the files of one. Throws InputError as reading does, and for a folder of
-/// several cases.
+/// The case of one folder (study/cases/cases.hpp), or of the files of one. Throws InputError as reading does, and for a
+/// folder of several cases.
 StudyCase study_case(const std::vector<std::string>& paths);
 
 /// A way to run a case.
@@ -58,15 +58,16 @@ struct MeasuredRun {
   int timings = 0;  ///< the best of so many runs
   int steps = 0;
   int unknowns = 0;
-  /// Of `expected` the values in order; without it displacements (x, y) at the end, of the measured points or else all blocks.
+  /// Of `expected` the values in order; without it displacements (x, y) at the end, of the measured points or else all
+  /// blocks.
   std::vector<double> values;
 };
 
 /// A word for tables: "finished", "over limit".
 std::string name_of(MeasuredEnd end);
 
-/// Runs it, again until the times add up to 0.05 s. What goes wrong in the run is told in the result. Throws InputError for
-/// expected values of blocks that are not there.
+/// Runs it, again until the times add up to 0.05 s. What goes wrong in the run is told in the result. Throws InputError
+/// for expected values of blocks that are not there.
 MeasuredRun measured_run(const StudyCase& chosen, const RunPlan& plan, const RunLimits& limits);
 
 }  // namespace keyblock::study

@@ -14,8 +14,8 @@ struct Price {
   double error = 0;    ///< relative, ≥ 0
 };
 
-/// The runs of which no other is as cheap and as accurate, and better in one of the two: Pareto's front, cheapest first. Of
-/// equals the first given.
+/// The runs of which no other is as cheap and as accurate, and better in one of the two: Pareto's front, cheapest
+/// first. Of equals the first given.
 std::vector<std::size_t> pareto_front(const std::vector<Price>& prices);
 
 /// What a run costs over the cheapest that is as accurate: 1 on the front, infinite without a result.
@@ -30,8 +30,8 @@ struct Wish {
   std::optional<double> error;
 };
 
-/// The cheapest run within the error, or, where only a budget is given, the most accurate within it; nothing where none is. Of
-/// runs that cost the same but for the noise of timing the first given: an equal run is not chosen for its luck.
+/// The cheapest run within the error, or, where only a budget is given, the most accurate within it; nothing where none
+/// is. Of runs that cost the same but for the noise of timing the first given: an equal run is not chosen for its luck.
 std::optional<std::size_t> choice_for(const std::vector<Price>& prices, const Wish& wish);
 
 }  // namespace keyblock::study

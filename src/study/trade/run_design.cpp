@@ -54,8 +54,8 @@ Base base_of(const StudyCase& chosen, const std::string& profile, const std::vec
   return base;
 }
 
-// The number of steps is rounded so that the run ends at the same time and expected times stay ends of steps; nothing where
-// that leaves the case's own step.
+// The number of steps is rounded so that the run ends at the same time and expected times stay ends of steps; nothing
+// where that leaves the case's own step.
 std::vector<Override> step_overrides(const Base& base, double factor) {
   const Settings& own = base.settings;
   int whole = own.step_count;
@@ -180,7 +180,8 @@ Axis impact_axis(const Base& base) {
   return {"impact", {{"impact as a jump", {{"impact", "jump"}}}}};
 }
 
-// Residual that contact forces of assemblies may leave, over the heaviest load on a block; of fewer contacts they leave none.
+// Residual that contact forces of assemblies may leave, over the heaviest load on a block; of fewer contacts they leave
+// none.
 Axis forces_axis() {
   Axis axis{"forces", {}};
   for (const char* tolerance : {"1e-3", "1e-4", "1e-9"})

@@ -40,25 +40,27 @@ struct Tradeoff {
 /// Told of every run: how many are done, of how many.
 using OnRun = std::function<void(const MeasuredRun&, std::size_t done, std::size_t of)>;
 
-/// What a study may add to its plans: refinements of them (nothing where there is none), so that the limit is resolved and the wish
-/// is met or its budget used. Without `refine` nothing is added.
+/// What a study may add to its plans: refinements of them (nothing where there is none), so that the limit is resolved
+/// and the wish is met or its budget used. Without `refine` nothing is added.
 struct Search {
   Wish wish;
   std::function<std::optional<RunPlan>(const RunPlan&, int parts)> refine = {};
 };
 
-/// Runs the plans, and before them those of `limit_from`, coarsest first, where the case expects no values; what both hold is run
-/// once. A plan that refines another is left out where that one shows it to be over the limit, and all are once a stop is asked
-/// for. Then goes on as `search` says, each run within the limits. Throws std::runtime_error where the refined runs give no limit.
+/// Runs the plans, and before them those of `limit_from`, coarsest first, where the case expects no values; what both
+/// hold is run once. A plan that refines another is left out where that one shows it to be over the limit, and all are
+/// once a stop is asked for. Then goes on as `search` says, each run within the limits. Throws std::runtime_error where
+/// the refined runs give no limit.
 Tradeoff tradeoff(const StudyCase& chosen, const std::vector<RunPlan>& plans, const std::vector<RunPlan>& limit_from,
                   const RunLimits& limits, const OnRun& on_run, const Search& search = {});
 
-/// Of the values of a run: with expected values the greatest error over its scale, else root mean square over that of the
-/// reference. Infinite where a value was not reached.
+/// Of the values of a run: with expected values the greatest error over its scale, else root mean square over that of
+/// the reference. Infinite where a value was not reached.
 double error_of(const MeasuredRun& run, const Reference& reference);
 
-/// The expected rows as a reference: those judged for `rules` (all, where none is). The scale of a row is the greatest value
-/// expected of its quantity and block; rows that expect 0 are looked at only where all do, against their tolerance.
+/// The expected rows as a reference: those judged for `rules` (all, where none is). The scale of a row is the greatest
+/// value expected of its quantity and block; rows that expect 0 are looked at only where all do, against their
+/// tolerance.
 Reference expected_reference(const std::vector<ExpectedValue>& expected, const std::string& rules);
 
 }  // namespace keyblock::study
