@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures every case and writes the last three columns of the table in README.md; the first four are written by hand and kept.
+"""Measures every case and writes the last three columns of the table in README.md; the others are written by hand.
 
     legacy_cases/index.py build/keyblock             reruns the cases and rewrites the table
     legacy_cases/index.py build/keyblock --check     reruns them; exit code 1 if the table would change
-    legacy_cases/index.py --from FILE                takes the output of `keyblock compare --all --json` instead of a run
+    legacy_cases/index.py --from FILE                takes the output of `keyblock compare --all --json` instead
 
 Fails if a case has no row, or a row no case."""
 import argparse
@@ -19,7 +19,7 @@ HEADER = "| case | physics | source | quantity | legacy | standard | verdict |"
 
 
 def values_of(run, profile):
-    """The values a profile is held against: for each quantity, block and time those judged for it, else those judged for another."""
+    """What a profile is held against: for each quantity, block and time the values judged for it, else any."""
     rows = defaultdict(list)
     for value in run["values"]:
         rows[value["quantity"], value["block"], value["time"]].append(value)
