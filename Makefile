@@ -1,4 +1,5 @@
-# The menu of the project: installs what is missing (Debian), lets CMake and Ninja do the work. `make help` lists it.
+# The menu of the project: installs what is missing (Debian), lets CMake and Ninja do the work. `make help` lists it: a target's
+# group, its time on two cores and what it does stand after its ##, in this order, parted by |.
 SHELL := /bin/sh
 JOBS ?= $(shell nproc)
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
@@ -7,30 +8,37 @@ SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
            libhdf5-dev libmuparser-dev libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2
 
-.PHONY: help build debug run test cases fronts validate bench sanitize fuzz format tidy clean packages
+.PHONY: help build debug run test cases index fronts validate bench sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
-help: ## this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
+help: ## use | | this list
+	@for group in use cases care; do echo "$$group"; \
+	  awk -F ':.*## | *[|] *' -v group=$$group \
+	    '/^[a-z]+:.*## / && $$2 == group { printf "  make %-9s %-10s %s\n", $$1, $$3, $$4 }' Makefile; done
+	@echo "Times are those of two cores. The first of run, test, build and the cases also compiles: 13 min the program, 3 min the tests; long: over 20 min."
 
 # Builds the program alone: the tests can wait.
-run: packages ## the sliding block: displacement beside theory, picture in out/sliding_block.svg
+run: packages ## use | 1 s | builds the program, reruns a sliding block, prints its error and draws it in out/sliding_block.svg
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(JOBS) --target keyblock
 	@mkdir -p out
 	build/keyblock compare legacy_cases/sliding_block/a30_p20 --picture out/sliding_block.svg --force
 	@echo "picture: out/sliding_block.svg"
 
-test: build ## build and pass every test
+test: build ## use | 2 min | builds everything and runs all tests
 	ctest --test-dir build --output-on-failure -j $(JOBS)
 	@awk '/: Skipped$$/ { getline; print "skipped: " $$0 }' build/Testing/Temporary/LastTest.log | sort | uniq -c
 
-cases: build ## rerun every legacy case in both profiles against its expected values
+cases: build ## cases | 1 min | reruns all cases in both profiles and compares them with their expected values
 	build/keyblock compare legacy_cases
+
+index: build ## cases | 1 min | reruns all cases and rewrites the table of legacy_cases/README.md
+	@$(call install_missing,python3)
+	python3 legacy_cases/index.py build/keyblock
 
 # Whole tables and pictures; processor time, so that what else runs disturbs little.
 FRONTS = legacy_cases/fronts
-fronts: packages ## what accuracy costs: tables and pictures of legacy_cases/fronts anew (minutes)
+fronts: packages ## cases | 10-20 min | measures error against computing time in five cases: tables and pictures in legacy_cases/fronts
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(JOBS) --target keyblock
 	@mkdir -p out
@@ -47,49 +55,49 @@ fronts: packages ## what accuracy costs: tables and pictures of legacy_cases/fro
 comma = ,
 front = build/keyblock tradeoff $(2) --picture $(FRONTS)/$(1).svg --force >$(FRONTS)/$(1).txt
 
-validate: build ## longer checks: every case and trace, slow ones too, cutting against GEOS, random and extreme scenes
+validate: build ## cases | long | longer checks: slow cases too, cutting against GEOS, random and extreme scenes
 	@$(call install_missing,libgeos-dev valgrind calculix-ccx)
 	build/keyblock compare --all legacy_cases
 	cmake -S . -B build -G Ninja
 	cmake --build build --target keyblock_validate -- -k 0
 
-bench: packages ## what steps cost as scenes grow, beside the old program's figures and Box2D; numbers in build/bench.json
+bench: packages ## cases | long | measures the time of a step from 100 to 100,000 blocks, also beside Box2D; numbers in build/bench.json
 	@$(call install_missing,libbox2d-dev)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --target keyblock_bench
 
-build: packages ## the program build/keyblock and its tests
+build: packages ## use | 16 min | compiles the program build/keyblock and its tests
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(JOBS)
 
-debug: packages ## the same with assertions and debug information, each file compiled by itself, in build-debug
+debug: packages ## care | long | compiles with assertions and debug information in build-debug, each file by itself
 	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug -DKEYBLOCK_BATCHES=OFF
 	cmake --build build-debug --parallel $(JOBS)
 
 # Debug keeps the assertions; -O1 because unoptimised Eigen is ten times slower.
-sanitize: packages ## the tests under address and undefined behaviour sanitizers
+sanitize: packages ## care | long | compiles and runs all tests with address and undefined behaviour sanitizers, in build-sanitize
 	cmake -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DKEYBLOCK_SANITIZE=ON
 	cmake --build build-sanitize --parallel $(JOBS)
 	ctest --test-dir build-sanitize --output-on-failure -j $(JOBS)
 
 # What a reader has met so far stays in build-fuzz/fuzz, and is where its next run starts.
 SECONDS ?= 600
-fuzz: packages ## every reader against made-up files for SECONDS=600 each, in build-fuzz
+fuzz: packages ## care | 75 min | feeds every reader of a file format random input, for SECONDS=600 each, in build-fuzz
 	@$(call install_missing,clang libclang-rt-14-dev)
 	CC=clang CXX=clang++ cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DKEYBLOCK_FUZZ=ON
 	cmake --build build-fuzz --parallel $(JOBS) --target fuzz_reader
 	tests/fuzz/fuzz.sh build-fuzz/tests/fuzz/fuzz_reader build-fuzz/fuzz $(SECONDS) $(JOBS)
 
-format: ## lay out every source by .clang-format
+format: ## care | 1 min | lays out all sources by .clang-format
 	@$(call install_missing,clang-format)
 	clang-format -i $(SOURCES)
 
-tidy: packages ## clang-tidy over every source, by .clang-tidy
+tidy: packages ## care | long | checks all sources with clang-tidy, by .clang-tidy
 	@$(call install_missing,clang-tidy)
 	cmake -S . -B build-tidy -G Ninja -DCMAKE_BUILD_TYPE=Release -DKEYBLOCK_BATCHES=OFF
 	clang-tidy --quiet -p build-tidy $(filter %.cpp,$(SOURCES))
 
-clean: ## remove what was built and written
+clean: ## care | 1 s | removes everything built, and out
 	rm -rf build build-debug build-sanitize build-fuzz build-tidy out
 
 packages:
