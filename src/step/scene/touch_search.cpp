@@ -93,6 +93,25 @@ FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, P
   return found;
 }
 
+// Two convex pieces of a notched block may meet the same corner, one along an edge and one at the corner alone: that is
+// one contact, with one memory. The rest stay in their order.
+void drop_known(Touches& touches, const Touches& known) {
+  if (touches.empty()) return;
+  std::set<Touch> names(touches.begin(), touches.end());
+  std::set<Facing> facings;
+  for (const Touch& touch : touches)
+    if (touch.facing.lower) facings.insert(touch.facing);
+  std::set<Touch> known_names;
+  std::set<Facing> known_facings;
+  for (const Touch& one : known) {
+    if (names.contains(one)) known_names.insert(one);
+    if (one.facing.lower && facings.contains(one.facing)) known_facings.insert(one.facing);
+  }
+  std::erase_if(touches, [&](const Touch& touch) {
+    return known_names.contains(touch) || known_facings.contains(touch.facing) || !known_names.insert(touch).second;
+  });
+}
+
 }  // namespace
 
 FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
@@ -100,11 +119,14 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
   const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   FoundTouches found = found_within(scene, vertices, search_of(scene, motion, vertices, reach));
+  Touches closed;
   for (const CornerTie& tie : found.ties) {
-    const auto closed =
+    const auto was_closed =
         std::ranges::find_if(tie.candidates, [&](const Touch& touch) { return motion.closed.of(touch); });
-    if (closed != tie.candidates.end()) found.touches.push_back(*closed);
+    if (was_closed != tie.candidates.end()) closed.push_back(*was_closed);
   }
+  drop_known(closed, found.touches);
+  found.touches.insert(found.touches.end(), closed.begin(), closed.end());
   return found;
 }
 

@@ -21,9 +21,9 @@ namespace {
 constexpr double kNoOverlap = 1e-14;
 constexpr double kNoOverlapOfMany = 5e-11;
 constexpr int kMostPasses = 10;
-// Overlaps may lock each other, so that no push takes them all away. Which do is found with touches that yield this
-// share of what their blocks do, so soft that there is always a push: where it leaves more than the second share of an
-// overlap, it is taken for locked. A pair with room keeps a hundredth, a chain of ten a tenth.
+// Some overlaps cannot all be removed at once. To find them, the pushes are solved once with every contact softened by
+// kYield of what its blocks yield, so that there always is a solution: a contact that keeps more than kLocked of its
+// overlap is locked. A pair with room keeps a hundredth, a chain of ten a tenth.
 constexpr double kYield = 1e-2;
 constexpr double kLocked = 0.1;
 // In assemblies such soft pushes are all there are: each is settled to this share of the greatest overlap.
@@ -384,20 +384,28 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   problem.goal = kImpulseTolerance * momentum_of(scene, v) / (dt * dt) + kSmallest;
   problem.acceptable = kLooser * problem.goal;
   const Eigen::VectorXd asked = problem.b;
-  Eigen::VectorXd pushes = Eigen::VectorXd::Zero(problem.w.rows());
-  Eigen::VectorXd friction = pushes;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.w.rows());
+  Eigen::VectorXd pushes = none;
+  Eigen::VectorXd smooth;  // pushes without friction
+  Eigen::VectorXd friction = none;
+  double first_change = 0;
+  double change = 0;
   for (int round = 0; round < kMostFrictionRounds; ++round) {
     pushes = solve(problem, pushes).forces;
-    bool rubs = false;
+    if (round == 0) smooth = pushes;
+    change = 0;
     for (std::size_t i = 0; i < closed.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
       const double before = std::exchange(friction[n + 1], slides[i] * pushes[n]);
-      rubs = rubs || std::abs(friction[n + 1] - before) > problem.acceptable;
+      change = std::max(change, std::abs(friction[n + 1] - before));
     }
-    if (!rubs) break;
+    if (round == 0) first_change = change;
+    if (change <= problem.acceptable) break;
     problem.b = asked + problem.w * friction;
   }
-  return plus(v, 1, answer(rows, flexibility, pushes + friction));
+  // Where slivers slide, friction may drive the pushes that it follows from, more in each round.
+  const bool grows = change > std::max(first_change, problem.acceptable);
+  return plus(v, 1, answer(rows, flexibility, grows ? smooth : pushes + friction));
 }
 
 }  // namespace keyblock
