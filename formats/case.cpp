@@ -115,6 +115,7 @@ Problem with_content(Problem problem, const Content& content) {
   problem.units = *units;
   if (content.covers) problem.covers = content.covers;
   if (content.choices) problem.choices = *content.choices;
+  if (!content.stages.empty()) problem.stages = content.stages;
   return problem;
 }
 

@@ -15,6 +15,7 @@
 #include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
 #include "problem/run_choices.hpp"
+#include "problem/stage.hpp"
 #include "result/frame.hpp"
 #include "result/measured_track.hpp"
 
@@ -39,6 +40,7 @@ struct Content {
   std::optional<Units> units = std::nullopt;
   std::optional<CoverPlan> covers = std::nullopt;
   std::optional<RunChoices> choices = std::nullopt;
+  std::vector<Stage> stages = {};
 };
 
 /// What reading gives: the content and everything odd that was met on the way.

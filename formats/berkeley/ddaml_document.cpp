@@ -43,11 +43,12 @@ std::size_t most_bytes(std::string_view text) {
   return kNode * nodes + kAttribute * attributes;
 }
 
-/// Files of Berkeley's programs take 2 to 8 bytes a byte; one of hardly anything but tags would take 32.
+/// Files of Berkeley's programs take 2 to 8 bytes for each byte; one that consists almost entirely of tags would take
+/// 32.
 void refuse_tags_only(const Source& source) {
   constexpr std::size_t kMostBytesAByte = 12, kAtLeast = 1 << 16;
   if (most_bytes(source.text) > kMostBytesAByte * source.text.size() + kAtLeast)
-    throw InputError({source.name}, "expected a DDAML file, found hardly anything but tags");
+    throw InputError({source.name}, "expected a DDAML file with values, found almost nothing but tags");
 }
 
 /// pugixml takes them; XML has each attribute of an element once.

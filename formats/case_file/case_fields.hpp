@@ -1,5 +1,5 @@
-// The keys of a case file, once for reading, writing and the schema: each `describe` names the fields of one struct to a
-// visitor. To add a field: one line here; where a file lacks it, it keeps its default.
+// The keys of a case file, once for reading, writing and the schema: each `describe` names the fields of one struct to
+// a visitor. To add a field: one line here; where a file lacks it, it keeps its default.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,10 +12,11 @@
 
 namespace keyblock::formats {
 
-/// What a visitor F is handed: const where it writes. A visitor has `real`, `integer` (with the demand that a value must meet),
-/// `index` (from 1 in the file, from 0 inside), `formula` (a number or a text), `flag`, `word` (of an enumeration), `text`; `optional_real`, `optional_integer`;
-/// `row` (a struct as an array), `object`, `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors, with how many they
-/// hold at least where the list is needed; `curve`, `curves` (rows of time and value) and `pairs` (an object of words).
+/// What a visitor F is handed: const where it writes. A visitor has `real`, `integer` (with the demand that a value
+/// must meet), `index` (from 1 in the file, from 0 inside), `formula` (a number or a text), `flag`, `word` (of an
+/// enumeration), `text`; `optional_real`, `optional_integer`; `row` (a struct as an array), `object`,
+/// `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors, with how many they hold at least where the
+/// list is needed; `curve`, `curves` (rows of time and value) and `pairs` (an object of words).
 template <class F, class T>
 using In = std::conditional_t<F::is_writing, const T, T>;
 
@@ -24,6 +25,8 @@ inline constexpr Demand kWhole{[](double v) { return v >= 0 && is_whole(v); }, "
 
 inline constexpr Demand kHalfRows{[](double v) { return v >= 0 && v <= 1000 && is_whole(v); },
                                   "a whole number from 0 to 1000"};
+inline constexpr Demand kStageSteps{[](double v) { return v >= 0 && v <= 1e9 && is_whole(v); },
+                                    "a whole number from 0 to 1000000000"};
 inline constexpr Demand kStep{[](double v) { return is_whole(v); }, "a whole number"};
 
 inline constexpr std::array<std::string_view, 4> kDialects{"berkeley", "shi", "ddaml", "manifold"};
@@ -367,6 +370,61 @@ void describe(F& f, In<F, RunChoices>& run) {
 }
 
 template <class F>
+void describe(F& f, In<F, StageExcavation>& excavation) {
+  f.rows("outline", excavation.outline);
+  f.index("joint_material", excavation.joint_material);
+}
+
+template <class F>
+void describe(F& f, In<F, StageMaterial>& change) {
+  f.rows("outline", change.outline);
+  f.index("block_material", change.block_material);
+}
+
+template <class F>
+void describe(F& f, In<F, StageJointMaterial>& change) {
+  f.index("from", change.from);
+  f.index("to", change.to);
+}
+
+template <class F>
+void describe(F& f, In<F, StageRelease>& release) {
+  f.rows("outline", release.outline);
+}
+
+template <class F>
+void describe(F& f, In<F, StageForce>& force) {
+  describe(f, force.at);
+  f.real("force_x", force.force.x);
+  f.real("force_y", force.force.y);
+}
+
+template <class F>
+void describe(F& f, In<F, StageBolt>& bolt) {
+  f.index("bolt", bolt.bolt);
+}
+
+template <class F>
+void describe(F& f, In<F, Stage>& stage) {
+  f.text("name", stage.name);
+  f.integer("steps", stage.steps, kStageSteps);
+  f.real("duration", stage.duration, kNotNegative);
+  f.optional_real("equilibrium", stage.equilibrium, kPositive);
+  f.objects("excavations", stage.excavations);
+  f.rows("cuts", stage.cuts);
+  f.objects("block_materials", stage.block_materials);
+  f.rows("joint_materials", stage.joint_materials);
+  f.rows("bolts", stage.bolts);
+  f.rows("removed_bolts", stage.removed_bolts);
+  f.rows("held_points", stage.held);
+  f.objects("released", stage.released);
+  f.rows("forces", stage.forces);
+  f.flag("removes_forces", stage.removes_forces);
+  f.text("profile", stage.profile);
+  f.pairs("set", stage.settings);
+}
+
+template <class F>
 void describe(F& f, In<F, ElementFrame>& element) {
   f.index("material", element.material);
   f.lists("loops", element.loops, 1);
@@ -446,6 +504,7 @@ void describe(F& f, In<F, Content>& content) {
   f.objects("frames", content.frames);
   f.objects("tracks", content.tracks);
   f.optional_object("run", content.choices);
+  f.objects("stages", content.stages);
 }
 
 }  // namespace keyblock::formats

@@ -225,6 +225,32 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"run", "what a run of this file takes unless its command says otherwise"},
     {"profile", "name of the preset of all choices; absent: standard"},
     {"set", "settings on top of the profile, as `keyblock run --set`; `keyblock run --settings` lists them"},
+
+    {"stages",
+     "scenes one after another: each changes what the one before left, in the order of these keys, and goes on from "
+     "its "
+     "motion; all coordinates are those of the drawing"},
+    {"name", "for messages and results"},
+    {"steps", "how many at most"},
+    {"duration", "T; beside steps the shorter counts"},
+    {"equilibrium", "ends earlier where forces are balanced to this share of the largest load and all is slow"},
+    {"stages.excavations", "regions that are gone from here on; blocks that an outline crosses are cut"},
+    {"excavations.joint_material", "number of the joint material of the faces that the outline leaves"},
+    {"cuts", "lines along which blocks come apart that they pass through from side to side"},
+    {"cuts.joint_material", "number of the joint material of the new faces"},
+    {"stages.block_materials", "blocks whose centroid lies within an outline are of this block material from here on"},
+    {"stages.joint_materials", "edges of one joint material are of another from here on"},
+    {"from", "number of the joint material"},
+    {"to", "number of the joint material"},
+    {"stages.bolts", "installed here, with their pretension between the blocks as they lie"},
+    {"removed_bolts", "their numbers: those of the geometry come first, then those of the stages"},
+    {"bolt", "number of the bolt"},
+    {"held_points", "points that are held where they are now"},
+    {"released", "fixed points within an outline are free from here on"},
+    {"stages.forces", "constant forces on blocks"},
+    {"removes_forces", "true: those of loading points and of stages before end here"},
+    {"stages.profile", "as of `run`, from here on; absent: as before"},
+    {"stages.set", "as of `run`, from here on, on top of those before"},
 });
 
 }  // namespace

@@ -160,6 +160,19 @@ void check(const CoverPlan& covers) {
     require_points(excavation.outline, kFewestCorners, "about what is dug out", excavation.place);
 }
 
+void check(const std::vector<Stage>& stages) {
+  for (const Stage& stage : stages) {
+    if (stage.steps == 0 && stage.duration == 0)
+      throw InputError(stage.place, "expected steps or a duration of each stage, found neither");
+    for (const StageExcavation& part : stage.excavations)
+      require_points(part.outline, kFewestCorners, "about what is dug out", part.place);
+    for (const StageMaterial& part : stage.block_materials)
+      require_points(part.outline, kFewestCorners, "about what is of another material", part.place);
+    for (const StageRelease& part : stage.released)
+      require_points(part.outline, kFewestCorners, "about what is released", part.place);
+  }
+}
+
 void check(const Analysis& analysis) {
   if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
@@ -254,6 +267,7 @@ Reading read(const Source& source, const ReadHint&) {
   check(content.cover);
   check(content.covers);
   check(content.analysis);
+  check(content.stages);
   if (!content.frames.empty()) check(content.frames, *text.root().member("frames"));
   name_file(content.drawing, source.name);
   name_file(content.blocks, source.name);
@@ -278,7 +292,8 @@ std::string write(const Content& content) {
 
 bool fits_a_case(const Content& content) {
   return content.drawing || content.blocks || content.cover || content.covers || content.analysis || content.motion ||
-         content.units || content.choices || !content.frames.empty() || !content.tracks.empty();
+         content.units || content.choices || !content.stages.empty() || !content.frames.empty() ||
+         !content.tracks.empty();
 }
 
 const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read, write};

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "formats/text/numbers.hpp"
@@ -93,17 +94,31 @@ class CsvScanner {
 
 std::string history_csv(const History& history) {
   std::string text = "step,time [T]";
-  const std::size_t count = history.rows.empty() ? 0 : history.rows.front().points.size();
+  std::size_t count = 0;
+  std::size_t bolts = 0;
+  for (const HistoryRow& row : history.rows) {
+    count = std::max(count, row.points.size());
+    bolts = std::max(bolts, row.bolt_forces.size());
+  }
   for (std::size_t i = 1; i <= count; ++i) text += fmt::format(",x{0} [L],y{0} [L],dx{0} [L],dy{0} [L]", i);
-  const std::size_t bolts = history.rows.empty() ? 0 : history.rows.front().bolt_forces.size();
   for (std::size_t i = 1; i <= bolts; ++i) text += fmt::format(",bolt{} [F]", i);
   text += '\n';
   for (const HistoryRow& row : history.rows) {
     text += fmt::format("{}", row.step);
     append(text, {row.time});
-    for (const PointFrame& point : row.points)
-      append(text, {point.position.x, point.position.y, point.displacement.x, point.displacement.y});
-    for (const double force : row.bolt_forces) append(text, {force});
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i < row.points.size() && is_there(row.points[i]))
+        append(text, {row.points[i].position.x, row.points[i].position.y, row.points[i].displacement.x,
+                      row.points[i].displacement.y});
+      else
+        text += ",,,,";
+    }
+    for (std::size_t i = 0; i < bolts; ++i) {
+      if (i < row.bolt_forces.size() && !std::isnan(row.bolt_forces[i]))
+        append(text, {row.bolt_forces[i]});
+      else
+        text += ',';
+    }
     text += '\n';
   }
   return text;
@@ -114,6 +129,7 @@ std::string points_csv(const History& history) {
   for (const HistoryRow& row : history.rows) {
     for (std::size_t i = 0; i < row.points.size(); ++i) {
       const PointFrame& p = row.points[i];
+      if (!is_there(p)) continue;
       text += fmt::format("{}", row.step);
       append(text, {row.time});
       text += fmt::format(",{}", i + 1);
@@ -144,7 +160,7 @@ std::string blocks_csv(std::span<const Frame> frames) {
       const ElementFrame& block = frame.elements[i];
       text += fmt::format("{}", frame.step);
       append(text, {frame.time});
-      text += fmt::format(",{},{}", i + 1, block.material + 1);
+      text += fmt::format(",{},{}", number_of(frame, i) + 1, block.material + 1);
       append(text, {block.centroid.x, block.centroid.y, block.rotation, block.displacement.x, block.displacement.y,
                     block.stress.xx, block.stress.yy, block.stress.xy, block.area});
       text += '\n';

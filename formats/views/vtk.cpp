@@ -100,7 +100,12 @@ void append_cell_data(std::string& text, const Frame& frame) {
     append_cells(text, frame, "Float64", name, 1, [&](std::size_t, E e) { return format_real(member(e)); });
   };
   text += "<CellData>\n";
-  append_cells(text, frame, "Int32", "block", 1, [](std::size_t i, E) { return fmt::format("{}", i + 1); });
+  append_cells(text, frame, "Int32", "block", 1,
+               [&](std::size_t i, E) { return fmt::format("{}", number_of(frame, i) + 1); });
+  // Only where something was cut off: what never changes is told once.
+  if (std::ranges::any_of(frame.elements, [](E e) { return e.origin >= 0 && e.origin != e.number; }))
+    append_cells(text, frame, "Int32", "origin", 1,
+                 [&](std::size_t i, E) { return fmt::format("{}", origin_of(frame, i) + 1); });
   append_cells(text, frame, "Int32", "material", 1, [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
   real("stress_xx", [](E e) { return e.stress.xx; });
   real("stress_yy", [](E e) { return e.stress.yy; });

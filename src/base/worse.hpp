@@ -1,4 +1,4 @@
-// Maxima that do not lose what is no number: std::max drops it or keeps it by the order of its arguments.
+// A maximum that propagates NaN: std::max drops it or keeps it by the order of its arguments.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

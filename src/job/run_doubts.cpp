@@ -8,7 +8,6 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/polygon.hpp"
 #include "geometry/shared_area.hpp"
 #include "material/elastic.hpp"
 #include "model/body_load.hpp"
@@ -29,24 +28,18 @@ bool keeps_energy(const Prepared& prepared, const RunRecord& record) {
   return record.outcome.ledger_scope.has_flows || is_of_weight_alone(prepared);
 }
 
-std::string law_of(const Element& element) {
-  if (!element.is_on_covers()) return {};
+std::string law_of(const Model& first, int number) {
+  if (number >= first.elements.end_index().value || !first.elements[ElementIndex{number}].is_on_covers()) return {};
   return fmt::format("; the elastic law gives way below a stretch of {:.2g}", kSofteningStretch);
 }
 
-std::string name_of(const Model& model, std::size_t element) {
-  return fmt::format("{} {}", model.nodes.empty() ? "block" : "element", element + 1);
+std::string name_of(const Model& model, int number) {
+  return fmt::format("{} {}", model.nodes.empty() ? "block" : "element", number + 1);
 }
 
-double area_at_start(const Model& model, const Element& element) {
-  double sum = 0;
-  VertexIndex v = element.first_vertex;
-  for (const int size : element.loop_sizes) {
-    std::vector<Point> loop;
-    for (int i = 0; i < size; ++i, ++v.value) loop.push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
-    sum += area(loop);
-  }
-  return sum;
+// Its mass is that of the unloaded area.
+double area_at_start(const Model& model, const ElementFrame& element) {
+  return element.mass / model.block_materials[static_cast<std::size_t>(element.material)].density;
 }
 
 /// The element of the least area over that of the unloaded scene.
@@ -58,8 +51,7 @@ struct Crushed {
 Crushed most_crushed(const Model& model, const Frame& frame) {
   Crushed found;
   for (std::size_t e = 0; e < frame.elements.size(); ++e) {
-    const double share =
-        frame.elements[e].area / area_at_start(model, model.elements[ElementIndex{static_cast<int>(e)}]);
+    const double share = frame.elements[e].area / area_at_start(model, frame.elements[e]);
     if (share < found.share) found = {e, share};
   }
   return found;
@@ -80,11 +72,12 @@ void add_penetration(Warnings& found, const Prepared& prepared, double share, co
   const SharedArea shared = shared_area(bodies, limit);
   if (shared.pairs == 0) return;
   const Model& model = prepared.scene.model;
-  found.push_back({"sunk_beyond_limit", place,
-                   fmt::format("{} and {} have {:.3g} of the smaller one's area in common at the end; beyond {:.3g} "
-                               "(penetration_limit) the run is not trusted",
-                               name_of(model, static_cast<std::size_t>(shared.first)),
-                               name_of(model, static_cast<std::size_t>(shared.second)), shared.share, limit)});
+  found.push_back(
+      {"sunk_beyond_limit", place,
+       fmt::format("{} and {} have {:.3g} of the smaller one's area in common at the end; beyond {:.3g} "
+                   "(penetration_limit) the run is not trusted",
+                   name_of(model, number_of(last, static_cast<std::size_t>(shared.first))),
+                   name_of(model, number_of(last, static_cast<std::size_t>(shared.second))), shared.share, limit)});
 }
 
 // A start closes gaps and strains blocks; one that carries a block as far as this has lifted it out of another.
@@ -97,7 +90,7 @@ void add_start(Warnings& found, const Prepared& prepared, const Frame& first, co
     found.push_back({"moved_by_start", place,
                      fmt::format("the start moves {} by {:.3g}, {:.3g} of its size; beyond {:.3g} (penetration_limit) "
                                  "the run is not trusted: blocks overlap in the input, or are too soft for their loads",
-                                 name_of(prepared.scene.model, e), way, way / size, limit)});
+                                 name_of(prepared.scene.model, number_of(first, e)), way, way / size, limit)});
     return;
   }
 }
@@ -106,12 +99,12 @@ void add_crushing(Warnings& found, const Prepared& prepared, const Frame& last, 
   const Model& model = prepared.scene.model;
   const double limit = prepared.scene.settings.trust.crushing;
   const auto [element, share] = most_crushed(model, last);
+  const int number = number_of(last, element);
   if (share < limit)
     found.push_back(
         {"crushed_beyond_limit", place,
          fmt::format("{} is pressed to {:.4g} of its area{}; below {:.4g} (crushing_limit) the run is not trusted",
-                     name_of(model, element), share, law_of(model.elements[ElementIndex{static_cast<int>(element)}]),
-                     limit)});
+                     name_of(model, number), share, law_of(model, number), limit)});
 }
 
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Place& place) {
@@ -124,6 +117,18 @@ void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& reco
                                  made, limit)});
 }
 
+// What a stage was to come to before the next began.
+void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) {
+  for (std::size_t i = 0; i < outcome.scenes.size(); ++i) {
+    const SceneReport& scene = outcome.scenes[i];
+    if (!scene.asks_equilibrium || scene.is_balanced) continue;
+    found.push_back({"stage_not_balanced", place,
+                     fmt::format("stage {}{} ends after step {} without the equilibrium it was to come to: more steps, "
+                                 "or damping, may bring it there",
+                                 i + 1, scene.name.empty() ? "" : fmt::format(" ({})", scene.name), scene.last_step)});
+  }
+}
+
 }  // namespace
 
 Warnings doubts(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
@@ -133,6 +138,7 @@ Warnings doubts(const Prepared& prepared, const RunRecord& record, const Frame& 
   add_crushing(found, prepared, last, place);
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, place);
+  add_stages(found, record.outcome, place);
   return found;
 }
 

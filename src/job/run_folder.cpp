@@ -37,6 +37,10 @@ constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.s
 
 constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
 
+bool is_in(const HistoryRow& row, std::size_t point) {
+  return point < row.points.size() && is_there(row.points[point]);
+}
+
 // What the rows of a history hold: measured points, blocks, or the elements of bodies, whose displacements are weighed
 // to the bodies'.
 struct Followed {
@@ -78,7 +82,9 @@ std::vector<report::Curve> displacement_curves(const History& history, const Fra
                               is_last_of_more ? fmt::format(" (of {})", followed.parts.size()) : "");
     for (const HistoryRow& row : history.rows) {
       Point mean;
-      for (const auto& [point, share] : followed.parts[i]) mean = mean + share * row.points[point].displacement;
+      const auto& parts = followed.parts[i];
+      if (!std::ranges::all_of(parts, [&](const auto& part) { return is_in(row, part.first); })) continue;
+      for (const auto& [point, share] : parts) mean = mean + share * row.points[point].displacement;
       curve.x.push_back(row.time);
       curve.y.push_back(length(mean));
     }

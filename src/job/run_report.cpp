@@ -120,6 +120,19 @@ Json json_of(const Extremes& found) {
           {"least_area_share", {{"value", found.area_share}, {"element", found.crushed_element + 1}}}};
 }
 
+Json stages_json(const std::vector<SceneReport>& scenes) {
+  Json stages = Json::array();
+  for (const SceneReport& scene : scenes) {
+    Json stage = {{"name", scene.name},
+                  {"steps", {scene.first_step + 1, scene.last_step}},
+                  {"end_time", scene.end_time},
+                  {"balanced", Json()}};
+    if (scene.asks_equilibrium) stage["balanced"] = scene.is_balanced;
+    stages.push_back(stage);
+  }
+  return stages;
+}
+
 Json json_of(const EquilibriumWay& way) {
   return {{"share", way.share ? Json(*way.share) : Json()}, {"last_step_ratio", way.last_step_ratio}};
 }
@@ -215,6 +228,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps)}};
   json["is_static"] = record.is_static;
+  if (!record.outcome.scenes.empty()) json["stages"] = stages_json(record.outcome.scenes);
   if (record.equilibrium_way) json["equilibrium"] = json_of(*record.equilibrium_way);
   const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};
   if (!ledger.rows.empty()) json["ledger"] = ledger_json(ledger, record.ledger_sums, record.ledger.stride());

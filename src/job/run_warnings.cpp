@@ -38,6 +38,111 @@ std::vector<std::string> start_complaints(const StartReport& start) {
   return sentences;
 }
 
+/// What the steps of a run are held against.
+struct StepLimits {
+  double time_step = 0;  ///< the shortest of the scenes
+  double longest_step = 0;
+  bool constant = true;
+  bool cut_stays = false;
+  bool is_standard = true;
+  bool is_moving = true;  ///< in time, under `standard`
+  bool searches_pairs = true;
+  double allowed = 0;     ///< displacement of a step
+  double block_size = 0;  ///< of the mean block
+  double deep = 0;        ///< penetration
+};
+
+StepLimits limits_of(const Scene& first, bool balances) {
+  const Settings& settings = first.settings;
+  const Model& model = first.model;
+  const auto time_step_of = [](const Scene* scene) { return scene->settings.time_step; };
+  const std::vector<const Scene*> scenes = scenes_of(first);
+  StepLimits limits;
+  limits.time_step = time_step_of(std::ranges::min(scenes, {}, time_step_of));
+  limits.longest_step = time_step_of(std::ranges::max(scenes, {}, time_step_of));
+  limits.constant = settings.step_control == StepControl::constant;
+  limits.cut_stays = settings.quirks.cut_step_stays;
+  limits.is_standard = settings.dynamics == Dynamics::standard;
+  limits.is_moving = limits.is_standard && settings.standard.motion == MotionRule::dynamic;
+  limits.searches_pairs = model.nodes.empty() && model.elements.size() > 1 && !balances;
+  limits.allowed = settings.allowed_displacement_ratio * model.scale;
+  limits.block_size = std::sqrt(model.mean_area);
+  limits.deep = kDeepPenetrations * settings.open_close.allowed_penetration * model.scale;
+  return limits;
+}
+
+/// Steps that are cut, or too long for what moves.
+std::vector<StepKind> kinds_by_length(const StepLimits& l) {
+  return {
+      {"step_cut", [l](const StepReport& s) { return l.constant && s.dt < l.time_step; },
+       [l](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: cut from {:.6g} to {:.6g}, because blocks moved too far or contacts did not settle{}", s.step,
+             l.time_step, s.dt, l.cut_stays ? "; the cut stays" : "");
+       }},
+      {"step_moves_far", [l](const StepReport& s) { return l.is_moving && l.constant && s.displacement_ratio > 1; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps; a smaller "
+             "time_step, or step_control = shi or error, resolves it",
+             s.step, s.displacement_ratio, concerned, steps);
+       }},
+      {"step_passes_blocks",
+       [l](const StepReport& s) { return l.searches_pairs && s.displacement_ratio * l.allowed > l.block_size; },
+       [l](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: a block moves {:.3g}, further than blocks are wide ({:.3g}), as in {} of {} steps: it may have "
+             "passed through others unseen; do not trust what follows",
+             s.step, s.displacement_ratio * l.allowed, l.block_size, concerned, steps);
+       }},
+      {"step_above_limit", [l](const StepReport& s) { return !l.constant && s.dt > l.longest_step; },
+       [l](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: the automatic step, {:.6g}, passes the file's limit, {:.6g}, as in the Berkeley program", s.step,
+             s.dt, l.longest_step);
+       }},
+      {"step_unresolved", [](const StepReport& s) { return s.unresolved_parts > 0; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: {} of its parts are of the least size (least_step_share) and still move or err more than asked "
+             "for, as in {} of {} steps",
+             s.step, s.unresolved_parts, concerned, steps);
+       }},
+  };
+}
+
+/// Steps whose contacts or equations are not what they should be.
+std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
+  return {
+      {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
+       [](const StepReport& s, int, int) {
+         return fmt::format("step {}: {} contacts still opened or closed at the pass limit", s.step,
+                            s.unsettled_contacts);
+       }},
+      {"deep_penetration", [l](const StepReport& s) { return s.greatest_penetration > l.deep; },
+       [l](const StepReport& s, int, int) {
+         return fmt::format(
+             "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: do not trust "
+             "what follows",
+             s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / l.deep);
+       }},
+      {"large_residual",
+       [l](const StepReport& s) { return s.residual > (l.is_standard ? kLargeImbalance : kLargeResidual); },
+       [l](const StepReport& s, int, int) {
+         return l.is_standard
+                    ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
+                    : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only", s.step,
+                                  s.residual);
+       }},
+      {"overlaps_locked", [](const StepReport& s) { return s.locked_overlaps > 0; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format(
+             "step {}: overlaps left at impacts, because other contacts are in the way: {}; as in {} of {} steps",
+             s.step, s.locked_overlaps, concerned, steps);
+       }},
+  };
+}
+
 }  // namespace
 
 StepWatch::StepWatch(const Prepared& prepared) {
@@ -47,81 +152,19 @@ StepWatch::StepWatch(const Prepared& prepared) {
   // Where points are driven, each step has another equilibrium to go to.
   const bool stands_still =
       std::ranges::all_of(model.fixed_points, [](const CarriedPoint& point) { return point.curve.times.size() < 2; });
-  creeps_ = keyblock::is_static(settings, model) && !model.nodes.empty() &&
+  const std::vector<const Scene*> scenes = scenes_of(prepared.scene);
+  creeps_ = scenes.size() == 1 && keyblock::is_static(settings, model) && !model.nodes.empty() &&
             (is_old || (settings.standard.motion == MotionRule::dynamic && stands_still));
-  balances_ = !is_old && settings.standard.motion != MotionRule::dynamic;
-  is_static_ = balances_ || keyblock::is_static(settings, model);
-  const double time_step = settings.time_step;
-  const bool constant = settings.step_control == StepControl::constant;
-  const bool cut_stays = settings.quirks.cut_step_stays;
-  const bool is_standard = settings.dynamics == Dynamics::standard;
-  const bool is_moving = is_standard && settings.standard.motion == MotionRule::dynamic;
-  const bool searches_pairs = model.nodes.empty() && model.elements.size() > 1 && !balances_;
-  const double allowed = settings.allowed_displacement_ratio * model.scale;
-  const double block_size = std::sqrt(model.mean_area);
-  const double deep = kDeepPenetrations * settings.open_close.allowed_penetration * prepared.scene.model.scale;
-  kinds_ = {
-      {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
-       [](const StepReport& s, int, int) {
-         return fmt::format("step {}: {} contacts still opened or closed at the pass limit", s.step,
-                            s.unsettled_contacts);
-       }},
-      {"step_cut", [=](const StepReport& s) { return constant && s.dt < time_step; },
-       [=](const StepReport& s, int, int) {
-         return fmt::format(
-             "step {}: cut from {:.6g} to {:.6g}, because blocks moved too far or contacts did not settle{}", s.step,
-             time_step, s.dt, cut_stays ? "; the cut stays" : "");
-       }},
-      {"step_moves_far", [=](const StepReport& s) { return is_moving && constant && s.displacement_ratio > 1; },
-       [](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps; a smaller "
-             "time_step, or step_control = shi or error, resolves it",
-             s.step, s.displacement_ratio, concerned, steps);
-       }},
-      {"step_passes_blocks",
-       [=](const StepReport& s) { return searches_pairs && s.displacement_ratio * allowed > block_size; },
-       [=](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {}: a block moves {:.3g}, further than blocks are wide ({:.3g}), as in {} of {} steps: it may have "
-             "passed through others unseen; do not trust what follows",
-             s.step, s.displacement_ratio * allowed, block_size, concerned, steps);
-       }},
-      {"step_above_limit", [=](const StepReport& s) { return !constant && s.dt > time_step; },
-       [=](const StepReport& s, int, int) {
-         return fmt::format(
-             "step {}: the automatic step, {:.6g}, passes the file's limit, {:.6g}, as in the Berkeley program", s.step,
-             s.dt, time_step);
-       }},
-      {"deep_penetration", [=](const StepReport& s) { return s.greatest_penetration > deep; },
-       [=](const StepReport& s, int, int) {
-         return fmt::format(
-             "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: do not trust "
-             "what follows",
-             s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / deep);
-       }},
-      {"large_residual",
-       [=](const StepReport& s) { return s.residual > (is_standard ? kLargeImbalance : kLargeResidual); },
-       [=](const StepReport& s, int, int) {
-         return is_standard
-                    ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
-                    : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only", s.step,
-                                  s.residual);
-       }},
-      {"step_unresolved", [](const StepReport& s) { return s.unresolved_parts > 0; },
-       [](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {}: {} of its parts are of the least size (least_step_share) and still move or err more than asked "
-             "for, as in {} of {} steps",
-             s.step, s.unresolved_parts, concerned, steps);
-       }},
-      {"overlaps_locked", [](const StepReport& s) { return s.locked_overlaps > 0; },
-       [](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {}: overlaps left at impacts, because other contacts are in the way: {}; as in {} of {} steps",
-             s.step, s.locked_overlaps, concerned, steps);
-       }},
+  const auto balances = [](const Scene* scene) {
+    return scene->settings.dynamics == Dynamics::standard && scene->settings.standard.motion != MotionRule::dynamic;
   };
+  balances_ = std::ranges::all_of(scenes, balances);
+  is_static_ = std::ranges::all_of(scenes, [&](const Scene* scene) {
+    return balances(scene) || keyblock::is_static(scene->settings, scene->model);
+  });
+  const StepLimits limits = limits_of(prepared.scene, balances_);
+  for (const std::vector<StepKind>& kinds : {kinds_by_length(limits), kinds_by_solution(limits)})
+    kinds_.insert(kinds_.end(), kinds.begin(), kinds.end());
   seen_.resize(kinds_.size());
 }
 

@@ -14,6 +14,13 @@
 
 namespace keyblock {
 
+/// A kind of step of which something is said, once, at the first.
+struct StepKind {
+  const char* name;
+  std::function<bool(const StepReport&)> concerns;
+  std::function<std::string(const StepReport& first, int concerned, int steps)> sentence;
+};
+
 /// Watches the steps of a run as they are told.
 class StepWatch {
  public:
@@ -30,11 +37,6 @@ class StepWatch {
   std::optional<EquilibriumWay> equilibrium_way() const;
 
  private:
-  struct Kind {
-    const char* name;
-    std::function<bool(const StepReport&)> concerns;
-    std::function<std::string(const StepReport& first, int concerned, int steps)> sentence;
-  };
   struct Seen {
     StepReport first;
     int count = 0;  ///< steps concerned
@@ -42,7 +44,7 @@ class StepWatch {
 
   Warnings far_from_equilibrium(const Place& place) const;
 
-  std::vector<Kind> kinds_;
+  std::vector<StepKind> kinds_;
   std::vector<Seen> seen_;  ///< one a kind
   int steps_ = 0;
   bool is_static_ = false;

@@ -1,4 +1,5 @@
-// One line a member; then what has changed since, if anything has.
+// Saves and restores member by member, then compares the files, the program and the settings with those of the
+// checkpoint.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/saved_run.hpp"
 

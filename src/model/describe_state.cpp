@@ -1,4 +1,4 @@
-// One line a member.
+// Saves and restores State, member by member.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/describe_state.hpp"
 

@@ -25,14 +25,39 @@ struct Vertex {
   VertexIndex previous;
   int joint_material = 0;  ///< of the edge that arrives from `previous`
   bool is_inner = false;   ///< that edge leads into another element of the same body: nothing touches it
-  /// Where the boundary edge that leaves here ends and the next begins, and where the one before begins: of other elements
-  /// where the boundary of this one ends. None where the edge that leaves is inner.
+  /// Where the boundary edge that leaves here ends and the next begins, and where the one before begins: of other
+  /// elements where the boundary of this one ends. None where the edge that leaves is inner.
   VertexIndex boundary_next = {};
   VertexIndex boundary_previous = {};
 };
 
 /// Numbers of the covers that an element hangs on: three, or the one that is a block's own.
 using CoverList = boost::container::static_vector<int, 3>;
+
+/// What an element is called for the whole run, whatever comes and goes about it; indices from 0.
+struct Identity {
+  int number = 0;  ///< its index in the first scene; pieces cut off later are numbered on from there
+  int origin = 0;  ///< the element of the first scene that it is, or is a piece of
+
+  bool operator==(const Identity&) const = default;
+};
+
+/// What elements, measured points and bolts are called for the whole run. Empty lists: by their order, as in the first
+/// scene.
+struct Identities {
+  std::vector<Identity> elements;
+  std::vector<int> measured_points;
+  std::vector<int> bolts;
+
+  Identity of_element(int e) const { return elements.empty() ? Identity{e, e} : elements[static_cast<std::size_t>(e)]; }
+  int of_measured_point(std::size_t i) const { return of(measured_points, i); }
+  int of_bolt(std::size_t i) const { return of(bolts, i); }
+
+ private:
+  static int of(const std::vector<int>& numbers, std::size_t i) {
+    return numbers.empty() ? static_cast<int>(i) : numbers[i];
+  }
+};
 
 /// A polygon with a material and a basis. Its unknowns are block number `index` of the system.
 struct Element {
@@ -58,6 +83,7 @@ struct CarriedPoint {
   Point start;
   ElementIndex element;
   TimeCurve curve;
+  bool holds_in_place = false;  ///< held where it is when its scene begins, not where it was drawn
 };
 
 /// A point of an element, by where it lies at the start.
@@ -69,9 +95,9 @@ struct MaterialPoint {
 /// An axial spring between two material points. Tension is positive:
 ///     force = pretension + stiffness × elongation,  elongation = present length − length at the start,
 /// and so under compression too (the Berkeley program; legacy-formats, bolts). The stiffness belongs to the whole bolt.
-/// A bolt whose force exceeds its strength is broken and carries nothing more. A file's strength of 0 or below, infinity
-/// here, is no limit: the old program read the number and broke no bolt, and a bolt meant to break at once would hold
-/// nothing (none of the old files at hand has a bolt). Profile `legacy` breaks none.
+/// A bolt whose force exceeds its strength is broken and carries nothing more. A file's strength of 0 or below,
+/// infinity here, is no limit: the old program read the number and broke no bolt, and a bolt meant to break at once
+/// would hold nothing (none of the old files at hand has a bolt). Profile `legacy` breaks none.
 struct Bolt {
   MaterialPoint first;
   MaterialPoint second;
@@ -100,6 +126,7 @@ struct Model {
       continuum;  ///< what the elements on covers, the last ones, were cut from; none without them
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;
+  Identities identities = {};
   double mean_area = 0;  ///< of the elements at the start
   double scale = 0;      ///< w0: half the greater of width and height of all vertices (Berkeley's rule)
 

@@ -13,6 +13,7 @@
 #include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
 #include "problem/run_choices.hpp"
+#include "problem/stage.hpp"
 
 namespace keyblock {
 
@@ -24,6 +25,7 @@ struct Problem {
   Units units = {};                                ///< as a case file names them
   std::optional<CoverPlan> covers = std::nullopt;  ///< of a case file: its bodies are to stand on covers
   RunChoices choices = {};                         ///< of a case file
+  std::vector<Stage> stages = {};                  ///< of a case file; none: one scene from start to end
   std::optional<TimeCurve> motion =
       std::nullopt;  ///< of the ground, a multiple of gravity; once checked, in the analysis
   Place place = {};  ///< the first of its files, for complaints about what is missing
@@ -37,8 +39,8 @@ struct Checked {
 };
 
 /// Brings material numbers into their range (as the old analysis programs do, but not silently), gives bolts
-/// their properties, accelerates blocks by a motion of the ground, and complains about what is odd or cannot be. One warning a kind and number, at its
-/// first place.
+/// their properties, accelerates blocks by a motion of the ground, and complains about what is odd or cannot be. One
+/// warning a kind and number, at its first place.
 Checked check(Problem problem);
 
 }  // namespace keyblock

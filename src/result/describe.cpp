@@ -1,4 +1,4 @@
-// One line a member.
+// Saves and restores what runs report, member by member.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/describe.hpp"
 
@@ -32,6 +32,7 @@ void describe(Archive& a, BoltFrame& bolt) {
   describe(a, "second", bolt.second);
   a.value("force", bolt.force);
   a.value("is_broken", bolt.is_broken);
+  a.value("number", bolt.number);
 }
 
 void describe(Archive& a, const char* name, std::vector<std::vector<Point>>& loops) {
@@ -54,6 +55,8 @@ void describe(Archive& a, ElementFrame& element) {
   a.value("area", element.area);
   a.value("mass", element.mass);
   a.value("moment_of_inertia", element.moment_of_inertia);
+  a.value("number", element.number);
+  a.value("origin", element.origin);
 }
 
 void describe(Archive& a, const char* name, Momentum& momentum) {
@@ -94,6 +97,7 @@ void describe(Archive& a, LedgerRow& row) {
   a.value("projection", row.flow.projection);
   a.value("geometric", row.flow.geometric);
   a.value("creep", row.flow.creep);
+  a.value("change", row.flow.change);
   a.value("friction", row.flow.friction);
   a.value("damping", row.flow.damping);
   a.value("impact", row.flow.impact);

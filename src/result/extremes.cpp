@@ -8,7 +8,16 @@
 namespace keyblock {
 namespace {
 
-double greatest_displacement(const ElementFrame& before, const ElementFrame& after) {
+// Of its vertices, or of the centroid of a piece that was not there, or had other corners.
+double greatest_displacement(const ElementFrame* start, const ElementFrame& after) {
+  const auto sizes_of = [](const ElementFrame& element) {
+    std::vector<std::size_t> sizes;
+    for (const auto& loop : element.loops) sizes.push_back(loop.size());
+    return sizes;
+  };
+  const bool is_whole = start != nullptr && start->mass == after.mass && sizes_of(*start) == sizes_of(after);
+  if (!is_whole) return length(after.displacement);
+  const ElementFrame& before = *start;
   double greatest = 0;
   for (std::size_t l = 0; l < before.loops.size(); ++l)
     for (std::size_t v = 0; v < before.loops[l].size(); ++v)
@@ -27,14 +36,17 @@ std::pair<double, double> principal(const Stress& stress) {
 Extremes extremes_of(const Frame& start, const Frame& end) {
   Extremes found;
   for (std::size_t e = 0; e < end.elements.size(); ++e) {
-    const int index = static_cast<int>(e);
-    const double displacement = greatest_displacement(start.elements[e], end.elements[e]);
+    const int index = number_of(end, e);
+    const ElementFrame* first = element_of(start, index);
+    const double displacement = greatest_displacement(first, end.elements[e]);
     const auto [least, greatest] = principal(end.elements[e].stress);
     if (displacement > found.displacement) {
       found.displacement = displacement;
       found.displaced_element = index;
     }
-    const double area_share = end.elements[e].area / start.elements[e].area;
+    // What a cut leaves is less for another reason.
+    const bool is_whole = first != nullptr && first->mass == end.elements[e].mass;
+    const double area_share = is_whole ? end.elements[e].area / first->area : 1;
     if (area_share < found.area_share) {
       found.area_share = area_share;
       found.crushed_element = index;

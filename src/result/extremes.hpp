@@ -13,17 +13,17 @@ std::pair<double, double> principal(const Stress& stress);
 
 struct Extremes {
   double displacement = 0;     ///< greatest of a vertex
-  int displaced_element = 0;   ///< whose vertex that is, index from 0
+  int displaced_element = 0;   ///< whose vertex that is, its number from 0
   double least_stress = 0;     ///< principal, tension positive, of the mean stresses of elements
-  int compressed_element = 0;  ///< index from 0
+  int compressed_element = 0;  ///< number from 0
   double greatest_stress = 0;
   int stretched_element = 0;
   double area_share = 1;  ///< least area of an element over that at the start
   int crushed_element = 0;
 };
 
-/// Of the instant `end` of a run that began with `start`: the same elements with as many vertices. Without any, all
-/// zero and the share of area 1.
+/// Of the instant `end` of a run that began with `start`; elements are known by their numbers. Without any, all zero
+/// and the share of area 1.
 Extremes extremes_of(const Frame& start, const Frame& end);
 
 }  // namespace keyblock

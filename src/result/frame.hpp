@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -21,15 +22,22 @@ struct ElementFrame {
   double area = 0;
   double mass = 0;               ///< density times the area at the start, per unit thickness
   double moment_of_inertia = 0;  ///< about the centroid, at the start
+  int number = -1;               ///< of the element for the whole run, from 0; below 0: its index in the frame
+  int origin = -1;               ///< number of the element of the first scene that it is a piece of; below 0: its own
 };
 
 /// A point that travels with an element.
 struct PointFrame {
   Point position;
   Point displacement;  ///< since the start
-  int element = 0;     ///< index from 0
+  int element = 0;     ///< its number, from 0
   Stress stress = {};  ///< of the element, on covers that at the point
 };
+
+/// Whether the point was there at that instant: what a change of the scene took away has no place.
+inline bool is_there(const PointFrame& point) {
+  return !std::isnan(point.position.x);
+}
 
 /// A bolt between two elements.
 struct BoltFrame {
@@ -37,6 +45,7 @@ struct BoltFrame {
   Point second;
   double force = 0;  ///< tension positive
   bool is_broken = false;
+  int number = -1;  ///< of the bolt for the whole run, from 0; below 0: its index in the frame
 };
 
 /// All elements and points at one time.
@@ -50,5 +59,12 @@ struct Frame {
   std::vector<BoltFrame> bolts;
   std::vector<std::vector<Point>> outlines = {};  ///< around bodies of many elements; none where each element is one
 };
+
+/// What the element at an index of the frame is called for the whole run, and what it is a piece of.
+int number_of(const Frame& frame, std::size_t index);
+int origin_of(const Frame& frame, std::size_t index);
+
+/// The element of this number; none where it is not there.
+const ElementFrame* element_of(const Frame& frame, int number);
 
 }  // namespace keyblock

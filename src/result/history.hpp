@@ -12,8 +12,10 @@ namespace keyblock {
 struct HistoryRow {
   int step = 0;
   double time = 0;
-  std::vector<PointFrame> points;   ///< the measured points; without any, the centroid of every element
-  std::vector<double> bolt_forces;  ///< tension positive
+  /// By number: the measured points; without any, the centroid of every element. One that is not there has no place
+  /// (`is_there`).
+  std::vector<PointFrame> points;
+  std::vector<double> bolt_forces;  ///< by number, tension positive; NaN of one that is not there
 };
 
 struct History {

@@ -15,7 +15,7 @@ double largest_of(const StoredEnergy& e, const StoredEnergy& start) {
 double largest_of(const EnergyFlow& f) {
   double largest = 0;
   for (double flow : {f.external, f.projection, f.geometric, f.creep, f.friction, f.damping, f.impact, f.closing,
-                      f.clean_up, f.rupture, f.algorithmic})
+                      f.clean_up, f.rupture, f.algorithmic, f.change})
     largest = std::max(largest, std::abs(flow));
   return largest;
 }
@@ -31,6 +31,7 @@ EnergyFlow& EnergyFlow::operator+=(const EnergyFlow& other) {
   projection += other.projection;
   geometric += other.geometric;
   creep += other.creep;
+  change += other.change;
   friction += other.friction;
   damping += other.damping;
   impact += other.impact;
@@ -49,7 +50,7 @@ Momentum& Momentum::operator+=(const Momentum& other) {
 
 void LedgerSums::add(const LedgerRow& row) {
   if (!is_begun) first = row;
-  const double given = row.stored.total() - row.flow.external;
+  const double given = row.stored.total() - row.flow.external - row.flow.change;
   const double apart_from_contact = given - row.stored.contact;
   if (!is_begun) least = given;
   is_begun = true;

@@ -25,6 +25,8 @@ struct EnergyFlow {
   double projection = 0;  ///< work against gravity of setting blocks that met to where the jump would have left them
   double geometric = 0;  ///< normal forces along mid-step rows for the true gaps: either sign, second order in the step
   double creep = 0;  ///< sticking points over the slip that their law lets pass: either sign, first order in the step
+  double change =
+      0;  ///< what changes of the scene brought with them; negative where rock was taken away with its energy
   // Losses.
   double friction = 0;
   double damping = 0;  ///< of the damping matrix, and velocity that is not carried over
@@ -34,7 +36,7 @@ struct EnergyFlow {
   double rupture = 0;      ///< what bolts held that broke
   double algorithmic = 0;  ///< of the integrator and of its rule for contact springs
 
-  double gained() const { return external + projection + geometric + creep; }
+  double gained() const { return external + projection + geometric + creep + change; }
   double lost() const { return friction + damping + impact + closing + clean_up + rupture + algorithmic; }
   EnergyFlow& operator+=(const EnergyFlow& other);
 };
@@ -53,14 +55,15 @@ struct MomentumSize {
   double angular = 0;
 };
 
-/// The books at the end of a step; row 0 is the start.
+/// The energy ledger at the end of a step; row 0 is the start.
 struct LedgerRow {
   int step = 0;
   double time = 0;
   StoredEnergy stored;
   EnergyFlow flow;  ///< since the start
   Momentum momentum;
-  Momentum impulse;  ///< of all loads, weight included, since the start; supports are not in it
+  Momentum impulse;  ///< of all loads, weight included, since the start, and what changes of the scene took away or
+                     ///< brought; supports are not in it
   MomentumSize momentum_size;
 };
 
@@ -69,6 +72,7 @@ struct LedgerScope {
   bool has_flows = false;    ///< energy: false where stored energies alone are kept
   bool has_supports = true;  ///< momentum: true where held blocks push too
   Point centre;              ///< that angular momentum is taken about
+  bool has_changes = false;  ///< the scene changes during the run
 };
 
 struct Ledger {

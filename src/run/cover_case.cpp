@@ -15,8 +15,8 @@
 #include "geometry/polygon.hpp"
 #include "model/continuum.hpp"
 #include "model/setup/free_pieces.hpp"
-#include "run/cover_plan_parts.hpp"
-#include "run/planned_bodies.hpp"
+#include "run/bodies/cover_plan_parts.hpp"
+#include "run/bodies/planned_bodies.hpp"
 #include "run/prepare.hpp"
 #include "settings/profile.hpp"
 

@@ -16,8 +16,10 @@
 #include "model/setup/from_blocks.hpp"
 #include "model/setup/from_manifold.hpp"
 #include "model/setup/joint_strength.hpp"
-#include "run/cover_model.hpp"
-#include "run/planned_bodies.hpp"
+#include "run/bodies/cover_model.hpp"
+#include "run/bodies/planned_bodies.hpp"
+#include "run/stages/chain.hpp"
+#include "run/stages/cover_stages.hpp"
 #include "settings/profile.hpp"
 #include "settings/setting_row.hpp"
 #include "settings/settings_table.hpp"
@@ -168,46 +170,27 @@ Plan plan_of(Model model, const Settings& settings, const Place& place) {
   return {std::move(model), std::move(needs)};
 }
 
-// Springs stop impacts where there are any: other forces are found at the end of the step alone, and blocks would
-// overlap there.
-void require_springs(const Settings& settings, int joint_materials) {
-  if (settings.standard.impact != ImpactLaw::springs) return;
-  for (int material = 0; material < joint_materials; ++material) {
-    const Enforcement enforcement = settings.standard.enforcement.of(material);
-    if (enforcement == Enforcement::lagrange || enforcement == Enforcement::augmented)
-      refuse_value("impact", "jump, or enforcement = penalty with springs", "springs");
-  }
-}
+/// The rock of the first stage, and how models are made of it and of those to come.
+struct Staged {
+  Rock rock;
+  StagedModels models;
+};
 
-// Settings that do not go together.
-void require_consistent(const Settings& settings, int joint_materials) {
-  if (settings.dynamics == Dynamics::shi) {
-    if (settings.step_control == StepControl::error)
-      refuse_value("step_control", "constant or shi under dynamics shi", "error");
-    return;
-  }
-  require_springs(settings, joint_materials);
-}
-
-// A setting that cannot be is the file's fault where the file says it.
-void set_as_in_file(Settings& settings, const RunChoices& choices) {
-  for (std::size_t i = 0; i < choices.settings.size(); ++i) {
-    const auto& [name, value] = choices.settings[i];
-    try {
-      set(settings, name, value);
-    } catch (const std::invalid_argument& error) {
-      throw InputError(i < choices.setting_places.size() ? choices.setting_places[i] : choices.place, error.what());
-    }
-  }
-}
-
-// Settings that are sound for the materials of the file and go together.
-void require_sound(const Settings& settings, const Analysis& analysis) {
-  const int joint_materials = static_cast<int>(analysis.joint_materials.size());
-  require_materials(settings, static_cast<int>(analysis.block_materials.size()), joint_materials);
-  require_consistent(settings, joint_materials);
-  if (!settings.body_acceleration.file.empty() && settings.body_acceleration.curve.times.empty())
-    throw std::invalid_argument("setting body_acceleration_file: the file was not read");
+Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& place) {
+  const auto finished = [place](Model model, const Settings& settings) {
+    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings, place).model;
+  };
+  const Stage& first = problem.stages.front();
+  if (!problem.covers && !std::holds_alternative<Cover>(problem.geometry))
+    return {changed(rock_of(blocks, *problem.analysis), first).rock,
+            {[=](const Rock& rock, int, const Settings& settings) { return finished(model_of(rock), settings); },
+             block_parents}};
+  const auto stages = std::make_shared<const CoverStages>(problem);
+  return {changed(rock_of(stages->bodies(), *problem.analysis), first).rock,
+          {[=](const Rock& rock, int stage, const Settings& settings) {
+             return finished(stages->model(rock, stage, settings), settings);
+           },
+           [](const Model& before, const Model& after, const Descent&) { return cover_parents(before, after); }}};
 }
 
 Place place_of(const Problem& problem) {
@@ -219,33 +202,6 @@ Place place_of(const Problem& problem) {
 }
 
 }  // namespace
-
-std::string profile_of(const Problem& problem, const std::string& asked) {
-  if (!asked.empty()) return asked;
-  const std::string& profile = problem.choices.profile;
-  const std::vector<std::string> known = profile_names();
-  if (!profile.empty() && std::ranges::find(known, profile) == known.end())
-    throw InputError(problem.choices.profile_place,
-                     fmt::format("expected a profile, one of {}, found \"{}\"", fmt::join(known, ", "), profile));
-  return profile.empty() ? "standard" : profile;
-}
-
-Settings settings_of(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
-  const Analysis& analysis = *problem.analysis;
-  const RunChoices& choices = problem.choices;
-  Settings settings = profile_settings(profile, analysis, [&](Settings& changed) {
-    set_as_in_file(changed, choices);
-    for (const auto& [name, value] : overrides) set(changed, name, value);
-  });
-  if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
-  try {
-    require_sound(settings, analysis);
-  } catch (const std::invalid_argument& error) {
-    if (choices.settings.empty() || !overrides.empty()) throw;
-    throw InputError(choices.place, error.what());
-  }
-  return settings;
-}
 
 bool has_fixed_or_loading_points(const Problem& problem) {
   const auto has_points = [](const auto& geometry) {
@@ -270,6 +226,7 @@ bool has_bolts(const Problem& problem) {
 }
 
 bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
+  if (!problem.stages.empty()) return false;
   if (!problem.covers || !problem.analysis) return problem.covers.has_value();
   if (!problem.covers->excavations.empty()) return true;
   const Settings settings = settings_of(problem, profile, overrides);
@@ -287,18 +244,32 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
-  const Settings settings = settings_of(problem, profile, overrides);
-  auto [cut, scene_model] = geometry_of(problem, settings);
+  const std::vector<StageChoices> choices = choices_of_stages(problem, profile, overrides);
+  const Settings& settings = choices.front().settings;
+  Geometry geometry = geometry_of(problem, settings);
+  CutResult& cut = geometry.cut;
+  const Place place = cut.blocks.place;
+  std::optional<Staged> staged;
+  if (!problem.stages.empty()) {
+    staged = staged_models(problem, cut.blocks, place);
+    geometry.model = staged->models.make(staged->rock, 0, settings);
+  }
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   std::vector<Override> all = problem.choices.settings;
   all.insert(all.end(), overrides.begin(), overrides.end());
   cut.warnings = joined(std::move(cut.warnings), without_effect(all, settings, problem.analysis->place));
-  auto [model, needs] =
-      plan_of(with_joint_strength(std::move(scene_model), settings.joint_strength_factor), settings, cut.blocks.place);
+  // Models of stages come with their joint strength.
+  if (!staged) geometry.model = with_joint_strength(std::move(geometry.model), settings.joint_strength_factor);
+  auto [model, needs] = plan_of(std::move(geometry.model), settings, place);
+  Scene scene{std::move(model), settings};
+  if (staged) {
+    scene.end = end_of(problem.stages.front(), choices.front());
+    scene.next = later_scenes(problem, staged->rock, scene.model, choices, staged->models);
+  }
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(cut.warnings),
-          std::move(needs),      Scene{std::move(model), settings}};
+          std::move(needs),      std::move(scene)};
 }
 
 }  // namespace keyblock

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "cut/bodies/cut_blocks.hpp"
-#include "model/scene.hpp"
+#include "model/scene/scene.hpp"
 #include "model/setup/requirements.hpp"
 #include "problem/problem.hpp"
-#include "settings/settings_table.hpp"
+#include "run/settings_of.hpp"
 
 namespace keyblock {
 
@@ -24,14 +24,6 @@ struct Prepared {
   Requirements requirements;
   Scene scene;
 };
-
-/// The profile asked for; where none is, that of the case file; where that names none, `standard`. Throws InputError
-/// where the case file names one that is none.
-std::string profile_of(const Problem& problem, const std::string& asked);
-
-/// Every choice of a run: the profile, the settings of the case file on it, and the overrides on these. Throws as
-/// `prepare`.
-Settings settings_of(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 /// Whether its geometry names points (or lines of them) that are held or loaded; those of a cover file are not meant.
 bool has_fixed_or_loading_points(const Problem& problem);
@@ -47,8 +39,8 @@ bool is_solved_at_once(const Problem& problem, const std::string& profile, const
 bool can_prepare(const Problem& problem);
 
 /// The scene of a problem with geometry and analysis. Throws InputError where one is missing, lines close no block, or
-/// motions do not fit the points, or the case file has a setting or value that is none; std::invalid_argument for a
-/// profile or an override that is none. Settings of a case file count below the overrides.
+/// motions do not fit the points, or the case file names an unknown setting or an invalid value; std::invalid_argument
+/// for a profile or an override that is none. Settings of a case file count below the overrides.
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 }  // namespace keyblock

@@ -3,6 +3,8 @@
 #include "run/record.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "model/shared_covers.hpp"
 
@@ -34,14 +36,27 @@ std::vector<std::vector<Point>> outlines_of(const Model& model, const State& sta
   return outlines;
 }
 
-std::vector<PointFrame> points_of(const std::vector<CarriedPoint>& points, const std::vector<PointState>& states,
-                                  const State& state) {
+std::vector<PointFrame> points_of(const Model& model, const std::vector<CarriedPoint>& points,
+                                  const std::vector<PointState>& states, const State& state) {
   std::vector<PointFrame> frames;
   for (std::size_t i = 0; i < points.size(); ++i)
-    frames.push_back({states[i].position, states[i].displacement, points[i].element.value,
+    frames.push_back({states[i].position, states[i].displacement,
+                      model.identities.of_element(points[i].element.value).number,
                       state.elements[points[i].element].stress});
   return frames;
 }
+
+constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
+
+/// Puts a value where its number says; what lies between is not there.
+template <class T>
+void put(std::vector<T>& values, int number, T value, const T& missing) {
+  const auto place = static_cast<std::size_t>(number);
+  if (place >= values.size()) values.resize(place + 1, missing);
+  values[place] = std::move(value);
+}
+
+const PointFrame kMissingPoint{{kNotThere, kNotThere}, {kNotThere, kNotThere}, 0, {}};
 
 }  // namespace
 
@@ -67,30 +82,48 @@ Frame frame_of(const Model& model, const State& state, const StartPlaces& start,
          now.stress,
          now.moments.area,
          density * first.area,
-         density * (first.xx + first.yy)});
+         density * (first.xx + first.yy),
+         model.identities.of_element(e.value).number,
+         model.identities.of_element(e.value).origin});
   }
-  frame.fixed_points = points_of(model.fixed_points, state.fixed_points, state);
-  frame.loading_points = points_of(model.loading_points, state.loading_points, state);
-  frame.measured_points = points_of(model.measured_points, state.measured_points, state);
-  for (const BoltState& bolt : state.bolts)
-    frame.bolts.push_back({bolt.first, bolt.second, bolt.force, bolt.is_broken});
+  frame.fixed_points = points_of(model, model.fixed_points, state.fixed_points, state);
+  frame.loading_points = points_of(model, model.loading_points, state.loading_points, state);
+  frame.measured_points = points_of(model, model.measured_points, state.measured_points, state);
+  for (std::size_t i = 0; i < state.bolts.size(); ++i) {
+    const BoltState& bolt = state.bolts[i];
+    frame.bolts.push_back({bolt.first, bolt.second, bolt.force, bolt.is_broken, model.identities.of_bolt(i)});
+  }
   return frame;
 }
 
-HistoryRow history_row(const Model& model, const State& state, const StartPlaces& start) {
-  HistoryRow row{state.step, state.time, points_of(model.measured_points, state.measured_points, state), {}};
-  for (const BoltState& bolt : state.bolts) row.bolt_forces.push_back(bolt.force);
-  if (!row.points.empty()) return row;
+HistoryRow history_row(const Model& model, const State& state, const StartPlaces& start, bool of_measured_points) {
+  HistoryRow row{state.step, state.time, {}, {}};
+  const Identities& names = model.identities;
+  for (std::size_t i = 0; i < state.bolts.size(); ++i)
+    put(row.bolt_forces, names.of_bolt(i), state.bolts[i].force, kNotThere);
+  const std::vector<PointFrame> measured = points_of(model, model.measured_points, state.measured_points, state);
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    put(row.points, names.of_measured_point(i), measured[i], kMissingPoint);
+  if (of_measured_points) return row;
   for (ElementIndex e : indices(model.elements)) {
     const Point centroid = state.elements[e].centroid;
-    row.points.push_back({centroid, centroid - start.elements[e].centroid, e.value, state.elements[e].stress});
+    const int number = names.of_element(e.value).number;
+    put(row.points, number, {centroid, centroid - start.elements[e].centroid, number, state.elements[e].stress},
+        kMissingPoint);
   }
   return row;
 }
 
-void put_point_stress(std::vector<PointFrame>& measured, const Model& model, const Stepper& stepper) {
+void put_point_stress(Frame& frame, const Model& model, const Stepper& stepper) {
   for (std::size_t i = 0; i < model.measured_points.size(); ++i)
-    measured[i].stress = stepper.stress_at(model.measured_points[i].element, model.measured_points[i].start);
+    frame.measured_points[i].stress =
+        stepper.stress_at(model.measured_points[i].element, model.measured_points[i].start);
+}
+
+void put_point_stress(HistoryRow& row, const Model& model, const Stepper& stepper) {
+  for (std::size_t i = 0; i < model.measured_points.size(); ++i)
+    row.points[static_cast<std::size_t>(model.identities.of_measured_point(i))].stress =
+        stepper.stress_at(model.measured_points[i].element, model.measured_points[i].start);
 }
 
 FieldFrame field_of(const Model& model, const Stepper& stepper) {

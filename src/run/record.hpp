@@ -12,11 +12,12 @@ namespace keyblock {
 
 Frame frame_of(const Model& model, const State& state, const StartPlaces& start, const Settings& settings);
 
-/// The measured points, or the centroids where nothing is measured.
-HistoryRow history_row(const Model& model, const State& state, const StartPlaces& start);
+/// The measured points, or the centroids.
+HistoryRow history_row(const Model& model, const State& state, const StartPlaces& start, bool of_measured_points);
 
-/// Gives the measured points of a frame or a row the stress of where they lie in their elements.
-void put_point_stress(std::vector<PointFrame>& measured, const Model& model, const Stepper& stepper);
+/// Gives measured points the stress of where they lie in their elements.
+void put_point_stress(Frame& frame, const Model& model, const Stepper& stepper);
+void put_point_stress(HistoryRow& row, const Model& model, const Stepper& stepper);
 
 /// Displacement and stress at the corners of all elements now, where some hang on covers that they share; else no
 /// elements.

@@ -11,8 +11,11 @@ namespace {
 
 class Loop {
  public:
-  Loop(const Scene& scene, Stepper& stepper, int record_every, const Observer& observer)
-      : scene_(scene), stepper_(stepper), record_every_(record_every), observer_(observer) {}
+  Loop(const Scene& first, Stepper& stepper, int record_every, const Observer& observer)
+      : measures_(!first.model.measured_points.empty()),
+        stepper_(stepper),
+        record_every_(record_every),
+        observer_(observer) {}
 
   void tell_start() {
     show();
@@ -24,7 +27,7 @@ class Loop {
     RunOutcome outcome;
     outcome.ledger_scope = stepper_.ledger_scope();
     outcome.start = stepper_.start_report();
-    while (state().step < scene_.settings.step_count) {
+    while (state().step < stepper_.settings().step_count && !stepper_.is_done()) {
       const bool stops = observer_.wants_stop && observer_.wants_stop();
       if (observer_.between_steps) observer_.between_steps(stepper_);
       if (stops) {
@@ -55,34 +58,34 @@ class Loop {
     outcome.steps = state().step;
     outcome.time = state().time;
     outcome.field = field_of(stepper_.model(), stepper_);
+    outcome.scenes = stepper_.scenes();
     return outcome;
   }
 
  private:
   const State& state() const { return stepper_.state(); }
-  bool is_framed() const { return state().step % record_every_ == 0; }
+  bool is_framed() const { return state().step % record_every_ == 0 || stepper_.ends_scene(); }
 
   void show() {
     if (!observer_.on_frame) return;
-    Frame frame = frame_of(stepper_.model(), state(), stepper_.unloaded(), scene_.settings);
-    put_point_stress(frame.measured_points, stepper_.model(), stepper_);
+    Frame frame = frame_of(stepper_.model(), state(), stepper_.unloaded(), stepper_.settings());
+    put_point_stress(frame, stepper_.model(), stepper_);
     observer_.on_frame(frame);
   }
 
   void keep_row() {
-    const bool measures = !stepper_.model().measured_points.empty();
-    const bool is_due = measures || is_framed() || state().step == scene_.settings.step_count;
+    const bool is_due = measures_ || is_framed() || state().step == stepper_.settings().step_count;
     if (!observer_.on_row || !is_due) return;
-    HistoryRow row = history_row(stepper_.model(), state(), stepper_.unloaded());
-    if (measures) put_point_stress(row.points, stepper_.model(), stepper_);
+    HistoryRow row = history_row(stepper_.model(), state(), stepper_.unloaded(), measures_);
+    if (measures_) put_point_stress(row, stepper_.model(), stepper_);
     observer_.on_row(row);
   }
 
   void keep_books() {
-    if (observer_.on_ledger && scene_.settings.ledger == Bookkeeping::on) observer_.on_ledger(stepper_.ledger());
+    if (observer_.on_ledger && stepper_.settings().ledger == Bookkeeping::on) observer_.on_ledger(stepper_.ledger());
   }
 
-  const Scene& scene_;
+  bool measures_;  ///< there were measured points in the first scene
   Stepper& stepper_;
   int record_every_;
   const Observer& observer_;

@@ -41,7 +41,8 @@ struct RunOutcome {
   double time = 0;                    ///< reached
   LedgerScope ledger_scope;
   StartReport start;
-  FieldFrame field;  ///< the end of elements on covers that they share; else no elements
+  std::vector<SceneReport> scenes = {};  ///< where there is more than one
+  FieldFrame field;                      ///< the end of elements on covers that they share; else no elements
 };
 
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever
@@ -49,7 +50,8 @@ struct RunOutcome {
 /// that is in the search for the start, before anything was told.
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer);
 
-/// The rest of a run, as if it had not been left between two steps; what was told before is not told again.
+/// The rest of a run that began with the scene, as if it had not been left between two steps; what was told before is
+/// not told again.
 RunOutcome go_on(const Scene& scene, Stepper& stepper, int record_every, const Observer& observer);
 
 }  // namespace keyblock

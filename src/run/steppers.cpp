@@ -1,20 +1,23 @@
-// One branch: Shi's rules or the standard step.
+// Shi's rules, the standard step, or a chain of scenes of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/steppers.hpp"
 
 #include <utility>
 
 #include "legacy/step/shi_stepper.hpp"
+#include "run/stages/chain_stepper.hpp"
 #include "step/standard_stepper.hpp"
 
 namespace keyblock {
 
 std::unique_ptr<Stepper> stepper_for(Scene scene) {
+  if (scene.next || scene.end.steps > 0) return std::make_unique<ChainStepper>(std::move(scene));
   if (scene.settings.dynamics == Dynamics::standard) return std::make_unique<StandardStepper>(std::move(scene));
   return std::make_unique<ShiStepper>(std::move(scene));
 }
 
 std::unique_ptr<Stepper> restored_stepper(Scene scene, Archive& archive) {
+  if (scene.next || scene.end.steps > 0) return std::make_unique<ChainStepper>(std::move(scene), archive);
   if (scene.settings.dynamics == Dynamics::standard)
     return std::make_unique<StandardStepper>(std::move(scene), archive);
   return std::make_unique<ShiStepper>(std::move(scene), archive);

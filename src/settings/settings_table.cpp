@@ -221,7 +221,8 @@ std::vector<SettingRow> rows_of_quirks() {
   };
 }
 
-std::vector<SettingRow> rows_of_standard() {
+/// Of dynamics `standard`: what a step solves.
+std::vector<SettingRow> rows_of_solution() {
   using C = StandardChoices;
   return {
       row("motion", "steps in time, of static equilibrium, or of equilibrium by dynamic relaxation", at(&C::motion),
@@ -261,6 +262,13 @@ std::vector<SettingRow> rows_of_standard() {
                                   {CoverFunctions::derived, "derived"},
                                   {CoverFunctions::linear, "linear"},
                                   {CoverFunctions::quadratic, "quadratic"}})),
+  };
+}
+
+/// Of dynamics `standard`: how it goes from step to step.
+std::vector<SettingRow> rows_of_integration() {
+  using C = StandardChoices;
+  return {
       row("strain_damping", "stiffness damping of the strain modes", at(&C::strain_damping),
           one_of<StrainDamping>({{StrainDamping::critical, "critical"}, {StrainDamping::none, "none"}})),
       row("integrator", "sums of a step: the two weights below, Newmark's, or generalised alpha's", at(&C::integrator),
@@ -301,7 +309,8 @@ const std::vector<SettingRow>& table() {
     for (const auto& part : {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(),
                              rows_of_trust(), rows_of_quirks()})
       all.insert(all.end(), part.begin(), part.end());
-    for (const SettingRow& row : rows_of_standard()) all.push_back(of(Dynamics::standard, row));
+    for (const auto& part : {rows_of_solution(), rows_of_integration()})
+      for (const SettingRow& row : part) all.push_back(of(Dynamics::standard, row));
     return all;
   }();
   return rows;

@@ -13,6 +13,7 @@
 #include "base/counted.hpp"
 #include "base/stop.hpp"
 #include "contact/rows/gap.hpp"
+#include "contact/rows/ties.hpp"
 #include "material/elastic.hpp"
 #include "model/body_load.hpp"
 #include "result/describe.hpp"
@@ -22,6 +23,7 @@
 #include "step/rest/settled_start.hpp"
 #include "step/rest/static_step.hpp"
 #include "step/scene/acceleration.hpp"
+#include "step/scene/carry_motion.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/enforcement.hpp"
 #include "step/scene/equilibrium.hpp"
@@ -46,15 +48,16 @@ constexpr std::size_t kMostExact = 40;
 // Parts of the load in which a first equilibrium of bodies on covers is searched that was not found at once.
 constexpr std::array kFinerShares{5, 20};
 
-/// What led to it, where an element on covers is crushed to nothing; empty otherwise.
+/// Why an element on covers was crushed to nothing; empty where none was.
 std::string crushed_before(const StandardScene& scene, const State& before, const State& end) {
   for (ElementIndex e : indices(end.elements)) {
     const double area = end.elements[e].moments.area;
     if (!std::isfinite(area) || area > 0 || !scene.model.elements[e].is_on_covers()) continue;
     const double first = state_of(scene, start_motion(scene)).elements[e].moments.area;
     return fmt::format(
-        "; a step before it was pressed to {:.2g} of its area, and the elastic law (St. Venant-Kirchhoff) bears less "
-        "and less below a stretch of {:.2g}",
+        "; a step before it had been compressed to {:.2g} of its area, and the St. Venant-Kirchhoff law softens below "
+        "a "
+        "stretch of {:.2g}",
         before.elements[e].moments.area / first, kSofteningStretch);
   }
   return {};
@@ -240,6 +243,27 @@ StandardStepper::StandardStepper(Scene scene)
   if (scene_.settings.ledger == Bookkeeping::on) ledger_ = ledger_row(scene_, motion_);
 }
 
+StandardStepper::StandardStepper(const StandardStepper& before, const SceneChange& change)
+    : scene_(standard_scene(installed(change.scene.model, change.map, before.scene_, before.motion_),
+                            change.scene.settings)),
+      motion_(carried_motion(before.scene_, before.motion_, change.map, scene_, before.state_.time)),
+      next_part_(before.next_part_),
+      begins_scene_(true),
+      start_report_(before.start_report_),
+      start_failure_(before.start_failure_) {
+  const std::string why = unsupported(scene_);
+  if (!why.empty()) throw std::invalid_argument(why);
+  scene_.mass_centre = before.scene_.mass_centre;
+  scene_.load_share = before.scene_.load_share;
+  unloaded_ = places_of(state_of(scene_, start_motion(scene_)));
+  motion_.a = balanced_acceleration(scene_, motion_, before.state_.time);
+  state_ = state_of(scene_, motion_);
+  state_.step = before.state_.step;
+  state_.time = before.state_.time;
+  state_.dt = before.state_.dt;
+  if (scene_.settings.ledger == Bookkeeping::on) book_change(before.ledger_);
+}
+
 StandardStepper::StandardStepper(Scene scene, Archive& saved)
     : scene_(standard_scene(std::move(scene.model), std::move(scene.settings))), motion_(start_motion(scene_)) {
   unloaded_ = places_of(state_of(scene_, motion_));
@@ -248,6 +272,8 @@ StandardStepper::StandardStepper(Scene scene, Archive& saved)
 
 // The state is that of the motion, but for its step and times.
 void StandardStepper::describe(Archive& archive) {
+  archive.group("installed", [&] { describe_installed(archive); });
+  archive.value("begins_scene", begins_scene_);
   keyblock::describe(archive, motion_, scene_.model.vertices.end_index());
   if (archive.is_restoring()) state_ = state_of(scene_, motion_);
   archive.value("step", state_.step);
@@ -264,6 +290,43 @@ void StandardStepper::describe(Archive& archive) {
     archive.value("unsolved_steps", start_report_.unsolved_steps);
   });
   archive.group("ledger", [&] { keyblock::describe(archive, ledger_); });
+}
+
+// What only the motion of the scene before knew.
+void StandardStepper::describe_installed(Archive& archive) {
+  for (CarriedPoint& point : scene_.model.fixed_points) {
+    if (!point.holds_in_place) continue;
+    if (archive.is_restoring()) point.curve = {{0}, {Point{}}, {}};
+    archive.value("held_x", point.curve.values.front().x);
+    archive.value("held_y", point.curve.values.front().y);
+  }
+  for (Bolt& bolt : scene_.model.bolts) archive.value("pretension", bolt.pretension);
+  archive.value("centre_x", scene_.mass_centre.x);
+  archive.value("centre_y", scene_.mass_centre.y);
+  if (archive.is_restoring()) scene_.held = held_points(scene_.model);
+}
+
+// What is stored and what momentum there is jump with the scene; the flows go on.
+void StandardStepper::book_change(const LedgerRow& before) {
+  ledger_ = ledger_row(scene_, motion_);
+  ledger_.step = before.step;
+  ledger_.time = before.time;
+  ledger_.flow = before.flow;
+  ledger_.flow.change += ledger_.stored.total() - before.stored.total();
+  ledger_.impulse = before.impulse;
+  ledger_.impulse +=
+      {ledger_.momentum.linear - before.momentum.linear, ledger_.momentum.angular - before.momentum.angular};
+}
+
+bool StandardStepper::is_at_rest(double share) const {
+  if (scene_.load_share != 1 || balance_of(scene_, motion_, state_.time).share > share) return false;
+  if (scene_.settings.standard.motion != MotionRule::dynamic) return true;
+  const Scales scales = scales_of(scene_, loads_at(scene_, motion_.q, state_.time), motion_.q, motion_.v);
+  const double slow = share * std::sqrt(scales.acceleration * scales.size);
+  return std::ranges::all_of(state_.elements, [&](const ElementState& element) {
+    const double own = element.velocity.size() > 0 ? element.velocity.head<2>().norm() : 0;
+    return own + std::hypot(element.carried.x, element.carried.y) <= slow;
+  });
 }
 
 Stress StandardStepper::stress_at(ElementIndex e, Point start) const {
@@ -292,6 +355,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   end.dt = scene_.settings.time_step;
   motion_ = made.step.motion;
   next_part_ = made.next;
+  begins_scene_ = false;
   state_ = std::move(end);
   if (scene_.settings.ledger == Bookkeeping::on) book(made.step);
   return report_of(made);
@@ -326,7 +390,8 @@ StandardStep StandardStepper::static_equilibrium(double time) {
   const int end = shares_after(state_.step + 1);
   int share = std::min(shares_after(state_.step) + 1, end);
   scene_.load_share = static_cast<double>(share) / wanted;
-  if (state_.step > 0 && last == loads_at(scene_, motion_.q, time) && std::ranges::all_of(scene_.held, stays))
+  if (state_.step > 0 && !begins_scene_ && last == loads_at(scene_, motion_.q, time) &&
+      std::ranges::all_of(scene_.held, stays))
     return unchanged(scene_, motion_, time);
   StandardStep made = equilibrium_from(motion_, time);
   if (state_.step == 0 && wanted == 1 && scene_.covers) made = in_finer_shares(std::move(made), time);

@@ -11,10 +11,13 @@ class StandardStepper : public Stepper {
  public:
   /// Throws std::invalid_argument for a scene that is `unsupported`.
   explicit StandardStepper(Scene scene);
+  /// Goes on in the scene that follows, from the motion and the time of the one before. Throws as the first.
+  StandardStepper(const StandardStepper& before, const SceneChange& change);
   /// As it was saved, of the same scene.
   StandardStepper(Scene scene, Archive& saved);
 
   const Model& model() const override { return scene_.model; }
+  const Settings& settings() const override { return scene_.settings; }
   const State& state() const override { return state_; }
   const StartPlaces& unloaded() const override { return unloaded_; }
   Stress stress_at(ElementIndex e, Point start) const override;
@@ -24,11 +27,17 @@ class StandardStepper : public Stepper {
   LedgerScope ledger_scope() const override { return keyblock::ledger_scope(scene_); }
   void save(Archive& archive) override { describe(archive); }
 
+  /// Whether all loads are on, forces are balanced to this share of the largest, and nothing moves faster than this
+  /// share of the speed that the largest acceleration of a load gives over the size of a block.
+  bool is_at_rest(double share) const;
+
   const StandardScene& scene() const { return scene_; }
   const Motion& motion() const { return motion_; }
 
  private:
   void describe(Archive& archive);
+  void describe_installed(Archive& archive);
+  void book_change(const LedgerRow& before);
   ControlledStep make_step();
   StandardStep static_equilibrium(double time);
   StandardStep in_finer_shares(StandardStep made, double time);
@@ -39,7 +48,8 @@ class StandardStepper : public Stepper {
 
   StandardScene scene_;
   Motion motion_;
-  double next_part_ = 0;  ///< size of the first part of the coming step, under step control; 0: not chosen yet
+  double next_part_ = 0;       ///< size of the first part of the coming step, under step control; 0: not chosen yet
+  bool begins_scene_ = false;  ///< no step was made on it yet, and it is not the first
   StartReport start_report_;
   std::string start_failure_;  ///< said by the first step; empty for a start that was found
   StartPlaces unloaded_;

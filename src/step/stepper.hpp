@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
-#include "model/scene.hpp"
+#include "model/scene/scene.hpp"
 #include "model/state.hpp"
 #include "result/ledger.hpp"
 #include "result/start_report.hpp"
@@ -21,12 +21,30 @@ struct StepFailure {
   std::vector<std::size_t> contacts;  ///< numbers (from 0) of the contacts that would not settle
 };
 
+/// One scene of several: which steps were made on it.
+struct SceneReport {
+  std::string name;
+  int first_step = 0;  ///< after which it began
+  int last_step = 0;
+  double end_time = 0;
+  bool asks_equilibrium = false;
+  bool is_balanced = false;  ///< it ended because its forces were balanced
+};
+
 class Stepper {
  public:
   virtual ~Stepper() = default;
 
+  /// Whether one scene ends and another begins, or the run does, at the last accepted step; and whether the run does,
+  /// however many steps were asked for.
+  virtual bool ends_scene() const { return false; }
+  virtual bool is_done() const { return false; }
+  /// The scenes so far, where there is more than one.
+  virtual std::vector<SceneReport> scenes() const { return {}; }
+
   /// What the next step will be made on.
   virtual const Model& model() const = 0;
+  virtual const Settings& settings() const = 0;
   /// At the end of the last accepted step.
   virtual const State& state() const = 0;
   /// Before any load: displacements are counted from here.

@@ -12,8 +12,8 @@ Eigen::VectorXd moments_of(const Continuum& continuum, int element, const Elemen
 
 }  // namespace
 
-Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& moments, double density) {
-  const std::vector<Exponents> list = exponents(shape.degree);
+Eigen::MatrixXd monomial_mass(int degree, const Eigen::VectorXd& moments, double density) {
+  const std::vector<Exponents> list = exponents(degree);
   const auto n = static_cast<Eigen::Index>(list.size());
   Eigen::MatrixXd of_monomials(n, n);
   for (Eigen::Index a = 0; a < n; ++a) {
@@ -23,7 +23,11 @@ Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& mom
       of_monomials(a, b) = density * moments(monomial(p.x + q.x, p.y + q.y));
     }
   }
-  return shape.monomial.transpose() * of_monomials * shape.monomial;
+  return of_monomials;
+}
+
+Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& moments, double density) {
+  return shape.monomial.transpose() * monomial_mass(shape.degree, moments, density) * shape.monomial;
 }
 
 void add_cover_mass(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {

@@ -7,6 +7,9 @@
 
 namespace keyblock {
 
+/// ∫ ρ mᵀm of the monomials m of the local coordinates, from the moments of the polygon to twice the degree.
+Eigen::MatrixXd monomial_mass(int degree, const Eigen::VectorXd& moments, double density);
+
 /// ∫ ρ NᵀN over an element, n × n, the same for both components; `moments` are those of its polygon in its shape's
 /// frame, to twice its degree. Exact for any polygon.
 Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& moments, double density);

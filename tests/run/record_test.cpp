@@ -81,7 +81,7 @@ TEST(Record, followed_are_the_measured_points_with_the_number_of_their_element) 
   const State first = start(scene).state;
   State state = moved(first);
   state.measured_points[0] = {{11.5, 0.75}, {0.5, -0.25}};
-  const HistoryRow row = history_row(scene.model, state, places_of(first));
+  const HistoryRow row = history_row(scene.model, state, places_of(first), true);
   EXPECT_EQ(row.step, 1);
   ASSERT_EQ(row.points.size(), 1U);
   EXPECT_EQ(row.points[0].position, (Point{11.5, 0.75}));
@@ -96,7 +96,7 @@ TEST(Record, followed_are_the_measured_points_with_the_number_of_their_element) 
 TEST(Record, without_measured_points_the_centroid_of_every_element_is_followed) {
   const ShiScene scene = legacy_scene(frame_and_block(), plain_analysis(1e-3, 1));
   const State first = start(scene).state;
-  const HistoryRow row = history_row(scene.model, moved(first), places_of(first));
+  const HistoryRow row = history_row(scene.model, moved(first), places_of(first), false);
   ASSERT_EQ(row.points.size(), 2U);
   EXPECT_EQ(row.points[1].position, (Point{11.5, 0.25}));
   EXPECT_NEAR(row.points[1].displacement.y, -0.25, 1e-13);

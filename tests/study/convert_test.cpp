@@ -59,6 +59,7 @@ Content read_back(const Conversion& conversion) {
     if (read.analysis) back.analysis = read.analysis;
     if (read.units) back.units = read.units;
     if (read.choices) back.choices = read.choices;
+    if (!read.stages.empty()) back.stages = read.stages;
     if (read.motion) back.motion = read.motion;
     if (!read.frames.empty()) back.frames = read.frames;
     if (!read.tracks.empty()) back.tracks = read.tracks;

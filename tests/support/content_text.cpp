@@ -103,6 +103,35 @@ class Lister {
     line("profile {}", choices.profile);
     for (const auto& [name, value] : choices.settings) line("set {} {}", name, value);
   }
+  void list(const Stage& s) {
+    line("stage {} {} {:a} {:a} {} {}", s.name, s.steps, s.duration, s.equilibrium.value_or(0), s.removes_forces,
+         s.profile);
+    const auto outline = [&](const auto& part) {
+      for (const Point p : part.outline) line("outline {}", text(p));
+    };
+    for (const auto& part : s.excavations) {
+      line("excavation {}", part.joint_material);
+      outline(part);
+    }
+    for (const auto& cut : s.cuts)
+      line("cut {} {} {}", text(cut.segment.start), text(cut.segment.end), cut.joint_material);
+    for (const auto& part : s.block_materials) {
+      line("block material {}", part.block_material);
+      outline(part);
+    }
+    for (const auto& change : s.joint_materials) line("joint material {} {}", change.from, change.to);
+    for (const auto& b : s.bolts)
+      line("bolt {} {} {:a} {:a} {:a} {}", text(b.segment.start), text(b.segment.end), b.stiffness, b.strength,
+           b.pretension, b.type);
+    for (const auto& removed : s.removed_bolts) line("removed {}", removed.bolt);
+    for (const auto& held : s.held) line("held {}", text(held.position));
+    for (const auto& part : s.released) {
+      line("released");
+      outline(part);
+    }
+    for (const auto& force : s.forces) line("force {} {}", text(force.at), text(force.force));
+    for (const auto& [name, value] : s.settings) line("set {} {}", name, value);
+  }
   void list(const TimeCurve& motion) { list("motion of the ground", motion); }
 
   void list(const Frame& frame) {
@@ -170,6 +199,7 @@ std::string content_text(const formats::Content& content) {
   for (const Frame& frame : content.frames) lister.list(frame);
   for (const MeasuredTrack& track : content.tracks) lister.list(track);
   if (content.choices) lister.list(*content.choices);
+  for (const Stage& stage : content.stages) lister.list(stage);
   return lister.text_;
 }
 

@@ -364,6 +364,39 @@ CoverPlan covers(Dice& dice) {
   return plan;
 }
 
+Stage stage(Dice& dice) {
+  Stage s;
+  s.name = "stage \"" + std::to_string(dice.below(9)) + "\"";
+  s.steps = 1 + dice.below(9);
+  s.duration = dice.happens(0.5) ? positive_real(dice) : 0;
+  if (dice.happens(0.5)) s.equilibrium = positive_real(dice);
+  s.excavations = some(dice, 2, [](Dice& one) { return StageExcavation{polygon(one), one.below(4), {}}; });
+  s.cuts = some(dice, 2, [](Dice& one) {
+    const Point from = any_point(one);
+    return JointLine{{from, any_point(one)}, one.below(4), {}};
+  });
+  s.block_materials = some(dice, 2, [](Dice& one) { return StageMaterial{polygon(one), one.below(4), {}}; });
+  s.joint_materials = some(dice, 2, [](Dice& one) {
+    const int from = one.below(4);
+    return StageJointMaterial{from, one.below(4), {}};
+  });
+  s.bolts = some(dice, 2, [](Dice& one) {
+    const Point from = any_point(one);
+    return BoltLine{{from, any_point(one)}, positive_real(one), 1, 2, one.below(3), {}};
+  });
+  s.removed_bolts = some(dice, 2, [](Dice& one) { return StageBolt{one.below(4), {}}; });
+  s.held = some(dice, 2, [](Dice& one) { return MarkedPoint{any_point(one), {}}; });
+  s.released = some(dice, 2, [](Dice& one) { return StageRelease{polygon(one), {}}; });
+  s.forces = some(dice, 2, [](Dice& one) {
+    const Point at = any_point(one);
+    return StageForce{at, any_point(one), {}};
+  });
+  s.removes_forces = dice.happens(0.5);
+  if (dice.happens(0.3)) s.profile = "draft";
+  if (dice.happens(0.3)) s.settings = {{"gravity.x", "1"}, {"odd \"name\"", "5"}};
+  return s;
+}
+
 PointFrame point_frame(Dice& dice) {
   const Point position = any_point(dice);
   return {position, any_point(dice), dice.below(4) - 1};
@@ -433,6 +466,7 @@ Content anything(Dice& dice) {
   if (dice.happens(0.2)) content.frames = some(dice, 3, frame);
   if (dice.happens(0.2)) content.tracks = some(dice, 3, track);
   if (dice.happens(0.5)) content.choices = RunChoices{"standard", {{"motion", "static"}, {"odd \"name\"", "5"}}};
+  if (dice.happens(0.3)) content.stages = some(dice, 3, stage);
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }

@@ -12,6 +12,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/cover_run.hpp"
+#include "base/counted.hpp"
 #include "base/printable.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
@@ -35,8 +36,9 @@ struct CheckOptions {
 struct CaseReport {
   Warnings warnings;
   std::vector<std::string> errors;
-  std::optional<CoverCounts> covers;  ///< of bodies on covers
-  std::optional<Requirements> plan;   ///< what a run would take; only where geometry and analysis are there
+  std::optional<CoverCounts> covers;     ///< of bodies on covers
+  std::optional<Requirements> plan;      ///< what a run would take; only where geometry and analysis are there
+  std::vector<std::string> stages = {};  ///< a sentence for each
 };
 
 Json counts_of(const Drawing& drawing) {
@@ -138,6 +140,7 @@ void print(const CaseReport& report) {
   print(report.warnings);
   if (report.plan) print(*report.plan);
   if (report.covers) fmt::print("  {}\n", sentence_of(*report.covers));
+  for (const std::string& stage : report.stages) fmt::print("  {}\n", printable(stage));
 }
 
 /// Several geometries or analyses are no one case: each file is looked at alone, and that is said at the second.
@@ -159,6 +162,23 @@ Warnings several_cases(const std::vector<formats::FileReading>& files) {
   if (geometries.size() > 1) return told(geometries, "geometry");
   if (analyses.size() > 1) return told(analyses, "analysis");
   return {};
+}
+
+/// What each stage of a case steps through, and for how long; nothing of a case without stages.
+std::vector<std::string> stages_of(const Scene& first) {
+  std::vector<std::string> sentences;
+  if (first.end.steps == 0) return sentences;
+  for (const Scene* scene : scenes_of(first)) {
+    const Model& model = scene->model;
+    sentences.push_back(fmt::format(
+        "stage {}{}: {}, {}, {} of {:.6g}{}", sentences.size() + 1,
+        scene->end.name.empty() ? "" : fmt::format(" ({})", scene->end.name),
+        counted(model.elements.size(), model.nodes.empty() ? "block" : "element"), counted(model.bolts.size(), "bolt"),
+        counted(static_cast<std::size_t>(scene->end.steps), "step"), scene->settings.time_step,
+        scene->end.equilibrium ? fmt::format(", or fewer where forces balance to {:.3g}", *scene->end.equilibrium)
+                               : ""));
+  }
+  return sentences;
 }
 
 CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile) {
@@ -183,6 +203,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     const Prepared prepared = prepare(study::with_named_files(checked.problem, {}, {}), chosen, {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
+    report.stages = stages_of(prepared.scene);
     return report;
   } catch (const InputError& error) {
     return {{}, {error.what()}, std::nullopt, std::nullopt};
@@ -193,6 +214,7 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
   Json json = {{"files", Json::array()},
                {"case", {{"warnings", warning_list_json(report.warnings)}, {"errors", report.errors}}}};
   if (report.plan) json["case"]["requires"] = requirements_json(*report.plan);
+  if (!report.stages.empty()) json["case"]["stages"] = report.stages;
   if (report.covers) json["case"]["covers"] = counts_json(*report.covers);
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));

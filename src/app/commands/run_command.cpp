@@ -17,15 +17,9 @@
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
-#include "base/stop.hpp"
-#include "job/run_doubts.hpp"
-#include "job/run_folder.hpp"
-#include "job/run_report.hpp"
-#include "job/run_warnings.hpp"
-#include "job/saved_run.hpp"
+#include "job/run_job.hpp"
 #include "run/cover_settings.hpp"
 #include "run/settings_file.hpp"
-#include "run/steppers.hpp"
 #include "settings/profile.hpp"
 #include "settings/settings_guide.hpp"
 #include "settings/settings_table.hpp"
@@ -153,6 +147,9 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)
     spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
   if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
+  for (const SceneReport& stage : record.outcome.scenes)
+    spdlog::info("stage {}: steps {} to {}, to time {:.6g}{}", stage.name, stage.first_step + 1, stage.last_step,
+                 stage.end_time, stage.is_balanced ? ", balanced" : "");
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
   if (record.outcome.end == RunEnd::finished && !record.doubts.empty())
@@ -208,107 +205,70 @@ ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, c
                options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
 }
 
+/// What the command line asks for, read and made ready.
+struct Asked {
+  formats::Case loaded;
+  RunRecord record;
+  std::vector<Override> overrides;
+};
+
+Asked read_as_asked(const RunOptions& options, Stopwatch& watch) {
+  Asked asked{formats::load_case(options.files), RunRecord(), {}};
+  asked.record.profile = profile_of(asked.loaded.problem, options.profile);
+  asked.overrides = left_for_settings(asked.loaded.problem, options);
+  asked.record.inputs = input_records(asked.loaded.files);
+  asked.record.timings.read = watch.lap();
+  return asked;
+}
+
+// What will be computed, and what is to be said of it before.
+void print_start(const Prepared& prepared, const RunJob& job, bool is_resumed) {
+  const Model& model = prepared.scene.model;
+  spdlog::info("{}, {} unknowns, {} steps", counted(model.elements.size(), model.nodes.empty() ? "block" : "element"),
+               prepared.requirements.unknowns, prepared.scene.settings.step_count);
+  log_warnings(job.record().warnings);
+  if (const std::optional<int> step = job.steps_before())
+    spdlog::info("going on after step {}", *step);
+  else if (is_resumed)
+    spdlog::info("the run ended before its first checkpoint: it begins again");
+}
+
 // `saved`: the checkpoint to go on from, its request already taken, or all that a run left before its first one; none
 // for a new run.
 ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
-  RunRecord record;
-  formats::Case loaded = formats::load_case(options.files);
-  record.profile = profile_of(loaded.problem, options.profile);
-  const std::vector<Override> overrides = left_for_settings(loaded.problem, options);
-  record.inputs = input_records(loaded.files);
-  record.timings.read = watch.lap();
-  if (is_solved_at_once(loaded.problem, options, overrides)) return run_on_covers(loaded, options, record, overrides);
-  const Prepared prepared = prepare_as_asked(loaded.problem, options, overrides);
+  Asked asked = read_as_asked(options, watch);
+  const formats::Case& loaded = asked.loaded;
+  if (is_solved_at_once(loaded.problem, options, asked.overrides))
+    return run_on_covers(loaded, options, asked.record, asked.overrides);
+  const Prepared prepared = prepare_as_asked(loaded.problem, options, asked.overrides);
+  RunRecord& record = asked.record;
   record.timings.prepare = watch.lap();
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
   record.warnings = joined(loaded.warnings, prepared.warnings);
-
-  RunRequest request = request_of(options, record, prepared.scene.settings);
-  if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
-  const bool goes_on = saved && holds_steps(*saved);
-  for (const std::string& file : options.files) require_not_below(file, options.folder);
-  const int stride = stride_of(prepared.scene.settings.step_count);
-  record.steps = StepRows(stride);
-  record.ledger = LedgerRows(stride);
-  StepWatch watch_steps(prepared);
-  History history{!prepared.scene.model.measured_points.empty(), {}};
-  const Trace trace = options.trace ? Trace::yes : Trace::no;
-  RunFolder folder = saved ? RunFolder(options.folder, trace)
-                           : RunFolder(options.folder, options.force ? Overwrite::yes : Overwrite::no, trace);
-  listen_for_stops();  // from here on something is left that a stop should leave whole
-  std::unique_ptr<Stepper> stepper;
-  if (goes_on) {
-    describe_told(*saved, folder, history, record, watch_steps);
-    saved->group("stepper", [&] { stepper = restored_stepper(prepared.scene, *saved); });
-  }
-  if (saved)
-    folder.drop_what_followed();
-  else
-    folder.begin(bytes_before_steps(request));
-  ProgressLine progress(prepared.scene.settings.step_count, stepper ? stepper->state().step : 0);
-  spdlog::info("{}, {} unknowns, {} steps",
-               counted(prepared.scene.model.elements.size(), prepared.scene.model.nodes.empty() ? "block" : "element"),
-               prepared.requirements.unknowns, prepared.scene.settings.step_count);
   const std::size_t told = record.warnings.size();
-  log_warnings(record.warnings);
-  if (stepper) spdlog::info("going on after step {}", stepper->state().step);
-  if (saved && !stepper) spdlog::info("the run ended before its first checkpoint: it begins again");
-  CheckpointClock clock(options.checkpoint_every);
-  bool stops = false;
-  const Observer observer{[&](const Frame& frame) { folder.add(frame); },
-                          [&](const StepReport& report) {
-                            record.totals.add(report);
-                            record.steps.add(report);
-                            watch_steps.add(report);
-                            if (options.trace) record.traced.push_back(report);
-                            progress.show(report);
-                          },
-                          [&](const HistoryRow& row) { history.rows.push_back(row); },
-                          [&] { return stops = stop_signal() != 0; },
-                          [&](const LedgerRow& row) {
-                            record.ledger_sums.add(row);
-                            record.ledger.add(row);
-                          },
-                          [&](Stepper& now) {
-                            if (!stops && !clock.is_due()) return;
-                            folder.write_checkpoint(saved_bytes(request, folder, history, record, watch_steps, now));
-                            clock.written();
-                          }};
-  try {
-    record.outcome = stepper ? go_on(prepared.scene, *stepper, record.record_every, observer)
-                             : run(prepared.scene, record.record_every, observer);
-  } catch (const StopRequested&) {
-    spdlog::warn("{} before the first step; {}", stopped_how(), how_to_go_on(options.folder));
-    record.outcome.end = RunEnd::stopped;
-    return exit_code(record);
-  } catch (const InputError&) {
-    if (!saved) folder.take_back();
-    throw;
-  }
-  progress.finish();
-  record.timings.run = watch.lap();
-  record.warnings = joined(record.warnings, watch_steps.warnings(loaded.problem.analysis->place));
-  record.extremes = folder.extremes();
-  record.warnings = joined(record.warnings, outcome_warnings(prepared, record.outcome, loaded.problem.analysis->place));
-
-  record.is_static = watch_steps.is_static();
-  record.doubts = doubts(prepared, record, folder.first_frame(), folder.last_frame(), loaded.problem.analysis->place);
-  record.warnings = joined(record.warnings, record.doubts);
-
   const std::string title =
       fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);
-  folder.finish(title, history, record.traced, {record.outcome.ledger_scope, record.ledger.rows()},
-                record.outcome.field);
-  record.outputs = folder.outputs();
-  if (record.outcome.end != RunEnd::failed) record.equilibrium_way = watch_steps.equilibrium_way();
-  const std::string json =
-      run_json(prepared, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  folder.write_record(json + "\n");
-  if (record.outcome.end != RunEnd::stopped) folder.remove_checkpoint();
+  RunRequest request = request_of(options, record, prepared.scene.settings);
+  if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
+  for (const std::string& file : options.files) require_not_below(file, options.folder);
+  RunJob job(prepared, std::move(record), std::move(request),
+             {options.folder, options.force ? Overwrite::yes : Overwrite::no, options.trace ? Trace::yes : Trace::no,
+              options.checkpoint_every, loaded.problem.analysis->place},
+             saved);
+  listen_for_stops();  // from here on something is left that a stop should leave whole
+  job.open();
+  ProgressLine progress(prepared.scene.settings.step_count, job.steps_before().value_or(0));
+  print_start(prepared, job, saved != nullptr);
+  if (!job.run({[&](const StepReport& report) { progress.show(report); }, [] { return stop_signal() != 0; }})) {
+    spdlog::warn("{} before the first step; {}", stopped_how(), how_to_go_on(options.folder));
+    return exit_code(job.record());
+  }
+  progress.finish();
+  const std::string json = job.finish(title, watch.lap());
   if (options.as_json) fmt::print("{}\n", json);
-  print_summary(prepared, record, told, options.folder);
-  return exit_code(record);
+  print_summary(prepared, job.record(), told, options.folder);
+  return exit_code(job.record());
 }
 
 // Asks again what the run was asked, from the folder that names of its files were taken from.

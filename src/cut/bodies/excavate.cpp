@@ -6,7 +6,9 @@
 #include <limits>
 #include <optional>
 
+#include "cut/bodies/block_shape.hpp"
 #include "cut/bodies/cut_blocks.hpp"
+#include "cut/bodies/place_points.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
 
@@ -15,18 +17,6 @@ namespace {
 
 // No joint of a file has this material.
 constexpr int kOutline = std::numeric_limits<int>::max();
-
-std::vector<std::vector<Point>> loops_of(const BlockPolygon& block) {
-  std::vector<std::vector<Point>> loops{points_of(block.outer)};
-  for (const BlockLoop& hole : block.holes) loops.push_back(points_of(hole));
-  return loops;
-}
-
-bool holds(const BlockPolygon& block, Point p) {
-  if (side(points_of(block.outer), p) == Side::outside) return false;
-  return std::ranges::none_of(block.holes,
-                              [&](const BlockLoop& hole) { return side(points_of(hole), p) == Side::inside; });
-}
 
 /// The number of every body that stays, -1 of the others; their materials into `materials`.
 std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies,

@@ -9,7 +9,7 @@
 #include "legacy/contact/contact.hpp"
 #include "legacy/contact/rules.hpp"
 #include "legacy/terms/assemble.hpp"
-#include "model/scene.hpp"
+#include "model/scene/scene.hpp"
 #include "model/state.hpp"
 #include "settings/settings.hpp"
 #include "step/stepper.hpp"

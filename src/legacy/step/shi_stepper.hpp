@@ -13,6 +13,7 @@ class ShiStepper : public Stepper {
   ShiStepper(Scene scene, Archive& saved);
 
   const Model& model() const override { return scene_.model; }
+  const Settings& settings() const override { return scene_.settings; }
   const State& state() const override { return stepping_.state; }
   const StartPlaces& unloaded() const override { return unloaded_; }
   std::variant<StepReport, StepFailure> advance() override;

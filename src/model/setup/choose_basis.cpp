@@ -27,7 +27,8 @@ Model with_bases(Model model, const PerMaterial<BlockBasis>& basis) {
   model = with_moving_bases(std::move(model), basis);
   Table<ElementIndex, std::vector<const CarriedPoint*>> points;
   points.resize(model.elements.size());
-  for (const CarriedPoint& point : model.fixed_points) points[point.element].push_back(&point);
+  for (const CarriedPoint& point : model.fixed_points)
+    if (!point.holds_in_place) points[point.element].push_back(&point);
   for (ElementIndex e : indices(model.elements))
     if (!model.elements[e].is_on_covers() && pins(points[e])) model.elements[e].basis = &fixed_basis();
   return model;

@@ -11,7 +11,8 @@ namespace keyblock {
 Model with_moving_bases(Model model, const PerMaterial<BlockBasis>& basis);
 
 /// A block held at two or more places by points that are not driven is `fixed`: two points of a rigid body leave it no
-/// motion, and a file that holds a block so means boundary. Every other block gets the basis of its material.
+/// motion, and a file that holds a block so means boundary. One that is held in mid-run has moved and keeps its
+/// unknowns. Every other block gets the basis of its material.
 Model with_bases(Model model, const PerMaterial<BlockBasis>& basis);
 
 /// True if a fixed point of the model sits on an element that may move.

@@ -128,6 +128,15 @@ const WholeBody& CoverScene::body_at_start(ElementIndex e) const {
   return at_start_[static_cast<std::size_t>(body_of(e))];
 }
 
+Eigen::VectorXd CoverScene::turning(int body, const Eigen::VectorXd& d, Point centre) const {
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(bodies_.unknown_count());
+  const std::vector<int>& functions = bodies_.rigid.functions()[static_cast<std::size_t>(body)];
+  const Eigen::VectorXd own = bodies_.rigid.modes(body, d, centre).col(2);
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    v.segment<2>(2 * functions[i]) = own.segment<2>(2 * static_cast<Eigen::Index>(i));
+  return v;
+}
+
 Eigen::VectorXd CoverScene::start_velocity() const {
   Eigen::VectorXd v = Eigen::VectorXd::Zero(bodies_.unknown_count());
   const Functions& functions = bodies_.rigid.functions();

@@ -53,6 +53,10 @@ class CoverScene {
   /// M times a uniform field.
   Eigen::VectorXd inertia_of(Point acceleration) const;
 
+  const Continuum& continuum() const { return bodies_.continuum; }
+  const CoverBasis& basis() const { return bodies_.basis(); }
+  /// A turning of a body about a point, 1 rad per time, at positions d; nothing of other bodies.
+  Eigen::VectorXd turning(int body, const Eigen::VectorXd& d, Point centre) const;
   /// The bodies at d, with the resultants of `forces`.
   std::vector<WholeBody> whole(const Eigen::VectorXd& d, const Eigen::VectorXd& forces) const;
   Eigen::VectorXd momentum(const Eigen::VectorXd& v) const { return bodies_.mass.times(v); }  ///< M v

@@ -34,9 +34,9 @@ constexpr double kLongest = 3e3;
 // Where a body does not strain, forces are judged by its rigid motion, and a longer τ would let springs and gaps go
 // unjudged.
 constexpr double kLongestOfRigid = 30;
-// Loads that turn with a block are not part of the linearisation: a τ beyond what they allow throws a hanging block
-// over its rest, further each time. Where blocks turn back and more is out of balance than before, τ stays below a
-// share of the one that did it.
+// Loads that follow the rotation are not linearised, so too large a τ makes a hanging block overshoot its rest
+// position, further in each iteration. Where blocks turn back and more is out of balance than before, τ stays below
+// this share of the one that caused it.
 constexpr double kAfterRise = 0.5;
 constexpr double kRaised = 1.2;  // in each iteration without such a turn
 constexpr int kLook = 10;        // iterations between two looks at what is out of balance

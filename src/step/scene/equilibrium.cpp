@@ -112,7 +112,7 @@ std::string no_equilibrium(const StandardScene& scene, const std::vector<Element
   const bool several = numbers.size() > 1;
   const bool is_of_body = std::ranges::any_of(blocks, [&](ElementIndex e) { return scene.reference.is_on_covers(e); });
   return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", listed(numbers),
-                     several ? "" : "s", is_of_body ? "; no two fixed points hold what it is part of" : "");
+                     several ? "" : "s", is_of_body ? "; its body is held at fewer than two fixed points" : "");
 }
 
 }  // namespace keyblock

@@ -22,9 +22,9 @@ namespace {
 
 // Increments that change by less than this share of block size are settled: a hundred times round-off of a position.
 constexpr double kSettled = 1e-12;
-// One to three rounds are usual. What still moves after the last one, by less than the second figure, is left as a gap
-// error of that size for the next step to close; more is a failure, unless the forces meet the gaps as the last round
-// left them: a light block moves far by what is nothing to a heavy one.
+// Usually one to three rounds. A change below kTolerable after the last round is accepted, and the next step closes the
+// gap error that it leaves. A larger change is a failure, unless the forces fit the gaps of the last round: a light
+// block moves far by what is nothing to a heavy one.
 constexpr int kMostRounds = 8;
 constexpr int kMostRoundsOfSprings = 30;  // whose law is not linear where they meet or part
 constexpr double kTolerable = 1e-6;

@@ -54,14 +54,15 @@ std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, co
 
 ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   compared.followed_block = first_block(compared.values);
-  const auto block = static_cast<std::size_t>(compared.followed_block - 1);
   RunSoFar so_far;
   Observer observer;
   observer.on_step = [&](const StepReport& report) { so_far.add(report); };
   observer.on_frame = [&](const Frame& frame) {
     pick(compared.values, so_far, frame, kSameInstant * scene.settings.time_step);
+    const ElementFrame* followed = element_of(frame, compared.followed_block - 1);
+    if (followed == nullptr) return;  // dug out
     compared.times.push_back(frame.time);
-    compared.displacements.push_back(length(frame.elements[block].displacement));
+    compared.displacements.push_back(length(followed->displacement));
   };
   compared.outcome = run(scene, 1, observer);
   compared.start = so_far.start();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <variant>
 
@@ -44,8 +45,11 @@ double mean_by_mass(const Frame& frame, double Point::*coordinate) {
 
 double area_change(const Frame& start, const Frame& now) {
   double greatest = 0;
-  for (std::size_t e = 0; e < now.elements.size(); ++e)
-    greatest = std::max(greatest, std::abs(now.elements[e].area / start.elements[e].area - 1));
+  for (std::size_t e = 0; e < now.elements.size(); ++e) {
+    const ElementFrame* before = element_of(start, number_of(now, e));
+    if (before != nullptr && before->mass == now.elements[e].mass)
+      greatest = std::max(greatest, std::abs(now.elements[e].area / before->area - 1));
+  }
   return greatest;
 }
 
@@ -133,9 +137,14 @@ double RunSoFar::converged_share() const {
 double quantity_of(const RunSoFar& run, const std::string& quantity, std::optional<int> number) {
   const Quantity& found = table().at(quantity);
   const auto index = static_cast<std::size_t>(number.value_or(1) - 1);
-  if (const auto* of_block = std::get_if<OfBlock>(&found))
-    return (*of_block)({run.now().elements[index], run.start().elements[index]});
-  if (const auto* of_point = std::get_if<OfPoint>(&found)) return (*of_point)(run.now().measured_points[index]);
+  constexpr double kGone = std::numeric_limits<double>::quiet_NaN();
+  if (const auto* of_block = std::get_if<OfBlock>(&found)) {
+    const ElementFrame* now = element_of(run.now(), static_cast<int>(index));
+    const ElementFrame* start = element_of(run.start(), static_cast<int>(index));
+    return now == nullptr || start == nullptr ? kGone : (*of_block)({*now, *start});
+  }
+  if (const auto* of_point = std::get_if<OfPoint>(&found))
+    return index < run.now().measured_points.size() ? (*of_point)(run.now().measured_points[index]) : kGone;
   return std::get<OfScene>(found)(run);
 }
 

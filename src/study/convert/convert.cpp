@@ -55,6 +55,9 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.motion, content.motion, file, "motion");
   formats::put_units(all.units, content.units, {file});
   put(all.choices, content.choices, file, "run");
+  if (!all.stages.empty() && !content.stages.empty())
+    throw InputError({file}, "expected stages in one of the files, found more");
+  all.stages.insert(all.stages.end(), content.stages.begin(), content.stages.end());
 }
 
 struct Written {

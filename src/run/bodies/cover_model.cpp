@@ -1,6 +1,6 @@
 // Blocks and bodies cut apart, joined in one model, points handed to whoever carries them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/cover_model.hpp"
+#include "run/bodies/cover_model.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@
 #include "model/setup/from_blocks.hpp"
 #include "model/setup/from_manifold.hpp"
 #include "model/setup/join.hpp"
-#include "run/cover_plan_parts.hpp"
-#include "run/planned_bodies.hpp"
+#include "run/bodies/cover_plan_parts.hpp"
+#include "run/bodies/planned_bodies.hpp"
 
 namespace keyblock {
 namespace {

@@ -1,6 +1,6 @@
 // Formulas compiled once; points found in their elements.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/cover_plan_parts.hpp"
+#include "run/bodies/cover_plan_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // One mesh for all load steps; see planned_bodies.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/planned_bodies.hpp"
+#include "run/bodies/planned_bodies.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,0 +1,151 @@
+// Each block is cut alone by the lines near it; whatever it carried is handed to its pieces.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/bodies/change_blocks.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "cut/bodies/block_shape.hpp"
+#include "cut/bodies/cut_blocks.hpp"
+#include "cut/bodies/excavate.hpp"
+#include "cut/bodies/place_points.hpp"
+#include "geometry/box.hpp"
+#include "geometry/polygon.hpp"
+
+namespace keyblock {
+namespace {
+
+// Less than this share of a block is round-off of an outline along its edges.
+constexpr double kSliver = 1e-6;
+
+Box box_of(const BlockPolygon& block) {
+  Box box;
+  for (const BlockVertex& vertex : block.outer) box.add(vertex.position);
+  return box;
+}
+
+Box box_of(const Segment& segment) {
+  Box box;
+  box.add(segment.start);
+  box.add(segment.end);
+  return box;
+}
+
+bool meet(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+std::optional<Point> inside_of(const BlockPolygon& block) {
+  return point_inside(loops_of(block));
+}
+
+/// What the lines make of one block, slivers left out; the block itself where they do not cut it.
+std::vector<BlockPolygon> pieces_of(const BlockPolygon& block, std::span<const JointLine> lines, const Place& place) {
+  Blocks alone;
+  alone.place = place;
+  alone.blocks.push_back(block);
+  Drawing drawing = lines_of(alone);
+  const std::size_t edges = drawing.joints.size();
+  const Box box = box_of(block);
+  for (const JointLine& line : lines)
+    if (meet(box, box_of(line.segment))) drawing.joints.push_back(line);
+  if (drawing.joints.size() == edges) return {block};
+  std::vector<BlockPolygon> pieces;
+  for (BlockPolygon& piece : cut_blocks(drawing).blocks.blocks) {
+    const std::optional<Point> inside = inside_of(piece);
+    if (!inside || !holds(block, *inside) || area_of(piece) < kSliver * area_of(block)) continue;
+    piece.material = block.material;
+    piece.place = block.place;
+    pieces.push_back(std::move(piece));
+  }
+  if (pieces.size() < 2) return {block};
+  std::ranges::stable_sort(pieces, std::greater<>{}, [](const BlockPolygon& piece) { return area_of(piece); });
+  return pieces;
+}
+
+/// Hands blocks on one by one, then what they carried.
+class Handover {
+ public:
+  explicit Handover(const Blocks& before) : before_(before) {
+    changed_.blocks.place = before.place;
+    children_.resize(before.blocks.size());
+  }
+
+  void add(std::size_t parent, BlockPolygon block) {
+    children_[parent].push_back(static_cast<int>(changed_.blocks.blocks.size()));
+    changed_.parents.push_back(static_cast<int>(parent));
+    changed_.blocks.blocks.push_back(std::move(block));
+  }
+
+  ChangedBlocks finish() && {
+    points(before_.fixed_points, changed_.blocks.fixed_points, changed_.fixed_points);
+    points(before_.loading_points, changed_.blocks.loading_points, changed_.loading_points);
+    points(before_.measured_points, changed_.blocks.measured_points, changed_.measured_points);
+    bolts();
+    return std::move(changed_);
+  }
+
+ private:
+  /// The piece of a block that carries what the block carried there; below 0 where it went.
+  int heir(int parent, Point p) const {
+    for (const int child : children_[static_cast<std::size_t>(parent)])
+      if (holds(changed_.blocks.blocks[static_cast<std::size_t>(child)], p)) return child;
+    return -1;
+  }
+
+  void points(const std::vector<BlockPoint>& before, std::vector<BlockPoint>& after, std::vector<int>& numbers) const {
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      BlockPoint point = before[i];
+      point.block = heir(before[i].block, before[i].position);
+      if (point.block < 0) continue;
+      after.push_back(std::move(point));
+      numbers.push_back(static_cast<int>(i));
+    }
+  }
+
+  void bolts() {
+    for (std::size_t i = 0; i < before_.bolts.size(); ++i) {
+      BlockBolt bolt = before_.bolts[i];
+      bolt.first_block = heir(bolt.first_block, bolt.segment.start);
+      bolt.second_block = heir(bolt.second_block, bolt.segment.end);
+      if (bolt.first_block < 0 || bolt.second_block < 0) continue;
+      changed_.blocks.bolts.push_back(std::move(bolt));
+      changed_.bolts.push_back(static_cast<int>(i));
+    }
+  }
+
+  const Blocks& before_;
+  ChangedBlocks changed_;
+  std::vector<std::vector<int>> children_;  ///< of each block before
+};
+
+bool is_within(const BlockPolygon& piece, std::span<const Region> regions) {
+  const std::optional<Point> inside = inside_of(piece);
+  return inside && std::ranges::any_of(
+                       regions, [&](const Region& region) { return side(region.outline, *inside) == Side::inside; });
+}
+
+}  // namespace
+
+ChangedBlocks without_regions(const Blocks& blocks, std::span<const Region> regions) {
+  std::vector<JointLine> lines;
+  for (const Region& region : regions)
+    for (std::size_t i = 0; i < region.outline.size(); ++i)
+      lines.push_back(
+          {{region.outline[i], region.outline[(i + 1) % region.outline.size()]}, region.joint_material, blocks.place});
+  Handover handover(blocks);
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+    for (BlockPolygon& piece : pieces_of(blocks.blocks[b], lines, blocks.place))
+      if (!is_within(piece, regions)) handover.add(b, std::move(piece));
+  return std::move(handover).finish();
+}
+
+ChangedBlocks cut_along(const Blocks& blocks, std::span<const JointLine> lines) {
+  Handover handover(blocks);
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+    for (BlockPolygon& piece : pieces_of(blocks.blocks[b], lines, blocks.place)) handover.add(b, std::move(piece));
+  return std::move(handover).finish();
+}
+
+}  // namespace keyblock

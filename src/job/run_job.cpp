@@ -1,0 +1,113 @@
+// The record grows with every step; the folder with every frame.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/run_job.hpp"
+
+#include <utility>
+
+#include "base/stop.hpp"
+#include "job/run_doubts.hpp"
+#include "run/steppers.hpp"
+
+namespace keyblock {
+namespace {
+
+RunFolder folder_for(const RunJobOptions& options, bool goes_on) {
+  return goes_on ? RunFolder(options.folder, options.trace)
+                 : RunFolder(options.folder, options.overwrite, options.trace);
+}
+
+}  // namespace
+
+RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, RunJobOptions options, Archive* saved)
+    : prepared_(prepared),
+      record_(std::move(record)),
+      request_(std::move(request)),
+      options_(std::move(options)),
+      saved_(saved),
+      folder_(folder_for(options_, saved != nullptr)),
+      watch_(prepared),
+      history_{!prepared.scene.model.measured_points.empty(), {}},
+      clock_(options_.checkpoint_every) {
+  const int stride = stride_of(prepared.scene.settings.step_count);
+  record_.steps = StepRows(stride);
+  record_.ledger = LedgerRows(stride);
+}
+
+void RunJob::open() {
+  if (saved_ == nullptr) return folder_.begin(bytes_before_steps(request_));
+  if (holds_steps(*saved_)) {
+    describe_told(*saved_, folder_, history_, record_, watch_);
+    saved_->group("stepper", [&] { stepper_ = restored_stepper(prepared_.scene, *saved_); });
+  }
+  folder_.drop_what_followed();
+}
+
+std::optional<int> RunJob::steps_before() const {
+  return stepper_ ? std::optional(stepper_->state().step) : std::nullopt;
+}
+
+void RunJob::write_checkpoint(Stepper& stepper) {
+  if (!stops_ && !clock_.is_due()) return;
+  folder_.write_checkpoint(saved_bytes(request_, folder_, history_, record_, watch_, stepper));
+  clock_.written();
+}
+
+Observer RunJob::observer(const RunListener& listener) {
+  return {[&](const Frame& frame) { folder_.add(frame); },
+          [&](const StepReport& report) {
+            record_.totals.add(report);
+            record_.steps.add(report);
+            watch_.add(report);
+            if (options_.trace == Trace::yes) record_.traced.push_back(report);
+            if (listener.on_step) listener.on_step(report);
+          },
+          [&](const HistoryRow& row) { history_.rows.push_back(row); },
+          [&] { return stops_ = listener.wants_stop && listener.wants_stop(); },
+          [&](const LedgerRow& row) {
+            record_.ledger_sums.add(row);
+            record_.ledger.add(row);
+          },
+          [&](Stepper& stepper) { write_checkpoint(stepper); }};
+}
+
+bool RunJob::run(const RunListener& listener) {
+  const Observer told = observer(listener);
+  try {
+    record_.outcome = stepper_ ? go_on(prepared_.scene, *stepper_, record_.record_every, told)
+                               : keyblock::run(prepared_.scene, record_.record_every, told);
+    return true;
+  } catch (const StopRequested&) {
+    record_.outcome.end = RunEnd::stopped;
+    return false;
+  } catch (const InputError&) {
+    if (saved_ == nullptr) folder_.take_back();
+    throw;
+  }
+}
+
+// What is to be said of the run, and whether it can be trusted.
+void RunJob::judge() {
+  const Place& place = options_.place;
+  record_.warnings = joined(record_.warnings, watch_.warnings(place));
+  record_.extremes = folder_.extremes();
+  record_.warnings = joined(record_.warnings, outcome_warnings(prepared_, record_.outcome, place));
+  record_.is_static = watch_.is_static();
+  record_.doubts = doubts(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);
+  record_.warnings = joined(record_.warnings, record_.doubts);
+  if (record_.outcome.end != RunEnd::failed) record_.equilibrium_way = watch_.equilibrium_way();
+}
+
+std::string RunJob::finish(const std::string& title, double seconds) {
+  record_.timings.run = seconds;
+  judge();
+  folder_.finish(title, history_, record_.traced, {record_.outcome.ledger_scope, record_.ledger.rows()},
+                 record_.outcome.field);
+  record_.outputs = folder_.outputs();
+  const std::string json =
+      run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  folder_.write_record(json + "\n");
+  if (record_.outcome.end != RunEnd::stopped) folder_.remove_checkpoint();
+  return json;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,71 @@
+// One run into its folder: begun or gone on with, stepped with checkpoints on the way, finished with its record.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "job/run_folder.hpp"
+#include "job/run_report.hpp"
+#include "job/run_warnings.hpp"
+#include "job/saved_run.hpp"
+#include "run/prepare.hpp"
+
+namespace keyblock {
+
+struct RunJobOptions {
+  std::filesystem::path folder;
+  Overwrite overwrite = Overwrite::no;
+  Trace trace = Trace::no;
+  double checkpoint_every = 0;  ///< seconds; 0: none but at the start and where the run is stopped
+  Place place;                  ///< of the analysis, for what is said of the whole run
+};
+
+/// Who is told of steps, and who may stop them. Either may be left empty.
+struct RunListener {
+  std::function<void(const StepReport&)> on_step;
+  std::function<bool()> wants_stop;
+};
+
+class RunJob {
+ public:
+  /// `record` holds what is known before the first step: profile, inputs, warnings, timings, frames. Touches nothing on
+  /// the disk; throws UsageError where results stand in the folder that may not be overwritten. Where `saved` is given,
+  /// the folder is that of the run to go on with. Views `prepared`.
+  RunJob(const Prepared& prepared, RunRecord record, RunRequest request, RunJobOptions options, Archive* saved);
+
+  /// Makes the folder with what was asked, or takes up what the checkpoint holds. Throws UsageError, InputError.
+  void open();
+  /// Steps that the checkpoint holds; none of a run that begins.
+  std::optional<int> steps_before() const;
+
+  /// False where it was stopped before its first step: nothing is told then, and `--resume` begins again. Throws
+  /// InputError, and leaves no folder that it made, where the start cannot be.
+  bool run(const RunListener& listener);
+
+  /// Writes all results and the record, which it returns as JSON.
+  std::string finish(const std::string& title, double seconds);
+
+  const RunRecord& record() const { return record_; }
+
+ private:
+  Observer observer(const RunListener& listener);
+  void write_checkpoint(Stepper& stepper);
+  void judge();
+
+  const Prepared& prepared_;
+  RunRecord record_;
+  RunRequest request_;
+  RunJobOptions options_;
+  Archive* saved_;
+  RunFolder folder_;
+  StepWatch watch_;
+  History history_;
+  CheckpointClock clock_;
+  std::unique_ptr<Stepper> stepper_;  ///< restored; none of a run that begins
+  bool stops_ = false;
+};
+
+}  // namespace keyblock

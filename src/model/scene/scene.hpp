@@ -1,0 +1,41 @@
+// What a run steps through: a model, the choices by which it moves, and the scene that follows it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "model/scene/scene_map.hpp"
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+struct SceneChange;
+
+/// When a scene gives way to the next, or the run ends.
+struct SceneEnd {
+  std::string name;                   ///< of the stage that the scene is
+  int steps = 0;                      ///< at most; 0: all that the settings ask for
+  std::optional<double> equilibrium;  ///< earlier where forces are balanced to this share of the largest load
+};
+
+struct Scene {
+  Model model;
+  Settings settings;
+  SceneEnd end = {};
+  std::shared_ptr<const SceneChange> next = {};  ///< none of the last
+};
+
+/// A scene, and what it was before.
+struct SceneChange {
+  Scene scene;
+  SceneMap map;
+};
+
+/// The scene and all that follow it, in order.
+std::vector<const Scene*> scenes_of(const Scene& first);
+
+}  // namespace keyblock

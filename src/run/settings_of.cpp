@@ -1,0 +1,89 @@
+// Presets, then settings in their order, then whether they go together.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/settings_of.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/error.hpp"
+#include "settings/profile.hpp"
+#include "settings/setting_row.hpp"
+
+namespace keyblock {
+namespace {
+
+// Springs stop impacts where there are any: other forces are found at the end of the step alone, and blocks would
+// overlap there.
+void require_springs(const Settings& settings, int joint_materials) {
+  if (settings.standard.impact != ImpactLaw::springs) return;
+  for (int material = 0; material < joint_materials; ++material) {
+    const Enforcement enforcement = settings.standard.enforcement.of(material);
+    if (enforcement == Enforcement::lagrange || enforcement == Enforcement::augmented)
+      refuse_value("impact", "jump, or enforcement = penalty with springs", "springs");
+  }
+}
+
+// Settings that do not go together.
+void require_consistent(const Settings& settings, int joint_materials) {
+  if (settings.dynamics == Dynamics::shi) {
+    if (settings.step_control == StepControl::error)
+      refuse_value("step_control", "constant or shi under dynamics shi", "error");
+    return;
+  }
+  require_springs(settings, joint_materials);
+}
+
+// A setting that cannot be is the file's fault where the file says it.
+void set_as_in_file(Settings& settings, const RunChoices& choices) {
+  for (std::size_t i = 0; i < choices.settings.size(); ++i) {
+    const auto& [name, value] = choices.settings[i];
+    try {
+      set(settings, name, value);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(i < choices.setting_places.size() ? choices.setting_places[i] : choices.place, error.what());
+    }
+  }
+}
+
+// Settings that are sound for the materials of the file and go together.
+void require_sound(const Settings& settings, const Analysis& analysis) {
+  const int joint_materials = static_cast<int>(analysis.joint_materials.size());
+  require_materials(settings, static_cast<int>(analysis.block_materials.size()), joint_materials);
+  require_consistent(settings, joint_materials);
+  if (!settings.body_acceleration.file.empty() && settings.body_acceleration.curve.times.empty())
+    throw std::invalid_argument("setting body_acceleration_file: the file was not read");
+}
+
+}  // namespace
+
+std::string profile_of(const Problem& problem, const std::string& asked) {
+  if (!asked.empty()) return asked;
+  const std::string& profile = problem.choices.profile;
+  const std::vector<std::string> known = profile_names();
+  if (!profile.empty() && std::ranges::find(known, profile) == known.end())
+    throw InputError(problem.choices.profile_place,
+                     fmt::format("expected a profile, one of {}, found \"{}\"", fmt::join(known, ", "), profile));
+  return profile.empty() ? "standard" : profile;
+}
+
+Settings settings_of(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
+  const Analysis& analysis = *problem.analysis;
+  const RunChoices& choices = problem.choices;
+  Settings settings = profile_settings(profile, analysis, [&](Settings& changed) {
+    set_as_in_file(changed, choices);
+    for (const auto& [name, value] : overrides) set(changed, name, value);
+  });
+  if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
+  try {
+    require_sound(settings, analysis);
+  } catch (const std::invalid_argument& error) {
+    if (choices.settings.empty() || !overrides.empty()) throw;
+    throw InputError(choices.place, error.what());
+  }
+  return settings;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,47 @@
+// A chain of scenes as one stepper: each is stepped to its end, then the motion is carried into the next.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "step/standard_stepper.hpp"
+
+namespace keyblock {
+
+class ChainStepper : public Stepper {
+ public:
+  /// Of a scene of dynamics `standard`. Throws std::invalid_argument for one that cannot be moved.
+  explicit ChainStepper(Scene first);
+  /// As it was saved, of the same chain. Throws InputError.
+  ChainStepper(Scene first, Archive& saved);
+
+  bool ends_scene() const override { return ends_scene_ || state().step == reports_.back().first_step; }
+  bool is_done() const override { return ends_scene_ && !scene_.next; }
+  std::vector<SceneReport> scenes() const override { return reports_; }
+  const Model& model() const override { return now_->model(); }
+  const Settings& settings() const override { return now_->settings(); }
+  const State& state() const override { return now_->state(); }
+  const StartPlaces& unloaded() const override { return now_->unloaded(); }
+  Stress stress_at(ElementIndex e, Point start) const override { return now_->stress_at(e, start); }
+  StartReport start_report() const override { return now_->start_report(); }
+  std::variant<StepReport, StepFailure> advance() override;
+  LedgerRow ledger() const override { return now_->ledger(); }
+  LedgerScope ledger_scope() const override;
+  void save(Archive& archive) override;
+
+  const StandardStepper& now() const { return *now_; }
+
+ private:
+  void describe_chain(Archive& archive);
+  void begin(const Scene& scene);
+  void follow();
+
+  Scene scene_;  ///< the present one
+  LedgerScope scope_;
+  std::unique_ptr<StandardStepper> now_;
+  bool ends_scene_ = false;
+  std::vector<SceneReport> reports_;  ///< that of the present scene is the last
+};
+
+}  // namespace keyblock

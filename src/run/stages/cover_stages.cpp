@@ -1,0 +1,132 @@
+// Excavations as the plan of linear statics has them; everything else from the rock.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/stages/cover_stages.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "cut/bodies/place_points.hpp"
+#include "geometry/polygon.hpp"
+#include "model/continuum.hpp"
+#include "model/setup/from_blocks.hpp"
+#include "model/setup/from_manifold.hpp"
+#include "run/bodies/cover_plan_parts.hpp"
+
+namespace keyblock {
+namespace {
+
+Problem with_excavations(const Problem& problem) {
+  const Place& place = problem.stages.front().place;
+  if (!problem.covers || !problem.covers->mesh.materials.empty())
+    throw InputError(place, "expected stages of blocks, or of bodies that are all on covers, found others");
+  if (!problem.covers->excavations.empty())
+    throw InputError(problem.covers->excavations.front().place,
+                     "expected excavations in stages or in covers, found both");
+  Problem with = problem;
+  for (std::size_t i = 0; i < problem.stages.size(); ++i) {
+    const Stage& stage = problem.stages[i];
+    if (!stage.cuts.empty())
+      throw InputError(stage.cuts.front().place, "expected cuts of blocks, found them in stages of bodies on covers");
+    for (const StageExcavation& excavation : stage.excavations)
+      with.covers->excavations.push_back({static_cast<int>(i) + 1, excavation.outline, excavation.place});
+  }
+  return with;
+}
+
+std::vector<CoverPoint> in_elements(const Manifold& manifold, const std::vector<BlockPoint>& points, const char* noun) {
+  std::vector<CoverPoint> result;
+  for (const BlockPoint& point : points)
+    result.push_back({point.position, element_holding(manifold, -1, point.position, noun, point.place), point.place});
+  return result;
+}
+
+/// Points without a block to carry them any more go with it.
+template <class Part>
+std::vector<Part> in_rock(const std::vector<Part>& parts, const Rock& rock) {
+  std::vector<Part> kept;
+  for (const Part& part : parts)
+    if (std::ranges::any_of(rock.blocks.blocks, [&](const BlockPolygon& block) { return holds(block, part.at); }))
+      kept.push_back(part);
+  return kept;
+}
+
+/// The material of the block of the rock that a body is.
+int material_of(const Rock& rock, Point inside, int otherwise) {
+  for (const BlockPolygon& block : rock.blocks.blocks)
+    if (holds(block, inside)) return block.material;
+  return otherwise;
+}
+
+bool is_within(const std::vector<std::vector<Point>>& loops, Point p) {
+  int times = 0;
+  for (const std::vector<Point>& loop : loops) times += side(loop, p) == Side::outside ? 0 : 1;
+  return times == 1;
+}
+
+}  // namespace
+
+CoverStages::CoverStages(const Problem& problem) : problem_(with_excavations(problem)), planned_(problem_) {}
+
+Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const Settings& settings) const {
+  CoverPlan plan = *problem_.covers;
+  const auto is_gone = [&](const auto& part) { return sides_along(manifold, part.along).empty(); };
+  std::erase_if(plan.tractions, is_gone);
+  std::erase_if(plan.displacements, is_gone);
+  plan.forces = in_rock(plan.forces, rock);
+  plan.springs = in_rock(plan.springs, rock);
+  Continuum continuum =
+      continuum_of(std::move(manifold), rock.analysis.block_materials, settings, problem_.covers->functions);
+  put_loads(continuum, plan);
+  put_points(continuum, plan);
+  return continuum;
+}
+
+Model CoverStages::model(const Rock& rock, int stage, const Settings& settings) const {
+  Manifold manifold = planned_.at(stage + 1);
+  for (const ManifoldElement& element : manifold.elements) {
+    int& material = manifold.body_materials[static_cast<std::size_t>(element.body)];
+    if (const std::optional<Point> inside = point_inside(manifold.polygon(element)))
+      material = material_of(rock, *inside, material);
+  }
+  for (ElementCorner& corner : manifold.corners)
+    for (int i = 0; i <= stage; ++i)
+      for (const StageJointMaterial& change : problem_.stages[static_cast<std::size_t>(i)].joint_materials)
+        if (corner.joint_material == change.from) corner.joint_material = change.to;
+  const ElementPoints points{in_elements(manifold, rock.blocks.fixed_points, "a fixed point"),
+                             in_elements(manifold, rock.blocks.loading_points, "a loading point"),
+                             in_elements(manifold, rock.blocks.measured_points, "a measured point")};
+  Model model = model_from_manifold(manifold, points, rock.analysis);
+  for (const BlockBolt& bolt : rock.blocks.bolts) {
+    const auto end = [&](Point p) { return ElementIndex{element_holding(manifold, -1, p, "a bolt end", bolt.place)}; };
+    model.bolts.push_back(bolt_between(bolt, end(bolt.segment.start), end(bolt.segment.end)));
+  }
+  name_points(model, rock);
+  model.continuum = std::make_shared<Continuum>(continuum_at(std::move(manifold), rock, settings));
+  return model;
+}
+
+Table<ElementIndex, ElementIndex> cover_parents(const Model& before, const Model& after) {
+  const Manifold& was = before.continuum->manifold;
+  const Manifold& is = after.continuum->manifold;
+  std::vector<std::vector<int>> of_triangle(was.mesh.triangles.size());
+  for (std::size_t e = 0; e < was.elements.size(); ++e)
+    of_triangle[static_cast<std::size_t>(was.elements[e].triangle)].push_back(static_cast<int>(e));
+  Table<ElementIndex, ElementIndex> parents;
+  for (const ManifoldElement& element : is.elements) {
+    const std::vector<int>& candidates = of_triangle[static_cast<std::size_t>(element.triangle)];
+    const std::optional<Point> inside = point_inside(is.polygon(element));
+    ElementIndex parent;
+    for (const int candidate : candidates)
+      if (inside && is_within(was.polygon(was.elements[static_cast<std::size_t>(candidate)]), *inside))
+        parent = {candidate};
+    if (!parent && !candidates.empty()) parent = {candidates.front()};  // a corner that rounding made
+    if (!parent) throw std::logic_error("an element of a later stage lies outside the bodies of the stage before");
+    parents.push_back(parent);
+  }
+  return parents;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,117 @@
+// Products of polynomials over the elements that are left.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/bodies/carry_covers.hpp"
+
+#include <array>
+
+#include "terms/cover_inertia.hpp"
+
+namespace keyblock {
+namespace {
+
+/// x and y of a vector field as coefficients of the monomials of an element's frame, one column each.
+using FieldPolynomial = Eigen::MatrixX2d;
+
+FieldPolynomial field_of(const ElementShape& shape, const Eigen::VectorXd& d) {
+  Eigen::MatrixX2d own(shape.function_count(), 2);
+  for (int a = 0; a < shape.function_count(); ++a)
+    own.row(a) = d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]).transpose();
+  return shape.monomial * own;
+}
+
+/// Of the place itself.
+FieldPolynomial place_of(const ElementShape& shape) {
+  FieldPolynomial place = FieldPolynomial::Zero(monomial_count(shape.degree), 2);
+  place.row(monomial(0, 0)) << shape.frame.origin.x, shape.frame.origin.y;
+  place(monomial(1, 0), 0) = shape.frame.size;
+  place(monomial(0, 1), 1) = shape.frame.size;
+  return place;
+}
+
+class Carrying {
+ public:
+  Carrying(const CoverScene& before, std::span<const int> parents, const CoverScene& after)
+      : before_(before), parents_(parents), after_(after) {
+    const Continuum& continuum = after.continuum();
+    for (int e = 0; e < after.basis().element_count(); ++e) {
+      const ElementShape shape = after.basis().shape(e);
+      const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
+      masses_.push_back(monomial_mass(shape.degree, polygon_moments(loops, shape.frame, 2 * shape.degree),
+                                      continuum.material(e).density));
+    }
+  }
+
+  Eigen::VectorXd projected(const Eigen::VectorXd& field) const {
+    Eigen::VectorXd result = copied(field);
+    Eigen::VectorXd left = Eigen::VectorXd::Zero(result.size());
+    for (int e = 0; e < after_.basis().element_count(); ++e) {
+      const ElementShape shape = after_.basis().shape(e);
+      const FieldPolynomial missing = before(e, field) - field_of(shape, result);
+      const Eigen::MatrixX2d force = shape.monomial.transpose() * (mass(e) * missing);
+      for (int a = 0; a < shape.function_count(); ++a)
+        left.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]) += force.row(a).transpose();
+    }
+    return result + after_.mass_inverse()->times(left).col(0);
+  }
+
+  /// What the velocity after lacks of the angular momentum that what is left had before.
+  Eigen::VectorXd with_angular_momentum(const Eigen::VectorXd& d_before, const Eigen::VectorXd& v_before,
+                                        const Eigen::VectorXd& d, Eigen::VectorXd v) const {
+    const std::vector<WholeBody> bodies = after_.whole(d, after_.momentum(v));
+    std::vector<double> missing;
+    for (const WholeBody& body : bodies) missing.push_back(-body.resultant[2]);
+    for (int e = 0; e < after_.basis().element_count(); ++e) {
+      const auto body =
+          static_cast<std::size_t>(after_.continuum().manifold.elements[static_cast<std::size_t>(e)].body);
+      const ElementShape shape = after_.basis().shape(e);
+      FieldPolynomial arm = place_of(shape) + before(e, d_before);
+      arm.row(monomial(0, 0)) -= Eigen::RowVector2d(bodies[body].centre.x, bodies[body].centre.y);
+      const FieldPolynomial momentum = mass(e) * before(e, v_before);
+      missing[body] += arm.col(0).dot(momentum.col(1)) - arm.col(1).dot(momentum.col(0));
+    }
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      v += missing[b] / bodies[b].inertia * after_.turning(static_cast<int>(b), d, bodies[b].centre);
+    return v;
+  }
+
+ private:
+  const Eigen::MatrixXd& mass(int element) const { return masses_[static_cast<std::size_t>(element)]; }
+
+  FieldPolynomial before(int element, const Eigen::VectorXd& field) const {
+    return field_of(before_.basis().shape(parents_[static_cast<std::size_t>(element)]), field);
+  }
+
+  /// Function by function of the covers that elements had and have: all of it, but for gradients that are derived from
+  /// covers which are gone.
+  Eigen::VectorXd copied(const Eigen::VectorXd& field) const {
+    const Manifold& was = before_.continuum().manifold;
+    const Manifold& is = after_.continuum().manifold;
+    const int functions = after_.basis().function_count() / static_cast<int>(is.covers.size());
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(2 * after_.basis().function_count());
+    for (std::size_t e = 0; e < is.elements.size(); ++e)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int from = was.elements[static_cast<std::size_t>(parents_[e])].covers[k] * functions;
+        const int to = is.elements[e].covers[k] * functions;
+        result.segment(2 * to, 2 * functions) = field.segment(2 * from, 2 * functions);
+      }
+    return result;
+  }
+
+  const CoverScene& before_;
+  std::span<const int> parents_;
+  const CoverScene& after_;
+  std::vector<Eigen::MatrixXd> masses_;  ///< of the monomials of each element
+};
+
+}  // namespace
+
+CarriedCovers carried_covers(const CoverScene& before, const Eigen::VectorXd& d, const Eigen::VectorXd& v,
+                             std::span<const int> parents, const CoverScene& after) {
+  const Carrying carrying(before, parents, after);
+  CarriedCovers carried;
+  carried.d = carrying.projected(d);
+  carried.v = carrying.with_angular_momentum(d, v, carried.d, carrying.projected(v));
+  return carried;
+}
+
+}  // namespace keyblock

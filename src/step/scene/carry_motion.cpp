@@ -1,0 +1,206 @@
+// Element by element, then contact by contact.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/scene/carry_motion.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "contact/rows/ties.hpp"
+#include "step/bodies/carry_covers.hpp"
+#include "step/scene/contact_laws.hpp"
+#include "step/scene/touch_search.hpp"
+
+namespace keyblock {
+namespace {
+
+/// Where a material point of the later scene lies: it moves with what it was part of before.
+class Before {
+ public:
+  Before(const StandardScene& scene, const Motion& motion, const SceneMap& map)
+      : scene_(scene), motion_(motion), map_(map) {}
+
+  Point place(ElementIndex e, Point start) const {
+    return point_at(scene_.model, scene_.reference, motion_.q, map_.elements[e], start);
+  }
+
+ private:
+  const StandardScene& scene_;
+  const Motion& motion_;
+  const SceneMap& map_;
+};
+
+/// Vertices of the scene before to those of the scene after, and what is known by them.
+class Names {
+ public:
+  Names(const SceneMap& map, const StandardScene& before, const StandardScene& after) : after_(after.model) {
+    now_.resize(before.model.vertices.size());
+    for (VertexIndex v : indices(map.vertices))
+      if (map.vertices[v] && !now_[map.vertices[v]]) now_[map.vertices[v]] = v;
+  }
+
+  std::optional<Touch> of(Touch touch) const {
+    const bool same = rename(touch.vertex) && rename(touch.start) && rename(touch.end) && rename(touch.other) &&
+                      rename(touch.second_start) && rename(touch.second_end) && rename(touch.facing);
+    if (!same || !is_edge(touch.start, touch.end)) return std::nullopt;
+    if (touch.kind == TouchKind::middle && !is_edge(touch.vertex, touch.other) && !is_edge(touch.other, touch.vertex))
+      return std::nullopt;
+    if (touch.second_start && !is_edge(touch.second_start, touch.second_end)) return std::nullopt;
+    return touch;
+  }
+
+  /// False where one of its edges is gone.
+  bool rename(Facing& facing) const {
+    if (!facing.lower && !facing.upper) return true;
+    return rename(facing.lower) && rename(facing.upper);  // blocks stay in order, and so do their edges
+  }
+
+ private:
+  bool rename(VertexIndex& v) const {
+    if (!v) return true;
+    v = now_[v];
+    return static_cast<bool>(v);
+  }
+
+  bool is_edge(VertexIndex start, VertexIndex end) const { return after_.vertices[start].next == end; }
+
+  const Model& after_;
+  Table<VertexIndex, VertexIndex> now_;
+};
+
+// The affine field of a block about the centroid of its piece; its velocity as the mass of the block has it, whose
+// points lie where they would without strain: kinetic energy is kept to round-off.
+void carry_block(const StandardScene& before, const Motion& motion, ElementIndex old, const StandardScene& after,
+                 Motion& carried, ElementIndex e) {
+  const Basis& basis = *before.model.elements[old].basis;
+  const Eigen::Index count = std::min(motion.q[old].size(), carried.q[e].size());
+  if (count == 0) return;
+  const Point centroid = after.reference.centroids[e];
+  const Point offset = centroid - before.reference.centroids[old];
+  carried.q[e].head(count) = motion.q[old].head(count);
+  carried.v[e].setZero();
+  carried.v[e].head(count) = motion.v[old].head(count);
+  if (offset == Point{}) return;
+  const Point moved = point_at(before.model, before.reference, motion.q, old, centroid) - centroid;
+  carried.q[e].head<2>() << moved.x, moved.y;
+  Unknowns unstrained = motion.q[old];
+  unstrained.tail(unstrained.size() - kRigidUnknowns).setZero();
+  carried.v[e].head<2>() = jacobian(basis, unstrained, offset) * motion.v[old];
+}
+
+// Of every element on covers, the one among those before.
+std::vector<int> parents_on_covers(const StandardScene& before, const SceneMap& map, const StandardScene& after) {
+  std::vector<int> parents;
+  for (ElementIndex e : indices(map.elements))
+    if (after.reference.is_on_covers(e))
+      parents.push_back(before.covers->kinematics()->manifold_element(map.elements[e]));
+  return parents;
+}
+
+ClosedContacts carried_contacts(const ClosedContacts& closed, const Names& names) {
+  std::vector<ClosedContact> kept;
+  for (const ClosedContact& contact : closed.all())
+    if (const std::optional<Touch> touch = names.of(contact.touch)) kept.push_back({*touch, contact.memory});
+  return ClosedContacts(std::move(kept));
+}
+
+/// Whether one of two edges that were there before is of another joint material now.
+bool is_other_joint(const Facing& facing, const SceneMap& map, const StandardScene& before,
+                    const StandardScene& after) {
+  const auto is_other = [&](VertexIndex start) {
+    const VertexIndex end = after.model.vertices[start].next;
+    if (!map.vertices[start] || !map.vertices[end]) return false;
+    return after.model.vertices[end].joint_material != before.model.vertices[map.vertices[end]].joint_material;
+  };
+  return is_other(facing.lower) || is_other(facing.upper);
+}
+
+// Faces whose joint is of another material now are bonded as it says; new faces are not.
+Bonds carried_bonds(const Bonds& bonds, const Names& names, const SceneMap& map, const StandardScene& before,
+                    const Motion& carried, const StandardScene& after, double time) {
+  Bonds kept;
+  for (const auto& [was, bond] : bonds)
+    if (Facing facing = was; names.rename(facing) && !is_other_joint(facing, map, before, after))
+      kept.emplace(facing, bond);
+  const Scales scales = scales_of(after, loads_at(after, carried.q, time), carried.q, carried.v);
+  for (const auto& [facing, bond] : bonds_at(after, carried.q, resting_touches(after, carried, scales)))
+    if (is_other_joint(facing, map, before, after)) kept.emplace(facing, bond);
+  return kept;
+}
+
+// Of every fixed point of elements that can move its place among them; below 0 of the others.
+std::vector<int> places_among_held(const Model& model) {
+  std::vector<int> places;
+  int next = 0;
+  for (const CarriedPoint& point : model.fixed_points)
+    places.push_back(model.elements[point.element].can_move() ? next++ : -1);
+  return places;
+}
+
+void carry_ties(const StandardScene& before, const Motion& motion, const SceneMap& map, const StandardScene& after,
+                Motion& carried) {
+  TieMemory& ties = carried.ties;
+  const Eigen::VectorXd longer = elongations(after.model, after.reference, carried.q);
+  for (std::size_t i = 0; i < map.bolts.size(); ++i) {
+    if (map.bolts[i] < 0) {
+      const Bolt& bolt = after.model.bolts[i];
+      ties.bolt_forces[i] += bolt.stiffness * longer[static_cast<Eigen::Index>(i)];
+      continue;
+    }
+    const auto old = static_cast<std::size_t>(map.bolts[i]);
+    ties.bolt_forces[i] = motion.ties.bolt_forces[old];
+    ties.broken[i] = motion.ties.broken[old];
+  }
+  const std::vector<int> was = places_among_held(before.model);
+  const std::vector<int> is = places_among_held(after.model);
+  for (std::size_t i = 0; i < map.fixed_points.size(); ++i) {
+    if (map.fixed_points[i] < 0 || is[i] < 0) continue;
+    const int old = was[static_cast<std::size_t>(map.fixed_points[i])];
+    if (old >= 0) ties.point_forces.segment<2>(2 * is[i]) = motion.ties.point_forces.segment<2>(2 * old);
+  }
+}
+
+}  // namespace
+
+Model installed(Model model, const SceneMap& map, const StandardScene& before, const Motion& motion) {
+  const Before then(before, motion, map);
+  for (std::size_t i = 0; i < model.fixed_points.size(); ++i) {
+    CarriedPoint& point = model.fixed_points[i];
+    if (!point.holds_in_place) continue;
+    point.curve.times = {0};
+    point.curve.values = {map.fixed_points[i] < 0
+                              ? then.place(point.element, point.start) - point.start
+                              : before.model.fixed_points[static_cast<std::size_t>(map.fixed_points[i])].curve.at(0)};
+  }
+  for (std::size_t i = 0; i < model.bolts.size(); ++i) {
+    Bolt& bolt = model.bolts[i];
+    if (map.bolts[i] >= 0) {
+      bolt.pretension = before.model.bolts[static_cast<std::size_t>(map.bolts[i])].pretension;
+      continue;
+    }
+    const double present =
+        distance(then.place(bolt.first.element, bolt.first.start), then.place(bolt.second.element, bolt.second.start));
+    bolt.pretension -= bolt.stiffness * (present - bolt.start_length());
+  }
+  return model;
+}
+
+Motion carried_motion(const StandardScene& before, const Motion& motion, const SceneMap& map,
+                      const StandardScene& after, double time) {
+  Motion carried = start_motion(after);
+  for (ElementIndex e : indices(map.elements))
+    if (!after.model.elements[e].is_on_covers()) carry_block(before, motion, map.elements[e], after, carried, e);
+  if (before.covers && after.covers) {
+    const CarriedCovers covers = carried_covers(*before.covers, motion.q.covers, motion.v.covers,
+                                                parents_on_covers(before, map, after), *after.covers);
+    carried.q.covers = covers.d;
+    carried.v.covers = covers.v;
+  }
+  const Names names(map, before, after);
+  carried.closed = carried_contacts(motion.closed, names);
+  carried.bonds = carried_bonds(motion.bonds, names, map, before, carried, after, time);
+  carry_ties(before, motion, map, after, carried);
+  return carried;
+}
+
+}  // namespace keyblock
