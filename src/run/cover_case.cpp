@@ -31,8 +31,8 @@ double cpu_seconds() {
 }
 
 // Of the settings these alone say anything of linear statics.
-constexpr std::array<std::string_view, 8> kRead{"plane",     "gravity.x", "gravity.y",           "steps",
-                                                "time_step", "motion",    "velocity_carry_over", "linear_method"};
+constexpr std::array<std::string_view, 7> kRead{"plane", "gravity",   "gravity.x", "gravity.y",
+                                                "steps", "time_step", "motion"};
 
 // Statics, by the analysis or by the settings.
 void require_statics(const Problem& problem, const std::string& profile, const Settings& settings) {

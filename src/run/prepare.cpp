@@ -20,6 +20,7 @@
 #include "run/bodies/planned_bodies.hpp"
 #include "run/stages/chain.hpp"
 #include "run/stages/cover_stages.hpp"
+#include "run/unread_settings.hpp"
 #include "settings/profile.hpp"
 #include "settings/setting_row.hpp"
 #include "settings/settings_table.hpp"
@@ -75,13 +76,17 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   return warnings;
 }
 
-Warnings without_effect(const std::vector<Override>& overrides, const Settings& settings, const Place& place) {
+// Settings of the case file, of its stages and of the command.
+Warnings without_effect(const Problem& problem, const std::vector<Override>& overrides, const Scene& first) {
+  std::vector<Override> all = problem.choices.settings;
+  for (const Stage& stage : problem.stages) all.insert(all.end(), stage.settings.begin(), stage.settings.end());
+  all.insert(all.end(), overrides.begin(), overrides.end());
   Warnings warnings;
-  for (const auto& [name, value] : overrides) {
-    const std::string why = why_unread(settings, name);
+  for (const auto& [name, value] : all) {
+    const std::string why = why_unread(problem, first, name);
     if (why.empty()) continue;
-    warnings.push_back(
-        {"setting_without_effect", place, fmt::format("setting {} {} and has no effect here", name, why)});
+    warnings.push_back({"setting_without_effect", problem.analysis->place,
+                        fmt::format("setting {} {} and has no effect here", name, why)});
   }
   return warnings;
 }
@@ -255,9 +260,6 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
     geometry.model = staged->models.make(staged->rock, 0, settings);
   }
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
-  std::vector<Override> all = problem.choices.settings;
-  all.insert(all.end(), overrides.begin(), overrides.end());
-  cut.warnings = joined(std::move(cut.warnings), without_effect(all, settings, problem.analysis->place));
   // Models of stages come with their joint strength.
   if (!staged) geometry.model = with_joint_strength(std::move(geometry.model), settings.joint_strength_factor);
   auto [model, needs] = plan_of(std::move(geometry.model), settings, place);
@@ -266,6 +268,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
     scene.end = end_of(problem.stages.front(), choices.front());
     scene.next = later_scenes(problem, staged->rock, scene.model, choices, staged->models);
   }
+  cut.warnings = joined(std::move(cut.warnings), without_effect(problem, overrides, scene));
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(cut.warnings),

@@ -136,6 +136,15 @@ std::string how_to_go_on(const std::string& folder) {
   return fmt::format("keyblock run --resume {} goes on", folder);
 }
 
+void print_stages(const std::vector<SceneReport>& stages) {
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const SceneReport& stage = stages[i];
+    spdlog::info("stage {}{}: steps {} to {}, time {:.6g}{}", i + 1,
+                 stage.name.empty() ? "" : fmt::format(" ({})", stage.name), stage.first_step + 1, stage.last_step,
+                 stage.end_time, stage.is_balanced ? ", balanced" : "");
+  }
+}
+
 /// `told`: how many of the warnings were printed at the start.
 void print_summary(const Prepared& prepared, const RunRecord& record, std::size_t told, const std::string& folder) {
   log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
@@ -147,9 +156,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)
     spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
   if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
-  for (const SceneReport& stage : record.outcome.scenes)
-    spdlog::info("stage {}: steps {} to {}, to time {:.6g}{}", stage.name, stage.first_step + 1, stage.last_step,
-                 stage.end_time, stage.is_balanced ? ", balanced" : "");
+  print_stages(record.outcome.scenes);
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
   if (record.outcome.end == RunEnd::finished && !record.doubts.empty())

@@ -1,0 +1,62 @@
+// One row for each thing that a scene may lack, with the settings that only it reads.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/unread_settings.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+
+#include "settings/settings_table.hpp"
+
+namespace keyblock {
+namespace {
+
+struct Reason {
+  std::vector<std::string_view> settings;
+  bool holds = false;  ///< nothing reads them
+  const char* why;
+};
+
+/// "mass_damping.2" without its number.
+std::string_view without_material(std::string_view name) {
+  const std::size_t point = name.rfind('.');
+  const bool has_number = point != std::string_view::npos && point + 1 < name.size() &&
+                          std::ranges::all_of(name.substr(point + 1), [](char c) { return c >= '0' && c <= '9'; });
+  return has_number ? name.substr(0, point) : name;
+}
+
+std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
+  const std::vector<const Scene*> scenes = scenes_of(first);
+  const bool is_static = std::ranges::all_of(
+      scenes, [](const Scene* scene) { return scene->settings.standard.motion != MotionRule::dynamic; });
+  const bool is_standard = first.settings.dynamics == Dynamics::standard;
+  const bool has_blocks =
+      std::ranges::any_of(first.model.elements, [](const Element& element) { return !element.is_on_covers(); });
+  const bool has_covers = std::ranges::any_of(first.model.elements, &Element::is_on_covers);
+  return {
+      {{"node_merging", "near_pieces"},
+       !std::holds_alternative<Drawing>(problem.geometry),
+       "is read where a drawing is cut"},
+      {{"cover_functions"},
+       is_standard && !std::holds_alternative<Cover>(problem.geometry),
+       "is read of cover files; a case file says `functions` of its own"},
+      {{"step_control", "step_tolerance", "least_step_share", "mass_damping", "stiffness_damping", "strain_damping",
+        "integrator", "velocity_weight", "force_weight", "newmark_beta", "newmark_gamma", "rho_infinity", "impact",
+        "restitution", "start", "velocity_carry_over"},
+       is_standard && is_static,
+       "is read by steps in time (motion = dynamic)"},
+      {{"basis", "strain_damping", "restitution"}, is_standard && !has_blocks, "is read of blocks, and there are none"},
+      {{"start"}, is_standard && has_covers, "is read of scenes without bodies on covers, which start as drawn"},
+  };
+}
+
+}  // namespace
+
+std::string why_unread(const Problem& problem, const Scene& first, const std::string& name) {
+  for (const Reason& reason : reasons(problem, first))
+    if (reason.holds && std::ranges::find(reason.settings, without_material(name)) != reason.settings.end())
+      return reason.why;
+  return why_unread(first.settings, name);
+}
+
+}  // namespace keyblock
