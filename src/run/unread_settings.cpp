@@ -41,10 +41,11 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
        is_standard && !std::holds_alternative<Cover>(problem.geometry),
        "is read of cover files; a case file says `functions` of its own"},
       {{"step_control", "step_tolerance", "least_step_share", "mass_damping", "stiffness_damping", "strain_damping",
-        "integrator", "velocity_weight", "force_weight", "newmark_beta", "newmark_gamma", "rho_infinity", "impact",
-        "restitution", "start", "velocity_carry_over"},
+        "integrator", "velocity_weight", "force_weight", "newmark_beta", "newmark_gamma", "rho_infinity", "restitution",
+        "start"},
        is_standard && is_static,
        "is read by steps in time (motion = dynamic)"},
+      {{"velocity_carry_over"}, is_standard && is_static && !has_blocks, "is read by steps in time (motion = dynamic)"},
       {{"basis", "strain_damping", "restitution"}, is_standard && !has_blocks, "is read of blocks, and there are none"},
       {{"start"}, is_standard && has_covers, "is read of scenes without bodies on covers, which start as drawn"},
   };
