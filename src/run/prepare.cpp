@@ -175,9 +175,9 @@ Plan plan_of(Model model, const Settings& settings, const Place& place) {
   return {std::move(model), std::move(needs)};
 }
 
-/// The rock of the first stage, and how models are made of it and of those to come.
+/// The rock as the first stage leaves it, and how models are made of it and of those to come.
 struct Staged {
-  Rock rock;
+  ChangedRock first;
   StagedModels models;
 };
 
@@ -187,11 +187,11 @@ Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& 
   };
   const Stage& first = problem.stages.front();
   if (!problem.covers && !std::holds_alternative<Cover>(problem.geometry))
-    return {changed(rock_of(blocks, *problem.analysis), first).rock,
+    return {changed(rock_of(blocks, *problem.analysis), first),
             {[=](const Rock& rock, int, const Settings& settings) { return finished(model_of(rock), settings); },
              block_parents}};
   const auto stages = std::make_shared<const CoverStages>(problem);
-  return {changed(rock_of(stages->bodies(), *problem.analysis), first).rock,
+  return {changed(rock_of(stages->bodies(), *problem.analysis), first),
           {[=](const Rock& rock, int stage, const Settings& settings) {
              return finished(stages->model(rock, stage, settings), settings);
            },
@@ -257,7 +257,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   std::optional<Staged> staged;
   if (!problem.stages.empty()) {
     staged = staged_models(problem, cut.blocks, place);
-    geometry.model = staged->models.make(staged->rock, 0, settings);
+    geometry.model = staged->models.make(staged->first.rock, 0, settings);
   }
   cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   // Models of stages come with their joint strength.
@@ -266,7 +266,8 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   Scene scene{std::move(model), settings};
   if (staged) {
     scene.end = end_of(problem.stages.front(), choices.front());
-    scene.next = later_scenes(problem, staged->rock, scene.model, choices, staged->models);
+    cut.warnings = joined(std::move(cut.warnings), staged->first.warnings);
+    scene.next = later_scenes(problem, staged->first.rock, scene.model, choices, staged->models, cut.warnings);
   }
   cut.warnings = joined(std::move(cut.warnings), without_effect(problem, overrides, scene));
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);

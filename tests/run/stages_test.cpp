@@ -337,7 +337,44 @@ TEST(Stages, what_cannot_be_is_an_error) {
             std::string::npos);
   Problem problem = column(1);
   problem.stages = {stage_of(1)};
-  EXPECT_NE(error_of(problem, "legacy").find("expected profile standard for stages"), std::string::npos);
+  EXPECT_NE(error_of(problem, "legacy").find("expected dynamics standard for stages"), std::string::npos);
+  EXPECT_NE(with([](Stage& s) {
+              s.excavations = {{{{0, 1}, {2, 2}, {2, 1}, {0, 2}}, 0, {}}};
+            }).find("an outline that does not cross or touch itself, found sides 1 and 3"),
+            std::string::npos);
+  EXPECT_NE(with([](Stage& s) {
+              s.bolts = {{{{1, 0.5}, {1, 0.5}}, 1e6, 0, 0, 0, {}}};
+            }).find("a bolt with a length"),
+            std::string::npos);
+}
+
+TEST(Stages, what_a_stage_asks_for_and_nothing_answers_to_is_said) {
+  const auto warnings_of = [](auto change) {
+    Problem problem = column(2);
+    problem.stages = {stage_of(1), stage_of(1)};
+    change(problem.stages[1]);
+    std::string sentences;
+    for (const Warning& warning : prepare(problem, "standard", {}).warnings)
+      if (warning.name == "stage_without_effect") sentences += warning.sentence + '\n';
+    return sentences;
+  };
+  EXPECT_EQ(warnings_of([](Stage& s) {
+              s.excavations = {{box({50, 50}, {60, 60}), 0, {}}};
+            }),
+            "nothing lies within the outline: nothing is dug out\n");
+  EXPECT_EQ(warnings_of([](Stage& s) {
+              s.cuts = {{{{0.5, 0.5}, {1, 0.6}}, 0, {}}};
+            }),
+            "no line passes through a block from side to side: nothing is cut\n");
+  EXPECT_EQ(warnings_of([](Stage& s) {
+              s.block_materials = {{box({50, 50}, {60, 60}), 0, {}}};
+            }),
+            "no block has its centroid within the outline: no material changes\n");
+  EXPECT_EQ(warnings_of([](Stage& s) {
+              s.released = {{box({50, 50}, {60, 60}), {}}};
+            }),
+            "no fixed point lies within the outline\n");
+  EXPECT_EQ(warnings_of([](Stage& s) { s.excavations = {{box({-0.5, 1}, {2.5, 3}), 0, {}}}; }), "");
 }
 
 namespace {

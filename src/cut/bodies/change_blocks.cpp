@@ -3,6 +3,7 @@
 #include "cut/bodies/change_blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -16,8 +17,9 @@
 namespace keyblock {
 namespace {
 
-// Less than this share of a block is round-off of an outline along its edges.
-constexpr double kSliver = 1e-6;
+// Pieces thinner than this share of their block's size (the root of its area) are slivers of an outline drawn along its
+// edges: as blocks they would be crushed and passed by their neighbours, and lead every contact tolerance.
+constexpr double kThinnest = 5e-3;
 
 Box box_of(const BlockPolygon& block) {
   Box box;
@@ -40,6 +42,14 @@ std::optional<Point> inside_of(const BlockPolygon& block) {
   return point_inside(loops_of(block));
 }
 
+/// Twice the area over the circumference: the width of a strip, half that of a square.
+double thickness(const BlockPolygon& block) {
+  double circumference = 0;
+  for (const std::vector<Point>& loop : loops_of(block))
+    for (std::size_t i = 0; i < loop.size(); ++i) circumference += distance(loop[i], loop[(i + 1) % loop.size()]);
+  return 2 * area_of(block) / circumference;
+}
+
 /// What the lines make of one block, slivers left out; the block itself where they do not cut it.
 std::vector<BlockPolygon> pieces_of(const BlockPolygon& block, std::span<const JointLine> lines, const Place& place) {
   Blocks alone;
@@ -51,10 +61,11 @@ std::vector<BlockPolygon> pieces_of(const BlockPolygon& block, std::span<const J
   for (const JointLine& line : lines)
     if (meet(box, box_of(line.segment))) drawing.joints.push_back(line);
   if (drawing.joints.size() == edges) return {block};
+  const double thinnest = kThinnest * std::sqrt(area_of(block));
   std::vector<BlockPolygon> pieces;
   for (BlockPolygon& piece : cut_blocks(drawing).blocks.blocks) {
     const std::optional<Point> inside = inside_of(piece);
-    if (!inside || !holds(block, *inside) || area_of(piece) < kSliver * area_of(block)) continue;
+    if (!inside || !holds(block, *inside) || thickness(piece) < thinnest) continue;
     piece.material = block.material;
     piece.place = block.place;
     pieces.push_back(std::move(piece));

@@ -27,8 +27,8 @@ struct ChangedBlocks {
 };
 
 /// Blocks less all that lies within the regions, in their order; pieces of one block follow one another, the largest
-/// first. A block whose rest, or whose part within, is less than a millionth of its area is not cut: it goes or stays
-/// whole.
+/// first. Pieces thinner than half a percent of their block's size are slivers and left out; a block of which nothing
+/// else is cut off goes or stays whole.
 ChangedBlocks without_regions(const Blocks& blocks, std::span<const Region> regions);
 
 /// Every block that a line passes through from side to side comes apart along it; an end inside a block cuts nothing.

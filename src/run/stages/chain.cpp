@@ -100,7 +100,7 @@ std::vector<StageChoices> choices_of_stages(const Problem& problem, const std::s
     Settings settings = settings_of(asked, chosen, overrides);
     if (settings.dynamics != Dynamics::standard)
       throw InputError(stage.place,
-                       fmt::format("expected profile standard for stages, or one like it, found {}", chosen));
+                       fmt::format("expected dynamics standard for stages, found those of Shi (profile {})", chosen));
     const int steps = steps_of(stage, settings_of(asked, "standard", {}).time_step, settings.time_step);
     total += steps;
     all.push_back({std::move(settings), steps});
@@ -117,7 +117,8 @@ SceneEnd end_of(const Stage& stage, const StageChoices& choices) {
 }
 
 std::shared_ptr<const SceneChange> later_scenes(const Problem& problem, const Rock& rock, const Model& first,
-                                                const std::vector<StageChoices>& choices, const StagedModels& models) {
+                                                const std::vector<StageChoices>& choices, const StagedModels& models,
+                                                Warnings& warnings) {
   std::vector<std::shared_ptr<SceneChange>> changes;
   Rock now = rock;
   const Model* before = &first;
@@ -125,6 +126,7 @@ std::shared_ptr<const SceneChange> later_scenes(const Problem& problem, const Ro
   for (std::size_t i = 1; i < problem.stages.size(); ++i) {
     const Stage& stage = problem.stages[i];
     ChangedRock next = changed(now, stage);
+    warnings = joined(std::move(warnings), next.warnings);
     auto change = std::make_shared<SceneChange>();
     Scene& scene = change->scene;
     scene.settings = choices[i].settings;

@@ -40,8 +40,10 @@ Table<ElementIndex, ElementIndex> block_parents(const Model& before, const Model
 SceneEnd end_of(const Stage& stage, const StageChoices& choices);
 
 /// The scenes of the second stage and those after it, `rock` being that of the first, and `first` its model as it is
-/// stepped; none where there is one stage. Throws InputError where something cannot be changed as a stage says.
+/// stepped; none where there is one stage. Adds what is to be said of the stages to the warnings. Throws InputError
+/// where something cannot be changed as a stage says.
 std::shared_ptr<const SceneChange> later_scenes(const Problem& problem, const Rock& rock, const Model& first,
-                                                const std::vector<StageChoices>& choices, const StagedModels& models);
+                                                const std::vector<StageChoices>& choices, const StagedModels& models,
+                                                Warnings& warnings);
 
 }  // namespace keyblock

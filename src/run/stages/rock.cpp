@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "cut/bodies/block_shape.hpp"
 #include "cut/bodies/place_points.hpp"
 #include "geometry/polygon.hpp"
+#include "geometry/segment.hpp"
 #include "model/setup/from_blocks.hpp"
 
 namespace keyblock {
@@ -51,7 +53,7 @@ class Changing {
     release();
     hold();
     load();
-    return {std::move(rock_), std::move(descent_)};
+    return {std::move(rock_), std::move(descent_), std::move(warnings_)};
   }
 
  private:
@@ -72,21 +74,48 @@ class Changing {
     return static_cast<int>(found - blocks.begin());
   }
 
+  void warn(const Place& place, const char* sentence) {
+    warnings_.push_back({"stage_without_effect", place, sentence});
+  }
+
+  static void require_simple(const std::vector<Point>& outline, const Place& place) {
+    const std::size_t count = outline.size();
+    const auto side_at = [&](std::size_t i) { return Segment{outline[i], outline[(i + 1) % count]}; };
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j) {
+        const bool is_next = j == i + 1 || (i == 0 && j + 1 == count);
+        const Meeting met = meeting(side_at(i), side_at(j));
+        if (is_next ? met == Meeting::overlapping : met != Meeting::none)
+          throw InputError(place, fmt::format("expected an outline that does not cross or touch itself, found sides {} "
+                                              "and {} that meet",
+                                              i + 1, j + 1));
+      }
+  }
+
+  double area() const {
+    double sum = 0;
+    for (const BlockPolygon& block : rock_.blocks.blocks) sum += area_of(block);
+    return sum;
+  }
+
   void excavate() {
-    if (stage_.excavations.empty()) return;
-    std::vector<Region> regions;
     for (const StageExcavation& excavation : stage_.excavations) {
       require_joint_material(excavation.joint_material, excavation.place);
-      regions.push_back({excavation.outline, excavation.joint_material});
+      require_simple(excavation.outline, excavation.place);
+      const double before = area();
+      take(without_regions(rock_.blocks, std::array{Region{excavation.outline, excavation.joint_material}}));
+      if (rock_.blocks.blocks.empty())
+        throw InputError(excavation.place, "expected a block that is not dug out, found none");
+      if (!(area() < before)) warn(excavation.place, "nothing lies within the outline: nothing is dug out");
     }
-    take(without_regions(rock_.blocks, regions));
-    if (rock_.blocks.blocks.empty())
-      throw InputError(stage_.excavations.front().place, "expected a block that is not dug out, found none");
   }
 
   void cut() {
     for (const JointLine& line : stage_.cuts) require_joint_material(line.joint_material, line.place);
+    const std::size_t before = rock_.blocks.blocks.size();
     take(cut_along(rock_.blocks, stage_.cuts));
+    if (rock_.blocks.blocks.size() == before)
+      warn(stage_.cuts.front().place, "no line passes through a block from side to side: nothing is cut");
   }
 
   void take(ChangedBlocks changed) {
@@ -110,22 +139,35 @@ class Changing {
   void assign_materials() {
     for (const StageMaterial& change : stage_.block_materials) {
       require(change.block_material, rock_.analysis.block_materials.size(), "block material", change.place);
-      for (BlockPolygon& block : rock_.blocks.blocks)
-        if (is_in(change.outline, centroid(points_of(block.outer)))) block.material = change.block_material;
+      bool is_met = false;
+      for (BlockPolygon& block : rock_.blocks.blocks) {
+        if (!is_in(change.outline, centroid(points_of(block.outer)))) continue;
+        block.material = change.block_material;
+        is_met = true;
+      }
+      if (!is_met) warn(change.place, "no block has its centroid within the outline: no material changes");
     }
     for (const StageJointMaterial& change : stage_.joint_materials) {
       require_joint_material(change.from, change.place);
       require_joint_material(change.to, change.place);
+      int edges = 0;
       for (BlockPolygon& block : rock_.blocks.blocks) {
-        replace(block.outer, change);
-        for (BlockLoop& hole : block.holes) replace(hole, change);
+        edges += replaced(block.outer, change);
+        for (BlockLoop& hole : block.holes) edges += replaced(hole, change);
       }
+      if (edges == 0) warn(change.place, "no edge is of this joint material: none changes");
     }
   }
 
-  static void replace(BlockLoop& loop, const StageJointMaterial& change) {
-    for (BlockVertex& vertex : loop)
-      if (vertex.joint_material == change.from) vertex.joint_material = change.to;
+  /// How many edges of the loop it concerns.
+  static int replaced(BlockLoop& loop, const StageJointMaterial& change) {
+    int edges = 0;
+    for (BlockVertex& vertex : loop) {
+      if (vertex.joint_material != change.from) continue;
+      vertex.joint_material = change.to;
+      ++edges;
+    }
+    return edges;
   }
 
   void remove_bolts() {
@@ -158,6 +200,8 @@ class Changing {
         bolt.strength = type.strength;
         bolt.pretension = type.pretension;
       }
+      if (bolt.segment.start == bolt.segment.end)
+        throw InputError(line.place, "expected a bolt with a length, found none");
       if (!(bolt.stiffness >= 0))
         throw InputError(line.place,
                          fmt::format("expected a stiffness of at least 0 of a bolt, found {}", bolt.stiffness));
@@ -174,7 +218,10 @@ class Changing {
       if (std::ranges::none_of(stage_.released,
                                [&](const StageRelease& r) { return is_in(r.outline, points[i].position); }))
         kept.push_back(static_cast<int>(i));
-    if (kept.size() == points.size()) return;
+    if (kept.size() == points.size()) {
+      if (!stage_.released.empty()) warn(stage_.released.front().place, "no fixed point lies within the outline");
+      return;
+    }
     keep_fixed(kept);
     rock_.blocks.fixed_points = picked(rock_.blocks.fixed_points, kept);
   }
@@ -203,6 +250,7 @@ class Changing {
   const Stage& stage_;
   Rock rock_;
   Descent descent_;
+  Warnings warnings_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/error.hpp"
 #include "cut/bodies/change_blocks.hpp"
 #include "model/scene/scene_map.hpp"
 #include "problem/analysis.hpp"
@@ -34,10 +35,12 @@ struct Descent {
 struct ChangedRock {
   Rock rock;
   Descent descent;
+  Warnings warnings;  ///< of what a stage asks for and nothing answers to
 };
 
 /// Excavations first, then cuts, materials, bolts, points and forces. Throws InputError at the place of what cannot be:
-/// a material or a bolt that there is none of, a point or a bolt's end in no block, no block left.
+/// an outline that crosses itself, a material or a bolt that there is none of, a bolt without length, a point or a
+/// bolt's end in no block, no block left.
 ChangedRock changed(const Rock& rock, const Stage& stage);
 
 /// The model of its blocks; bases are still to be chosen.
