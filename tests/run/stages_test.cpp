@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "formats/case.hpp"
 #include "geometry/polygon.hpp"
 #include "model/cover_basis.hpp"
 #include "result/describe.hpp"
@@ -497,6 +498,16 @@ TEST_P(StagesUnderContact, close_the_ledger_of_an_excavation_in_four_stages) {
 
 INSTANTIATE_TEST_SUITE_P(Enforcements, StagesUnderContact, testing::Values("lagrange", "penalty", "augmented"),
                          [](const auto& one) { return std::string(one.param); });
+
+// Notched blocks of a tunnel: a corner that two convex pieces of a block meet was two contacts with one memory, and the
+// energy was off by a tenth.
+TEST(Stages, of_the_tunnel_close_the_ledger) {
+  const std::string file = std::string(KEYBLOCK_SOURCE_DIR) + "/docs/tunnel.json";
+  const Problem problem = check(formats::load_case({file}).problem).problem;
+  const Told told = told_of(problem, {{"basis", "rigid"}, {"start", "sudden"}});
+  EXPECT_EQ(told.outcome.scenes.size(), 4U);
+  EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-10);
+}
 
 TEST(Stages, under_contact_on_covers_close_the_ledger_of_an_excavation_in_four_stages) {
   Problem problem = wall_with_opening();
