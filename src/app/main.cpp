@@ -1,5 +1,5 @@
 // The program: one table of commands; prints every error and picks the exit code.
-// To add a command: 1) write `NAME_command.cpp` beside this file, 2) declare its `configure_NAME` in
+// To add a command: 1) write `commands/NAME_command.cpp`, 2) declare its `configure_NAME` in
 // command.hpp, 3) add a row to the table below, 4) run its help text in tests/commands_test.cpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
