@@ -216,11 +216,13 @@ TEST(Batch, begun_again_it_leaves_nothing_of_the_earlier_one) {
   const std::string in = root / "in", out = root / "out";
   ASSERT_EQ(run_keyblock({"batch", in, "--convert", "berkeley", "-o", out}).exit_code, 0);
   ASSERT_TRUE(fs::exists(root / "out/jobs"));
-  write_text(root / "out/jobs/mark", "");
+  write_text(root / "out/jobs/mark", "");  // the user's
   fs::remove_all(root / "in");
   copy_case("sliding_block/a30_p20/a30_p20", root / "in");
   ASSERT_EQ(run_keyblock({"batch", in, "--check", "-o", out, "--force"}).exit_code, 0);
-  EXPECT_FALSE(fs::exists(root / "out/jobs"));
+  const auto left = fs::directory_iterator(root / "out/jobs");
+  EXPECT_EQ(std::distance(fs::begin(left), fs::end(left)), 1);
+  EXPECT_TRUE(fs::exists(root / "out/jobs/mark"));
   EXPECT_EQ(jobs_in(root / "out").at(0)["job"], "a30_p20.geo");
 }
 

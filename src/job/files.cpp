@@ -35,13 +35,22 @@ void require_folder_of(const fs::path& file) {
     throw UsageError(fmt::format("there is no folder {} for {}", folder.string(), file.filename().string()));
 }
 
+/// Whether a file is one that a case folder is read from: all but the pictures and settings that commands write there.
+bool is_case_input(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error) || !fs::equivalent(folder, fs::absolute(file).parent_path(), error))
+    return false;
+  const std::string ending = file.extension().string();
+  return ending != ".svg" && ending != ".settings" && ending != ".html";
+}
+
 void require_replaceable(const fs::path& output, const std::vector<fs::path>& inputs) {
   if (!is_taken(output)) return;
   std::error_code error;
   if (!fs::exists(output, error)) throw UsageError(fmt::format("{} is a link to nothing", output.string()));
   if (!fs::is_regular_file(output, error)) throw UsageError(fmt::format("{} is no regular file", output.string()));
   for (const fs::path& input : inputs)
-    if (fs::equivalent(output, input, error))
+    if (fs::equivalent(output, input, error) || is_case_input(output, input))
       throw UsageError(fmt::format("{} is an input; give another name", output.string()));
 }
 
@@ -136,10 +145,13 @@ void require_not_below(const fs::path& input, const fs::path& folder) {
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", input.string()));
 }
 
-void write_file(const fs::path& file, const std::string& text) {
+void write_file(const fs::path& file, const std::string& text, Overwrite overwrite) {
   Draft draft(file);
   draft.write(text);
-  draft.put_in_place();
+  if (overwrite == Overwrite::yes)
+    draft.put_in_place();
+  else
+    draft.put_where_none_is();
 }
 
 void flush_to_disk(const fs::path& file_or_folder) {

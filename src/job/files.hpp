@@ -14,7 +14,8 @@ enum class Overwrite { no, yes };
 void require_free(const std::filesystem::path& file, Overwrite overwrite);
 
 /// Before any work is done, so that a long one is not lost: throws UsageError where one of `outputs` is there already
-/// and may not be overwritten, and whatever --force says where it is one of `inputs`, is the same as another output, is
+/// and may not be overwritten, and whatever --force says where it is one of `inputs` (or a file of one that is a
+/// folder, pictures and settings left out), is the same as another output, is
 /// no regular file (a device must not be replaced), or has no folder to stand in. Empty names are passed over.
 void require_writable(const std::vector<std::filesystem::path>& outputs,
                       const std::vector<std::filesystem::path>& inputs, Overwrite overwrite);
@@ -31,8 +32,9 @@ void flush_to_disk(const std::filesystem::path& file_or_folder);
 void write_durably(const std::filesystem::path& file, const std::string& bytes, Overwrite overwrite);
 
 /// Writes a draft beside the file and renames it, so that a reader never meets half a file. A link of that name is
-/// replaced, not followed. Throws OutputError if it cannot, or if the folder is gone.
-void write_file(const std::filesystem::path& file, const std::string& text);
+/// replaced, not followed. Throws OutputError if it cannot, or if the folder is gone; UsageError if there is a file of
+/// that name by then and it may not be overwritten.
+void write_file(const std::filesystem::path& file, const std::string& text, Overwrite overwrite = Overwrite::yes);
 
 /// A file that the user named: where it is a symbolic link, the file that it points to is written and the link stays.
 void write_output(const std::filesystem::path& file, const std::string& text);

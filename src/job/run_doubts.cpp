@@ -52,14 +52,14 @@ Crushed most_crushed(const Model& model, const Frame& frame) {
   Crushed found;
   for (std::size_t e = 0; e < frame.elements.size(); ++e) {
     const double share = frame.elements[e].area / area_at_start(model, frame.elements[e]);
-    if (share < found.share) found = {e, share};
+    if (!(share >= found.share)) found = {e, share};  // NaN too
   }
   return found;
 }
 
 void add_penetration(Warnings& found, const Prepared& prepared, double share, const Frame& last, const Place& place) {
   const double limit = prepared.scene.settings.trust.penetration;
-  if (share > limit) {
+  if (!(share <= limit)) {
     found.push_back(
         {"sunk_beyond_limit", place,
          fmt::format("blocks lay as deep in one another as {:.3g} of the size of the smaller; beyond {:.3g} "
@@ -86,7 +86,7 @@ void add_start(Warnings& found, const Prepared& prepared, const Frame& first, co
   for (std::size_t e = 0; e < first.elements.size(); ++e) {
     const double way = length(first.elements[e].displacement);
     const double size = std::sqrt(first.elements[e].area);
-    if (!(way > limit * size)) continue;
+    if (way <= limit * size) continue;
     found.push_back({"moved_by_start", place,
                      fmt::format("the start moves {} by {:.3g}, {:.3g} of its size; beyond {:.3g} (penetration_limit) "
                                  "the run is not trusted: blocks overlap in the input, or are too soft for their loads",
@@ -100,7 +100,7 @@ void add_crushing(Warnings& found, const Prepared& prepared, const Frame& last, 
   const double limit = prepared.scene.settings.trust.crushing;
   const auto [element, share] = most_crushed(model, last);
   const int number = number_of(last, element);
-  if (share < limit)
+  if (!(share >= limit))
     found.push_back(
         {"crushed_beyond_limit", place,
          fmt::format("{} is pressed to {:.4g} of its area{}; below {:.4g} (crushing_limit) the run is not trusted",
@@ -110,7 +110,7 @@ void add_crushing(Warnings& found, const Prepared& prepared, const Frame& last, 
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Place& place) {
   if (!keeps_energy(prepared, record)) return;
   const double limit = prepared.scene.settings.trust.energy;
-  if (const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope); made > limit)
+  if (const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope); !(made <= limit))
     found.push_back({"energy_beyond_limit", place,
                      fmt::format("energy came from nothing: {:.3g} of the largest there was; beyond {:.3g} "
                                  "(energy_limit) the run is not trusted",

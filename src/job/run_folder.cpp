@@ -95,13 +95,19 @@ std::vector<report::Curve> displacement_curves(const History& history, const Fra
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace) : folder_(std::move(folder)), trace_(trace) {
+RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace)
+    : folder_(std::move(folder)), trace_(trace), overwrite_(overwrite) {
   if (fs::exists(folder_) && !fs::is_directory(folder_))
     throw UsageError(fmt::format("{} is a file, not a folder", folder_.string()));
-  for (const char* name : kNames) require_free(folder_ / name, overwrite);
+  require_names_free();
+  // A link to a folder is no folder of this run: what lies behind it is the user's.
   if (const fs::path frames = folder_ / kFrameFolder;
-      fs::exists(fs::symlink_status(frames)) && !fs::is_directory(frames))
-    throw UsageError(fmt::format("{} is a file, not a folder", frames.string()));
+      fs::exists(fs::symlink_status(frames)) && !fs::is_directory(fs::symlink_status(frames)))
+    throw UsageError(fmt::format("{} is a file or a link, not a folder", frames.string()));
+}
+
+void RunFolder::require_names_free() const {
+  for (const char* name : kNames) require_free(folder_ / name, overwrite_);
 }
 
 RunFolder::RunFolder(fs::path folder, Trace trace) : folder_(std::move(folder)), trace_(trace) {}
@@ -148,14 +154,20 @@ void RunFolder::clear() {
   remove_drafts(folder_);
 }
 
+// Whatever came to stand there since the folder was looked at is another run's, or the user's.
 void RunFolder::begin(const std::string& checkpoint) {
-  clear();
+  if (overwrite_ == Overwrite::yes)
+    clear();
+  else
+    require_names_free();
   std::error_code error;
   made_folder_ = fs::create_directories(folder_, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
   if (!checkpoint.empty()) write_durably(checkpoint_in(folder_), checkpoint, Overwrite::no);
-  fs::create_directory(folder_ / kFrameFolder, error);
+  const bool made_frames = fs::create_directory(folder_ / kFrameFolder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));
+  if (!made_frames && overwrite_ == Overwrite::no)
+    throw UsageError(fmt::format("{} holds the frames of another run; give another folder", folder_.string()));
 }
 
 void RunFolder::take_back() {
@@ -214,7 +226,8 @@ void RunFolder::describe(Archive& archive) {
 }
 
 void RunFolder::write(const std::string& name, const std::string& text) {
-  write_file(folder_ / name, text);
+  const bool is_own = std::ranges::find(outputs_, name) != outputs_.end();
+  write_file(folder_ / name, text, is_own ? Overwrite::yes : overwrite_);
   outputs_.push_back(name);
 }
 

@@ -83,6 +83,7 @@ class RunFolder {
     std::string sha256;
   };
 
+  void require_names_free() const;
   void write(const std::string& name, const std::string& text);
   void write_frame(int step, double time, const std::string& text);
   void write_list_of_frames();
@@ -97,6 +98,7 @@ class RunFolder {
   std::vector<std::string> outputs_;
   std::size_t flushed_frames_ = 0;
   bool made_folder_ = false;
+  Overwrite overwrite_ = Overwrite::yes;  ///< of what stands there before; a run that goes on meets its own files
 };
 
 /// Where a run's folder has its checkpoint.

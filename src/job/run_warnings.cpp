@@ -92,7 +92,7 @@ std::vector<StepKind> kinds_by_length(const StepLimits& l) {
        [l](const StepReport& s, int concerned, int steps) {
          return fmt::format(
              "step {}: a block moves {:.3g}, further than blocks are wide ({:.3g}), as in {} of {} steps: it may have "
-             "passed through others unseen; do not trust what follows",
+             "passed through others unseen: look whether it did",
              s.step, s.displacement_ratio * l.allowed, l.block_size, concerned, steps);
        }},
       {"step_above_limit", [l](const StepReport& s) { return !l.constant && s.dt > l.longest_step; },
@@ -122,8 +122,8 @@ std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
       {"deep_penetration", [l](const StepReport& s) { return s.greatest_penetration > l.deep; },
        [l](const StepReport& s, int, int) {
          return fmt::format(
-             "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: do not trust "
-             "what follows",
+             "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: look "
+             "whether what follows can be trusted",
              s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / l.deep);
        }},
       {"large_residual",
@@ -226,6 +226,9 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
                         fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} is held",
                                     what, curve.times.back(), outcome.time, what)});
   };
+  if (prepared.scene.settings.ledger == Bookkeeping::off)
+    warnings.push_back(
+        {"energy_not_judged", place, "ledger = off: whether energy came from nothing (energy_limit) is not looked at"});
   for (const CarriedPoint& point : prepared.scene.model.loading_points)
     warn_held("load_held_after_table", "load", point.curve);
   warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);

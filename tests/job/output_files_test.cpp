@@ -136,4 +136,16 @@ TEST(OutputFiles, an_input_is_not_overwritten_by_another_command_either) {
   EXPECT_EQ(read_text(folder + "/fall.geo"), before);
 }
 
+TEST(OutputFiles, a_file_of_a_case_folder_is_an_input_too) {
+  const std::string folder = fresh_folder("case_input");
+  std::filesystem::copy(KEYBLOCK_SOURCE_DIR "/legacy_cases/domino/tips", folder + "/tips");
+  for (const auto& entry : std::filesystem::directory_iterator(folder + "/tips")) {
+    const std::string file = entry.path().string();
+    const std::string before = read_text(file);
+    const auto run = run_keyblock({"compare", folder + "/tips", "--picture", file, "--force"});
+    EXPECT_EQ(run.exit_code, 2) << file << run.messages;
+    EXPECT_EQ(read_text(file), before);
+  }
+}
+
 }  // namespace keyblock::output_files_test

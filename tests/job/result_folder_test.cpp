@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "base/error.hpp"
+#include "job/run_folder.hpp"
 #include "tests/support/killed_runs.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -189,6 +191,47 @@ TEST(ResultFolder, frames_come_after_the_first_checkpoint) {
   EXPECT_FALSE(fs::exists(out + "/frames"));
   EXPECT_FALSE(fs::exists(out + "/checkpoint.h5"));
   EXPECT_EQ(run_keyblock(stack_into(out, "4")).exit_code, 0) << "nothing is in its way";
+}
+
+TEST(ResultFolder, what_came_to_stand_there_after_it_was_looked_at_is_not_lost) {
+  const std::string out = fresh_folder("race") + "/out";
+  RunFolder late(out, Overwrite::no, Trace::no);
+  RunFolder(out, Overwrite::no, Trace::no).begin("of the other run");
+  EXPECT_THROW(late.begin("of this run"), UsageError);
+  EXPECT_EQ(read_text(out + "/checkpoint.h5"), "of the other run");
+  const std::string other = fresh_folder("record") + "/out";
+  RunFolder folder(other, Overwrite::no, Trace::no);
+  folder.begin();
+  write_text(other + "/run.json", kNotARuns);
+  EXPECT_THROW(folder.write_record("{}"), UsageError);
+  EXPECT_EQ(read_text(other + "/run.json"), kNotARuns);
+}
+
+TEST(ResultFolder, a_link_in_place_of_the_frames_is_refused_by_force_too) {
+  const std::string folder = fresh_folder("linked");
+  fs::create_directories(folder + "/other");
+  fs::create_directories(folder + "/out");
+  write_text(folder + "/other/20260101.vtu", kNotARuns);
+  fs::create_directory_symlink(folder + "/other", folder + "/out/frames");
+  std::vector<std::string> arguments = stack_into(folder + "/out", "4");
+  arguments.emplace_back("--force");
+  const auto run = run_keyblock(arguments);
+  EXPECT_EQ(run.exit_code, 2) << run.messages;
+  EXPECT_EQ(read_text(folder + "/other/20260101.vtu"), kNotARuns);
+}
+
+TEST(ResultFolder, a_batch_begun_again_leaves_what_no_job_wrote) {
+  const std::string folder = fresh_folder("batch_again");
+  fs::create_directories(folder + "/in");
+  fs::copy_file(kStack + ".geo", folder + "/in/stack.geo");
+  fs::copy_file(kStack + ".ana", folder + "/in/stack.ana");
+  const std::vector<std::string> batch{"batch", folder + "/in", "--run", "-o", folder + "/out"};
+  ASSERT_EQ(run_keyblock(batch).exit_code, 0);
+  write_text(folder + "/out/jobs/notes.txt", kNotARuns);
+  std::vector<std::string> again = batch;
+  again.emplace_back("--force");
+  EXPECT_EQ(run_keyblock(again).exit_code, 0);
+  EXPECT_EQ(read_text(folder + "/out/jobs/notes.txt"), kNotARuns);
 }
 
 }  // namespace keyblock::result_folder_test

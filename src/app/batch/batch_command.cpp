@@ -121,8 +121,15 @@ study::Journal journal_in(const BatchPlan& plan) {
 }
 
 /// Of an earlier batch: beside a new journal they would pass for its own.
-void remove_results(const fs::path& folder) {
-  fs::remove_all(folder / "jobs");
+void remove_results(const fs::path& folder, const study::Journal& journal) {
+  std::error_code ignored;
+  for (const auto& [job, row] : journal.rows) {
+    for (const std::string& output : row.outputs)
+      if (lies_in(folder / output, folder / "jobs")) fs::remove_all(folder / output, ignored);
+    for (fs::path parent = fs::path("jobs") / job; parent.has_parent_path(); parent = parent.parent_path())
+      fs::remove(folder / parent, ignored);  // unless something else lies there
+  }
+  fs::remove(folder / "jobs", ignored);
   for (const char* name : {"catalogue.csv", "catalogue.json", "catalogue.html"}) fs::remove(folder / name);
 }
 
@@ -133,7 +140,7 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
   if (!journal.task.empty() && !options.is_resumed && !options.may_overwrite)
     throw UsageError(
         fmt::format("{} holds a batch; --resume goes on with it, --force begins it again", plan.folder.string()));
-  if (!journal.task.empty() && !options.is_resumed) remove_results(plan.folder);
+  if (!journal.task.empty() && !options.is_resumed) remove_results(plan.folder, journal);
   if (!options.is_resumed) journal = {};
   if (!journal.task.empty() && journal.task != task)
     throw UsageError(fmt::format("{} holds a batch of another task ({}, now {}); give another folder",

@@ -171,7 +171,9 @@ ExitCode compare(const CompareOptions& options) {
   const auto with_values = std::ranges::count_if(folders, &study::CaseFolder::has_expected);
   if (!options.picture.empty() && with_values != 1)
     throw UsageError(fmt::format("--picture: expected one case with expected values, found {}", with_values));
-  require_writable({options.picture}, {}, options.force ? Overwrite::yes : Overwrite::no);
+  std::vector<std::filesystem::path> inputs;
+  for (const study::CaseFolder& folder : folders) inputs.emplace_back(folder.folder);
+  require_writable({options.picture}, inputs, options.force ? Overwrite::yes : Overwrite::no);
   // Slow cases alone were asked for by name.
   const bool only_slow = std::ranges::all_of(folders, [](const study::CaseFolder& f) { return is_slow(f); });
   for (const study::CaseFolder& folder : folders) {
