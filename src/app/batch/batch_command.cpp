@@ -124,9 +124,10 @@ study::Journal journal_in(const BatchPlan& plan) {
 void remove_results(const fs::path& folder, const study::Journal& journal) {
   std::error_code ignored;
   for (const auto& [job, row] : journal.rows) {
-    for (const std::string& output : row.outputs)
-      if (lies_in(folder / output, folder / "jobs")) fs::remove_all(folder / output, ignored);
-    for (fs::path parent = fs::path("jobs") / job; parent.has_parent_path(); parent = parent.parent_path())
+    const fs::path own = fs::path("jobs") / job;
+    if (!lies_in(folder / own, folder / "jobs")) continue;
+    fs::remove_all(folder / own, ignored);
+    for (fs::path parent = own.parent_path(); parent.has_parent_path(); parent = parent.parent_path())
       fs::remove(folder / parent, ignored);  // unless something else lies there
   }
   fs::remove(folder / "jobs", ignored);
