@@ -91,7 +91,7 @@ void expect_result(const Expectation& row, const std::string& folder) {
 struct HostileRow {
   std::string input;
   std::string command;  ///< check, run (profile legacy) or joints
-  std::string outcome;  ///< warning or error
+  std::string outcome;  ///< warning, error, or doubt: a run that ends with 1
   std::string place;    ///< line and column; empty: the file
   std::string says;     ///< part of the sentence
 };

@@ -40,11 +40,12 @@ SharedArea shared_area(const std::vector<Loops>& bodies, double least) {
     const Loops& a = bodies[static_cast<std::size_t>(i)];
     const Loops& b = bodies[static_cast<std::size_t>(j)];
     left -= corners_of(a) * corners_of(b);
-    if (left < 0) return false;
+    found.is_complete = left >= 0;
+    if (!found.is_complete) return false;
     const double smaller = std::min(area_of(a), area_of(b));
     const double share = common_area(a, b) / smaller;
     if (!(smaller > 0) || !(share > least)) return true;
-    if (found.pairs == 0 || (i == found.first && j < found.second)) found = {i, j, share, found.pairs};
+    if (found.pairs == 0 || (i == found.first && j < found.second)) found = {i, j, share, found.pairs, true};
     ++found.pairs;
     return found.pairs < kMostSharedPairs;
   });

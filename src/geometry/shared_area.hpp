@@ -13,8 +13,9 @@ inline constexpr int kMostSharedPairs = 1000;  ///< counted: enough to be told
 struct SharedArea {
   int first = 0;  ///< the first pair by their numbers
   int second = 0;
-  double share = 0;  ///< the area that pair has in common over that of the smaller of the two
-  int pairs = 0;     ///< how many there are; none: 0, and so is all else
+  double share = 0;         ///< the area that pair has in common over that of the smaller of the two
+  int pairs = 0;            ///< how many there are; none: 0, and so is all else
+  bool is_complete = true;  ///< false: corners crowd, and not every pair was looked at
 };
 
 /// Pairs of bodies that have more than `least` of the smaller one in common. At most kMostSharedPairs are counted, and

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -97,20 +98,36 @@ class Draft {
 
   // Some file systems say only here that there was no room.
   void put_in_place() {
+    take_permissions();
     const bool is_closed = close(descriptor_) == 0;
     descriptor_ = -1;
     if (!is_closed || std::rename(name_.c_str(), file_.c_str()) != 0) give_up(file_, errno);
     is_in_place_ = true;
   }
 
-  // A second name is made only where there is none; some file systems know no second names.
+  // A second name is made only where there is none. Some file systems know no second names; a name is taken first
+  // there, by a file that nobody else can have made.
   void put_where_none_is() {
     if (link(name_.c_str(), file_.c_str()) == 0) return;
-    if (errno == EEXIST) require_free(file_, Overwrite::no);
-    put_in_place();
+    if (errno != EEXIST) {
+      const int taken = open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+      if (taken >= 0) {
+        close(taken);
+        return put_in_place();
+      }
+    }
+    if (errno != EEXIST) give_up(file_, errno);
+    require_free(file_, Overwrite::no);
+    give_up(file_, EEXIST);  // there a moment ago, gone now
   }
 
  private:
+  // Those of the file that is there; of a new one what the user's mask leaves.
+  void take_permissions() const {
+    struct stat there {};
+    if (lstat(file_.c_str(), &there) == 0 && S_ISREG(there.st_mode)) fchmod(descriptor_, there.st_mode & 07777);
+  }
+
   fs::path file_;
   fs::path name_;
   int descriptor_ = -1;
@@ -172,10 +189,10 @@ void write_durably(const fs::path& file, const std::string& bytes, Overwrite ove
   flush_to_disk(file.parent_path());
 }
 
-void write_output(const fs::path& file, const std::string& text) {
+void write_output(const fs::path& file, const std::string& text, Overwrite overwrite) {
   std::error_code error;
-  const bool is_link = fs::is_symlink(file, error);
-  write_file(is_link ? fs::canonical(file) : file, text);
+  const bool is_link = overwrite == Overwrite::yes && fs::is_symlink(file, error);
+  write_file(is_link ? fs::canonical(file) : file, text, overwrite);
 }
 
 void remove_drafts(const fs::path& folder) {

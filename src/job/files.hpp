@@ -10,6 +10,11 @@ namespace keyblock {
 
 enum class Overwrite { no, yes };
 
+/// As --force says.
+inline Overwrite overwrite_if(bool is_told) {
+  return is_told ? Overwrite::yes : Overwrite::no;
+}
+
 /// Throws UsageError if something bears the name `file`, a link to nothing included, and may not be overwritten.
 void require_free(const std::filesystem::path& file, Overwrite overwrite);
 
@@ -33,11 +38,12 @@ void write_durably(const std::filesystem::path& file, const std::string& bytes, 
 
 /// Writes a draft beside the file and renames it, so that a reader never meets half a file. A link of that name is
 /// replaced, not followed. Throws OutputError if it cannot, or if the folder is gone; UsageError if there is a file of
-/// that name by then and it may not be overwritten.
+/// that name by then and it may not be overwritten. A file that is replaced keeps its permissions.
 void write_file(const std::filesystem::path& file, const std::string& text, Overwrite overwrite = Overwrite::yes);
 
 /// A file that the user named: where it is a symbolic link, the file that it points to is written and the link stays.
-void write_output(const std::filesystem::path& file, const std::string& text);
+/// Throws as `write_file`.
+void write_output(const std::filesystem::path& file, const std::string& text, Overwrite overwrite);
 
 /// Removes drafts from `folder` that a program killed while writing left there.
 void remove_drafts(const std::filesystem::path& folder);

@@ -37,27 +37,9 @@ std::string name_of(const Model& model, int number) {
   return fmt::format("{} {}", model.nodes.empty() ? "block" : "element", number + 1);
 }
 
-// Its mass is that of the unloaded area.
-double area_at_start(const Model& model, const ElementFrame& element) {
-  return element.mass / model.block_materials[static_cast<std::size_t>(element.material)].density;
-}
-
-/// The element of the least area over that of the unloaded scene.
-struct Crushed {
-  std::size_t element = 0;
-  double share = 1;
-};
-
-Crushed most_crushed(const Model& model, const Frame& frame) {
-  Crushed found;
-  for (std::size_t e = 0; e < frame.elements.size(); ++e) {
-    const double share = frame.elements[e].area / area_at_start(model, frame.elements[e]);
-    if (!(share >= found.share)) found = {e, share};  // NaN too
-  }
-  return found;
-}
-
-void add_penetration(Warnings& found, const Prepared& prepared, double share, const Frame& last, const Place& place) {
+void add_penetration(Judgement& judgement, const Prepared& prepared, double share, const Frame& last,
+                     const Place& place) {
+  Warnings& found = judgement.doubts;
   const double limit = prepared.scene.settings.trust.penetration;
   if (!(share <= limit)) {
     found.push_back(
@@ -70,6 +52,10 @@ void add_penetration(Warnings& found, const Prepared& prepared, double share, co
   std::vector<Loops> bodies;
   for (const ElementFrame& element : last.elements) bodies.push_back(element.loops);
   const SharedArea shared = shared_area(bodies, limit);
+  if (shared.pairs == 0 && !shared.is_complete)
+    judgement.remarks.push_back({"overlaps_not_looked_for", place,
+                                 "blocks have so many corners close to one another that not all were looked at for "
+                                 "overlaps at the end"});
   if (shared.pairs == 0) return;
   const Model& model = prepared.scene.model;
   found.push_back(
@@ -95,16 +81,15 @@ void add_start(Warnings& found, const Prepared& prepared, const Frame& first, co
   }
 }
 
-void add_crushing(Warnings& found, const Prepared& prepared, const Frame& last, const Place& place) {
+void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& totals, const Place& place) {
   const Model& model = prepared.scene.model;
   const double limit = prepared.scene.settings.trust.crushing;
-  const auto [element, share] = most_crushed(model, last);
-  const int number = number_of(last, element);
-  if (!(share >= limit))
+  const int number = totals.crushed_element;
+  if (!(totals.area_share >= limit))
     found.push_back(
         {"crushed_beyond_limit", place,
-         fmt::format("{} is pressed to {:.4g} of its area{}; below {:.4g} (crushing_limit) the run is not trusted",
-                     name_of(model, number), share, law_of(model, number), limit)});
+         fmt::format("{} was pressed to {:.4g} of its area{}; below {:.4g} (crushing_limit) the run is not trusted",
+                     name_of(model, number), totals.area_share, law_of(model, number), limit)});
 }
 
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Place& place) {
@@ -131,15 +116,16 @@ void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) 
 
 }  // namespace
 
-Warnings doubts(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
-                const Place& place) {
-  Warnings found;
-  add_penetration(found, prepared, record.totals.penetration_share, last, place);
-  add_crushing(found, prepared, last, place);
+Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
+                 const Place& place) {
+  Judgement judgement;
+  Warnings& found = judgement.doubts;
+  add_penetration(judgement, prepared, record.totals.penetration_share, last, place);
+  add_crushing(found, prepared, record.totals, place);
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, place);
   add_stages(found, record.outcome, place);
-  return found;
+  return judgement;
 }
 
 }  // namespace keyblock

@@ -8,11 +8,16 @@
 
 namespace keyblock {
 
-/// One warning for each limit of `TrustLimits` that the run went beyond, at `place`; none where it can be trusted.
-/// Depths are those of all steps, areas in common those at the end `last`; areas are held against the unloaded scene,
-/// so that what the start pressed counts, and so does how far it moved a block, `first`. Energy is looked at where the
-/// ledger is kept and the run is in time.
-Warnings doubts(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
-                const Place& place);
+struct Judgement {
+  Warnings doubts;   ///< why the results are not to be trusted
+  Warnings remarks;  ///< what could not be looked at
+};
+
+/// One doubt for each limit of `TrustLimits` that the run went beyond, at `place`; none where it can be trusted. Depths
+/// and crushing are those of all steps, areas in common those at the end `last`; areas are held against the unloaded
+/// scene, so that what the start pressed counts, and so does how far it moved a block, `first`. Energy is looked at
+/// where the ledger is kept and the run is in time.
+Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
+                 const Place& place);
 
 }  // namespace keyblock

@@ -110,7 +110,7 @@ void RunFolder::require_names_free() const {
   for (const char* name : kNames) require_free(folder_ / name, overwrite_);
 }
 
-RunFolder::RunFolder(fs::path folder, Trace trace) : folder_(std::move(folder)), trace_(trace) {}
+RunFolder::RunFolder(fs::path folder, Trace trace) : folder_(std::move(folder)), lock_(folder_), trace_(trace) {}
 
 namespace {
 
@@ -156,13 +156,14 @@ void RunFolder::clear() {
 
 // Whatever came to stand there since the folder was looked at is another run's, or the user's.
 void RunFolder::begin(const std::string& checkpoint) {
+  std::error_code error;
+  made_folder_ = fs::create_directories(folder_, error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
+  lock_ = FolderLock(folder_);
   if (overwrite_ == Overwrite::yes)
     clear();
   else
     require_names_free();
-  std::error_code error;
-  made_folder_ = fs::create_directories(folder_, error);
-  if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
   if (!checkpoint.empty()) write_durably(checkpoint_in(folder_), checkpoint, Overwrite::no);
   const bool made_frames = fs::create_directory(folder_ / kFrameFolder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));

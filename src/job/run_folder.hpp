@@ -10,6 +10,7 @@
 
 #include "base/archive.hpp"
 #include "job/files.hpp"
+#include "job/folder_lock.hpp"
 #include "result/extremes.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
@@ -28,11 +29,12 @@ class RunFolder {
   RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace);
 
   /// The folder of a run that goes on: `describe` has to follow, and then `drop_what_followed`, which changes it first.
+  /// Throws UsageError if that run still writes.
   RunFolder(std::filesystem::path folder, Trace trace);
 
   /// Makes the folder; what an earlier run left there goes, all else stays. The first checkpoint, if the run has any,
   /// comes before the folder of frames: wherever that stands, the run can be resumed. Throws UsageError if another has
-  /// just begun there.
+  /// just begun there, or still writes.
   void begin(const std::string& checkpoint = {});
 
   /// What `begin` made and the frames since, for a run whose input turns out to be unusable.
@@ -92,6 +94,7 @@ class RunFolder {
   void flush_frames();
 
   std::filesystem::path folder_;
+  FolderLock lock_;  ///< of a new run from `begin` on
   std::vector<FrameFile> frame_files_;
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last

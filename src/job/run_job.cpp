@@ -92,8 +92,9 @@ void RunJob::judge() {
   record_.extremes = folder_.extremes();
   record_.warnings = joined(record_.warnings, outcome_warnings(prepared_, record_.outcome, place));
   record_.is_static = watch_.is_static();
-  record_.doubts = doubts(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);
-  record_.warnings = joined(record_.warnings, record_.doubts);
+  const Judgement judgement = judged(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);
+  record_.doubts = judgement.doubts;
+  record_.warnings = joined(joined(record_.warnings, judgement.remarks), record_.doubts);
   if (record_.outcome.end != RunEnd::failed) record_.equilibrium_way = watch_.equilibrium_way();
 }
 

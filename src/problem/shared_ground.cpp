@@ -36,6 +36,9 @@ Warnings shared_ground(const Blocks& blocks) {
   std::vector<Loops> bodies;
   for (const BlockPolygon& block : blocks.blocks) bodies.push_back(loops_of(block));
   const SharedArea found = shared_area(bodies, kShared);
+  if (found.pairs == 0 && !found.is_complete)
+    return {{"overlaps_not_looked_for", blocks.place,
+             "blocks have so many corners close to one another that not all were looked at for overlaps"}};
   if (found.pairs == 0) return {};
   const std::string others = found.pairs == 1
                                  ? ""

@@ -140,6 +140,8 @@ void describe(Archive& a, StepTotals& totals) {
   a.value("locked_overlaps", totals.locked_overlaps);
   a.value("greatest_penetration", totals.greatest_penetration);
   a.value("penetration_share", totals.penetration_share);
+  a.value("area_share", totals.area_share);
+  a.value("crushed_element", totals.crushed_element);
   a.value("greatest_displacement_ratio", totals.greatest_displacement_ratio);
   a.value("greatest_residual", totals.greatest_residual);
   a.value("least_dt", totals.least_dt);
@@ -160,6 +162,8 @@ void describe(Archive& a, StepReport& report) {
   a.value("displacement_ratio", report.displacement_ratio);
   a.value("greatest_penetration", report.greatest_penetration);
   a.value("penetration_share", report.penetration_share);
+  a.value("area_share", report.area_share);
+  a.value("crushed_element", report.crushed_element);
   a.value("residual", report.residual);
   a.value("unresolved_parts", report.unresolved_parts);
   a.value("locked_overlaps", report.locked_overlaps);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/worse.hpp"
+
 namespace keyblock {
 
 void StepTotals::add(const StepReport& step) {
@@ -17,10 +19,14 @@ void StepTotals::add(const StepReport& step) {
   ++steps_by_passes[static_cast<std::size_t>(bin)];
   unresolved_parts += step.unresolved_parts;
   locked_overlaps += step.locked_overlaps;
-  greatest_penetration = std::max(greatest_penetration, step.greatest_penetration);
-  penetration_share = std::max(penetration_share, step.penetration_share);
-  greatest_displacement_ratio = std::max(greatest_displacement_ratio, step.displacement_ratio);
-  greatest_residual = std::max(greatest_residual, step.residual);
+  greatest_penetration = worse(greatest_penetration, step.greatest_penetration);
+  penetration_share = worse(penetration_share, step.penetration_share);
+  greatest_displacement_ratio = worse(greatest_displacement_ratio, step.displacement_ratio);
+  greatest_residual = worse(greatest_residual, step.residual);
+  if (!(step.area_share >= area_share)) {  // NaN too
+    area_share = step.area_share;
+    crushed_element = step.crushed_element;
+  }
   least_dt = std::min(least_dt, step.dt);
   greatest_dt = std::max(greatest_dt, step.dt);
 }

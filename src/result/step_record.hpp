@@ -26,6 +26,8 @@ struct StepTotals {
   int locked_overlaps = 0;
   double greatest_penetration = 0;
   double penetration_share = 0;
+  double area_share = 1;
+  int crushed_element = 0;  ///< number of the element that had it
   double greatest_displacement_ratio = 0;
   double greatest_residual = 0;
   double least_dt = std::numeric_limits<double>::max();

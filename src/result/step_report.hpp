@@ -18,6 +18,8 @@ struct StepReport {
   double displacement_ratio = 0;  ///< greatest vertex displacement over the allowed one
   double greatest_penetration = 0;  ///< of the closed contacts, length, ≥ 0
   double penetration_share = 0;     ///< greatest of theirs over the size of the smaller element, ≥ 0
+  double area_share = 1;            ///< least area of an element over that of the unloaded scene, or more than 1
+  int crushed_element = 0;          ///< number of that element
   /// Dynamics `shi`: largest relative residual of the step's linear solves; `standard`: forces out of balance over the
   /// largest load on a block.
   double residual = 0;

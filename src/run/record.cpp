@@ -96,6 +96,17 @@ Frame frame_of(const Model& model, const State& state, const StartPlaces& start,
   return frame;
 }
 
+void put_least_area(StepReport& report, const Model& model, const State& state, const StartPlaces& start) {
+  report.area_share = std::numeric_limits<double>::max();
+  for (ElementIndex e : indices(model.elements)) {
+    const double share = state.elements[e].moments.area / start.elements[e].moments.area;
+    if (share >= report.area_share) continue;  // NaN stays
+    report.area_share = share;
+    report.crushed_element = model.identities.of_element(e.value).number;
+    if (std::isnan(share)) return;
+  }
+}
+
 HistoryRow history_row(const Model& model, const State& state, const StartPlaces& start, bool of_measured_points) {
   HistoryRow row{state.step, state.time, {}, {}};
   const Identities& names = model.identities;

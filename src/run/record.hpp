@@ -12,6 +12,9 @@ namespace keyblock {
 
 Frame frame_of(const Model& model, const State& state, const StartPlaces& start, const Settings& settings);
 
+/// Which element is pressed together most, and how far.
+void put_least_area(StepReport& report, const Model& model, const State& state, const StartPlaces& start);
+
 /// The measured points, or the centroids.
 HistoryRow history_row(const Model& model, const State& state, const StartPlaces& start, bool of_measured_points);
 

@@ -49,7 +49,9 @@ class Loop {
         outcome.contacts = failure->contacts;
         break;
       }
-      if (observer_.on_step) observer_.on_step(std::get<StepReport>(made));
+      auto& report = std::get<StepReport>(made);
+      put_least_area(report, stepper_.model(), state(), stepper_.unloaded());
+      if (observer_.on_step) observer_.on_step(report);
       keep_row();
       keep_books();
       if (is_framed()) show();

@@ -129,6 +129,10 @@ std::string rules_of(const std::string& name) {
   return named(name).rules;
 }
 
+double step_factor(const std::string& name) {
+  return named(name).step;
+}
+
 Settings profile_settings(const std::string& name, const Analysis& analysis,
                           const std::function<void(Settings&)>& changes) {
   const Profile& profile = named(name);

@@ -29,4 +29,15 @@ TEST(SharedArea, pairs_below_the_least_share_do_not_count) {
   EXPECT_EQ(shared_area({square(0, 1), square(0.95, 1)}, 0.1).pairs, 0);
 }
 
+// Two outlines of 20,000 corners one within the other's box: 4e8 products.
+TEST(SharedArea, says_where_corners_crowd_too_much_to_look) {
+  const auto comb = [](double low) {
+    Loops loops{{{0, low - 1}, {10000, low - 1}}};
+    for (int i = 20000; i >= 0; --i) loops.front().push_back({i * 0.5, low + (i % 2 == 0 ? 0.0 : 0.4)});
+    return loops;
+  };
+  EXPECT_FALSE(shared_area({comb(0), comb(1.2)}, 1e-2).is_complete);
+  EXPECT_TRUE(shared_area({square(0, 1), square(0.95, 1)}, 0.1).is_complete);
+}
+
 }  // namespace keyblock::shared_area_test

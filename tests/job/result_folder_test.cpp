@@ -207,6 +207,38 @@ TEST(ResultFolder, what_came_to_stand_there_after_it_was_looked_at_is_not_lost) 
   EXPECT_EQ(read_text(other + "/run.json"), kNotARuns);
 }
 
+TEST(ResultFolder, of_a_run_that_still_writes_is_neither_resumed_nor_overwritten) {
+  const std::string out = fresh_folder("live") + "/out";
+  const std::string whole = fresh_folder("live_whole") + "/out";
+  support::ProgramRun resumed, overwritten;
+  const auto run = run_keyblock(stack_into(out), out + "/frames/00000080.vtu", [&] {
+    resumed = run_keyblock({"run", "--resume", out});
+    std::vector<std::string> again = stack_into(out);
+    again.emplace_back("--force");
+    overwritten = run_keyblock(again);
+  });
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  for (const support::ProgramRun* refused : {&resumed, &overwritten}) {
+    EXPECT_EQ(refused->exit_code, 2) << refused->messages;
+    EXPECT_TRUE(contains(refused->messages, "another run is writing to")) << refused->messages;
+  }
+  EXPECT_EQ(run_keyblock(stack_into(whole)).exit_code, 0);
+  EXPECT_TRUE(contents(out) == contents(whole));
+}
+
+TEST(ResultFolder, a_file_overwritten_keeps_its_permissions) {
+  const std::string out = fresh_folder("permissions");
+  const fs::path file = out + "/a.svg";
+  write_text(file, "old");
+  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_write;
+  fs::permissions(file, own);
+  write_file(file, "new");
+  EXPECT_EQ(read_text(file), "new");
+  EXPECT_EQ(fs::status(file).permissions(), own);
+  EXPECT_THROW(write_output(file, "newer", Overwrite::no), UsageError);
+  EXPECT_EQ(read_text(file), "new");
+}
+
 TEST(ResultFolder, a_link_in_place_of_the_frames_is_refused_by_force_too) {
   const std::string folder = fresh_folder("linked");
   fs::create_directories(folder + "/other");

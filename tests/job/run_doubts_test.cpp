@@ -61,7 +61,20 @@ TEST(RunDoubts, blocks_that_overlap_at_the_end_are_doubted_whatever_the_contacts
 
 // Its weight presses a block of E = 2e4 by γ h / 2E = 0.6 of its height in the mean, before the first step.
 TEST(RunDoubts, what_the_start_crushes_counts) {
-  expect_doubted(run_of("doubt_soft", block_over_floor("0", "1", "2e4"), "standard"), "");
+  expect_doubted(run_of("doubt_soft", block_over_floor("0", "1", "2e4"), "standard"), "block 2 was pressed to 0.3");
+}
+
+// Its weight comes at once on a block of E = 5e4, whose mean strain then swings between 0 and twice γ h / 2E = 0.25: it
+// is near its unloaded area again when the run ends.
+TEST(RunDoubts, what_was_crushed_between_start_and_end_counts) {
+  std::string text = block_over_floor("0", "1", "5e4");
+  const std::string steps = R"("step_count": 5)";
+  text.replace(text.find(steps), steps.size(), R"("step_count": 900)");
+  const std::string folder = fresh_folder("doubt_swings");
+  write_text(folder + "/in.json", text);
+  const support::ProgramRun run = run_keyblock(
+      {"run", folder + "/in.json", "--set", "start=sudden", "--set", "strain_damping=none", "-o", folder + "/out"});
+  expect_doubted(run, "block 2 was pressed to 0.5");
 }
 
 // Two blocks in one place on the floor: the start puts one on top of the other.

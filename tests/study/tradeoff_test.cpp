@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "run/prepare.hpp"
 #include "study/trade/run_design.hpp"
 
 namespace keyblock::study::tradeoff_test {
@@ -120,6 +121,35 @@ TEST(Tradeoff, a_plan_is_refined_by_its_step_its_tolerance_or_its_mesh) {
 }
 
 // The file: 1000 steps of 1 ms, values expected at quarters of a second.
+// The profile makes its steps of those that are set: draft halves their number, reference takes four times as many.
+TEST(Tradeoff, a_profile_with_a_step_of_its_own_is_refined_by_so_many_parts_and_no_more) {
+  const StudyCase slide = study_case({kCases + "sliding_block/a30_p20"});
+  for (const std::string profile : {"draft", "reference"}) {
+    const RunPlan own{profile, "profile", profile, {}, {}, 1};
+    const auto steps_of = [&](const RunPlan& plan) {
+      std::vector<Override> overrides = slide.overrides(plan.profile);
+      overrides.insert(overrides.end(), plan.set.begin(), plan.set.end());
+      return prepare(slide.input.problem, plan.profile, overrides).scene.settings;
+    };
+    const Settings before = steps_of(own);
+    const auto half = refined(slide, "standard", own, 2);
+    ASSERT_TRUE(half);
+    EXPECT_EQ(half->name, profile + ", step /2");
+    EXPECT_EQ(steps_of(*half).step_count, 2 * before.step_count);
+    EXPECT_NEAR(steps_of(*half).time_step, before.time_step / 2, 1e-12 * before.time_step);
+  }
+}
+
+TEST(Tradeoff, a_refined_name_keeps_the_other_levels_and_loses_a_step_that_is_the_own_one) {
+  const StudyCase slide = study_case({kCases + "sliding_block/a30_p20"});
+  const std::vector<Override> coarse{{"time_step", "0.008"}, {"steps", "125"}};
+  const RunPlan joined{"rigid, step x8, springs", "all", "standard", coarse, {}, 1};
+  EXPECT_EQ(refined(slide, "standard", joined, 2)->name, "rigid, springs, step x4");
+  EXPECT_EQ(refined(slide, "standard", joined, 8)->name, "rigid, springs");
+  const RunPlan alone{"step x8", "step", "standard", coarse, {}, 1};
+  EXPECT_EQ(refined(slide, "standard", alone, 8)->name, "standard");
+}
+
 TEST(Tradeoff, steps_are_varied_so_that_the_run_ends_at_the_same_time) {
   const std::vector<RunPlan> plans = usual_design(study_case({kCases + "sliding_block/a30_p20"}), "standard");
   for (const char* name : {"step x8", "step x4", "step x2", "step /2", "step /4"}) {
@@ -215,7 +245,7 @@ TEST(Tradeoff, without_the_runs_that_errors_are_measured_against_a_stop_leaves_c
                                    [&](const MeasuredRun&, std::size_t done, std::size_t) { made = done; });
   EXPECT_TRUE(result.is_stopped);
   EXPECT_TRUE(result.front.empty());
-  EXPECT_TRUE(result.reference.words.starts_with("no errors: stopped before the end of")) << result.reference.words;
+  EXPECT_TRUE(result.reference.doubt.starts_with("stopped before the end of")) << result.reference.doubt;
   EXPECT_TRUE(std::isinf(error_of(result.runs.front(), result.reference)));
 }
 

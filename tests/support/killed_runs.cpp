@@ -29,6 +29,11 @@ std::vector<std::string> joined(std::vector<std::string> words, const std::vecto
   return words;
 }
 
+// The checkpoint is there before the first frame, and goes when the record of the whole run is there.
+bool has_lost_checkpoint(const std::string& folder) {
+  return fs::exists(folder + "/frames") && !fs::exists(folder + "/run.json") && !fs::exists(folder + "/checkpoint.h5");
+}
+
 std::string first_difference(const std::map<std::string, std::string>& whole,
                              const std::map<std::string, std::string>& resumed) {
   for (const auto& [name, bytes] : whole)
@@ -70,11 +75,16 @@ KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, u
   };
   KilledRuns result;
   for (int i = 0; i < moments && result.differs.empty(); ++i) {
+    fs::remove_all(folder + "/out");
     const std::vector<std::string> begin = joined(command, {"-o", folder + "/out", "--force"});
     const std::vector<std::string> resume = joined({"run", "--resume", folder + "/out"}, kOften);
     ProgramRun run = kill_keyblock(on_threads(begin), moment());
     if (run.exit_code == 128 + SIGKILL) {
       ++result.killed;
+      if (has_lost_checkpoint(folder + "/out")) {
+        result.differs = "checkpoint.h5, which is lost";
+        return result;
+      }
       const bool can_resume = fs::exists(folder + "/out/checkpoint.h5");
       if (can_resume) ++result.resumed;
       const std::vector<std::string>& again = can_resume ? resume : begin;

@@ -173,7 +173,7 @@ ExitCode compare(const CompareOptions& options) {
     throw UsageError(fmt::format("--picture: expected one case with expected values, found {}", with_values));
   std::vector<std::filesystem::path> inputs;
   for (const study::CaseFolder& folder : folders) inputs.emplace_back(folder.folder);
-  require_writable({options.picture}, inputs, options.force ? Overwrite::yes : Overwrite::no);
+  require_writable({options.picture}, inputs, overwrite_if(options.force));
   // Slow cases alone were asked for by name.
   const bool only_slow = std::ranges::all_of(folders, [](const study::CaseFolder& f) { return is_slow(f); });
   for (const study::CaseFolder& folder : folders) {
@@ -189,7 +189,7 @@ ExitCode compare(const CompareOptions& options) {
   }
   if (!options.picture.empty()) {
     if (all.cases.size() != 1) throw UsageError("--picture: the case was not run");
-    write_output(options.picture, picture_of(all.cases.front()));
+    write_output(options.picture, picture_of(all.cases.front()), overwrite_if(options.force));
   }
   if (options.as_json)
     print_json(all);

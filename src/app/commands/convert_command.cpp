@@ -92,8 +92,7 @@ ExitCode convert_files(const ConvertOptions& options) {
   const study::Target& target = target_of(options);
   std::vector<std::filesystem::path> files;
   for (const study::Target::Part& part : target.parts) files.push_back(path_of(options, target, part.ending));
-  require_writable(files, {options.files.begin(), options.files.end()},
-                   options.may_overwrite ? Overwrite::yes : Overwrite::no);
+  require_writable(files, {options.files.begin(), options.files.end()}, overwrite_if(options.may_overwrite));
   const study::Conversion conversion = study::convert(
       formats::read_files(options.files), target, options.takes_faults ? study::Faults::berkeley : study::Faults::none);
   log_warnings(conversion.warnings);
@@ -103,7 +102,7 @@ ExitCode convert_files(const ConvertOptions& options) {
     if (is_refused) break;
     const std::filesystem::path path = path_of(options, target, file.ending);
     keep_backup(path);
-    write_output(path, file.text);
+    write_output(path, file.text, overwrite_if(options.may_overwrite));
     outputs.push_back(path.string());
   }
   if (options.as_json) {

@@ -111,11 +111,14 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
   if (!cut.blocks.blocks.bolts.empty())
     spdlog::warn("{}", to_string(Warning{"bolts_not_written", cut.blocks.blocks.place, "a cover file holds no bolts"}));
   if (!options.output.empty())
-    write_output(options.output, formats::kNmmCover.write({{}, {}, {}, to_cover(manifold, cut.blocks.blocks)}));
+    write_output(options.output, formats::kNmmCover.write({{}, {}, {}, to_cover(manifold, cut.blocks.blocks)}),
+                 overwrite_if(options.may_overwrite));
   if (!options.picture.empty())
-    write_output(options.picture, report::mesh_picture(fmt::format("{} elements on {} physical covers",
-                                                                   manifold.elements.size(), manifold.covers.size()),
-                                                       field_of(manifold)));
+    write_output(options.picture,
+                 report::mesh_picture(
+                     fmt::format("{} elements on {} physical covers", manifold.elements.size(), manifold.covers.size()),
+                     field_of(manifold)),
+                 overwrite_if(options.may_overwrite));
   counts["elements"] = manifold.elements.size();
   counts["covers"] = manifold.covers.size();
   counts["boundary_loops"] = manifold.boundary_loops.size();
@@ -126,8 +129,7 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
 ExitCode cut_file(const CutOptions& options) {
   const bool has_mesh = is_asked_for(options.mesh);
   if (options.absorbs && !has_mesh) throw UsageError("--absorb requires --mesh or --mesh-side");
-  require_writable({options.output, options.picture}, {options.drawing},
-                   options.may_overwrite ? Overwrite::yes : Overwrite::no);
+  require_writable({options.output, options.picture}, {options.drawing}, overwrite_if(options.may_overwrite));
   const formats::Case loaded = formats::load_case({options.drawing});
   const Drawing& drawing = drawing_of(loaded, options.drawing);
   BodyCut bodies = has_mesh ? cut_bodies(drawing, options.merging, options.near_pieces)
@@ -140,9 +142,11 @@ ExitCode cut_file(const CutOptions& options) {
     cut_on_mesh(options, bodies, counts);
   } else if (!options.output.empty()) {
     warn_of_holes(cut.blocks);
-    write_output(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}));
+    write_output(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}),
+                 overwrite_if(options.may_overwrite));
   }
-  if (!options.picture.empty() && !has_mesh) write_output(options.picture, report::blocks_picture(cut.blocks));
+  if (!options.picture.empty() && !has_mesh)
+    write_output(options.picture, report::blocks_picture(cut.blocks), overwrite_if(options.may_overwrite));
   if (options.as_json) {
     fmt::print("{}\n", counts.dump(2, ' ', false, Json::error_handler_t::replace));
   } else {

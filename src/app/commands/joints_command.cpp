@@ -120,9 +120,10 @@ Drawn drawn(const JointsOptions& options) {
 }
 
 ExitCode make_joints(const JointsOptions& options) {
-  require_writable({options.output}, {options.specification}, options.may_overwrite ? Overwrite::yes : Overwrite::no);
+  require_writable({options.output}, {options.specification}, overwrite_if(options.may_overwrite));
   const auto [scene, drawing] = drawn(options);
-  write_output(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}));
+  write_output(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}),
+               overwrite_if(options.may_overwrite));
   fmt::print("{}: {} joint lines, {} boundary lines; joint sets: {}, tunnels: {}\n", options.output,
              drawing.joints.size() - drawing.boundary_count, drawing.boundary_count, scene.sets.size(),
              scene.tunnels.size());

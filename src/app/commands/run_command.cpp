@@ -209,7 +209,7 @@ ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, c
   for (const std::string& file : options.files) require_not_below(file, options.folder);
   return run_covers(
       loaded, {std::filesystem::path(options.files.front()).stem().string(), record.profile, overrides, options.folder,
-               options.force ? Overwrite::yes : Overwrite::no, options.as_json, record.inputs, record.timings.read});
+               overwrite_if(options.force), options.as_json, record.inputs, record.timings.read});
 }
 
 /// What the command line asks for, read and made ready.
@@ -260,7 +260,7 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
   for (const std::string& file : options.files) require_not_below(file, options.folder);
   RunJob job(prepared, std::move(record), std::move(request),
-             {options.folder, options.force ? Overwrite::yes : Overwrite::no, options.trace ? Trace::yes : Trace::no,
+             {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
               options.checkpoint_every, loaded.problem.analysis->place},
              saved);
   listen_for_stops();  // from here on something is left that a stop should leave whole

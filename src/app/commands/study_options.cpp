@@ -106,11 +106,30 @@ Json json_number(double value) {
   return std::isfinite(value) ? Json(value) : Json();
 }
 
+bool is_in_doubt_as_a_whole(const study::Reference& reference) {
+  constexpr double kOfUse = 0.1;
+  return reference.guessed_below() > kOfUse;
+}
+
+std::string words_of_doubt(const study::Reference& reference) {
+  if (reference.values.empty()) return reference.doubt;
+  return fmt::format("not resolved: {}, so that errors below {:.1e} are a guess", reference.doubt,
+                     reference.guessed_below());
+}
+
+std::string reference_words(const study::Reference& reference) {
+  if (reference.is_resolved()) return reference.words;
+  return fmt::format("{}; {}", reference.words, words_of_doubt(reference));
+}
+
 Json reference_json(const study::Reference& reference) {
   return {{"kind", reference.is_expected ? "expected" : "finest"},
           {"extrapolated", reference.is_extrapolated},
           {"observed_order", reference.order ? json_number(*reference.order) : Json()},
           {"uncertainty", reference.uncertainty},
+          {"resolved", reference.is_resolved()},
+          {"doubt", reference.doubt},
+          {"guessed_below", reference.guessed_below()},
           {"words", reference.words}};
 }
 

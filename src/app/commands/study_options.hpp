@@ -47,6 +47,15 @@ ExitCode stopped_with(const study::Tradeoff& result);
 /// "2 processors, load 1.7": processor time, too, grows where others share caches and memory.
 std::string machine_words();
 
+/// Whether errors of some per cent are a guess already, so that a table of them says nothing.
+bool is_in_doubt_as_a_whole(const study::Reference& reference);
+
+/// Why errors are a guess, and up to which, of a reference that is not resolved.
+std::string words_of_doubt(const study::Reference& reference);
+
+/// How errors are measured, and the doubt where there is one.
+std::string reference_words(const study::Reference& reference);
+
 nlohmann::ordered_json reference_json(const study::Reference& reference);
 nlohmann::ordered_json settings_json(const std::vector<Override>& settings);
 /// None for what is not finite.

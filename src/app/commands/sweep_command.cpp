@@ -1,6 +1,7 @@
 // `keyblock sweep`: the map of a case over contact stiffness and step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +67,7 @@ std::string factor(double value) {
 std::string table_of(const Map& map) {
   const SweepOptions& options = map.options;
   std::string table =
-      fmt::format("\n{}\n  {}\n  {:>24}", map.result.name, map.result.reference.words, "penalty \\ step");
+      fmt::format("\n{}\n  {}\n  {:>24}", map.result.name, reference_words(map.result.reference), "penalty \\ step");
   for (const double step : options.steps) table += fmt::format(" {:>12}", factor(step));
   table += "\n";
   for (std::size_t r = 0; r < options.penalties.size(); ++r) {
@@ -137,7 +138,7 @@ std::string picture_of(const Map& map) {
 ExitCode run_sweep(const SweepOptions& options) {
   const study::StudyCase chosen = case_asked(options);
   require_writable({options.table, options.picture}, {options.paths.begin(), options.paths.end()},
-                   options.force ? Overwrite::yes : Overwrite::no);
+                   overwrite_if(options.force));
   const auto designed = [&] {
     try {
       return std::pair(study::penalty_step_map(chosen, options.profile, options.penalties, options.steps),
@@ -148,8 +149,8 @@ ExitCode run_sweep(const SweepOptions& options) {
   }();
   const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run);
   const Map map{options, result};
-  if (!options.picture.empty()) write_output(options.picture, picture_of(map));
-  if (!options.table.empty()) write_output(options.table, csv_of(map));
+  if (!options.picture.empty()) write_output(options.picture, picture_of(map), overwrite_if(options.force));
+  if (!options.table.empty()) write_output(options.table, csv_of(map), overwrite_if(options.force));
   if (options.as_json)
     fmt::print("{}\n", json_of(map).dump(1, ' ', false, Json::error_handler_t::replace));
   else
@@ -157,7 +158,10 @@ ExitCode run_sweep(const SweepOptions& options) {
   if (result.is_stopped) return stopped_with(result);
   const bool has_results = std::ranges::any_of(
       result.runs, [&](const MeasuredRun& run) { return std::isfinite(error_of(run, result.reference)); });
-  return has_results ? ExitCode::ok : ExitCode::numerical_failure;
+  if (!has_results) return ExitCode::numerical_failure;
+  if (!is_in_doubt_as_a_whole(result.reference)) return ExitCode::ok;
+  spdlog::error("{}", words_of_doubt(result.reference));
+  return ExitCode::check_failed;
 }
 
 }  // namespace

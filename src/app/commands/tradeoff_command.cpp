@@ -89,7 +89,7 @@ std::string table_of(const Tradeoff& result) {
   for (const MeasuredRun& run : result.runs) width = std::max(width, run.plan.name.size());
   std::string table =
       fmt::format("\n{}\n  {}\n  {:{}} {:>8} {:>9} {:>10} {:>9} {:>10}  on the front\n", result.name,
-                  result.reference.words, "run", width, "steps", "unknowns", "CPU s", "error", "over front");
+                  reference_words(result.reference), "run", width, "steps", "unknowns", "CPU s", "error", "over front");
   for (const std::size_t i : by_cost(result)) {
     const MeasuredRun& run = result.runs[i];
     if (run.end == study::MeasuredEnd::stopped && run.timings == 0) continue;  // there is nothing to show
@@ -203,14 +203,17 @@ std::string words_of_nearest(const Tradeoff& result, const study::Wish& wish) {
                      result.runs[shown].plan.name, result.runs[shown].seconds, error_text(result, shown));
 }
 
+bool is_guess(const Tradeoff& result, std::size_t run) {
+  return result.prices[run].error < result.reference.guessed_below();
+}
+
 ExitCode run_tradeoff(const TradeoffOptions& options) {
   const study::Wish wish = wish_of(options);
   if (!options.output.empty() && !options.has_wish())
     throw UsageError("-o is for the settings that meet --budget or --error: neither is given");
   const study::StudyCase chosen = case_asked(options);
   const std::string file = output_of(options, chosen);
-  require_writable({file, options.picture}, {options.paths.begin(), options.paths.end()},
-                   options.force ? Overwrite::yes : Overwrite::no);
+  require_writable({file, options.picture}, {options.paths.begin(), options.paths.end()}, overwrite_if(options.force));
   const auto designed = [&] {
     try {
       return std::pair(options.is_full ? study::full_design(chosen, options.profile, options.most, options.vary)
@@ -226,13 +229,15 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run, search);
   const bool chooses = options.has_wish() && !result.is_stopped;
   const auto choice = chooses ? study::choice_for(result.prices, wish) : std::nullopt;
-  if (!options.picture.empty()) write_output(options.picture, picture_of(result));
+  if (!options.picture.empty()) write_output(options.picture, picture_of(result), overwrite_if(options.force));
   if (choice) {
     const MeasuredRun& run = result.runs[*choice];
     write_output(file,
                  settings_text(settings_of(chosen, run.plan, file),
-                               fmt::format("{}: \"{}\", {:.3g} s of processor time, error {}\nfor {}", result.name,
-                                           run.plan.name, run.seconds, error_text(result, *choice), wish_words(wish))));
+                               fmt::format("{}: \"{}\", {:.3g} s of processor time, error {}\nfor {}{}", result.name,
+                                           run.plan.name, run.seconds, error_text(result, *choice), wish_words(wish),
+                                           is_guess(result, *choice) ? "\n" + words_of_doubt(result.reference) : "")),
+                 overwrite_if(options.force));
   }
   if (options.as_json)
     fmt::print("{}\n", json_of(result, chosen, wish, choice, file).dump(1, ' ', false, Json::error_handler_t::replace));
@@ -246,7 +251,9 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   if (result.is_stopped && options.has_wish()) spdlog::warn("no settings were picked");
   if (result.is_stopped) return stopped_with(result);
   if (result.front.empty()) return ExitCode::numerical_failure;
-  return chooses && !choice ? ExitCode::check_failed : ExitCode::ok;
+  const bool is_in_doubt = choice ? is_guess(result, *choice) : is_in_doubt_as_a_whole(result.reference);
+  if (is_in_doubt) spdlog::error("{}", words_of_doubt(result.reference));
+  return is_in_doubt || (chooses && !choice) ? ExitCode::check_failed : ExitCode::ok;
 }
 
 }  // namespace

@@ -123,16 +123,21 @@ void run_on_covers(const StudyCase& chosen, const CoverCase& cover_case, double 
   measured.values = reading.numbers();
 }
 
-// Again until there is enough to measure; the least counts, because all that disturbs a run makes it longer.
+// Again until there is enough to measure; the least counts, because all that disturbs a run makes it longer. What was
+// measured before a repetition that came to no end stands.
 template <class Run>
 void best_of(const RunLimits& limits, MeasuredRun& measured, const Run& run) {
   double sum = 0;
   double best = std::numeric_limits<double>::max();
   do {
     MeasuredRun again = measured;
-    run(again);
-    const bool is_lost = again.end == MeasuredEnd::stopped && measured.timings > 0;
-    if (is_lost) break;  // the timings before it stand
+    try {
+      run(again);
+    } catch (const StopRequested&) {
+      if (measured.timings == 0) throw;
+      break;
+    }
+    if (measured.timings > 0 && again.end != MeasuredEnd::finished) break;
     measured = std::move(again);
     ++measured.timings;
     sum += measured.seconds;

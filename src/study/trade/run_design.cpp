@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 #include <stdexcept>
+#include <string_view>
 
 #include "model/cover_basis.hpp"
 #include "run/cover_settings.hpp"
@@ -30,6 +32,7 @@ struct Base {
   CoverPlan plan;
   std::size_t blocks = 0;
   std::vector<double> times;  ///< of expected values
+  double step_factor = 1;     ///< by which the profile lengthens the step that is set
 
   bool is_standard() const { return settings.dynamics == Dynamics::standard; }
 };
@@ -48,6 +51,7 @@ Base base_of(const StudyCase& chosen, const std::string& profile, const std::vec
   if (!base.is_solved_at_once) {
     const Scene scene = prepare(problem, profile, left).scene;
     base.settings = scene.settings;
+    if (base.settings.standard.motion == MotionRule::dynamic) base.step_factor = step_factor(profile);
     base.blocks = scene.model.elements.size();
   }
   for (const ExpectedValue& e : chosen.expected) base.times.push_back(e.time);
@@ -67,8 +71,10 @@ std::vector<Override> step_overrides(const Base& base, double factor) {
   const int parts = own.step_count / whole;
   const int steps = parts * std::max(1, static_cast<int>(std::lround(whole / factor)));
   if (steps == own.step_count) return {};
-  return {{"time_step", fmt::format("{:.15g}", own.time_step * own.step_count / steps)},
-          {"steps", fmt::format("{}", steps)}};
+  const int set =
+      std::max(1, static_cast<int>(std::lround(steps * base.step_factor)));  // the profile makes `steps` of it
+  return {{"time_step", fmt::format("{:.15g}", own.time_step * own.step_count / set)},
+          {"steps", fmt::format("{}", set)}};
 }
 
 std::string factor_name(const char* of, double factor) {
@@ -328,27 +334,37 @@ struct Refinement {
   std::vector<Override> set;
 };
 
+constexpr double kSameFactor = 1e-6;  // sides are written with twelve digits
+
+// Of the step or the side, over the case's own; no name where that is what comes out again.
+std::string refinement_name(const char* of, double factor) {
+  return std::abs(factor - 1) <= kSameFactor ? "" : factor_name(of, factor);
+}
+
 Refinement refinement_of(const Base& own, const Base& now, int parts) {
   if (now.is_solved_at_once) {
     const std::vector<Override> set = mesh_overrides(now.plan.mesh, 1.0 / parts);
     const bool by_side = own.plan.mesh.side > 0;
     const double factor = by_side ? now.plan.mesh.side / own.plan.mesh.side
                                   : static_cast<double>(own.plan.mesh.half_rows) / now.plan.mesh.half_rows;
-    return {"side", factor_name("side", factor / parts), set};
+    return {"side", refinement_name("side", factor / parts), set};
   }
   if (now.settings.step_control == StepControl::error) {
     const std::string tolerance = fmt::format("{:.2g}", now.settings.standard.step_tolerance / parts);
     return {"tolerance", "tolerance " + tolerance, {{"step_tolerance", tolerance}}};
   }
   const double factor = static_cast<double>(own.settings.step_count) / now.settings.step_count / parts;
-  return {"step", factor_name("step", factor), step_overrides(now, 1.0 / parts)};
+  return {"step", refinement_name("step", factor), step_overrides(now, 1.0 / parts)};
 }
 
-// "rigid, step /4" is "rigid" without its step, and "step /4" nothing.
-std::string without_level(const std::string& name, const std::string& of) {
-  const std::size_t at = name.rfind(of + ' ');
-  if (at == std::string::npos || (at > 0 && name[at - 1] != ' ')) return name;
-  return at == 0 ? "" : name.substr(0, at - 2);
+// The levels that a name joins, without that of the step: of "rigid, step /4, springs" "rigid" and "springs".
+std::vector<std::string> other_levels(const std::string& name, const std::string& of) {
+  std::vector<std::string> levels;
+  for (const auto part : std::views::split(name, std::string_view(", "))) {
+    std::string level(part.begin(), part.end());
+    if (!level.starts_with(of + ' ')) levels.push_back(std::move(level));
+  }
+  return levels;
 }
 
 }  // namespace
@@ -358,8 +374,9 @@ std::optional<RunPlan> refined(const StudyCase& chosen, const std::string& profi
   const Refinement finer = refinement_of(base_of(chosen, plan.profile), now, parts);
   if (finer.set.empty()) return std::nullopt;
   RunPlan made = plan;
-  const std::string rest = plan.name == profile ? "" : without_level(plan.name, finer.of);
-  made.name = rest.empty() ? finer.name : rest + ", " + finer.name;
+  std::vector<std::string> levels = other_levels(plan.name == profile ? "" : plan.name, finer.of);
+  if (!finer.name.empty()) levels.push_back(finer.name);
+  made.name = levels.empty() ? profile : fmt::format("{}", fmt::join(levels, ", "));
   made.group = plan.group == "profile" ? finer.of : plan.group;
   made.coarser = plan.name;
   made.growth = 1.5;

@@ -56,8 +56,8 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
     const MeasuredRun* run = named(runs, limit_from[first + i].name);
     if (was_stopped(*run) || run->end == MeasuredEnd::over_limit) {
       Reference none;
-      none.is_resolved = false;
-      none.words = fmt::format("no errors: {} before the end of \"{}\", which they are measured against",
+      none.words = "no errors";
+      none.doubt = fmt::format("{} before the end of \"{}\", which errors are measured against",
                                was_stopped(*run) ? "stopped" : "at the limit of a run's time", run->plan.name);
       return none;
     }
@@ -74,7 +74,8 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
   reference.uncertainty = limit.uncertainty;
   reference.order = limit.order;
   reference.is_extrapolated = limit.is_extrapolated;
-  reference.is_resolved = limit.is_extrapolated || !limit.order;
+  if (!limit.is_extrapolated && limit.order)
+    reference.doubt = "the three runs do not converge as a method of any order does";
   const std::array<std::string, 3> names{limit_from[first].name, limit_from[first + 1].name,
                                          limit_from[first + 2].name};
   const std::string order = limit.order ? fmt::format("observed order {:.2f}", *limit.order) : "all three the same";
@@ -84,8 +85,6 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
           ? fmt::format("extrapolated from the runs \"{}\", \"{}\" and \"{}\"", names[0], names[1], names[2])
           : fmt::format("the run \"{}\" itself (beside \"{}\", \"{}\")", names[2], names[0], names[1]),
       order, limit.uncertainty);
-  if (!reference.is_resolved)
-    reference.words += "; the three do not converge as a method of any order does: errors near that are a guess";
   return reference;
 }
 
@@ -154,6 +153,7 @@ class Study {
     result_.is_stopped = is_stopped();
     result_.reference =
         is_limit() ? limit_reference(result_.runs, series_) : expected_reference(chosen_.expected, "standard");
+    say_where_not_resolved();
     result_.prices.clear();
     for (const MeasuredRun& run : result_.runs)
       result_.prices.push_back(
@@ -171,17 +171,20 @@ class Study {
       in_vain = result_.reference.uncertainty < before ? 0 : in_vain + 1;
       ++halvings;
     }
-    if (!result_.reference.values.empty() && result_.reference.uncertainty > kResolved) {
-      result_.reference.is_resolved = false;
-      result_.reference.words +=
-          fmt::format("; not resolved: {}", in_vain >= kMostInVain ? "halves of the step bring it no nearer"
-                                                                   : "a finer run would take more than a run may");
-    }
+    why_no_nearer_ =
+        in_vain >= kMostInVain ? "halves of the step bring it no nearer" : "a finer run would take more than a run may";
+    say_where_not_resolved();
     return halvings;
   }
 
+  void say_where_not_resolved() {
+    Reference& reference = result_.reference;
+    if (reference.doubt.empty() && !why_no_nearer_.empty() && reference.uncertainty > kResolved)
+      reference.doubt = why_no_nearer_;
+  }
+
   bool is_known_to(double goal) const {
-    return result_.reference.is_resolved && result_.reference.uncertainty <= std::max(goal, kLeastError);
+    return result_.reference.is_resolved() && result_.reference.uncertainty <= std::max(goal, kLeastError);
   }
 
   bool halve() {
@@ -259,6 +262,7 @@ class Study {
   const Search& search_;
   std::vector<RunPlan> series_;  ///< the limit is taken from its last three
   std::size_t planned_ = 0;
+  std::string why_no_nearer_;  ///< the last time that the limit was to be resolved
   Tradeoff result_;
 };
 
@@ -283,6 +287,12 @@ Reference expected_reference(const std::vector<ExpectedValue>& expected, const s
                : "error: the greatest over all expected values, each relative to the greatest expected of that "
                  "quantity and block; values expected to be 0 are left out";
   return reference;
+}
+
+// What the uncertainty rests on, runs that converge, is not there: ten times as far off is not excluded.
+double Reference::guessed_below() const {
+  constexpr double kMargin = 10;
+  return is_resolved() ? 0 : kMargin * uncertainty;
 }
 
 double error_of(const MeasuredRun& run, const Reference& reference) {

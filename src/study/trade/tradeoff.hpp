@@ -21,8 +21,12 @@ struct Reference {
   double uncertainty = 0;        ///< of a limit, relative: errors below it are not told apart
   std::optional<double> order;   ///< observed, of a limit
   bool is_extrapolated = false;  ///< of a limit; otherwise it is the finest run itself
-  bool is_resolved = true;       ///< false: a limit not known well enough to hold errors against; `words` say why
   std::string words;             ///< how errors are measured, one sentence
+  std::string doubt;             ///< why a limit is not resolved; empty where it is
+
+  bool is_resolved() const { return doubt.empty(); }
+  /// Errors below it say nothing: 0 where the reference is resolved.
+  double guessed_below() const;
 };
 
 /// Below it all errors count the same: round-off of inputs and of solves.
