@@ -110,6 +110,7 @@ struct ExcavationPlan {
   int step = 1;
   std::vector<Point> outline;
   Place place;
+  int joint_material = 0;  ///< of the edges that it makes, index from 0
 };
 
 struct CoverPlan {

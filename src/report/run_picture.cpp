@@ -64,8 +64,9 @@ void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, do
   for (const std::vector<Point>& outline : picture.start.outlines) page.polygon({map(outline)}, dashed);
   if (!picture.start.outlines.empty()) return;
   const std::vector<ElementFrame>& start = picture.start.elements;
+  const ElementsByNumber ends(picture.end);
   for (std::size_t i = 0; i < start.size(); ++i) {
-    const ElementFrame* end = element_of(picture.end, number_of(picture.start, i));
+    const ElementFrame* end = ends.find(number_of(picture.start, i));
     if (end != nullptr && !moved_visibly(map, start[i], *end)) continue;
     page.polygon(map(start[i].loops), dashed);
   }

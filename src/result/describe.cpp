@@ -21,6 +21,7 @@ void describe(Archive& a, PointFrame& point) {
   a.value("stress_xx", point.stress.xx);
   a.value("stress_yy", point.stress.yy);
   a.value("stress_xy", point.stress.xy);
+  a.value("number", point.number);
 }
 
 void describe(Archive& a, const char* name, std::vector<PointFrame>& points) {

@@ -35,9 +35,10 @@ std::pair<double, double> principal(const Stress& stress) {
 
 Extremes extremes_of(const Frame& start, const Frame& end) {
   Extremes found;
+  const ElementsByNumber before(start);
   for (std::size_t e = 0; e < end.elements.size(); ++e) {
     const int index = number_of(end, e);
-    const ElementFrame* first = element_of(start, index);
+    const ElementFrame* first = before.find(index);
     const double displacement = greatest_displacement(first, end.elements[e]);
     const auto [least, greatest] = principal(end.elements[e].stress);
     if (displacement > found.displacement) {

@@ -32,6 +32,7 @@ struct PointFrame {
   Point displacement;  ///< since the start
   int element = 0;     ///< its number, from 0
   Stress stress = {};  ///< of the element, on covers that at the point
+  int number = -1;     ///< of a measured point for the whole run, from 0; below 0: its index in the frame
 };
 
 /// Whether the point was there at that instant: what a change of the scene took away has no place.
@@ -64,7 +65,20 @@ struct Frame {
 int number_of(const Frame& frame, std::size_t index);
 int origin_of(const Frame& frame, std::size_t index);
 
-/// The element of this number; none where it is not there.
+/// The element of this number; none where it is not there. Looks through all, where elements went or came.
 const ElementFrame* element_of(const Frame& frame, int number);
+
+/// The same for many: views the frame.
+class ElementsByNumber {
+ public:
+  explicit ElementsByNumber(const Frame& frame);
+  const ElementFrame* find(int number) const;
+
+ private:
+  std::vector<const ElementFrame*> elements_;  ///< none where no element has that number
+};
+
+/// The measured point of this number; none where it is not there.
+const PointFrame* measured_point_of(const Frame& frame, int number);
 
 }  // namespace keyblock

@@ -56,7 +56,7 @@ void put(std::vector<T>& values, int number, T value, const T& missing) {
   values[place] = std::move(value);
 }
 
-const PointFrame kMissingPoint{{kNotThere, kNotThere}, {kNotThere, kNotThere}, 0, {}};
+const PointFrame kMissingPoint{{kNotThere, kNotThere}, {kNotThere, kNotThere}, 0, {}, -1};
 
 }  // namespace
 
@@ -89,6 +89,8 @@ Frame frame_of(const Model& model, const State& state, const StartPlaces& start,
   frame.fixed_points = points_of(model, model.fixed_points, state.fixed_points, state);
   frame.loading_points = points_of(model, model.loading_points, state.loading_points, state);
   frame.measured_points = points_of(model, model.measured_points, state.measured_points, state);
+  for (std::size_t i = 0; i < frame.measured_points.size(); ++i)
+    frame.measured_points[i].number = model.identities.of_measured_point(i);
   for (std::size_t i = 0; i < state.bolts.size(); ++i) {
     const BoltState& bolt = state.bolts[i];
     frame.bolts.push_back({bolt.first, bolt.second, bolt.force, bolt.is_broken, model.identities.of_bolt(i)});

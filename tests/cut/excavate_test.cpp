@@ -42,7 +42,7 @@ TEST(Excavate, what_is_left_has_the_area_of_the_difference_and_its_material) {
   blocks.blocks = {rectangle({0, 0}, {4, 2}, 3), rectangle({4, 0}, {6, 2}, 5)};
   // Reaches over the joint of the two, down to their lower edge.
   const std::vector<Point> outline{{3, 0}, {5, 0}, {5, 1}, {3, 1}};
-  const BodyGraph rest = excavated(lines_of(blocks), {outline}, NodeMerging::nearest_first, &blocks);
+  const BodyGraph rest = excavated(lines_of(blocks), {{outline, 0}}, NodeMerging::nearest_first, &blocks);
   EXPECT_EQ(std::set<int>(rest.materials.begin(), rest.materials.end()), (std::set<int>{3, 5}));
   const Manifold manifold = cut_cover(rest, fitted_mesh(plan_of(0.3), rest).mesh);
   EXPECT_NEAR(area_of(manifold, 3), 7, 1e-12);
@@ -53,10 +53,10 @@ TEST(Excavate, a_body_that_an_outline_parts_becomes_two) {
   Blocks blocks;
   blocks.blocks = {rectangle({0, 0}, {4, 2}, 1)};
   const std::vector<Point> trench{{1, -1}, {2, -1}, {2, 3}, {1, 3}};
-  const BodyGraph rest = excavated(lines_of(blocks), {trench}, NodeMerging::nearest_first, &blocks);
+  const BodyGraph rest = excavated(lines_of(blocks), {{trench, 0}}, NodeMerging::nearest_first, &blocks);
   EXPECT_EQ(rest.materials, (std::vector<int>{1, 1}));
   const std::vector<Point> all{{-1, -1}, {9, -1}, {9, 9}, {-1, 9}};
-  EXPECT_THROW(excavated(lines_of(blocks), {all}, NodeMerging::nearest_first, &blocks), InputError);
+  EXPECT_THROW(excavated(lines_of(blocks), {{all, 0}}, NodeMerging::nearest_first, &blocks), InputError);
 }
 
 TEST(JoinManifolds, bodies_cut_one_by_one_stand_side_by_side) {

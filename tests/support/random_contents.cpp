@@ -359,7 +359,7 @@ CoverPlan covers(Dice& dice) {
   plan.initial_stress = {formula(dice, false), formula(dice, false), formula(dice, false)};
   plan.excavations = some(dice, 2, [](Dice& one) {
     const int step = 1 + one.below(9);
-    return ExcavationPlan{step, polygon(one), {}};
+    return ExcavationPlan{step, polygon(one), {}, 0};
   });
   return plan;
 }

@@ -1,4 +1,4 @@
-// The outlines cut like joints of a material of their own; what they enclose is left out.
+// The outlines cut like joints of materials of their own; what they enclose is left out.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/excavate.hpp"
 
@@ -15,13 +15,12 @@
 namespace keyblock {
 namespace {
 
-// No joint of a file has this material.
+// Of the outline of region i it is i less; no joint of a file has such a material.
 constexpr int kOutline = std::numeric_limits<int>::max();
 
 /// The number of every body that stays, -1 of the others; their materials into `materials`.
-std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies,
-                                 const std::vector<std::vector<Point>>& outlines, const Blocks* blocks,
-                                 std::vector<int>& materials) {
+std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies, const std::vector<Region>& regions,
+                                 const Blocks* blocks, std::vector<int>& materials) {
   std::vector<int> numbers;
   for (const BlockPolygon& body : bodies) {
     const std::optional<Point> inside = point_inside(loops_of(body));
@@ -30,7 +29,7 @@ std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies,
       continue;
     }
     const bool is_gone =
-        std::ranges::any_of(outlines, [&](const auto& outline) { return side(outline, *inside) == Side::inside; });
+        std::ranges::any_of(regions, [&](const Region& r) { return side(r.outline, *inside) == Side::inside; });
     const BlockPolygon* owner = &body;
     if (blocks != nullptr) {
       const auto found = std::ranges::find_if(blocks->blocks, [&](const auto& block) { return holds(block, *inside); });
@@ -60,23 +59,27 @@ Drawing lines_of(const Blocks& blocks) {
   return drawing;
 }
 
-BodyGraph excavated(const Drawing& drawing, const std::vector<std::vector<Point>>& outlines, NodeMerging merging,
+BodyGraph excavated(const Drawing& drawing, const std::vector<Region>& regions, NodeMerging merging,
                     const Blocks* blocks) {
   Drawing cut = drawing;
-  for (const auto& outline : outlines)
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const std::vector<Point>& outline = regions[r].outline;
     for (std::size_t i = 0; i < outline.size(); ++i)
-      cut.joints.push_back({{outline[i], outline[(i + 1) % outline.size()]}, kOutline, drawing.place});
+      cut.joints.push_back(
+          {{outline[i], outline[(i + 1) % outline.size()]}, kOutline - static_cast<int>(r), drawing.place});
+  }
   BodyCut bodies = cut_bodies(cut, merging);
   BodyGraph rest;
   rest.nodes = std::move(bodies.graph.nodes);
-  const std::vector<int> numbers = numbers_of_rest(bodies.blocks.blocks.blocks, outlines, blocks, rest.materials);
+  const std::vector<int> numbers = numbers_of_rest(bodies.blocks.blocks.blocks, regions, blocks, rest.materials);
   if (rest.materials.empty()) throw InputError(drawing.place, "expected a body that is not dug out, found none");
   const auto renumbered = [&](int body) { return body < 0 ? -1 : numbers[static_cast<std::size_t>(body)]; };
   for (BodyPiece piece : bodies.graph.pieces) {
     piece.left = renumbered(piece.left);
     piece.right = renumbered(piece.right);
-    const bool is_outline = piece.joint_material == kOutline;
-    if (is_outline) piece.joint_material = 0;
+    const bool is_outline = piece.joint_material > kOutline - static_cast<int>(regions.size());
+    if (is_outline)
+      piece.joint_material = regions[static_cast<std::size_t>(kOutline - piece.joint_material)].joint_material;
     const bool bounds_nothing = piece.left < 0 && piece.right < 0;
     if (piece.is_slit ? !is_outline : !bounds_nothing) rest.pieces.push_back(piece);
   }

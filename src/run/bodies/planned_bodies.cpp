@@ -58,13 +58,13 @@ bool PlannedBodies::changes_at(int step) const {
 }
 
 Manifold PlannedBodies::at(int step) const {
-  std::vector<std::vector<Point>> outlines;
+  std::vector<Region> regions;
   for (const ExcavationPlan& excavation : problem_.covers->excavations)
-    if (excavation.step <= step) outlines.push_back(excavation.outline);
-  if (!outlines.empty()) {
+    if (excavation.step <= step) regions.push_back({excavation.outline, excavation.joint_material});
+  if (!regions.empty()) {
     const auto* blocks = std::get_if<Blocks>(&problem_.geometry);
     const Drawing drawing = blocks != nullptr ? lines_of(*blocks) : std::get<Drawing>(problem_.geometry);
-    return cut_cover(excavated(drawing, outlines, NodeMerging::nearest_first, blocks), mesh_);
+    return cut_cover(excavated(drawing, regions, NodeMerging::nearest_first, blocks), mesh_);
   }
   Manifold all = cut_cover(graphs_.front(), mesh_);
   for (std::size_t g = 1; g < graphs_.size(); ++g) join(all, cut_cover(graphs_[g], mesh_));

@@ -31,8 +31,12 @@ Problem with_excavations(const Problem& problem) {
     if (!stage.cuts.empty())
       throw InputError(stage.cuts.front().place, "expected cuts of blocks, found them in stages of bodies on covers");
     for (const StageExcavation& excavation : stage.excavations)
-      with.covers->excavations.push_back({static_cast<int>(i) + 1, excavation.outline, excavation.place});
+      with.covers->excavations.push_back({static_cast<int>(i) + 1, excavation.outline, excavation.place, 0});
   }
+  // Which of them made an edge is told by a material of its own; see joint_material_at.
+  const int count = static_cast<int>(problem.analysis->joint_materials.size());
+  for (std::size_t e = 0; e < with.covers->excavations.size(); ++e)
+    with.covers->excavations[e].joint_material = count + static_cast<int>(e);
   return with;
 }
 
@@ -53,11 +57,21 @@ std::vector<Part> in_rock(const std::vector<Part>& parts, const Rock& rock) {
   return kept;
 }
 
-/// The material of the block of the rock that a body is.
-int material_of(const Rock& rock, Point inside, int otherwise) {
-  for (const BlockPolygon& block : rock.blocks.blocks)
-    if (holds(block, inside)) return block.material;
-  return otherwise;
+/// Gives every body the material of the block of the rock that it is.
+void put_body_materials(Manifold& manifold, const Rock& rock) {
+  std::vector<char> is_known(manifold.body_materials.size(), 0);
+  for (const ManifoldElement& element : manifold.elements) {
+    const auto body = static_cast<std::size_t>(element.body);
+    if (is_known[body]) continue;
+    const std::optional<Point> inside = point_inside(manifold.polygon(element));
+    if (!inside) continue;
+    for (const BlockPolygon& block : rock.blocks.blocks) {
+      if (!holds(block, *inside)) continue;
+      manifold.body_materials[body] = block.material;
+      is_known[body] = 1;
+      break;
+    }
+  }
 }
 
 bool is_within(const std::vector<std::vector<Point>>& loops, Point p) {
@@ -68,7 +82,10 @@ bool is_within(const std::vector<std::vector<Point>>& loops, Point p) {
 
 }  // namespace
 
-CoverStages::CoverStages(const Problem& problem) : problem_(with_excavations(problem)), planned_(problem_) {}
+CoverStages::CoverStages(const Problem& problem) : problem_(with_excavations(problem)), planned_(problem_) {
+  for (const Stage& stage : problem.stages)
+    for (const StageExcavation& excavation : stage.excavations) dug_materials_.push_back(excavation.joint_material);
+}
 
 Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const Settings& settings) const {
   CoverPlan plan = *problem_.covers;
@@ -84,17 +101,26 @@ Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const S
   return continuum;
 }
 
+// An edge that a stage digs out is changed by that stage and those after it, one of the drawing by all.
+int CoverStages::joint_material_at(int stage, int first) const {
+  const int count = static_cast<int>(problem_.analysis->joint_materials.size());
+  int from = 0;
+  int material = first;
+  if (first >= count) {
+    from = problem_.covers->excavations[static_cast<std::size_t>(first - count)].step - 1;
+    material = dug_materials_[static_cast<std::size_t>(first - count)];
+  }
+  for (int i = from; i <= stage; ++i)
+    for (const StageJointMaterial& change : problem_.stages[static_cast<std::size_t>(i)].joint_materials)
+      if (material == change.from) material = change.to;
+  return material;
+}
+
 Model CoverStages::model(const Rock& rock, int stage, const Settings& settings) const {
   Manifold manifold = planned_.at(stage + 1);
-  for (const ManifoldElement& element : manifold.elements) {
-    int& material = manifold.body_materials[static_cast<std::size_t>(element.body)];
-    if (const std::optional<Point> inside = point_inside(manifold.polygon(element)))
-      material = material_of(rock, *inside, material);
-  }
+  put_body_materials(manifold, rock);
   for (ElementCorner& corner : manifold.corners)
-    for (int i = 0; i <= stage; ++i)
-      for (const StageJointMaterial& change : problem_.stages[static_cast<std::size_t>(i)].joint_materials)
-        if (corner.joint_material == change.from) corner.joint_material = change.to;
+    if (corner.joint_material >= 0) corner.joint_material = joint_material_at(stage, corner.joint_material);
   const ElementPoints points{in_elements(manifold, rock.blocks.fixed_points, "a fixed point"),
                              in_elements(manifold, rock.blocks.loading_points, "a loading point"),
                              in_elements(manifold, rock.blocks.measured_points, "a measured point")};

@@ -22,9 +22,11 @@ class CoverStages {
   Model model(const Rock& rock, int stage, const Settings& settings) const;
 
  private:
+  int joint_material_at(int stage, int first) const;
   Continuum continuum_at(Manifold manifold, const Rock& rock, const Settings& settings) const;
 
-  Problem problem_;  ///< with what the stages dig out as excavations of its plan
+  Problem problem_;                 ///< with what the stages dig out as excavations of its plan
+  std::vector<int> dug_materials_;  ///< joint materials of those excavations
   PlannedBodies planned_;
 };
 

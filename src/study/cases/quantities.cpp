@@ -45,8 +45,9 @@ double mean_by_mass(const Frame& frame, double Point::*coordinate) {
 
 double area_change(const Frame& start, const Frame& now) {
   double greatest = 0;
+  const ElementsByNumber first(start);
   for (std::size_t e = 0; e < now.elements.size(); ++e) {
-    const ElementFrame* before = element_of(start, number_of(now, e));
+    const ElementFrame* before = first.find(number_of(now, e));
     if (before != nullptr && before->mass == now.elements[e].mass)
       greatest = std::max(greatest, std::abs(now.elements[e].area / before->area - 1));
   }
@@ -136,15 +137,17 @@ double RunSoFar::converged_share() const {
 
 double quantity_of(const RunSoFar& run, const std::string& quantity, std::optional<int> number) {
   const Quantity& found = table().at(quantity);
-  const auto index = static_cast<std::size_t>(number.value_or(1) - 1);
+  const int index = number.value_or(1) - 1;
   constexpr double kGone = std::numeric_limits<double>::quiet_NaN();
   if (const auto* of_block = std::get_if<OfBlock>(&found)) {
-    const ElementFrame* now = element_of(run.now(), static_cast<int>(index));
-    const ElementFrame* start = element_of(run.start(), static_cast<int>(index));
+    const ElementFrame* now = element_of(run.now(), index);
+    const ElementFrame* start = element_of(run.start(), index);
     return now == nullptr || start == nullptr ? kGone : (*of_block)({*now, *start});
   }
-  if (const auto* of_point = std::get_if<OfPoint>(&found))
-    return index < run.now().measured_points.size() ? (*of_point)(run.now().measured_points[index]) : kGone;
+  if (const auto* of_point = std::get_if<OfPoint>(&found)) {
+    const PointFrame* now = measured_point_of(run.now(), index);
+    return now == nullptr ? kGone : (*of_point)(*now);
+  }
   return std::get<OfScene>(found)(run);
 }
 

@@ -1,0 +1,75 @@
+// A run of stages that was saved before any step goes on to the same bytes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "result/describe.hpp"
+#include "run/checkpoint.hpp"
+#include "run/steppers.hpp"
+#include "tests/support/staged_runs.hpp"
+
+namespace keyblock::stages_resumed_test {
+namespace {
+
+using support::box;
+using support::column;
+using support::squares_on_covers;
+using support::stage_of;
+
+/// A column that slides and loses a block, is cut, bolted, held and released.
+Scene eventful() {
+  Problem problem = column(3);
+  problem.analysis->joint_materials[0].friction_angle_deg = 10;
+  problem.stages = {stage_of(5), stage_of(4, "dig"), stage_of(4, "cut"), stage_of(4, "bolt"), stage_of(5, "hold")};
+  problem.stages[0].settings = {{"gravity.x", "4"}};
+  problem.stages[1].excavations = {{box({-0.5, 2}, {2.5, 4}), 0, {}}};
+  problem.stages[2].cuts = {{{{-1, 0.4}, {3, 0.6}}, 0, {}}};
+  problem.stages[3].bolts = {{{{1, 1.5}, {2.5, -0.5}}, 1e6, 0, 1e3, 0, {}}};
+  problem.stages[4].held = {{{1, 0.2}, {}}};
+  problem.stages[4].removed_bolts = {{0, {}}};
+  return prepare(problem, "standard", {}).scene;
+}
+
+Scene eventful_on_covers() {
+  Problem problem = squares_on_covers(CoverFunctions::derived);
+  problem.stages = {stage_of(3), stage_of(3, "dig"), stage_of(3, "bolt"), stage_of(3, "hold")};
+  problem.stages[0].settings = {{"gravity.x", "4"}};
+  problem.stages[1].excavations = {{box({0.7, 1.4}, {1.3, 3}), 0, {}}};
+  problem.stages[2].bolts = {{{{0.5, 1.5}, {1.5, 0.5}}, 1e6, 0, 1e3, 0, {}}};
+  problem.stages[3].held = {{{0.3, 1.7}, {}}};
+  problem.stages[3].removed_bolts = {{0, {}}};
+  return prepare(problem, "standard", {}).scene;
+}
+
+std::string bytes_of(Stepper& stepper) {
+  Archive archive;
+  stepper.save(archive);
+  return checkpoint_bytes(archive);
+}
+
+}  // namespace
+
+class ResumedStages : public testing::TestWithParam<Scene (*)()> {};
+
+TEST_P(ResumedStages, left_before_any_step_they_go_on_to_the_same_bytes) {
+  const Scene scene = GetParam()();
+  const std::unique_ptr<Stepper> whole = stepper_for(scene);
+  std::vector<std::string> saved;
+  while (!whole->is_done()) {
+    saved.push_back(bytes_of(*whole));
+    ASSERT_TRUE(std::holds_alternative<StepReport>(whole->advance())) << saved.size();
+  }
+  ASSERT_EQ(static_cast<int>(saved.size()), scene.settings.step_count);
+  const std::string end = bytes_of(*whole);
+  for (const std::string& bytes : saved) {
+    Archive archive = archive_of_checkpoint("checkpoint.h5", bytes);
+    const std::unique_ptr<Stepper> again = restored_stepper(scene, archive);
+    EXPECT_TRUE(bytes_of(*again) == bytes);
+    while (!again->is_done()) again->advance();
+    EXPECT_TRUE(bytes_of(*again) == end);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ResumedStages, testing::Values(eventful, eventful_on_covers),
+                         [](const auto& one) { return std::string(one.index == 0 ? "blocks" : "covers"); });
+
+}  // namespace keyblock::stages_resumed_test
