@@ -474,7 +474,7 @@ TEST(Commands, steps_of_bodies_on_covers_leave_stress_at_points_and_its_picture)
   std::vector<double> values;
   for (std::size_t at = 0; at < row.size(); at = row.find_first_of(",\n", at) + 1)
     values.push_back(std::stod(row.substr(at)));
-  ASSERT_EQ(values.size(), 10U);
+  ASSERT_EQ(values.size(), 11U);
   EXPECT_NEAR(values[7], 0, 0.6) << "1 % of the greatest, at the root";
   EXPECT_NEAR(values[9], 1.5, 0.3);
 }

@@ -213,6 +213,16 @@ void describe(F& f, In<F, BlockMaterial>& material) {
   f.row("stress_gradient", material.stress_gradient);
   f.row("initial_velocity", material.initial_velocity);
   f.row("initial_strain", material.initial_strain);
+  std::optional<double> zz, gradient_zz;
+  if (material.gives_zz) zz = material.initial_stress.zz;
+  if (material.gives_zz) gradient_zz = material.stress_gradient.zz;
+  f.optional_real("initial_stress_zz", zz, kAny);
+  f.optional_real("stress_gradient_zz", gradient_zz, kAny);
+  if constexpr (!F::is_writing) {
+    material.gives_zz = zz || gradient_zz;
+    material.initial_stress.zz = zz.value_or(0);
+    material.stress_gradient.zz = gradient_zz.value_or(0);
+  }
 }
 
 template <class F>
@@ -334,6 +344,7 @@ void describe(F& f, In<F, StressPlan>& stress) {
   f.formula("xx", stress.xx);
   f.formula("yy", stress.yy);
   f.formula("xy", stress.xy);
+  f.optional_formula("zz", stress.zz);
 }
 
 template <class F>

@@ -106,6 +106,13 @@ void CaseReading::formula(std::string_view name, Formula& formula) {
   formula.text = value_->kind() == JsonKind::number ? format_real(value_->number()) : std::string(value_->string());
 }
 
+void CaseReading::optional_formula(std::string_view name, std::optional<Formula>& formula) {
+  Formula given;
+  given.text.clear();
+  this->formula(name, given);
+  if (!given.text.empty()) formula = given;
+}
+
 void CaseReading::optional_real(std::string_view name, std::optional<double>& value, const Demand& demand) {
   if (!from_.member(name)) {
     known_.push_back(name);

@@ -39,6 +39,7 @@ class CaseReading {
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
   void formula(std::string_view name, Formula& formula);
+  void optional_formula(std::string_view name, std::optional<Formula>& formula);
   template <class Enum>
   void word(std::string_view name, Enum& value, std::span<const std::string_view> words) {
     std::string found(words[static_cast<std::size_t>(value)]);

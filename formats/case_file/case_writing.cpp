@@ -59,6 +59,10 @@ void CaseWriting::formula(std::string_view name, const Formula& formula) {
     quote(formula.text);
 }
 
+void CaseWriting::optional_formula(std::string_view name, const std::optional<Formula>& formula) {
+  if (formula) this->formula(name, *formula);
+}
+
 void CaseWriting::optional_real(std::string_view name, const std::optional<double>& value, const Demand& demand) {
   if (value) real(name, *value, demand);
 }

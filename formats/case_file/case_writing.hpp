@@ -33,6 +33,7 @@ class CaseWriting {
   void flag(std::string_view name, bool value);
   void text(std::string_view name, const std::string& value);
   void formula(std::string_view name, const Formula& formula);
+  void optional_formula(std::string_view name, const std::optional<Formula>& formula);
   template <class Enum>
   void word(std::string_view name, Enum value, std::span<const std::string_view> words) {
     text(name, std::string(words[static_cast<std::size_t>(value)]));

@@ -156,6 +156,7 @@ void check(const CoverPlan& covers) {
   for (const Formula* formula : {&covers.body_force.x, &covers.body_force.y, &covers.initial_stress.xx,
                                  &covers.initial_stress.yy, &covers.initial_stress.xy})
     check(*formula, kInBody);
+  if (covers.initial_stress.zz) check(*covers.initial_stress.zz, kInBody);
   for (const ExcavationPlan& excavation : covers.excavations)
     require_points(excavation.outline, kFewestCorners, "about what is dug out", excavation.place);
 }

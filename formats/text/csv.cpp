@@ -125,7 +125,7 @@ std::string history_csv(const History& history) {
 }
 
 std::string points_csv(const History& history) {
-  std::string text = "step,time [T],point,x [L],y [L],dx [L],dy [L],sxx,syy,sxy\n";
+  std::string text = "step,time [T],point,x [L],y [L],dx [L],dy [L],sxx,syy,sxy,szz\n";
   for (const HistoryRow& row : history.rows) {
     for (std::size_t i = 0; i < row.points.size(); ++i) {
       const PointFrame& p = row.points[i];
@@ -133,8 +133,8 @@ std::string points_csv(const History& history) {
       text += fmt::format("{}", row.step);
       append(text, {row.time});
       text += fmt::format(",{}", i + 1);
-      append(text,
-             {p.position.x, p.position.y, p.displacement.x, p.displacement.y, p.stress.xx, p.stress.yy, p.stress.xy});
+      append(text, {p.position.x, p.position.y, p.displacement.x, p.displacement.y, p.stress.xx, p.stress.yy,
+                    p.stress.xy, p.stress.zz});
       text += '\n';
     }
   }
@@ -154,7 +154,7 @@ std::string steps_csv(std::span<const StepReport> steps) {
 }
 
 std::string blocks_csv(std::span<const Frame> frames) {
-  std::string text = "step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area\n";
+  std::string text = "step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area,szz\n";
   for (const Frame& frame : frames) {
     for (std::size_t i = 0; i < frame.elements.size(); ++i) {
       const ElementFrame& block = frame.elements[i];
@@ -162,7 +162,7 @@ std::string blocks_csv(std::span<const Frame> frames) {
       append(text, {frame.time});
       text += fmt::format(",{},{}", number_of(frame, i) + 1, block.material + 1);
       append(text, {block.centroid.x, block.centroid.y, block.rotation, block.displacement.x, block.displacement.y,
-                    block.stress.xx, block.stress.yy, block.stress.xy, block.area});
+                    block.stress.xx, block.stress.yy, block.stress.xy, block.area, block.stress.zz});
       text += '\n';
     }
   }

@@ -7,16 +7,15 @@
 // is in the units of the input. Headers name the dimension where it helps: [T] time, [L] length.
 //   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start;
 //            then the force of every bolt, tension positive: bolti [F]
-//   points   step,time,point,x,y,dx,dy,sxx,syy,sxy: one line a measured point and instant; points from 1, stress
+//   points   step,time,point,x,y,dx,dy,sxx,syy,sxy,szz: one line a measured point and instant; points from 1, stress
 //            tension positive
 //   steps    step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration: one line an accepted step;
-//            oci
-//            counts the open-close passes, k_blocks the elements and the pairs of elements with a contact (the
+//            oci counts the open-close passes, k_blocks the elements and the pairs of elements with a contact (the
 //            Berkeley program counts fill-in of its factor too), disp_ratio is the greatest displacement over the
 //            allowed
-//   blocks   step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area: one line a block and frame; block and material
-//            from 1, rot in radians, stress tension positive
-// The last two are the columns of legacy_cases/reference_traces.
+//   blocks   step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area,szz: one line a block and frame; block and
+//            material from 1, rot in radians, stress tension positive, szz across the plane
+// The last two begin with the columns of legacy_cases/reference_traces, which have no szz.
 #pragma once
 
 #include <cstddef>

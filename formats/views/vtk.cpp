@@ -110,6 +110,7 @@ void append_cell_data(std::string& text, const Frame& frame) {
   real("stress_xx", [](E e) { return e.stress.xx; });
   real("stress_yy", [](E e) { return e.stress.yy; });
   real("stress_xy", [](E e) { return e.stress.xy; });
+  real("stress_zz", [](E e) { return e.stress.zz; });
   append_cells(text, frame, "Float64", "displacement", 3,
                [](std::size_t, E e) { return vector_text(e.displacement.x, e.displacement.y); });
   append_cells(text, frame, "Float64", "velocity", 3,
@@ -144,6 +145,7 @@ void append_field(std::string& text, const std::vector<const FieldCorner*>& corn
   append("stress_xx", 1, [](C c) { return format_real(c.stress.xx); });
   append("stress_yy", 1, [](C c) { return format_real(c.stress.yy); });
   append("stress_xy", 1, [](C c) { return format_real(c.stress.xy); });
+  append("stress_zz", 1, [](C c) { return format_real(c.stress.zz); });
 }
 
 void append_numbers(std::string& text, std::string_view name, const FieldFrame& frame, int FieldElement::*number) {

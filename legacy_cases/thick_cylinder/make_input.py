@@ -28,6 +28,8 @@ def case(folder, nu, about, functions, side, tolerance, reason, variants, hoop=N
     values = [('point_dx', 1, DIAGONAL * u(1, nu), tolerance * u(1, nu), reason, SOURCE),
               ('point_dy', 2, u(1.5, nu), tolerance * u(1, nu), reason, SOURCE)]
     if hoop:
+        # Nothing widens across the plane, and sxx + syy = 2/3 wherever one looks.
+        values.append(('point_szz', 2, nu * 2 / 3, 0.02 * nu * 2 / 3, 'asked for: 2 % of the stress in the middle of the wall', 'plane strain: szz = nu (sxx + syy), Timoshenko and Goodier ch. 2'))
         values.append(('point_sxx', 2, (1 + 4 / 2.25) / 3, hoop, 'asked for: 2 % of the stress in the middle of the wall', SOURCE))
     write_case(os.path.join(HERE, folder), text, values, about, variants, slow)
 

@@ -6,7 +6,7 @@
 
 #include "geometry/box.hpp"
 #include "geometry/segment.hpp"
-#include "material/elastic.hpp"
+#include "material/material_stress.hpp"
 #include "model/body_load.hpp"
 
 namespace keyblock {
@@ -34,19 +34,18 @@ Point Continuum::force_at(int element, Point x) const {
   return body_force ? weight + body_force(x) : weight;
 }
 
-Eigen::Vector3d Continuum::initial_stress_at(int element, Point x) const {
+Stress Continuum::initial_stress_at(int element, Point x) const {
   const BlockMaterial& of = material(element);
-  const Stress& s = of.initial_stress;
-  const Stress& per_y = of.stress_gradient;
-  Eigen::Vector3d stress(s.xx + per_y.xx * x.y, s.yy + per_y.yy * x.y, s.xy + per_y.xy * x.y);
+  const Stress stress = start_stress(of, of.stress_gradient, x.y, plane);
   if (!initial_stress) return stress;
   const Stress more = initial_stress(x);
-  return stress + Eigen::Vector3d(more.xx, more.yy, more.xy);
+  const Stress sum = with_across(in_plane(stress) + in_plane(more), stress, share_across(of, plane));
+  if (!gives_initial_zz || plane == Plane::stress) return sum;
+  return {sum.xx, sum.yy, sum.xy, stress.zz + more.zz};
 }
 
 Eigen::Matrix3d Continuum::modulus(int element) const {
-  const BlockMaterial& values = material(element);
-  return plane == Plane::stress ? plane_stress_modulus(values) : plane_strain_modulus(values);
+  return modulus_of(material(element), plane);
 }
 
 Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& materials, const Settings& settings,

@@ -50,7 +50,8 @@ struct Continuum {
   CoverFunctions functions = CoverFunctions::derived;
   std::function<Point(Point x)> body_force;  ///< force / area, beside the weight of the materials; may be empty
   std::function<Stress(Point x)>
-      initial_stress;  ///< before any displacement, beside that of the materials; may be empty
+      initial_stress;             ///< before any displacement, beside that of the materials; may be empty
+  bool gives_initial_zz = false;  ///< `initial_stress` does; else the law says what goes with it across the plane
   std::vector<Traction> tractions;
   std::vector<PrescribedDisplacement> prescribed;
   std::vector<PointForce> point_forces;
@@ -61,8 +62,8 @@ struct Continuum {
   Eigen::Matrix3d modulus(int element) const;
   /// Force / area: weight and push of the element's material, and `body_force`.
   Point force_at(int element, Point x) const;
-  /// That of the element's material, linear in y, and `initial_stress`: xx, yy, xy.
-  Eigen::Vector3d initial_stress_at(int element, Point x) const;
+  /// That of the element's material, linear in y, and `initial_stress`.
+  Stress initial_stress_at(int element, Point x) const;
 };
 
 /// Bodies on covers of a run in steps: materials weigh as `weight_per_area` says, those that do not exist are the

@@ -25,6 +25,7 @@ void describe(Archive& a, ElementState& element) {
   a.value("stress_xx", element.stress.xx);
   a.value("stress_yy", element.stress.yy);
   a.value("stress_xy", element.stress.xy);
+  a.value("stress_zz", element.stress.zz);
   a.value("rotation", element.rotation);
 }
 

@@ -44,7 +44,8 @@ StartPlaces places_of(const State& state) {
 std::string impossible(const State& state) {
   for (ElementIndex e : indices(state.elements)) {
     const ElementState& now = state.elements[e];
-    const double sum = now.centroid.x + now.centroid.y + now.stress.xx + now.stress.yy + now.stress.xy + now.rotation +
+    const Stress& stress = now.stress;
+    const double sum = now.centroid.x + now.centroid.y + stress.xx + stress.yy + stress.xy + stress.zz + now.rotation +
                        now.last_step.sum();
     if (!std::isfinite(sum) || !(now.moments.area > 0))
       return fmt::format("block {} is turned inside out or no longer finite", e.value + 1);

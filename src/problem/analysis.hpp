@@ -13,11 +13,12 @@
 
 namespace keyblock {
 
-/// Plane stress or strain components, tension positive.
+/// Components in the plane and across it, tension positive.
 struct Stress {
   double xx = 0;
   double yy = 0;
   double xy = 0;
+  double zz = 0;  ///< follows from the law where a material's own is not given; see start_stress
 
   bool operator==(const Stress&) const = default;
 };
@@ -38,12 +39,13 @@ struct BlockMaterial {
   double youngs_modulus = 0;               ///< stress, > 0
   double poissons_ratio = 0;               ///< 0 … < 0.5 (0.5 allowed in plane stress)
   double damping = 0;                      ///< DDAML `Damping`
-  Stress initial_stress;                   ///< at y = 0
+  Stress initial_stress;                   ///< at y = 0; its zz where `gives_zz`
   Stress stress_gradient;                  ///< change of the initial stress per unit of y (native tokens 8-10)
   Velocity initial_velocity;               ///< native tokens 11-13; DDAML `Ivelocity`
   std::array<double, 3> initial_strain{};  ///< DDAML `Istrain`
   double horizontal_force = 0;             ///< force / area in x; manifold files only
   Place place;
+  bool gives_zz = false;  ///< else the law says what goes with the stress in the plane; case files only
 };
 
 /// A joint material (Coulomb friction, cohesion, tension cut-off).

@@ -100,9 +100,10 @@ struct BodyForcePlan {
   Formula x, y;
 };
 
-/// Tension positive.
+/// Tension positive. Across the plane, under plane strain: ν (xx + yy) where nothing is given.
 struct StressPlan {
   Formula xx, yy, xy;
+  std::optional<Formula> zz = {};
 };
 
 /// From load step `step` (the first is 1) on, what lies within the outline is gone.

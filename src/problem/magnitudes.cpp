@@ -152,6 +152,8 @@ class Limits {
                 {"initial stress", m.initial_stress.xx},
                 {"initial stress", m.initial_stress.yy},
                 {"initial stress", m.initial_stress.xy},
+                {"initial stress", m.initial_stress.zz},
+                {"gradient of stress", m.stress_gradient.zz},
                 {"gradient of stress", m.stress_gradient.xx},
                 {"gradient of stress", m.stress_gradient.yy},
                 {"gradient of stress", m.stress_gradient.xy},

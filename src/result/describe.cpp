@@ -21,6 +21,7 @@ void describe(Archive& a, PointFrame& point) {
   a.value("stress_xx", point.stress.xx);
   a.value("stress_yy", point.stress.yy);
   a.value("stress_xy", point.stress.xy);
+  a.value("stress_zz", point.stress.zz);
   a.value("number", point.number);
 }
 
@@ -53,6 +54,7 @@ void describe(Archive& a, ElementFrame& element) {
   a.value("stress_xx", element.stress.xx);
   a.value("stress_yy", element.stress.yy);
   a.value("stress_xy", element.stress.xy);
+  a.value("stress_zz", element.stress.zz);
   a.value("area", element.area);
   a.value("mass", element.mass);
   a.value("moment_of_inertia", element.moment_of_inertia);

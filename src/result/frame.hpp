@@ -31,8 +31,8 @@ struct PointFrame {
   Point position;
   Point displacement;  ///< since the start
   int element = 0;     ///< its number, from 0
-  Stress stress = {};  ///< of the element, on covers that at the point
   int number = -1;     ///< of a measured point for the whole run, from 0; below 0: its index in the frame
+  Stress stress = {};  ///< of the element, on covers that at the point
 };
 
 /// Whether the point was there at that instant: what a change of the scene took away has no place.

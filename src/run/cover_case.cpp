@@ -213,8 +213,7 @@ struct CoverCase::Parts {
         corner.displacement = solution->displacement(element, p);
         corner.stress = stress_at(continuum, *solution, element, p);
       } else {
-        const Eigen::Vector3d s = continuum.initial_stress_at(element, p);
-        corner.stress = {s(0), s(1), s(2)};
+        corner.stress = continuum.initial_stress_at(element, p);
       }
       return corner;
     };
@@ -225,7 +224,7 @@ struct CoverCase::Parts {
       const int element = element_holding(continuum.manifold, is_whole ? point.block : -1, point.position,
                                           "a measured point", point.place);
       const FieldCorner at = read(element, point.position);
-      to.frame.measured_points.push_back({at.position + at.displacement, at.displacement, element, at.stress});
+      to.frame.measured_points.push_back({at.position + at.displacement, at.displacement, element, -1, at.stress});
     }
   }
 

@@ -41,7 +41,7 @@ std::vector<PointFrame> points_of(const Model& model, const std::vector<CarriedP
   std::vector<PointFrame> frames;
   for (std::size_t i = 0; i < points.size(); ++i)
     frames.push_back({states[i].position, states[i].displacement,
-                      model.identities.of_element(points[i].element.value).number,
+                      model.identities.of_element(points[i].element.value).number, -1,
                       state.elements[points[i].element].stress});
   return frames;
 }
@@ -56,7 +56,7 @@ void put(std::vector<T>& values, int number, T value, const T& missing) {
   values[place] = std::move(value);
 }
 
-const PointFrame kMissingPoint{{kNotThere, kNotThere}, {kNotThere, kNotThere}, 0, {}, -1};
+const PointFrame kMissingPoint{{kNotThere, kNotThere}, {kNotThere, kNotThere}, 0, -1, {}};
 
 }  // namespace
 
@@ -121,7 +121,7 @@ HistoryRow history_row(const Model& model, const State& state, const StartPlaces
   for (ElementIndex e : indices(model.elements)) {
     const Point centroid = state.elements[e].centroid;
     const int number = names.of_element(e.value).number;
-    put(row.points, number, {centroid, centroid - start.elements[e].centroid, number, state.elements[e].stress},
+    put(row.points, number, {centroid, centroid - start.elements[e].centroid, number, -1, state.elements[e].stress},
         kMissingPoint);
   }
   return row;

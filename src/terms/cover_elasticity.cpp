@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/quadrature.hpp"
+#include "material/material_stress.hpp"
 
 namespace keyblock {
 namespace {
@@ -51,10 +52,15 @@ double weight_of(int element, double common, std::span<const double> more) {
 }  // namespace
 
 CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
-    : basis_(std::move(basis)), more_(continuum.initial_stress) {
+    : basis_(std::move(basis)),
+      more_(continuum.initial_stress),
+      gives_zz_(continuum.gives_initial_zz && continuum.plane == Plane::strain) {
   for (int e = 0; e < basis_.element_count(); ++e) {
-    initial_.push_back(continuum.material(e).initial_stress);
-    gradient_.push_back(continuum.material(e).stress_gradient);
+    const BlockMaterial& material = continuum.material(e);
+    initial_.push_back(start_stress(material, material.stress_gradient, 0, continuum.plane));
+    gradient_.push_back(material.stress_gradient);
+    gradient_.back().zz = start_stress(material, material.stress_gradient, 1, continuum.plane).zz - initial_.back().zz;
+    share_across_.push_back(share_across(material, continuum.plane));
     const ElementShape shape = basis_.shape(e);
     const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
     const std::vector<AreaPoint> points = points_of(loops, shape);
@@ -68,7 +74,7 @@ CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
       const AreaPoint& point = points[static_cast<std::size_t>(i)];
       element.gradients.middleRows<2>(2 * i) = shape.gradients(point.at);
       element.weights(i) = point.weight;
-      element.initial.col(i) = initial_stress(e, point.at);
+      element.initial.col(i) = in_plane(initial_stress(e, point.at));
     }
   }
 }
@@ -173,12 +179,14 @@ Eigen::MatrixX2d CoverElasticity::displacement_gradients(int e, const Eigen::Vec
   return elements_[static_cast<std::size_t>(e)].gradients * unknowns_of(basis_.shape(e), d);
 }
 
-Eigen::Vector3d CoverElasticity::initial_stress(int e, Point x) const {
-  const Stress& at_zero = initial_[static_cast<std::size_t>(e)];
-  const Stress& per_y = gradient_[static_cast<std::size_t>(e)];
+Stress CoverElasticity::initial_stress(int e, Point x) const {
+  const auto i = static_cast<std::size_t>(e);
+  const Stress& at_zero = initial_[i];
+  const Stress& per_y = gradient_[i];
   const Stress more = more_ ? more_(x) : Stress{};
+  const double more_across = gives_zz_ ? more.zz : share_across_[i] * (more.xx + more.yy);
   return {at_zero.xx + x.y * per_y.xx + more.xx, at_zero.yy + x.y * per_y.yy + more.yy,
-          at_zero.xy + x.y * per_y.xy + more.xy};
+          at_zero.xy + x.y * per_y.xy + more.xy, at_zero.zz + x.y * per_y.zz + more_across};
 }
 
 Point CoverElasticity::position(const Eigen::VectorXd& d, int element, Point at_start) const {
@@ -196,9 +204,11 @@ Stress CoverElasticity::stress(const Eigen::VectorXd& d, int element, Point at_s
   const Eigen::Matrix2d f = deformation(d, element, at_start);
   const Eigen::Vector3d strain = green_strain(f - Eigen::Matrix2d::Identity());
   const Eigen::Matrix3d& modulus = elements_[static_cast<std::size_t>(element)].modulus;
-  const Eigen::Matrix2d s = tensor(initial_stress(element, at_start) + modulus * strain);
-  const Eigen::Matrix2d cauchy = f * s * f.transpose() / f.determinant();
-  return {cauchy(0, 0), cauchy(1, 1), cauchy(0, 1)};
+  const Stress start = initial_stress(element, at_start);
+  const Stress second =
+      with_across(in_plane(start) + modulus * strain, start, share_across_[static_cast<std::size_t>(element)]);
+  const Eigen::Matrix2d cauchy = f * tensor(in_plane(second)) * f.transpose() / f.determinant();
+  return {cauchy(0, 0), cauchy(1, 1), cauchy(0, 1), second.zz / f.determinant()};
 }
 
 }  // namespace keyblock

@@ -49,8 +49,8 @@ class CoverElasticity {
   /// F at X.
   Eigen::Matrix2d deformation(const Eigen::VectorXd& d, int element, Point at_start) const;
 
-  /// Cauchy stress F S Fᵀ / det F in the axes of the plane, tension positive; the change of thickness under plane
-  /// stress is left out.
+  /// Cauchy stress F S Fᵀ / det F in the axes of the plane and Szz / det F across it, tension positive; the change of
+  /// thickness under plane stress is left out.
   Stress stress(const Eigen::VectorXd& d, int element, Point at_start) const;
 
  private:
@@ -65,13 +65,15 @@ class CoverElasticity {
   void add_element_tangent(int element, const Eigen::MatrixX2d& mean, const Eigen::Matrix3Xd& stress, double material,
                            double geometric, SparseSystem& system) const;
   Eigen::MatrixX2d displacement_gradients(int element, const Eigen::VectorXd& d) const;
-  Eigen::Vector3d initial_stress(int element, Point x) const;
+  Stress initial_stress(int element, Point x) const;
 
   CoverBasis basis_;
   std::vector<Element> elements_;
-  std::vector<Stress> initial_;   // of each element at y = 0
-  std::vector<Stress> gradient_;  // and its change per y
+  std::vector<Stress> initial_;       // of each element at y = 0
+  std::vector<Stress> gradient_;      // and its change per y
+  std::vector<double> share_across_;  // of each element
   std::function<Stress(Point)> more_;
+  bool gives_zz_ = false;
 };
 
 }  // namespace keyblock

@@ -4,6 +4,7 @@
 
 #include "geometry/quadrature.hpp"
 #include "geometry/segment.hpp"
+#include "material/material_stress.hpp"
 
 namespace keyblock {
 namespace {
@@ -49,7 +50,7 @@ void add_cover_initial_stress(const Continuum& continuum, const CoverBasis& basi
     Eigen::VectorXd load = Eigen::VectorXd::Zero(2 * shape.function_count());
     const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
     for (const AreaPoint& p : polygon_rule(loops, shape.degree + 1))
-      load -= p.weight * (shape.strain(p.at).transpose() * continuum.initial_stress_at(e, p.at));
+      load -= p.weight * (shape.strain(p.at).transpose() * in_plane(continuum.initial_stress_at(e, p.at)));
     system.add_load(shape.functions, load);
   }
 }

@@ -4,6 +4,7 @@
 
 #include "geometry/quadrature.hpp"
 #include "geometry/segment.hpp"
+#include "material/material_stress.hpp"
 #include "terms/stabilisation.hpp"
 
 namespace keyblock {
@@ -54,7 +55,7 @@ void visit_points(const Continuum& continuum, const ElementShape& shape, const P
     const Point value = prescribed.value(x, n);
     visit(HeldPoint{x, all * g.weight, p, Eigen::Vector2d(value.x, value.y), p * shape.displacement(x),
                     on_plane(n) * modulus * shape.strain(x),
-                    on_plane(n) * continuum.initial_stress_at(side.element, x)});
+                    on_plane(n) * in_plane(continuum.initial_stress_at(side.element, x))});
   }
 }
 

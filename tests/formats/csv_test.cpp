@@ -31,7 +31,7 @@ Frame two_blocks() {
                        .displacement = {0.5, 0.25},
                        .rotation = 1e-9,
                        .velocity = {},
-                       .stress = {1, 2, 3},
+                       .stress = {1, 2, 3, 5},
                        .area = 4};
   return frame;
 }
@@ -59,9 +59,9 @@ TEST(Csv, steps_table_has_the_columns_of_the_reference_traces) {
 TEST(Csv, blocks_table_counts_blocks_and_materials_from_one) {
   const std::array<Frame, 1> frames{two_blocks()};
   EXPECT_EQ(blocks_csv(frames),
-            "step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area\n"
-            "5,0.1,1,1,0,0,0,0,0,0,0,0,0\n"
-            "5,0.1,2,3,0.3333333333333333,-2,1e-09,0.5,0.25,1,2,3,4\n");
+            "step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area,szz\n"
+            "5,0.1,1,1,0,0,0,0,0,0,0,0,0,0\n"
+            "5,0.1,2,3,0.3333333333333333,-2,1e-09,0.5,0.25,1,2,3,4,5\n");
 }
 
 TEST(Csv, written_numbers_read_back_the_same) {

@@ -91,7 +91,7 @@ class Lister {
     for (const auto& s : plan.springs) line("spring {} {} {:a}", text(s.at), text(s.direction), s.stiffness);
     line("body force {} | {}", plan.body_force.x.text, plan.body_force.y.text);
     const StressPlan& s = plan.initial_stress;
-    line("initial stress {} | {} | {}", s.xx.text, s.yy.text, s.xy.text);
+    line("initial stress {} | {} | {} | {}", s.xx.text, s.yy.text, s.xy.text, s.zz ? s.zz->text : "none");
     for (const auto& e : plan.excavations) {
       line("excavation {}", e.step);
       for (const Point p : e.outline) line("outline {}", text(p));
@@ -165,6 +165,7 @@ class Lister {
     line("block material {:a} {:a} {:a} {:a} {:a} {:a}", m.density, m.unit_weight, m.youngs_modulus, m.poissons_ratio,
          m.damping, m.horizontal_force);
     line("{:a} {:a} {:a}", m.initial_stress.xx, m.initial_stress.yy, m.initial_stress.xy);
+    line("{} {:a} {:a}", m.gives_zz, m.initial_stress.zz, m.stress_gradient.zz);
     line("{:a} {:a} {:a}", m.stress_gradient.xx, m.stress_gradient.yy, m.stress_gradient.xy);
     line("{:a} {:a} {:a}", m.initial_velocity.x, m.initial_velocity.y, m.initial_velocity.rotation);
     line("{:a} {:a} {:a}", m.initial_strain[0], m.initial_strain[1], m.initial_strain[2]);

@@ -357,6 +357,7 @@ CoverPlan covers(Dice& dice) {
   });
   plan.body_force = {formula(dice, false), formula(dice, false)};
   plan.initial_stress = {formula(dice, false), formula(dice, false), formula(dice, false)};
+  if (dice.happens(0.5)) plan.initial_stress.zz = formula(dice, false);
   plan.excavations = some(dice, 2, [](Dice& one) {
     const int step = 1 + one.below(9);
     return ExcavationPlan{step, polygon(one), {}, 0};
@@ -467,6 +468,12 @@ Content anything(Dice& dice) {
   if (dice.happens(0.2)) content.tracks = some(dice, 3, track);
   if (dice.happens(0.5)) content.choices = RunChoices{"standard", {{"motion", "static"}, {"odd \"name\"", "5"}}};
   if (dice.happens(0.3)) content.stages = some(dice, 3, stage);
+  if (content.analysis && dice.happens(0.3))
+    for (BlockMaterial& material : content.analysis->block_materials) {
+      material.gives_zz = true;
+      material.initial_stress.zz = any_real(dice);
+      material.stress_gradient.zz = any_real(dice);
+    }
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }

@@ -44,7 +44,8 @@ Json json_of(const SolvedStep& step) {
                       {"dy", point.displacement.y},
                       {"sxx", point.stress.xx},
                       {"syy", point.stress.yy},
-                      {"sxy", point.stress.xy}});
+                      {"sxy", point.stress.xy},
+                      {"szz", point.stress.zz}});
   return {{"step", step.step},
           {"time", step.time},
           {"elements", step.counts.elements},

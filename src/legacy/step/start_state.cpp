@@ -47,8 +47,9 @@ State start_state(const Model& model, const Settings& settings) {
     const Velocity v = start_velocity(material, settings.quirks);
     Unknowns velocity = Unknowns::Zero(element.basis->unknown_count());
     velocity.head<3>() << v.x, v.y, v.rotation;
-    state.elements.push_back({centroid, moments, velocity, Unknowns::Zero(element.basis->unknown_count()),
-                              start_stress(material, stress_gradient(material, settings.quirks), centroid.y), 0});
+    state.elements.push_back(
+        {centroid, moments, velocity, Unknowns::Zero(element.basis->unknown_count()),
+         start_stress(material, stress_gradient(material, settings.quirks), centroid.y, settings.plane), 0});
   }
   state.nodes = start_nodes(model, state.elements);
   hang_velocities(model, state);

@@ -44,10 +44,6 @@ void move(std::vector<BoltState>& states, const std::vector<Bolt>& bolts, const 
   }
 }
 
-Stress stress_after(const Stress& stress, const Eigen::Vector3d& change) {
-  return {stress.xx + change[0], stress.yy + change[1], stress.xy + change[2]};
-}
-
 std::vector<double> carry_overs_of_nodes(const Model& model, const Settings& settings) {
   std::vector<double> carry_overs(model.nodes.size(), 0);
   if (carry_overs.empty()) return carry_overs;
@@ -82,8 +78,9 @@ State update(const Model& model, State state, const Settings& settings, const In
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);
     ElementState& now = state.elements[e];
-    now.stress =
-        stress_after(now.stress, modulus_of(material, settings.plane) * (element.basis->strain() * increments[e]));
+    now.stress = with_across(
+        in_plane(now.stress) + modulus_of(material, settings.plane) * (element.basis->strain() * increments[e]),
+        now.stress, share_across(material, settings.plane));
     now.last_step = increments[e];
     if (element.basis->rotation_unknown >= 0) now.rotation += increments[e][element.basis->rotation_unknown];
     const Placement placement = place(model, state.vertices, e, settings);

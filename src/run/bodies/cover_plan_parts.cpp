@@ -57,8 +57,12 @@ void put_loads(Continuum& continuum, const CoverPlan& plan) {
     continuum.body_force = [=](Point p) { return Point{fx({p.x, p.y}), fy({p.x, p.y})}; };
   const Compiled xx(plan.initial_stress.xx, kInBody), yy(plan.initial_stress.yy, kInBody),
       xy(plan.initial_stress.xy, kInBody);
-  if (!xx.is_zero() || !yy.is_zero() || !xy.is_zero())
-    continuum.initial_stress = [=](Point p) { return Stress{xx({p.x, p.y}), yy({p.x, p.y}), xy({p.x, p.y})}; };
+  const Compiled zz(plan.initial_stress.zz.value_or(Formula{}), kInBody);
+  continuum.gives_initial_zz = plan.initial_stress.zz.has_value();
+  if (!xx.is_zero() || !yy.is_zero() || !xy.is_zero() || !zz.is_zero())
+    continuum.initial_stress = [=](Point p) {
+      return Stress{xx({p.x, p.y}), yy({p.x, p.y}), xy({p.x, p.y}), zz({p.x, p.y})};
+    };
 }
 
 int element_holding(const Manifold& manifold, int body, Point p, const char* noun, const Place& place) {

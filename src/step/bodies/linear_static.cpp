@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/linear_static.hpp"
 
+#include "material/material_stress.hpp"
 #include "terms/cover_loads.hpp"
 #include "terms/cover_stiffness.hpp"
 #include "terms/ghost_penalty.hpp"
@@ -79,9 +80,9 @@ ForceBalance balance_of(const Continuum& continuum, const ContinuumSolution& sol
 }
 
 Stress stress_at(const Continuum& continuum, const ContinuumSolution& solution, int element, Point x) {
-  const Eigen::Vector3d s =
-      continuum.modulus(element) * solution.strain(element, x) + continuum.initial_stress_at(element, x);
-  return {s(0), s(1), s(2)};
+  const Stress start = continuum.initial_stress_at(element, x);
+  return with_across(in_plane(start) + continuum.modulus(element) * solution.strain(element, x), start,
+                     share_across(continuum.material(element), continuum.plane));
 }
 
 }  // namespace keyblock

@@ -54,10 +54,6 @@ double stiffness_damping(const Body& body, const Settings& settings, int materia
   return given ? *given : least_stiffness_damping(body, settings);
 }
 
-Eigen::Vector3d vector_of(const Stress& stress) {
-  return {stress.xx, stress.yy, stress.xy};
-}
-
 Body body_of(const Model& model, const Reference& reference, const Settings& settings, ElementIndex e) {
   const Element& element = model.elements[e];
   const Basis& basis = *element.basis;
@@ -70,9 +66,8 @@ Body body_of(const Model& model, const Reference& reference, const Settings& set
   const Eigen::Index strains = std::max<Eigen::Index>(0, body.mass.rows() - kRigidUnknowns);
   const auto of_strains = strain.rightCols(strains);
   body.stiffness = moments.area * (of_strains.transpose() * modulus_of(material, settings.plane) * of_strains);
-  body.initial_stress =
-      -moments.area *
-      (strain.transpose() * vector_of(start_stress(material, material.stress_gradient, reference.centroids[e].y)));
+  const Stress start = start_stress(material, material.stress_gradient, reference.centroids[e].y, settings.plane);
+  body.initial_stress = -moments.area * (strain.transpose() * in_plane(start));
   body.weight = basis.constant.transpose() * (moments.area * weight_per_area(material, settings));
   body.slowest_frequency = slowest_frequency(body);
   body.mass_damping = settings.mass_damping.of(element.material);
@@ -111,16 +106,16 @@ Stress block_stress(const Model& model, ElementIndex e, const Reference& referen
                     const Unknowns& q) {
   const Element& element = model.elements[e];
   const BlockMaterial& material = model.material_of(element);
-  const Eigen::Vector3d stress = vector_of(start_stress(material, material.stress_gradient, reference.centroids[e].y)) +
-                                 modulus_of(material, settings.plane) * (element.basis->strain() * q);
-  return {stress[0], stress[1], stress[2]};
+  const Stress start = start_stress(material, material.stress_gradient, reference.centroids[e].y, settings.plane);
+  return with_across(in_plane(start) + modulus_of(material, settings.plane) * (element.basis->strain() * q), start,
+                     share_across(material, settings.plane));
 }
 
 Stress turned(const Stress& s, double angle) {
   const double c = std::cos(angle);
   const double n = std::sin(angle);
   return {c * c * s.xx - 2 * c * n * s.xy + n * n * s.yy, n * n * s.xx + 2 * c * n * s.xy + c * c * s.yy,
-          c * n * (s.xx - s.yy) + (c * c - n * n) * s.xy};
+          c * n * (s.xx - s.yy) + (c * c - n * n) * s.xy, s.zz};
 }
 
 }  // namespace keyblock

@@ -76,6 +76,7 @@ const std::map<std::string, Quantity>& table() {
       {"sxx", OfBlock([](const Block& b) { return b.now.stress.xx; })},
       {"syy", OfBlock([](const Block& b) { return b.now.stress.yy; })},
       {"sxy", OfBlock([](const Block& b) { return b.now.stress.xy; })},
+      {"szz", OfBlock([](const Block& b) { return b.now.stress.zz; })},
       {"area", OfBlock([](const Block& b) { return b.now.area; })},
 
       {"px", OfPoint([](const PointFrame& p) { return p.position.x; })},
@@ -86,6 +87,7 @@ const std::map<std::string, Quantity>& table() {
       {"point_sxx", OfPoint([](const PointFrame& p) { return p.stress.xx; })},
       {"point_syy", OfPoint([](const PointFrame& p) { return p.stress.yy; })},
       {"point_sxy", OfPoint([](const PointFrame& p) { return p.stress.xy; })},
+      {"point_szz", OfPoint([](const PointFrame& p) { return p.stress.zz; })},
 
       {"total_area",
        OfScene([](const RunSoFar& r) { return sum(r.now(), [](const ElementFrame& e) { return e.area; }); })},
