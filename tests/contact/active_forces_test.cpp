@@ -1,5 +1,5 @@
-// The forces of an active set meet the equations that define it: few by a dense factor, many by way of the blocks, very
-// many by iterations.
+// The forces of an active set meet the equations that define it: few by a dense factor, many by way of the blocks or,
+// on covers, by their own sparse equations, very many by iterations.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/active_forces.hpp"
 
@@ -37,10 +37,62 @@ FrictionalProblem chain(int elements, std::mt19937& engine) {
   return problem;
 }
 
+/// Bodies of three functions each, none of which answers to forces on another.
+class CoversOfBodies : public CoverFlexibility {
+ public:
+  explicit CoversOfBodies(std::vector<Eigen::MatrixXd> bodies) : bodies_(std::move(bodies)) {}
+  Eigen::Index size() const override { return 6 * std::ssize(bodies_); }
+  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
+    Eigen::MatrixXd answers(forces.rows(), forces.cols());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const auto first = static_cast<Eigen::Index>(6 * b);
+      answers.middleRows(first, 6) = bodies_[b] * forces.middleRows(first, 6);
+    }
+    return answers;
+  }
+
+ private:
+  std::vector<Eigen::MatrixXd> bodies_;
+};
+
+// A chain of bodies on covers with a block at its end.
+FrictionalProblem chain_on_covers(int bodies, std::mt19937& engine) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto random = [&](int rows, int columns) {
+    return Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return number(engine); }));
+  };
+  const auto answer_of = [&](int size) {
+    const Eigen::MatrixXd root = random(size, size);
+    return Eigen::MatrixXd(root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(size, size));
+  };
+  std::vector<Eigen::MatrixXd> of_bodies;
+  for (int b = 0; b < bodies; ++b) of_bodies.push_back(answer_of(6));
+  Flexibility flexibility;
+  flexibility.covers = std::make_shared<CoversOfBodies>(of_bodies);
+  flexibility.blocks.assign(static_cast<std::size_t>(bodies), UnknownBlock(0, 0));
+  flexibility.blocks.push_back(UnknownBlock(answer_of(3)));
+  const auto entries_of = [&](int body, std::vector<CoverEntry>& entries) {
+    for (int f = 0; f < 3; ++f) entries.push_back({3 * body + f, number(engine), number(engine)});
+  };
+  ContactRows rows;
+  for (int b = 0; b < bodies; ++b)
+    for (int k = 0; k < 2; ++k) {
+      const bool is_last = b + 1 == bodies;
+      ContactRow row{{b}, {b + 1}, ContactRow::Row(1, 0), ContactRow::Row(random(1, is_last ? 3 : 0)), {}};
+      entries_of(b, row.covers);
+      if (!is_last) entries_of(b + 1, row.covers);
+      rows.push_back(row);
+    }
+  FrictionalProblem problem;
+  problem.w = ContactMatrix(rows, flexibility);
+  problem.b = random(2 * bodies, 1);
+  problem.laws.assign(static_cast<std::size_t>(bodies), {0.4, 0.1, -0.2});
+  return problem;
+}
+
 // `share`: of W that stands on the diagonal besides, so that springs are stiff where it is small.
-double misfit(int elements, double share, bool iterates) {
-  std::mt19937 engine(3);
-  FrictionalProblem problem = chain(elements, engine);
+double misfit(const FrictionalProblem& problem, double share, bool iterates) {
+  const auto elements = static_cast<int>(problem.count());
   std::vector<Grip> grips;
   for (int i = 0; i < elements; ++i)
     grips.push_back(std::array{Grip::stick, Grip::slip_forward, Grip::stick, Grip::open, Grip::slip_backward}[i % 5]);
@@ -65,11 +117,37 @@ double misfit(int elements, double share, bool iterates) {
   return worst;
 }
 
+double misfit(int elements, double share, bool iterates) {
+  std::mt19937 engine(3);
+  return misfit(chain(elements, engine), share, iterates);
+}
+
 }  // namespace
 
 TEST(ActiveForces, few_and_many_meet_the_equations_of_their_active_set) {
   EXPECT_LE(misfit(10, 1e-3, false), 1e-11);
   EXPECT_LE(misfit(200, 1e-3, false), 1e-11);
+}
+
+TEST(ActiveForces, on_covers_they_meet_the_equations_of_their_active_set) {
+  for (const int bodies : {10, 200}) {
+    std::mt19937 engine(5);
+    EXPECT_LE(misfit(chain_on_covers(bodies, engine), 1e-3, false), 1e-9) << bodies;
+  }
+}
+
+TEST(ContactMatrix, covers_couple_the_forces_on_a_body_and_no_others) {
+  std::mt19937 engine(7);
+  const FrictionalProblem problem = chain_on_covers(8, engine);
+  for (Eigen::Index i = 0; i < problem.w.rows(); ++i) {
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(problem.w.rows());
+    for (const CoupledRows::Entry& entry : problem.w.coupled().of(i)) {
+      EXPECT_LE(std::abs(entry.row / 2 - i / 2), 1) << i;
+      row[entry.row] = entry.value;
+    }
+    const Eigen::VectorXd column = problem.w * Eigen::VectorXd::Unit(problem.w.rows(), i);
+    EXPECT_LE((row - column).norm(), 1e-13 * column.norm()) << i;
+  }
 }
 
 TEST(ActiveForces, soft_springs_between_many_blocks_are_solved_by_iterations_as_well_as_asked) {

@@ -8,12 +8,13 @@
 #include <numbers>
 
 #include "base/stop.hpp"
+#include "contact/solve/coupled_forces.hpp"
 #include "contact/solve/forces_of_blocks.hpp"
 
 namespace keyblock {
 namespace {
 
-// Up to this many unknowns a dense factor beats the sparse one's bookkeeping. What covers couple is dense anyhow.
+// Up to this many unknowns a dense factor beats the sparse one's bookkeeping.
 constexpr std::size_t kMostDense = 48;
 // Iterations win up to this ratio of contact stiffness to inertia, as in a step of the old rules.
 constexpr double kGreatestRatio = 100;
@@ -70,8 +71,10 @@ ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<G
   const Eigen::VectorXd given = set_.forces(none, 1);
   from_given_ = none;
   if ((given.array() != 0).any()) from_given_ = set_.kept(problem.w * given + added.cwiseProduct(given));
-  if (set_.rows.size() <= kMostDense || !problem.w.covers().is_none())
+  if (set_.rows.size() <= kMostDense)
     factorise_dense();
+  else if (!problem.w.covers().is_none())
+    factorise_coupled();
   else if (is_inertia_great())
     iterates_ = true;
   else
@@ -87,6 +90,14 @@ bool ActiveForces::is_regular() const {
 void ActiveForces::factorise_sparse() {
   iterates_ = false;
   sparse_ = std::make_unique<ForcesOfBlocks>(problem_.w, set_, added_);
+}
+
+// A matrix that has no factor is left to the dense one, which finds what it can.
+void ActiveForces::factorise_coupled() {
+  coupled_ = std::make_unique<CoupledForces>(problem_.w, set_, added_);
+  if (coupled_->is_regular()) return;
+  coupled_.reset();
+  factorise_dense();
 }
 
 void ActiveForces::factorise_dense() {
@@ -152,9 +163,13 @@ std::optional<Eigen::VectorXd> ActiveForces::solve(const Eigen::VectorXd& b, con
     factorise_sparse();
   }
   if (!is_regular()) return std::nullopt;
-  Eigen::VectorXd unknowns = right;
-  if (right.size() > 0) unknowns = sparse_ ? sparse_->solve(right) : Eigen::VectorXd(dense_.solve(right));
-  return set_.forces(unknowns, 1);
+  return set_.forces(by_factor(right), 1);
+}
+
+Eigen::VectorXd ActiveForces::by_factor(const Eigen::VectorXd& right) const {
+  if (right.size() == 0) return right;
+  if (sparse_) return sparse_->solve(right);
+  return coupled_ ? coupled_->solve(right) : Eigen::VectorXd(dense_.solve(right));
 }
 
 std::optional<Eigen::MatrixXd> ActiveForces::flexibility(const std::vector<Eigen::Index>& rows) {
@@ -172,8 +187,7 @@ std::optional<Eigen::MatrixXd> ActiveForces::flexibility(const std::vector<Eigen
     }
     Eigen::VectorXd forces = Eigen::VectorXd::Unit(problem_.w.rows(), row);
     if (!set_.rows.empty()) {
-      const Eigen::VectorXd unknowns = dense_.solve(-set_.kept(problem_.w * forces));
-      forces += set_.forces(unknowns, 0);
+      forces += set_.forces(by_factor(-set_.kept(problem_.w * forces)), 0);
     }
     const Eigen::VectorXd y = problem_.w * forces + added_.cwiseProduct(forces);
     for (Eigen::Index i = 0; i < count; ++i) answer(i, j) = y[rows[static_cast<std::size_t>(i)]];

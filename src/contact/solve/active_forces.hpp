@@ -10,6 +10,7 @@
 
 namespace keyblock {
 
+class CoupledForces;
 class ForcesOfBlocks;
 
 /// Which forces of an active set are unknown. Open pairs have their least normal force, slipping ones λt = ± (cohesion
@@ -31,9 +32,9 @@ struct ActiveSet {
   Eigen::VectorXd kept(const Eigen::VectorXd& all) const;
 };
 
-/// The slip makes the matrix nonsymmetric. The dense matrix of a few forces is factorised once
-/// and serves any right side, else the sparse one of the blocks that they act on; iterations take its place where
-/// inertia rules.
+/// The slip makes the matrix nonsymmetric. It is factorised once and serves any right side: dense for a few forces,
+/// sparse in the forces where covers couple them, else in the blocks that they act on; iterations take the place of the
+/// last where inertia rules.
 class ActiveForces {
  public:
   /// `added` stands on the diagonal of W beside its own entries; where an unknown force has neither, few forces can be
@@ -59,7 +60,9 @@ class ActiveForces {
 
  private:
   void factorise_dense();
+  void factorise_coupled();
   void factorise_sparse();
+  Eigen::VectorXd by_factor(const Eigen::VectorXd& right) const;
   bool is_inertia_great() const;
   std::optional<Eigen::VectorXd> by_iterations(const Eigen::VectorXd& right, const Eigen::VectorXd& near,
                                                double goal) const;
@@ -69,6 +72,7 @@ class ActiveForces {
   Eigen::VectorXd added_;
   Eigen::VectorXd from_given_;  ///< y of the given forces, in the rows kept
   Eigen::PartialPivLU<Eigen::MatrixXd> dense_;
+  std::unique_ptr<CoupledForces> coupled_;
   std::unique_ptr<ForcesOfBlocks> sparse_;
   bool iterates_ = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/contact_matrix.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/loop.hpp"
@@ -17,6 +18,34 @@ ContactRow through(const ContactRow& row, const Table<ElementIndex, UnknownBlock
           row.of_edge * blocks[row.edge_element]};
 }
 
+// Right sides that the factor of the covers takes at a time.
+constexpr std::size_t kSolvedAtOnce = 64;
+
+/// What one unknown answers to all forces lies side by side.
+using AnswersByUnknown = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A column for a unit of force along each of the rows.
+AnswersByUnknown answers_to(const ContactRows& rows, std::span<const Eigen::Index> some,
+                            const CoverFlexibility& covers) {
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(covers.size(), static_cast<Eigen::Index>(some.size()));
+  for (std::size_t k = 0; k < some.size(); ++k)
+    for (const CoverEntry& entry : rows[static_cast<std::size_t>(some[k])].covers)
+      forces.col(static_cast<Eigen::Index>(k)).segment<2>(2 * entry.function) += Eigen::Vector2d(entry.x, entry.y);
+  return covers.times(forces);
+}
+
+/// The entries of row i with those of `some` that are not behind it.
+void add_coupled(const ContactRow& row, Eigen::Index i, std::span<const Eigen::Index> some,
+                 const AnswersByUnknown& answers, std::vector<CoverCoupling::Entry>& entries) {
+  const auto count = std::ranges::upper_bound(some, i) - some.begin();
+  Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(count);
+  for (const CoverEntry& entry : row.covers)
+    sums += entry.x * answers.row(2 * entry.function).head(count) +
+            entry.y * answers.row(2 * entry.function + 1).head(count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    if (sums[k] != 0) entries.push_back({some[static_cast<std::size_t>(k)], sums[k]});
+}
+
 // Of the blocks alone.
 double product(const ContactRow& a, const ContactRow& b) {
   double sum = 0;
@@ -29,56 +58,55 @@ double product(const ContactRow& a, const ContactRow& b) {
 
 }  // namespace
 
+void CoupledRows::add(std::span<const Entry> entries) {
+  if (first_.empty()) first_.push_back(0);
+  entries_.insert(entries_.end(), entries.begin(), entries.end());
+  first_.push_back(entries_.size());
+}
+
 CoverCoupling::CoverCoupling(const ContactRows& rows, const Flexibility& flexibility) {
   if (!flexibility.covers) return;
-  places_.assign(rows.size(), -1);
+  std::vector<Eigen::Index> on_covers;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (!rows[i].covers.empty()) on_covers.push_back(static_cast<Eigen::Index>(i));
+  std::vector<std::vector<Entry>> lower(rows.size());
+  for (std::size_t begin = 0; begin < on_covers.size(); begin += kSolvedAtOnce) {
+    const std::span<const Eigen::Index> some =
+        std::span(on_covers).subspan(begin, std::min(kSolvedAtOnce, on_covers.size() - begin));
+    const AnswersByUnknown answers = answers_to(rows, some, *flexibility.covers);
+    for (const Eigen::Index i : std::span(on_covers).subspan(begin))
+      add_coupled(rows[static_cast<std::size_t>(i)], i, some, answers, lower[static_cast<std::size_t>(i)]);
+  }
+  std::vector<std::vector<Entry>> upper(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const Entry& entry : lower[i])
+      if (entry.row != static_cast<Eigen::Index>(i))
+        upper[static_cast<std::size_t>(entry.row)].push_back({static_cast<Eigen::Index>(i), entry.value});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].covers.empty()) continue;
-    places_[i] = static_cast<Eigen::Index>(rows_.size());
-    rows_.push_back(static_cast<Eigen::Index>(i));
+    lower[i].insert(lower[i].end(), upper[i].begin(), upper[i].end());
+    rows_.add(lower[i]);
   }
-  const auto count = static_cast<Eigen::Index>(rows_.size());
-  const auto row = [&](Eigen::Index i) -> const ContactRow& {
-    return rows[static_cast<std::size_t>(rows_[static_cast<std::size_t>(i)])];
-  };
-  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(flexibility.covers->size(), count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    for (const CoverEntry& entry : row(i).covers)
-      forces.col(i).segment<2>(2 * entry.function) += Eigen::Vector2d(entry.x, entry.y);
-  // Row by row, what one unknown answers to all forces lies side by side.
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> answers =
-      flexibility.covers->times(forces);
-  matrix_.setZero(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    auto column = matrix_.col(i).head(i + 1);
-    for (const CoverEntry& entry : row(i).covers)
-      column += (entry.x * answers.row(2 * entry.function).head(i + 1) +
-                 entry.y * answers.row(2 * entry.function + 1).head(i + 1))
-                    .transpose();
-  }
-  matrix_.triangularView<Eigen::StrictlyLower>() = matrix_.transpose();
+}
+
+std::span<const CoverCoupling::Entry> CoverCoupling::entries(Eigen::Index i) const {
+  return is_none() ? std::span<const Entry>() : rows_.of(i);
 }
 
 double CoverCoupling::entry(Eigen::Index i, Eigen::Index j) const {
-  const Eigen::Index at = places_[static_cast<std::size_t>(i)];
-  const Eigen::Index to = places_[static_cast<std::size_t>(j)];
-  return at < 0 || to < 0 ? 0 : matrix_(at, to);
+  const std::span<const Entry> row = entries(i);
+  const auto found = std::ranges::lower_bound(row, j, {}, &Entry::row);
+  return found == row.end() || found->row != j ? 0 : found->value;
 }
 
 double CoverCoupling::rate(Eigen::Index i, const Eigen::VectorXd& forces) const {
-  if (is_none() || places_[static_cast<std::size_t>(i)] < 0) return 0;
-  const auto column = matrix_.col(places_[static_cast<std::size_t>(i)]);
   double sum = 0;
-  for (std::size_t j = 0; j < rows_.size(); ++j) sum += column[static_cast<Eigen::Index>(j)] * forces[rows_[j]];
+  for (const Entry& entry : entries(i)) sum += entry.value * forces[entry.row];
   return sum;
 }
 
 Eigen::VectorXd CoverCoupling::times(const Eigen::VectorXd& forces) const {
-  Eigen::VectorXd own(matrix_.rows());
-  for (std::size_t j = 0; j < rows_.size(); ++j) own[static_cast<Eigen::Index>(j)] = forces[rows_[j]];
-  const Eigen::VectorXd answer = matrix_ * own;
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(forces.size());
-  for (std::size_t j = 0; j < rows_.size(); ++j) all[rows_[j]] = answer[static_cast<Eigen::Index>(j)];
+  Eigen::VectorXd all(forces.size());
+  for (Eigen::Index i = 0; i < all.size(); ++i) all[i] = rate(i, forces);
   return all;
 }
 
@@ -102,6 +130,33 @@ void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
 const BlockNumbers& ContactMatrix::blocks() const {
   if (!blocks_) blocks_ = std::make_shared<BlockNumbers>(*rows_, flexibility_.blocks);
   return *blocks_;
+}
+
+const CoupledRows& ContactMatrix::coupled() const {
+  if (coupled_) return *coupled_;
+  Table<ElementIndex, std::vector<Eigen::Index>> rows_on(flexibility_.blocks.size());
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    if (row(i).of_vertex.size() > 0) rows_on[row(i).vertex_element].push_back(i);
+    if (row(i).of_edge.size() > 0 && row(i).edge_element != row(i).vertex_element)
+      rows_on[row(i).edge_element].push_back(i);
+  }
+  auto all = std::make_shared<CoupledRows>();
+  std::vector<Eigen::Index> others;
+  std::vector<CoupledRows::Entry> entries;
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    others.assign(1, i);
+    for (const CoupledRows::Entry& entry : covers_.entries(i)) others.push_back(entry.row);
+    for (const ElementIndex e : {row(i).vertex_element, row(i).edge_element})
+      others.insert(others.end(), rows_on[e].begin(), rows_on[e].end());
+    std::ranges::sort(others);
+    others.erase(std::ranges::unique(others).begin(), others.end());
+    const RowThrough through(*this, i);
+    entries.clear();
+    for (const Eigen::Index j : others) entries.push_back({j, through.times(j)});
+    all->add(entries);
+  }
+  coupled_ = std::move(all);
+  return *coupled_;
 }
 
 const PairSystem* ContactMatrix::pairs() const {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
+#include <vector>
 
 #include "contact/rows/contact_row.hpp"
 #include "contact/solve/block_numbers.hpp"
@@ -10,13 +12,39 @@
 
 namespace keyblock {
 
-/// G B Gᵀ by way of the covers alone, which couple every row that they have a part in: dense, a solution a row.
+/// The entries of every row that are not 0, by the rows that it is coupled with, in their order.
+class CoupledRows {
+ public:
+  struct Entry {
+    Eigen::Index row = 0;
+    double value = 0;
+  };
+
+  bool is_none() const { return first_.empty(); }
+  std::span<const Entry> of(Eigen::Index i) const {
+    const std::size_t first = first_[static_cast<std::size_t>(i)];
+    return std::span(entries_).subspan(first, first_[static_cast<std::size_t>(i) + 1] - first);
+  }
+  /// Of the next row.
+  void add(std::span<const Entry> entries);
+
+ private:
+  std::vector<std::size_t> first_;  ///< of each row in `entries_`, and their end
+  std::vector<Entry> entries_;
+};
+
+/// G B Gᵀ by way of the covers alone, a solution a row. The covers of a body couple the rows that it has a part in; of
+/// other rows B makes exact zeros, which are not kept.
 class CoverCoupling {
  public:
+  using Entry = CoupledRows::Entry;
+
   CoverCoupling() = default;
   CoverCoupling(const ContactRows& rows, const Flexibility& flexibility);
 
-  bool is_none() const { return places_.empty(); }
+  bool is_none() const { return rows_.is_none(); }
+  /// Of row i; none where there are no covers.
+  std::span<const Entry> entries(Eigen::Index i) const;
   double entry(Eigen::Index i, Eigen::Index j) const;
   /// Row i times forces.
   double rate(Eigen::Index i, const Eigen::VectorXd& forces) const;
@@ -24,9 +52,7 @@ class CoverCoupling {
   Eigen::VectorXd times(const Eigen::VectorXd& forces) const;
 
  private:
-  std::vector<Eigen::Index> places_;  ///< of each row in the matrix; −1 where covers have no part in it
-  std::vector<Eigen::Index> rows_;    ///< the other way
-  Eigen::MatrixXd matrix_;
+  CoupledRows rows_;
 };
 
 /// W = G B Gᵀ + diag(added), with a row of G a force and a block of B an element: the flexibility of its unknowns,
@@ -47,6 +73,8 @@ class ContactMatrix {
   const Eigen::VectorXd& added() const { return added_; }
   /// Made when first asked for.
   const BlockNumbers& blocks() const;
+  /// The entries of W by way of blocks and covers alike, without what was added. Made when first asked for.
+  const CoupledRows& coupled() const;
   /// The same rows for products many times over; none for few blocks or pairs, or where covers couple rows. Made
   /// when first asked for.
   const PairSystem* pairs() const;
@@ -63,6 +91,7 @@ class ContactMatrix {
   Eigen::VectorXd diagonal_;
   Eigen::VectorXd added_;
   mutable std::shared_ptr<const BlockNumbers> blocks_;
+  mutable std::shared_ptr<const CoupledRows> coupled_;
   bool has_many_pairs_ = false;
   mutable std::shared_ptr<const PairSystem> pairs_;
 };

@@ -1,0 +1,30 @@
+// Row by row, over the forces that act on the same bodies.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/solve/coupled_forces.hpp"
+
+namespace keyblock {
+
+CoupledForces::CoupledForces(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added) {
+  const auto size = static_cast<Eigen::Index>(set.rows.size());
+  Eigen::SparseMatrix<double, Eigen::RowMajor> a(size, size);
+  for (Eigen::Index u = 0; u < size; ++u) {
+    const Eigen::Index force = set.rows[static_cast<std::size_t>(u)];
+    a.startVec(u);
+    Eigen::Index last = -1;  // the two forces of a slipping pair are of one unknown
+    for (const CoupledRows::Entry& entry : w.coupled().of(force)) {
+      const ActiveSet::Column& column = set.columns[static_cast<std::size_t>(entry.row)];
+      if (column.unknown < 0) continue;
+      const double own = entry.row == force ? w.added()[force] + added[force] : 0;
+      const double value = column.factor * (entry.value + own);
+      if (column.unknown == last)
+        a.data().value(static_cast<Eigen::Index>(a.data().size()) - 1) += value;
+      else
+        a.insertBack(u, column.unknown) = value;
+      last = column.unknown;
+    }
+  }
+  a.finalize();
+  factor_.compute(Eigen::SparseMatrix<double>(a));
+}
+
+}  // namespace keyblock
