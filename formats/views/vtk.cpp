@@ -13,46 +13,40 @@
 namespace keyblock::formats {
 namespace {
 
-using Loop = std::vector<Point>;
+/// A corner of an element, numbered through its loops.
+struct Corner {
+  Point at;
+  std::size_t number = 0;
+};
+
+using Chain = std::vector<Corner>;
 
 /// Walks from the chain to the nearest vertex of the hole, round it, and back.
-Loop bridged(const Loop& chain, const Loop& hole) {
+Chain bridged(const Chain& chain, const Chain& hole) {
   std::size_t leave = 0;
   std::size_t enter = 0;
   for (std::size_t i = 0; i < chain.size(); ++i)
     for (std::size_t j = 0; j < hole.size(); ++j)
-      if (distance(chain[i], hole[j]) < distance(chain[leave], hole[enter])) leave = i, enter = j;
+      if (distance(chain[i].at, hole[j].at) < distance(chain[leave].at, hole[enter].at)) leave = i, enter = j;
   const auto at = [](std::size_t index) { return static_cast<std::ptrdiff_t>(index); };
-  Loop joined(chain.begin(), chain.begin() + at(leave) + 1);
+  Chain joined(chain.begin(), chain.begin() + at(leave) + 1);
   joined.insert(joined.end(), hole.begin() + at(enter), hole.end());
   joined.insert(joined.end(), hole.begin(), hole.begin() + at(enter) + 1);
   joined.insert(joined.end(), chain.begin() + at(leave), chain.end());
   return joined;
 }
 
-Loop one_chain(const std::vector<Loop>& loops) {
-  if (loops.empty()) return {};
-  Loop chain = loops.front();
-  for (std::size_t i = 1; i < loops.size(); ++i)
-    if (!loops[i].empty()) chain = bridged(chain, loops[i]);
-  return chain;
-}
-
-/// The corners in the order of `one_chain`: a walk repeats corners, which are told by their positions.
-std::vector<const FieldCorner*> one_chain(const FieldElement& element) {
-  std::vector<Loop> loops;
-  std::vector<const FieldCorner*> all;
-  for (const auto& loop : element.loops) {
-    loops.emplace_back();
-    for (const FieldCorner& corner : loop) {
-      loops.back().push_back(corner.position);
-      all.push_back(&corner);
-    }
+Chain one_chain(const std::vector<std::vector<Point>>& loops) {
+  Chain chain;
+  std::size_t number = 0;
+  for (const std::vector<Point>& loop : loops) {
+    Chain numbered;
+    for (const Point p : loop) numbered.push_back({p, number++});
+    if (chain.empty())
+      chain = std::move(numbered);
+    else if (!numbered.empty())
+      chain = bridged(chain, numbered);
   }
-  if (loops.size() == 1) return all;
-  std::vector<const FieldCorner*> chain;
-  for (const Point p : one_chain(loops))
-    chain.push_back(*std::find_if(all.begin(), all.end(), [&](const FieldCorner* c) { return c->position == p; }));
   return chain;
 }
 
@@ -70,19 +64,19 @@ std::string vector_text(double x, double y) {
   return fmt::format("{} {} 0", format_real(x), format_real(y));
 }
 
-void append_points(std::string& text, const std::vector<Loop>& chains) {
+void append_points(std::string& text, const std::vector<Chain>& chains) {
   text += "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
-  for (const Loop& chain : chains)
-    for (Point p : chain) text += vector_text(p.x, p.y) + "\n";
+  for (const Chain& chain : chains)
+    for (const Corner& corner : chain) text += vector_text(corner.at.x, corner.at.y) + "\n";
   text += "</DataArray>\n</Points>\n";
 }
 
-void append_polygons(std::string& text, const std::vector<Loop>& chains) {
+void append_polygons(std::string& text, const std::vector<Chain>& chains) {
   std::string connectivity;
   std::string offsets;
   std::string types;
   std::size_t next = 0;
-  for (const Loop& chain : chains) {
+  for (const Chain& chain : chains) {
     for (std::size_t i = 0; i < chain.size(); ++i) connectivity += fmt::format("{} ", next++);
     connectivity += '\n';
     offsets += fmt::format("{}\n", next);
@@ -94,7 +88,7 @@ void append_polygons(std::string& text, const std::vector<Loop>& chains) {
   text += "</DataArray>\n</Cells>\n";
 }
 
-void append_cell_data(std::string& text, const Frame& frame) {
+void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& field) {
   using E = const ElementFrame&;
   const auto real = [&](std::string_view name, auto member) {
     append_cells(text, frame, "Float64", name, 1, [&](std::size_t, E e) { return format_real(member(e)); });
@@ -106,6 +100,9 @@ void append_cell_data(std::string& text, const Frame& frame) {
   if (std::ranges::any_of(frame.elements, [](E e) { return e.origin >= 0 && e.origin != e.number; }))
     append_cells(text, frame, "Int32", "origin", 1,
                  [&](std::size_t i, E) { return fmt::format("{}", origin_of(frame, i) + 1); });
+  if (!field.elements.empty())
+    append_cells(text, frame, "Int32", "body", 1,
+                 [&](std::size_t i, E) { return fmt::format("{}", field.elements[i].body + 1); });
   append_cells(text, frame, "Int32", "material", 1, [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
   real("stress_xx", [](E e) { return e.stress.xx; });
   real("stress_yy", [](E e) { return e.stress.yy; });
@@ -133,7 +130,14 @@ std::string head(double time, std::size_t points, std::size_t cells) {
 }
 
 /// Displacement and stress of corners, one a line.
-void append_field(std::string& text, const std::vector<const FieldCorner*>& corners) {
+void append_field(std::string& text, const FieldFrame& field, const std::vector<Chain>& chains) {
+  std::vector<const FieldCorner*> corners;
+  for (std::size_t e = 0; e < chains.size(); ++e) {
+    std::vector<const FieldCorner*> numbered;
+    for (const auto& loop : field.elements[e].loops)
+      for (const FieldCorner& corner : loop) numbered.push_back(&corner);
+    for (const Corner& corner : chains[e]) corners.push_back(numbered[corner.number]);
+  }
   const auto append = [&](std::string_view name, int width, auto value) {
     text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", name,
                         width);
@@ -141,17 +145,13 @@ void append_field(std::string& text, const std::vector<const FieldCorner*>& corn
     text += "</DataArray>\n";
   };
   using C = const FieldCorner&;
+  text += "<PointData>\n";
   append("displacement", 3, [](C c) { return vector_text(c.displacement.x, c.displacement.y); });
   append("stress_xx", 1, [](C c) { return format_real(c.stress.xx); });
   append("stress_yy", 1, [](C c) { return format_real(c.stress.yy); });
   append("stress_xy", 1, [](C c) { return format_real(c.stress.xy); });
   append("stress_zz", 1, [](C c) { return format_real(c.stress.zz); });
-}
-
-void append_numbers(std::string& text, std::string_view name, const FieldFrame& frame, int FieldElement::*number) {
-  text += fmt::format("<DataArray type=\"Int32\" Name=\"{}\" NumberOfComponents=\"1\" format=\"ascii\">\n", name);
-  for (const FieldElement& element : frame.elements) text += fmt::format("{}\n", element.*number + 1);
-  text += "</DataArray>\n";
+  text += "</PointData>\n";
 }
 
 std::string attribute(std::string_view text) {
@@ -171,8 +171,8 @@ std::string attribute(std::string_view text) {
 
 }  // namespace
 
-std::string vtu(const Frame& frame) {
-  std::vector<Loop> chains;
+std::string vtu(const Frame& frame, const FieldFrame& field) {
+  std::vector<Chain> chains;
   std::size_t point_count = 0;
   for (const ElementFrame& element : frame.elements) {
     chains.push_back(one_chain(element.loops));
@@ -181,32 +181,9 @@ std::string vtu(const Frame& frame) {
   std::string text = head(frame.time, point_count, chains.size());
   append_points(text, chains);
   append_polygons(text, chains);
-  append_cell_data(text, frame);
+  if (!field.elements.empty()) append_field(text, field, chains);
+  append_cell_data(text, frame, field);
   return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-}
-
-std::string vtu(const FieldFrame& frame) {
-  std::vector<Loop> chains;
-  std::vector<const FieldCorner*> corners;
-  std::vector<const FieldCorner*> middles;
-  for (const FieldElement& element : frame.elements) {
-    chains.emplace_back();
-    for (const FieldCorner* corner : one_chain(element)) {
-      corners.push_back(corner);
-      chains.back().push_back(corner->position);
-    }
-    middles.push_back(&element.middle);
-  }
-  std::string text = head(frame.time, corners.size(), chains.size());
-  append_points(text, chains);
-  append_polygons(text, chains);
-  text += "<PointData>\n";
-  append_field(text, corners);
-  text += "</PointData>\n<CellData>\n";
-  append_numbers(text, "body", frame, &FieldElement::body);
-  append_numbers(text, "material", frame, &FieldElement::material);
-  append_field(text, middles);
-  return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 std::string pvd(const std::vector<std::pair<double, std::string>>& time_and_file) {

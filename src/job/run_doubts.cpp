@@ -85,6 +85,13 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
   const Model& model = prepared.scene.model;
   const double limit = prepared.scene.settings.trust.crushing;
   const int number = totals.crushed_element;
+  if (prepared.scene.is_linear) {
+    if (!(totals.area_share > 0))
+      found.push_back(
+          {"crushed_beyond_limit", place,
+           fmt::format("{} is turned over: the loads are too large for linear statics", name_of(model, number))});
+    return;
+  }
   if (!(totals.area_share >= limit))
     found.push_back(
         {"crushed_beyond_limit", place,
@@ -120,7 +127,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
                  const Place& place) {
   Judgement judgement;
   Warnings& found = judgement.doubts;
-  add_penetration(judgement, prepared, record.totals.penetration_share, last, place);
+  if (!prepared.scene.is_linear) add_penetration(judgement, prepared, record.totals.penetration_share, last, place);
   add_crushing(found, prepared, record.totals, place);
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, place);

@@ -51,7 +51,8 @@ struct Followed {
 Followed followed_by(const History& history, const Frame& start, const FieldFrame& field) {
   Followed followed{history.of_measured_points ? "measured point" : "block", {}};
   const std::size_t count = history.rows.front().points.size();
-  if (history.of_measured_points || field.elements.size() != count) {
+  const bool are_blocks = field.elements.size() != count || body_count(field) == count;
+  if (history.of_measured_points || are_blocks) {
     for (std::size_t i = 0; i < count; ++i) followed.parts.push_back({{i, 1.0}});
     return followed;
   }
@@ -238,8 +239,8 @@ void RunFolder::write_frame(int step, double time, const std::string& text) {
   frame_files_.push_back({time, name, sha256(text)});
 }
 
-void RunFolder::add(const Frame& frame) {
-  write_frame(frame.step, frame.time, formats::vtu(frame));
+void RunFolder::add(const Frame& frame, const FieldFrame& field) {
+  write_frame(frame.step, frame.time, formats::vtu(frame, field));
   if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
   frames_.push_back(frame);
 }
@@ -255,8 +256,8 @@ void RunFolder::write_list_of_frames() {
   write("fields.pvd", formats::pvd(files));
 }
 
-void RunFolder::finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
-                       const Ledger& ledger, const FieldFrame& field) {
+void RunFolder::finish(const RunResults& results) {
+  const auto& [title, history, steps, ledger, field, is_of_motion] = results;
   write_list_of_frames();
   write("history.csv", formats::history_csv(history));
   write("picture.svg", report::run_picture({title,
@@ -266,25 +267,12 @@ void RunFolder::finish(const std::string& title, const History& history, const s
                                             {"time [T]", "displacement [L]"},
                                             ""}));
   if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger));
-  if (!field.elements.empty()) {
-    if (history.of_measured_points) write("points.csv", formats::points_csv(history));
-    write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,
-                                              frames_.back().measured_points, report::most_varied(field), true}));
-  }
+  if (history.of_measured_points) write("points.csv", formats::points_csv(history));
+  write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,
+                                            frames_.back().measured_points, report::most_varied(field), is_of_motion}));
   if (trace_ == Trace::no) return;
   write("steps.csv", formats::steps_csv(steps));
   write("blocks.csv", formats::blocks_csv(frames_));
-}
-
-void RunFolder::add(const FieldFrame& frame) {
-  write_frame(frame.step, frame.time, formats::vtu(frame));
-}
-
-void RunFolder::finish(const std::string& picture, const History& history) {
-  write_list_of_frames();
-  write("history.csv", formats::history_csv(history));
-  write("points.csv", formats::points_csv(history));
-  write("picture.svg", picture);
 }
 
 void RunFolder::write_record(const std::string& json) {

@@ -22,6 +22,16 @@ namespace keyblock {
 
 enum class Trace { no, yes };
 
+/// What a run leaves beside its frames.
+struct RunResults {
+  std::string title;
+  const History& history;
+  const std::vector<StepReport>& steps;
+  Ledger ledger;
+  const FieldFrame& field;   ///< the end
+  bool is_of_motion = true;  ///< displacements are as they are, however large; those of linear statics are not
+};
+
 class RunFolder {
  public:
   /// For a new run; nothing is changed before `begin`. Throws UsageError if there is a run already that may not be
@@ -54,18 +64,12 @@ class RunFolder {
   /// The results are on the disk: the checkpoint goes, if there is one.
   void remove_checkpoint();
 
-  /// Writes the frame's .vtu at once.
-  void add(const Frame& frame);
+  /// Writes the frame's .vtu at once, with `field` where that has elements.
+  void add(const Frame& frame, const FieldFrame& field = {});
 
-  /// history.csv, fields.pvd, picture.svg, energy.svg if there is a ledger and, for a trace, steps.csv and blocks.csv.
-  /// Where `field` has elements on covers also field.svg, and points.csv where points are measured.
-  void finish(const std::string& title, const History& history, const std::vector<StepReport>& steps,
-              const Ledger& ledger, const FieldFrame& field);
-
-  /// The same for bodies on covers: a frame's .vtu as `vtu` has it; history.csv, points.csv, fields.pvd and
-  /// picture.svg.
-  void add(const FieldFrame& frame);
-  void finish(const std::string& picture, const History& history);
+  /// history.csv, fields.pvd, picture.svg, field.svg; points.csv where points are measured, energy.svg if there is a
+  /// ledger and, for a trace, steps.csv and blocks.csv.
+  void finish(const RunResults& results);
 
   /// run.json, last: where it stands, everything else does.
   void write_record(const std::string& json);

@@ -53,7 +53,7 @@ void RunJob::write_checkpoint(Stepper& stepper) {
 }
 
 Observer RunJob::observer(const RunListener& listener) {
-  return {[&](const Frame& frame) { folder_.add(frame); },
+  return {[&](const Frame& frame) { folder_.add(frame, std::exchange(field_, {})); },
           [&](const StepReport& report) {
             record_.totals.add(report);
             record_.steps.add(report);
@@ -67,7 +67,8 @@ Observer RunJob::observer(const RunListener& listener) {
             record_.ledger_sums.add(row);
             record_.ledger.add(row);
           },
-          [&](Stepper& stepper) { write_checkpoint(stepper); }};
+          [&](Stepper& stepper) { write_checkpoint(stepper); },
+          [&](const FieldFrame& field) { field_ = field; }};
 }
 
 bool RunJob::run(const RunListener& listener) {
@@ -101,8 +102,12 @@ void RunJob::judge() {
 std::string RunJob::finish(const std::string& title, double seconds) {
   record_.timings.run = seconds;
   judge();
-  folder_.finish(title, history_, record_.traced, {record_.outcome.ledger_scope, record_.ledger.rows()},
-                 record_.outcome.field);
+  folder_.finish({title,
+                  history_,
+                  record_.traced,
+                  {record_.outcome.ledger_scope, record_.ledger.rows()},
+                  record_.outcome.field,
+                  !prepared_.scene.is_linear});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

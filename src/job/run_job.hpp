@@ -65,6 +65,7 @@ class RunJob {
   History history_;
   CheckpointClock clock_;
   std::unique_ptr<Stepper> stepper_;  ///< restored; none of a run that begins
+  FieldFrame field_;                  ///< of the frame that comes next
   bool stops_ = false;
 };
 

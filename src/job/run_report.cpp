@@ -120,6 +120,19 @@ Json json_of(const Extremes& found) {
           {"least_area_share", {{"value", found.area_share}, {"element", found.crushed_element + 1}}}};
 }
 
+Json json_of(const Resultant& r) {
+  return {{"x", r.force.x}, {"y", r.force.y}, {"moment", r.moment}};
+}
+
+Json json_of(const ForceBalance& balance) {
+  Json supports = Json::array();
+  for (const Resultant& support : balance.supports) supports.push_back(json_of(support));
+  return {{"loads", json_of(balance.loads)},
+          {"springs", json_of(balance.springs)},
+          {"supports", supports},
+          {"unbalanced", balance.unbalanced()}};
+}
+
 Json stages_json(const std::vector<SceneReport>& scenes) {
   Json stages = Json::array();
   for (const SceneReport& scene : scenes) {
@@ -128,6 +141,7 @@ Json stages_json(const std::vector<SceneReport>& scenes) {
                   {"end_time", scene.end_time},
                   {"balanced", Json()}};
     if (scene.asks_equilibrium) stage["balanced"] = scene.is_balanced;
+    if (scene.forces) stage["forces"] = json_of(*scene.forces);
     stages.push_back(stage);
   }
   return stages;
@@ -228,6 +242,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps)}};
   json["is_static"] = record.is_static;
+  if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (!record.outcome.scenes.empty()) json["stages"] = stages_json(record.outcome.scenes);
   if (record.equilibrium_way) json["equilibrium"] = json_of(*record.equilibrium_way);
   const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};

@@ -9,6 +9,7 @@
 #include "model/cover_basis.hpp"
 #include "problem/analysis.hpp"
 #include "problem/manifold.hpp"
+#include "result/force_balance.hpp"
 #include "settings/settings.hpp"
 
 namespace keyblock {
@@ -70,21 +71,6 @@ struct Continuum {
 /// nearest that do.
 Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& materials, const Settings& settings,
                        CoverFunctions functions);
-
-/// Forces summed, and their moment about the origin (counter-clockwise).
-struct Resultant {
-  Point force;
-  double moment = 0;
-
-  void add(Point at, Point more) {
-    force = force + more;
-    moment += cross(at, more);
-  }
-  void add(const Resultant& more) {
-    force = force + more.force;
-    moment += more.moment;
-  }
-};
 
 /// An edge of an element on the boundary; the element lies to its left.
 struct ElementSide {

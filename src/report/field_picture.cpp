@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/counted.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/scene.hpp"
 #include "report/drawing/svg.hpp"
@@ -71,17 +72,22 @@ std::vector<std::vector<Point>> loops_of(const FieldElement& element, const Plac
   return loops;
 }
 
-/// One triangle of the middle and an edge; an element with holes is one piece of its middle's value.
+/// One triangle of the middle and an edge; an element with holes, or of one stress, is one piece of its middle's value.
 struct Patch {
   std::vector<std::vector<Point>> loops;
   double value = 0;
 };
 
+bool is_of_one_stress(const FieldElement& element) {
+  return std::ranges::all_of(element.loops.front(),
+                             [&](const FieldCorner& corner) { return corner.stress == element.middle.stress; });
+}
+
 std::vector<Patch> patches_of(const FieldFrame& field, StressShown shown, const Place& place = as_drawn) {
   std::vector<Patch> patches;
   for (const FieldElement& element : field.elements) {
     const double middle = component(element.middle.stress, shown);
-    if (element.loops.size() > 1) {
+    if (element.loops.size() > 1 || is_of_one_stress(element)) {
       patches.push_back({loops_of(element, place), middle});
       continue;
     }
@@ -136,6 +142,11 @@ double shown_factor(const FieldFrame& end, const Box& box) {
   const double extent = std::hypot(box.width(), box.height());
   if (!(most > 0) || !(extent > 0)) return 1;
   return round_down(kLargestMove * extent / most);
+}
+
+std::string elements_in_words(const FieldFrame& field) {
+  const std::size_t count = field.elements.size();
+  return body_count(field) == count ? counted(count, "block") : fmt::format("mesh, {} elements", count);
 }
 
 void draw_mesh(SvgPage& page, const PageMap& map, const FieldFrame& field, const Place& place, bool filled) {
@@ -217,19 +228,23 @@ std::string field_picture(const FieldPicture& picture) {
   const auto caption = [&](std::size_t k, const std::string& words) {
     page.text(panels.corners[k] - Point{0, 8}, words, {.size = 13});
   };
-  caption(0, fmt::format("mesh, {} elements", picture.start.elements.size()));
+  caption(0, elements_in_words(picture.start));
   draw_mesh(page, map(0), picture.start, as_drawn, true);
   caption(1, fmt::format("displacement × {:g}", factor));
   draw_mesh(page, map(1), picture.end, deformed, true);
   const std::vector<Patch> patches = patches_of(picture.end, picture.stress, is_true ? deformed : as_drawn);
   const ColourScale scale = scale_of(patches);
-  caption(2, fmt::format("{}, tension positive", name_of(picture.stress)));
+  const bool is_stressed = scale.low != 0 || scale.high != 0;
+  caption(2, is_stressed ? fmt::format("{}, tension positive", name_of(picture.stress)) : "no stress");
   draw_stress(page, map(2), patches, scale);
+  if (body_count(picture.end) == picture.end.elements.size())
+    draw_mesh(page, map(2), picture.end, is_true ? deformed : as_drawn, false);
   for (const PointFrame& point : picture.measured)
     draw_mark(page, map(2)(is_true ? point.position : point.position - point.displacement), Mark::measured_point);
   const Point size = map(2).size();
-  draw_colour_bar(page, {panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y},
-                  std::min(size.y, 240.0), scale, name_of(picture.stress));
+  if (is_stressed)
+    draw_colour_bar(page, {panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y},
+                    std::min(size.y, 240.0), scale, name_of(picture.stress));
   draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, map(0));
   return page.str();
 }

@@ -1,4 +1,4 @@
-// A picture of bodies on covers: their mesh, the deformed mesh, and one component of the stress in colour.
+// A picture of elements: as they were, displaced, and one component of the stress in colour.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

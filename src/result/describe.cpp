@@ -173,4 +173,15 @@ void describe(Archive& a, StepReport& report) {
   a.value("unsettled_contacts", report.unsettled_contacts);
 }
 
+void describe(Archive& a, ForceBalance& balance) {
+  const auto describe_resultant = [&](Resultant& resultant) {
+    a.value("x", resultant.force.x);
+    a.value("y", resultant.force.y);
+    a.value("moment", resultant.moment);
+  };
+  a.group("loads", [&] { describe_resultant(balance.loads); });
+  a.group("springs", [&] { describe_resultant(balance.springs); });
+  a.list("supports", balance.supports, describe_resultant);
+}
+
 }  // namespace keyblock

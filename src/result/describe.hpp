@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/archive.hpp"
+#include "result/force_balance.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
 #include "result/ledger.hpp"
@@ -16,5 +17,6 @@ void describe(Archive& archive, LedgerRow& row);
 void describe(Archive& archive, LedgerSums& sums);
 void describe(Archive& archive, StepTotals& totals);
 void describe(Archive& archive, StepReport& report);
+void describe(Archive& archive, ForceBalance& balance);
 
 }  // namespace keyblock

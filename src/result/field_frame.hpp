@@ -1,4 +1,4 @@
-// One reported instant of bodies on covers: displacement and stress at the corners of every element.
+// One reported instant within the elements: displacement and stress at their corners.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -29,5 +29,8 @@ struct FieldFrame {
   double time = 0;
   std::vector<FieldElement> elements;
 };
+
+/// As many as elements where each is a block.
+std::size_t body_count(const FieldFrame& field);
 
 }  // namespace keyblock

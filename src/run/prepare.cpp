@@ -17,7 +17,8 @@
 #include "model/setup/from_manifold.hpp"
 #include "model/setup/joint_strength.hpp"
 #include "run/bodies/cover_model.hpp"
-#include "run/bodies/planned_bodies.hpp"
+#include "run/bodies/cover_plan_parts.hpp"
+#include "run/bodies/linear_case.hpp"
 #include "run/stages/chain.hpp"
 #include "run/stages/cover_stages.hpp"
 #include "run/unread_settings.hpp"
@@ -78,16 +79,19 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
 
 // Settings of the case file, of its stages and of the command.
 Warnings without_effect(const Problem& problem, const std::vector<Override>& overrides, const Scene& first) {
-  std::vector<Override> all = problem.choices.settings;
-  for (const Stage& stage : problem.stages) all.insert(all.end(), stage.settings.begin(), stage.settings.end());
-  all.insert(all.end(), overrides.begin(), overrides.end());
   Warnings warnings;
-  for (const auto& [name, value] : all) {
-    const std::string why = why_unread(problem, first, name);
-    if (why.empty()) continue;
-    warnings.push_back({"setting_without_effect", problem.analysis->place,
-                        fmt::format("setting {} {} and has no effect here", name, why)});
-  }
+  const auto look = [&](const Override& setting, const Place& place) {
+    const std::string why = why_unread(problem, first, setting.first);
+    if (why.empty()) return;
+    warnings.push_back(
+        {"setting_without_effect", place, fmt::format("setting {} {} and has no effect here", setting.first, why)});
+  };
+  const RunChoices& choices = problem.choices;
+  for (std::size_t i = 0; i < choices.settings.size(); ++i)
+    look(choices.settings[i], i < choices.setting_places.size() ? choices.setting_places[i] : problem.analysis->place);
+  for (const Stage& stage : problem.stages)
+    for (const Override& setting : stage.settings) look(setting, stage.place);
+  for (const Override& setting : overrides) look(setting, problem.analysis->place);
   return warnings;
 }
 
@@ -124,6 +128,7 @@ Model by_old_rules(const Cover& cover, const Analysis& analysis, const Settings&
 Geometry on_covers(const Problem& problem, const Settings& settings, const Place& place) {
   Geometry geometry;
   geometry.cut.blocks.place = place;
+  if (problem.covers && !problem.stages.empty()) return geometry;  // each stage has its own
   if (settings.dynamics == Dynamics::standard) {
     CoverModel made = cover_model(problem, settings);
     geometry.cut.warnings = std::move(made.warnings);
@@ -135,6 +140,10 @@ Geometry on_covers(const Problem& problem, const Settings& settings, const Place
   }
   require_motions(geometry.model.fixed_points.size(), *problem.analysis);
   return geometry;
+}
+
+bool has_covers(const Problem& problem) {
+  return problem.covers || std::holds_alternative<Cover>(problem.geometry);
 }
 
 Geometry geometry_of(const Problem& problem, const Settings& settings) {
@@ -168,7 +177,12 @@ Plan standard_plan(Model model, const Settings& settings, const Place& place) {
                                     is_automatic ? why_enforcement(scene.model, settings) : std::string())};
 }
 
-Plan plan_of(Model model, const Settings& settings, const Place& place) {
+Plan plan_of(Model model, const Settings& settings, const Place& place, bool is_linear) {
+  if (is_linear) {
+    model = with_bases(std::move(model), settings.basis);
+    Requirements needs = linear_requirements(model, settings);
+    return {std::move(model), std::move(needs)};
+  }
   if (settings.dynamics == Dynamics::standard) return standard_plan(std::move(model), settings, place);
   model = with_moving_bases(std::move(model), settings.basis);
   Requirements needs = requirements(model, settings);
@@ -181,21 +195,23 @@ struct Staged {
   StagedModels models;
 };
 
-Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& place) {
-  const auto finished = [place](Model model, const Settings& settings) {
-    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings, place).model;
+Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& place, bool is_linear) {
+  const auto finished = [=](Model model, const Settings& settings) {
+    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings, place, is_linear)
+        .model;
   };
   const Stage& first = problem.stages.front();
-  if (!problem.covers && !std::holds_alternative<Cover>(problem.geometry))
+  if (!has_covers(problem))
     return {changed(rock_of(blocks, *problem.analysis), first),
             {[=](const Rock& rock, int, const Settings& settings) { return finished(model_of(rock), settings); },
-             block_parents}};
+             block_parents, false}};
   const auto stages = std::make_shared<const CoverStages>(problem);
   return {changed(rock_of(stages->bodies(), *problem.analysis), first),
           {[=](const Rock& rock, int stage, const Settings& settings) {
              return finished(stages->model(rock, stage, settings), settings);
            },
-           [](const Model& before, const Model& after, const Descent&) { return cover_parents(before, after); }}};
+           [](const Model& before, const Model& after, const Descent&) { return cover_parents(before, after); },
+           is_linear}};
 }
 
 Place place_of(const Problem& problem) {
@@ -208,71 +224,91 @@ Place place_of(const Problem& problem) {
 
 }  // namespace
 
-bool has_fixed_or_loading_points(const Problem& problem) {
-  const auto has_points = [](const auto& geometry) {
-    if constexpr (requires { geometry.fixed_points; })
-      return !geometry.fixed_points.empty() || !geometry.loading_points.empty();
-    else if constexpr (requires { geometry.fixed_lines; })
-      return !geometry.fixed_lines.empty() || !geometry.loading_points.empty();
-    else
-      return false;
-  };
-  return std::visit(has_points, problem.geometry);
-}
-
-bool has_bolts(const Problem& problem) {
-  const auto has = [](const auto& geometry) {
-    if constexpr (requires { geometry.bolts; })
-      return !geometry.bolts.empty();
-    else
-      return false;
-  };
-  return std::visit(has, problem.geometry);
-}
-
-bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
-  if (!problem.stages.empty()) return false;
-  if (!problem.covers || !problem.analysis) return problem.covers.has_value();
-  if (!problem.covers->excavations.empty()) return true;
-  const Settings settings = settings_of(problem, profile, overrides);
-  const bool is_static = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
-  if (!is_static || !problem.covers->mesh.materials.empty()) return false;
-  if (problem.covers->contact == CoverContact::ignored) return true;
-  return !has_fixed_or_loading_points(problem) && !has_bolts(problem) && !PlannedBodies(problem).touches();
-}
-
 bool can_prepare(const Problem& problem) {
   return problem.analysis && !std::holds_alternative<std::monostate>(problem.geometry);
 }
+
+namespace {
+
+/// What is asked for, once it is known whether its steps are linear solutions.
+struct Asked {
+  Problem problem;
+  std::vector<StageChoices> choices;  ///< one a stage, or one
+  bool is_linear = false;
+  Warnings warnings = {};
+};
+
+Asked as_asked(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
+  Asked asked{problem, choices_of_stages(problem, profile, overrides)};
+  Settings& settings = asked.choices.front().settings;
+  asked.is_linear = is_linear(problem, settings);
+  if (asked.is_linear) {
+    LinearCase linear = linear_case(problem, settings);
+    settings.ledger = Bookkeeping::off;
+    asked.problem = std::move(linear.problem);
+    asked.warnings = std::move(linear.warnings);
+    asked.choices.resize(std::max<std::size_t>(1, linear.steps.size()), asked.choices.front());
+    for (std::size_t i = 0; i < linear.steps.size(); ++i) asked.choices[i].steps = linear.steps[i];
+  } else if (problem.covers && problem.covers->contact == CoverContact::ignored) {
+    asked.warnings.push_back({"contact_felt", problem.covers->place,
+                              "contact is ignored by statics that is solved at once only; these steps know it"});
+  }
+  return asked;
+}
+
+/// The first scene, those that follow it behind it.
+struct Scenes {
+  Scene first;
+  Requirements needs;
+};
+
+Scenes scenes_in(const Asked& asked, Geometry& geometry, Warnings& warnings) {
+  const Problem& problem = asked.problem;
+  const Settings& settings = asked.choices.front().settings;
+  const Place place = geometry.cut.blocks.place;
+  std::optional<Staged> staged;
+  if (!problem.stages.empty()) {
+    staged = staged_models(problem, geometry.cut.blocks, place, asked.is_linear);
+    geometry.model = staged->models.make(staged->first.rock, 0, settings);
+  } else {
+    geometry.model = with_joint_strength(std::move(geometry.model), settings.joint_strength_factor);
+  }
+  auto [model, needs] = plan_of(std::move(geometry.model), settings, place, asked.is_linear);
+  Scene scene{std::move(model), settings};
+  scene.is_linear = asked.is_linear;
+  if (staged) {
+    scene.end = end_of(problem.stages.front(), asked.choices.front());
+    warnings = joined(std::move(warnings), staged->first.warnings);
+    scene.next = later_scenes(problem, staged->first.rock, scene.model, asked.choices, staged->models, warnings);
+  }
+  return {std::move(scene), std::move(needs)};
+}
+
+Warnings warnings_of_plan(const Problem& problem, const Scene& first) {
+  if (!problem.covers) return {};
+  std::vector<const Continuum*> bodies;
+  for (const Scene* scene : scenes_of(first)) bodies.push_back(scene->model.continuum.get());
+  return look_at_plan(*problem.covers, bodies);
+}
+
+}  // namespace
 
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
-  const std::vector<StageChoices> choices = choices_of_stages(problem, profile, overrides);
-  const Settings& settings = choices.front().settings;
-  Geometry geometry = geometry_of(problem, settings);
+  const Asked asked = as_asked(problem, profile, overrides);
+  const Settings& settings = asked.choices.front().settings;
+  Geometry geometry = geometry_of(asked.problem, settings);
   CutResult& cut = geometry.cut;
-  const Place place = cut.blocks.place;
-  std::optional<Staged> staged;
-  if (!problem.stages.empty()) {
-    staged = staged_models(problem, cut.blocks, place);
-    geometry.model = staged->models.make(staged->first.rock, 0, settings);
-  }
-  cut.warnings = joined(std::move(cut.warnings), not_modelled(cut.blocks, *problem.analysis, settings));
-  // Models of stages come with their joint strength.
-  if (!staged) geometry.model = with_joint_strength(std::move(geometry.model), settings.joint_strength_factor);
-  auto [model, needs] = plan_of(std::move(geometry.model), settings, place);
-  Scene scene{std::move(model), settings};
-  if (staged) {
-    scene.end = end_of(problem.stages.front(), choices.front());
-    cut.warnings = joined(std::move(cut.warnings), staged->first.warnings);
-    scene.next = later_scenes(problem, staged->first.rock, scene.model, choices, staged->models, cut.warnings);
-  }
-  cut.warnings = joined(std::move(cut.warnings), without_effect(problem, overrides, scene));
+  Warnings warnings = joined(std::move(cut.warnings), asked.warnings);
+  warnings = joined(std::move(warnings), not_modelled(cut.blocks, *problem.analysis, settings));
+  auto [scene, needs] = scenes_in(asked, geometry, warnings);
+  warnings = joined(std::move(warnings), warnings_of_plan(problem, scene));
+  warnings = joined(std::move(warnings), without_effect(problem, overrides, scene));
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
-          std::move(cut.snaps),  std::move(cut.warnings),
+          std::move(cut.snaps),  std::move(warnings),
           std::move(needs),      std::move(scene)};
 }
 

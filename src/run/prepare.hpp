@@ -25,16 +25,6 @@ struct Prepared {
   Scene scene;
 };
 
-/// Whether its geometry names points (or lines of them) that are held or loaded; those of a cover file are not meant.
-bool has_fixed_or_loading_points(const Problem& problem);
-
-bool has_bolts(const Problem& problem);
-
-/// Whether a case has bodies on covers of which each load step is one linear solution (run/cover_case): statics in
-/// which nothing touches, no point is held or loaded and no bolt ties bodies, or contact is ignored, or something is
-/// dug out. Throws as `prepare`.
-bool is_solved_at_once(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
-
 /// Whether geometry and analysis are there.
 bool can_prepare(const Problem& problem);
 

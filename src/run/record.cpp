@@ -143,7 +143,6 @@ FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const State& state = stepper.state();
   const StartPlaces& start = stepper.unloaded();
   FieldFrame field{state.step, state.time, {}};
-  if (model.nodes.empty()) return field;
   const std::vector<int> bodies = body_numbers(model);
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];

@@ -22,8 +22,7 @@ HistoryRow history_row(const Model& model, const State& state, const StartPlaces
 void put_point_stress(Frame& frame, const Model& model, const Stepper& stepper);
 void put_point_stress(HistoryRow& row, const Model& model, const Stepper& stepper);
 
-/// Displacement and stress at the corners of all elements now, where some hang on covers that they share; else no
-/// elements.
+/// Displacement and stress at the corners of all elements now.
 FieldFrame field_of(const Model& model, const Stepper& stepper);
 
 }  // namespace keyblock

@@ -60,6 +60,7 @@ class Loop {
     outcome.steps = state().step;
     outcome.time = state().time;
     outcome.field = field_of(stepper_.model(), stepper_);
+    outcome.forces = stepper_.forces();
     outcome.scenes = stepper_.scenes();
     return outcome;
   }
@@ -72,6 +73,7 @@ class Loop {
     if (!observer_.on_frame) return;
     Frame frame = frame_of(stepper_.model(), state(), stepper_.unloaded(), stepper_.settings());
     put_point_stress(frame, stepper_.model(), stepper_);
+    if (observer_.on_field && !stepper_.model().nodes.empty()) observer_.on_field(field_of(stepper_.model(), stepper_));
     observer_.on_frame(frame);
   }
 

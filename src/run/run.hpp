@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct Observer {
   /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on
   /// takes.
   std::function<void(Stepper&)> between_steps = {};
+  /// Before each frame, where elements hang on covers that they share: the same instant within the elements.
+  std::function<void(const FieldFrame&)> on_field = {};
 };
 
 enum class RunEnd { finished, failed, stopped };
@@ -41,8 +44,9 @@ struct RunOutcome {
   double time = 0;                    ///< reached
   LedgerScope ledger_scope;
   StartReport start;
-  std::vector<SceneReport> scenes = {};  ///< where there is more than one
-  FieldFrame field;                      ///< the end of elements on covers that they share; else no elements
+  std::vector<SceneReport> scenes = {};     ///< where there is more than one
+  FieldFrame field;                         ///< the end, within the elements
+  std::optional<ForceBalance> forces = {};  ///< at the end, where the steps sum them
 };
 
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever

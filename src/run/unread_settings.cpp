@@ -3,6 +3,7 @@
 #include "run/unread_settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <variant>
 
@@ -10,6 +11,10 @@
 
 namespace keyblock {
 namespace {
+
+// Of the settings these alone say anything of linear statics.
+constexpr std::array<std::string_view, 8> kReadByLinearStatics{
+    "plane", "gravity", "gravity.x", "gravity.y", "steps", "time_step", "motion", "quirk.moments_about_origin"};
 
 struct Reason {
   std::vector<std::string_view> settings;
@@ -54,6 +59,8 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
 }  // namespace
 
 std::string why_unread(const Problem& problem, const Scene& first, const std::string& name) {
+  if (first.is_linear && std::ranges::find(kReadByLinearStatics, name) == kReadByLinearStatics.end())
+    return "is not read by linear static solutions";
   for (const Reason& reason : reasons(problem, first))
     if (reason.holds && std::ranges::find(reason.settings, without_material(name)) != reason.settings.end())
       return reason.why;

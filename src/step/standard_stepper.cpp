@@ -318,6 +318,10 @@ void StandardStepper::book_change(const LedgerRow& before) {
       {ledger_.momentum.linear - before.momentum.linear, ledger_.momentum.angular - before.momentum.angular};
 }
 
+std::unique_ptr<SceneStepper> StandardStepper::in_next(const SceneChange& change) const {
+  return std::make_unique<StandardStepper>(*this, change);
+}
+
 bool StandardStepper::is_at_rest(double share) const {
   if (scene_.load_share != 1 || balance_of(scene_, motion_, state_.time).share > share) return false;
   if (scene_.settings.standard.motion != MotionRule::dynamic) return true;

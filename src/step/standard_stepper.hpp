@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-class StandardStepper : public Stepper {
+class StandardStepper : public SceneStepper {
  public:
   /// Throws std::invalid_argument for a scene that is `unsupported`.
   explicit StandardStepper(Scene scene);
@@ -27,9 +27,8 @@ class StandardStepper : public Stepper {
   LedgerScope ledger_scope() const override { return keyblock::ledger_scope(scene_); }
   void save(Archive& archive) override { describe(archive); }
 
-  /// Whether all loads are on, forces are balanced to this share of the largest, and nothing moves faster than this
-  /// share of the speed that the largest acceleration of a load gives over the size of a block.
-  bool is_at_rest(double share) const;
+  std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
+  bool is_at_rest(double share) const override;
 
   const StandardScene& scene() const { return scene_; }
   const Motion& motion() const { return motion_; }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "base/archive.hpp"
 #include "model/scene/scene.hpp"
 #include "model/state.hpp"
+#include "result/force_balance.hpp"
 #include "result/ledger.hpp"
 #include "result/start_report.hpp"
 #include "result/step_report.hpp"
@@ -28,7 +31,8 @@ struct SceneReport {
   int last_step = 0;
   double end_time = 0;
   bool asks_equilibrium = false;
-  bool is_balanced = false;  ///< it ended because its forces were balanced
+  bool is_balanced = false;                 ///< it ended because its forces were balanced
+  std::optional<ForceBalance> forces = {};  ///< at its end, where its steps sum them
 };
 
 class Stepper {
@@ -59,8 +63,23 @@ class Stepper {
   virtual LedgerRow ledger() const = 0;
   virtual LedgerScope ledger_scope() const = 0;
 
+  /// Loads and supports of bodies on covers after the last accepted step, where the stepper sums them.
+  virtual std::optional<ForceBalance> forces() const { return std::nullopt; }
+
   /// Everything that the coming steps depend on. Saving changes nothing.
   virtual void save(Archive& archive) = 0;
+};
+
+/// The stepper of one scene, which may give way to that of the next.
+class SceneStepper : public Stepper {
+ public:
+  /// Goes on in the scene that follows, at the same step and time. Throws std::invalid_argument for a scene that cannot
+  /// be stepped.
+  virtual std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const = 0;
+
+  /// Whether all loads are on, forces are balanced to this share of the largest, and nothing moves faster than this
+  /// share of the speed that the largest acceleration of a load gives over the size of a block.
+  virtual bool is_at_rest(double share) const = 0;
 };
 
 }  // namespace keyblock

@@ -27,7 +27,7 @@ TEST(FieldPicture, it_names_elements_scale_and_stress) {
   EXPECT_EQ(most_varied(field), StressShown::yy);
   const std::string svg = field_picture({"a title", field, field, {}, StressShown::yy});
   EXPECT_TRUE(contains(svg, "a title"));
-  EXPECT_TRUE(contains(svg, "mesh, 1 elements"));
+  EXPECT_TRUE(contains(svg, "1 block"));
   EXPECT_TRUE(contains(svg, "displacement × 10"));  // 0.08 of the extent √2, rounded down to 1, 2 or 5
   EXPECT_TRUE(contains(svg, "σyy"));
   EXPECT_TRUE(contains(svg, ">3.17<"));  // mean of two corners of -4 and the middle; white stands for no stress
@@ -48,6 +48,15 @@ TEST(FieldPicture, a_motion_is_never_drawn_smaller_than_it_is) {
   EXPECT_TRUE(contains(field_picture(picture), "displacement × 0.02<"));
   picture.is_of_motion = true;
   EXPECT_TRUE(contains(field_picture(picture), "displacement × 1<"));
+}
+
+TEST(FieldPicture, rigid_blocks_have_no_stress) {
+  FieldFrame field = sheared();
+  field.elements[0].middle.stress = {};
+  for (FieldCorner& corner : field.elements[0].loops[0]) corner.stress = {};
+  const std::string svg = field_picture({"", field, field, {}, most_varied(field)});
+  EXPECT_TRUE(contains(svg, "no stress"));
+  EXPECT_FALSE(contains(svg, "tension positive"));
 }
 
 }  // namespace keyblock::report::field_picture_test

@@ -9,7 +9,6 @@
 
 #include "result/describe.hpp"
 #include "run/checkpoint.hpp"
-#include "run/cover_case.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
 #include "tests/support/scenes.hpp"
@@ -69,7 +68,7 @@ struct Answer {
   Warnings warnings;
 };
 
-Answer stepped(const Problem& problem, const std::vector<Override>& overrides) {
+Answer answer(const Problem& problem, const std::vector<Override>& overrides) {
   const Prepared prepared = prepare(problem, "standard", overrides);
   Archive archive;
   Observer observer;
@@ -81,21 +80,6 @@ Answer stepped(const Problem& problem, const std::vector<Override>& overrides) {
   archive.value("reason", outcome.reason);
   archive.value("made", outcome.start.made);
   return {checkpoint_bytes(archive), prepared.warnings};
-}
-
-Answer solved(const Problem& problem, const std::vector<Override>& overrides) {
-  const CoverCase cover_case(problem, "standard", overrides);
-  Archive archive;
-  cover_case.run([&](const SolvedStep& step) {
-    Frame frame = step.frame;
-    archive.group("frame", [&] { describe(archive, frame); });
-  });
-  return {checkpoint_bytes(archive), cover_case.warnings()};
-}
-
-Answer answer(const Problem& problem, const std::vector<Override>& overrides) {
-  const bool is_linear = is_solved_at_once(problem, "standard", overrides);
-  return is_linear ? solved(problem, overrides) : stepped(problem, overrides);
 }
 
 /// Values to try: other words of a choice, or numbers near the present one and of other sizes.

@@ -40,6 +40,19 @@ Scene eventful_on_covers() {
   return prepare(problem, "standard", {}).scene;
 }
 
+/// Linear solutions of which load steps 2 and 4 dig something out.
+Scene dug_at_once() {
+  Problem problem = squares_on_covers(CoverFunctions::derived);
+  problem.analysis->velocity_carry_over = 0;
+  problem.analysis->step_count = 5;
+  problem.covers->displacements = {{{{0, 0}, {2, 0}}, Held::both, {}, {}, {}, {}},
+                                   {{{0, 1}, {0, 2}}, Held::both, {}, {}, {}, {}}};
+  problem.covers->excavations = {{2, box({0.7, 1.4}, {1.3, 3}), {}, 0}, {4, box({1.6, 0.5}, {3, 1.2}), {}, 0}};
+  const Scene scene = prepare(problem, "standard", {}).scene;
+  EXPECT_TRUE(scene.is_linear);
+  return scene;
+}
+
 std::string bytes_of(Stepper& stepper) {
   Archive archive;
   stepper.save(archive);
@@ -47,6 +60,8 @@ std::string bytes_of(Stepper& stepper) {
 }
 
 }  // namespace
+
+constexpr std::array kNames{"blocks", "covers", "linear"};
 
 class ResumedStages : public testing::TestWithParam<Scene (*)()> {};
 
@@ -69,7 +84,7 @@ TEST_P(ResumedStages, left_before_any_step_they_go_on_to_the_same_bytes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ResumedStages, testing::Values(eventful, eventful_on_covers),
-                         [](const auto& one) { return std::string(one.index == 0 ? "blocks" : "covers"); });
+INSTANTIATE_TEST_SUITE_P(Scenes, ResumedStages, testing::Values(eventful, eventful_on_covers, dug_at_once),
+                         [](const auto& one) { return std::string(kNames.at(one.index)); });
 
 }  // namespace keyblock::stages_resumed_test

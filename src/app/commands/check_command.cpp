@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/command.hpp"
-#include "app/commands/cover_run.hpp"
 #include "base/counted.hpp"
 #include "base/printable.hpp"
 #include "cut/covers/from_cover.hpp"
@@ -36,7 +35,6 @@ struct CheckOptions {
 struct CaseReport {
   Warnings warnings;
   std::vector<std::string> errors;
-  std::optional<CoverCounts> covers;     ///< of bodies on covers
   std::optional<Requirements> plan;      ///< what a run would take; only where geometry and analysis are there
   std::vector<std::string> stages = {};  ///< a sentence for each
 };
@@ -135,11 +133,10 @@ void print(const Requirements& plan) {
 }
 
 void print(const CaseReport& report) {
-  if (report.warnings.empty() && !report.plan && !report.covers) return;
+  if (report.warnings.empty() && !report.plan) return;
   fmt::print("the files together:\n");
   print(report.warnings);
   if (report.plan) print(*report.plan);
-  if (report.covers) fmt::print("  {}\n", sentence_of(*report.covers));
   for (const std::string& stage : report.stages) fmt::print("  {}\n", printable(stage));
 }
 
@@ -185,28 +182,22 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
-  if (Warnings told = several_cases(files); !told.empty()) return {std::move(told), {}, std::nullopt, std::nullopt};
+  if (Warnings told = several_cases(files); !told.empty()) return {std::move(told), {}, std::nullopt};
   try {
     const Checked checked = check(formats::pair(contents));
-    CaseReport report{checked.warnings, {}, std::nullopt, std::nullopt};
+    CaseReport report{checked.warnings, {}, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
       manifold_of(*cover);  // throws where elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
     const std::string chosen = profile_of(checked.problem, profile);
-    if (is_solved_at_once(checked.problem, chosen, {})) {
-      const CoverCase cover_case(checked.problem, chosen, {});
-      report.warnings = joined(std::move(report.warnings), cover_case.warnings());
-      report.covers = cover_case.counts();
-      return report;
-    }
     const Prepared prepared = prepare(study::with_named_files(checked.problem, {}, {}), chosen, {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.plan = prepared.requirements;
     report.stages = stages_of(prepared.scene);
     return report;
   } catch (const InputError& error) {
-    return {{}, {error.what()}, std::nullopt, std::nullopt};
+    return {{}, {error.what()}, std::nullopt};
   }
 }
 
@@ -215,7 +206,6 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
                {"case", {{"warnings", warning_list_json(report.warnings)}, {"errors", report.errors}}}};
   if (report.plan) json["case"]["requires"] = requirements_json(*report.plan);
   if (!report.stages.empty()) json["case"]["stages"] = report.stages;
-  if (report.covers) json["case"]["covers"] = counts_json(*report.covers);
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }

@@ -11,7 +11,6 @@
 
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
-#include "app/commands/cover_run.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/progress.hpp"
 #include "app/stop_request.hpp"
@@ -67,14 +66,6 @@ class Stopwatch {
 std::vector<Override> left_for_settings(Problem& problem, const RunOptions& options) {
   try {
     return set_plan(problem, overrides_of(options.sets));
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
-}
-
-bool is_solved_at_once(const Problem& problem, const RunOptions& options, const std::vector<Override>& overrides) {
-  try {
-    return is_solved_at_once(problem, profile_of(problem, options.profile), overrides);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -157,6 +148,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
     spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
   if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
   print_stages(record.outcome.scenes);
+  if (record.outcome.forces)
+    spdlog::info("loads and supports balance to {:.1e} of the largest", record.outcome.forces->unbalanced());
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
   if (record.outcome.end == RunEnd::finished && !record.doubts.empty())
@@ -204,14 +197,6 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
   return request;
 }
 
-ExitCode run_on_covers(const formats::Case& loaded, const RunOptions& options, const RunRecord& record,
-                       const std::vector<Override>& overrides) {
-  for (const std::string& file : options.files) require_not_below(file, options.folder);
-  return run_covers(
-      loaded, {std::filesystem::path(options.files.front()).stem().string(), record.profile, overrides, options.folder,
-               overwrite_if(options.force), options.as_json, record.inputs, record.timings.read});
-}
-
 /// What the command line asks for, read and made ready.
 struct Asked {
   formats::Case loaded;
@@ -246,8 +231,6 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   Stopwatch watch;
   Asked asked = read_as_asked(options, watch);
   const formats::Case& loaded = asked.loaded;
-  if (is_solved_at_once(loaded.problem, options, asked.overrides))
-    return run_on_covers(loaded, options, asked.record, asked.overrides);
   const Prepared prepared = prepare_as_asked(loaded.problem, options, asked.overrides);
   RunRecord& record = asked.record;
   record.timings.prepare = watch.lap();

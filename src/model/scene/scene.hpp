@@ -27,6 +27,9 @@ struct Scene {
   Settings settings;
   SceneEnd end = {};
   std::shared_ptr<const SceneChange> next = {};  ///< none of the last
+  /// Bodies on covers of which each step is one linear static solution: bodies and sides of joints do not feel each
+  /// other.
+  bool is_linear = false;
 };
 
 /// A scene, and what it was before.

@@ -323,4 +323,19 @@ Requirements requirements(const Model& model, const Settings& settings, const st
   return needs;
 }
 
+Requirements linear_requirements(const Model& model, const Settings& settings) {
+  Requirements needs;
+  needs.unknowns = unknowns_on_covers(model);
+  needs.basis = bases(model, settings);
+  const auto bodies = model.continuum->manifold.body_materials.size();
+  needs.terms.push_back(
+      {TermKind::statics, fmt::format("load steps are linear static solutions of {}: nothing touches, displacements "
+                                      "are small",
+                                      bodies == 1 ? "1 body" : fmt::format("{} bodies", bodies))});
+  for (const auto& [term, name, reason_for] : kRows)
+    if (term == TermKind::elastic || term == TermKind::initial_stress || term == TermKind::body_force)
+      if (const Reason reason = reason_for(model, settings)) needs.terms.push_back({term, *reason});
+  return needs;
+}
+
 }  // namespace keyblock

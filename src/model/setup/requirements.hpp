@@ -48,4 +48,7 @@ struct Requirements {
 /// where that was not asked for.
 Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement = {});
 
+/// The plan of a run whose steps are linear static solutions.
+Requirements linear_requirements(const Model& model, const Settings& settings);
+
 }  // namespace keyblock

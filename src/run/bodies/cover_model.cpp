@@ -33,17 +33,7 @@ std::string point_of(int block) {
   return fmt::format("a point of block {}", block + 1);
 }
 
-// A chain away from all bodies on covers would hold or load nothing.
-void require_boundary(const Manifold& manifold, const BoundaryPart& part, const Place& place) {
-  if (!sides_along(manifold, part).empty()) return;
-  throw InputError(place, fmt::format("expected a chain on the boundary of bodies on covers, found none of it there: "
-                                      "({:.9g}, {:.9g}), …",
-                                      part.front().x, part.front().y));
-}
-
 Continuum planned(Manifold manifold, const Problem& problem, const Settings& settings) {
-  for (const TractionPlan& part : problem.covers->tractions) require_boundary(manifold, part.along, part.place);
-  for (const DisplacementPlan& part : problem.covers->displacements) require_boundary(manifold, part.along, part.place);
   Continuum continuum =
       continuum_of(std::move(manifold), problem.analysis->block_materials, settings, problem.covers->functions);
   put_loads(continuum, *problem.covers);
@@ -154,12 +144,7 @@ CutResult blocks_of(const Problem& problem, const Settings& settings) {
 CoverModel cover_model(const Problem& problem, const Settings& settings) {
   if (const auto* cover = std::get_if<Cover>(&problem.geometry))
     return of_cover_file(*cover, *problem.analysis, settings);
-  CoverModel made =
-      problem.covers->mesh.materials.empty() ? all_on_covers(problem, settings) : Mixed(problem, settings).result();
-  if (problem.covers->contact == CoverContact::ignored)
-    made.warnings.push_back({"contact_felt", problem.covers->place,
-                             "contact is ignored by statics that is solved at once only; these steps know it"});
-  return made;
+  return problem.covers->mesh.materials.empty() ? all_on_covers(problem, settings) : Mixed(problem, settings).result();
 }
 
 }  // namespace keyblock

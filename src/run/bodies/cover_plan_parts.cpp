@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "cut/covers/to_cover.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
+#include "terms/cover_loads.hpp"
 
 namespace keyblock {
 namespace {
@@ -32,6 +34,34 @@ PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
   return {plan.along, plan.held, [=](Point at, Point n) {
             return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} + normal({at.x, at.y, n.x, n.y}) * n;
           }};
+}
+
+// A chain that covers less than this share of its length is told.
+constexpr double kAlmostAll = 1 - 1e-6;
+// Points of an area and of a side at which loads are tried.
+constexpr int kTriedDegree = 2;
+
+double length_of(const BoundaryPart& part) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < part.size(); ++i) sum += distance(part[i], part[i + 1]);
+  return sum;
+}
+
+double length_found(const Manifold& manifold, const BoundaryPart& part) {
+  double sum = 0;
+  for (const ElementSide& side : sides_along(manifold, part)) sum += distance(side.edge.start, side.edge.end);
+  return sum;
+}
+
+// Formulas complain of themselves.
+void try_formulas(const Continuum& continuum) {
+  sum_of_loads(continuum, kTriedDegree);
+  for (const PrescribedDisplacement& part : continuum.prescribed)
+    for (const ElementSide& side : sides_along(continuum.manifold, part.along))
+      part.value(0.5 * (side.edge.start + side.edge.end), side.normal());
+  for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e)
+    continuum.initial_stress_at(static_cast<int>(e),
+                                centroid(continuum.manifold.polygon(continuum.manifold.elements[e]).front()));
 }
 
 double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p) {
@@ -76,6 +106,27 @@ int element_holding(const Manifold& manifold, int body, Point p, const char* nou
       return element;
   }
   throw InputError(place, fmt::format("expected {} in a body, found none at ({:.9g}, {:.9g})", noun, p.x, p.y));
+}
+
+Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes) {
+  Warnings warnings;
+  // A boundary may be dug free later.
+  const auto look = [&](const BoundaryPart& part, const Place& place) {
+    double found = 0;
+    for (const Continuum* scene : scenes) found = std::max(found, length_found(scene->manifold, part));
+    if (found == 0)
+      throw InputError(place, fmt::format("expected a chain on the boundary of bodies on covers, found none of it "
+                                          "there: ({:.9g}, {:.9g}), …",
+                                          part.front().x, part.front().y));
+    if (found < kAlmostAll * length_of(part))
+      warnings.push_back({"chain_off_boundary", place,
+                          fmt::format("only {:.6g} of the {:.6g} of this chain lie on the boundary of the bodies",
+                                      found, length_of(part))});
+  };
+  for (const TractionPlan& part : plan.tractions) look(part.along, part.place);
+  for (const DisplacementPlan& part : plan.displacements) look(part.along, part.place);
+  for (const Continuum* scene : scenes) try_formulas(*scene);
+  return warnings;
 }
 
 void put_points(Continuum& continuum, const CoverPlan& plan) {

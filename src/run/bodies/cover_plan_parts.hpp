@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
+#include "base/error.hpp"
 #include "model/continuum.hpp"
 #include "problem/cover_plan.hpp"
 
@@ -13,6 +16,10 @@ void put_loads(Continuum& continuum, const CoverPlan& plan);
 
 /// Forces and springs at points, into their elements. Throws InputError for one that lies in no body.
 void put_points(Continuum& continuum, const CoverPlan& plan);
+
+/// What is to be said of the chains of a plan, and of its loads: `scenes` are the bodies of a run, one after another.
+/// Throws InputError for a chain that is on the boundary of none of them, and where a formula has no finite value.
+Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes);
 
 /// The element that holds the point, of `body` if that is not -1. Throws InputError, saying `noun`, where none does.
 int element_holding(const Manifold& manifold, int body, Point p, const char* noun, const Place& place);

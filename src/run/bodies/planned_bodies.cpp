@@ -13,6 +13,8 @@
 namespace keyblock {
 namespace {
 
+constexpr const char* kNoBodies = "expected a drawing or blocks beside covers, found neither";
+
 /// All bodies in one graph, only to lay the mesh over them: pieces may lie on one another.
 BodyGraph together(const std::vector<BodyGraph>& graphs) {
   BodyGraph all;
@@ -30,19 +32,25 @@ BodyGraph together(const std::vector<BodyGraph>& graphs) {
 
 }  // namespace
 
+bool bodies_touch(const Problem& problem) {
+  if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->blocks.size() > 1;
+  const auto* drawing = std::get_if<Drawing>(&problem.geometry);
+  if (drawing == nullptr) throw InputError(problem.covers->place, kNoBodies);
+  const BodyGraph graph = cut_bodies(*drawing).graph;
+  return graph.materials.size() > 1 || std::ranges::any_of(graph.pieces, &BodyPiece::is_slit);
+}
+
 PlannedBodies::PlannedBodies(const Problem& problem) : problem_(problem) {
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) {
     BodyCut cut = cut_bodies(*drawing);
     blocks_ = std::move(cut.blocks.blocks);
     warnings_ = std::move(cut.blocks.warnings);
-    touches_ = cut.graph.materials.size() > 1 || std::ranges::any_of(cut.graph.pieces, &BodyPiece::is_slit);
     graphs_.push_back(std::move(cut.graph));
   } else if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) {
     for (const BlockPolygon& block : blocks->blocks) graphs_.push_back(graph_of(block));
     blocks_ = *blocks;
-    touches_ = graphs_.size() > 1;
   } else {
-    throw InputError(problem.covers->place, "expected a drawing or blocks beside covers, found neither");
+    throw InputError(problem.covers->place, kNoBodies);
   }
   if (graphs_.empty()) throw InputError(problem.covers->place, "expected at least one body, found none");
   try {

@@ -26,7 +26,6 @@ class PlannedBodies {
     return blocks_.measured_points;
   }  ///< their blocks are bodies of step 0
   const Warnings& warnings() const { return warnings_; }
-  bool touches() const { return touches_; }  ///< there is more than one body, or a joint that ends inside one
 
  private:
   const Problem& problem_;
@@ -34,7 +33,9 @@ class PlannedBodies {
   TriangleMesh mesh_;
   Blocks blocks_;
   Warnings warnings_;
-  bool touches_ = false;
 };
+
+/// Whether there is more than one body, or a joint that ends inside one. Throws as the constructor.
+bool bodies_touch(const Problem& problem);
 
 }  // namespace keyblock

@@ -4,23 +4,26 @@
 
 #include <utility>
 
+#include "result/describe.hpp"
+#include "step/scene_steppers.hpp"
+
 namespace keyblock {
 
 ChainStepper::ChainStepper(Scene first) : scene_(std::move(first)) {
-  now_ = std::make_unique<StandardStepper>(scene_);
+  now_ = scene_stepper(scene_);
   scope_ = now_->ledger_scope();
   begin(scene_);
 }
 
 ChainStepper::ChainStepper(Scene first, Archive& saved) : scene_(std::move(first)) {
-  scope_ = keyblock::ledger_scope(standard_scene(scene_.model, scene_.settings));
+  scope_ = ledger_scope_of(scene_);
   describe_chain(saved);
   for (std::size_t i = 1; i < reports_.size(); ++i) {
     if (!scene_.next) saved.refuse("scenes", "expected no more scenes than the files say, found more");
     const auto next = scene_.next;
     scene_ = next->scene;
   }
-  saved.group("scene", [&] { now_ = std::make_unique<StandardStepper>(scene_, saved); });
+  saved.group("scene", [&] { now_ = restored_scene_stepper(scene_, saved); });
 }
 
 void ChainStepper::describe_chain(Archive& archive) {
@@ -32,6 +35,9 @@ void ChainStepper::describe_chain(Archive& archive) {
     archive.value("end_time", report.end_time);
     archive.value("asks_equilibrium", report.asks_equilibrium);
     archive.value("is_balanced", report.is_balanced);
+    bool has_forces = report.forces.has_value();
+    archive.value("has_forces", has_forces);
+    if (has_forces) describe(archive, report.forces ? *report.forces : report.forces.emplace());
   });
 }
 
@@ -49,7 +55,7 @@ void ChainStepper::begin(const Scene& scene) {
 // Throws nothing that `prepare` has not looked for.
 void ChainStepper::follow() {
   const std::shared_ptr<const SceneChange> next = scene_.next;
-  now_ = std::make_unique<StandardStepper>(*now_, *next);
+  now_ = now_->in_next(*next);
   scene_ = next->scene;
   begin(scene_);
 }
@@ -64,6 +70,7 @@ std::variant<StepReport, StepFailure> ChainStepper::advance() {
   report.is_balanced = scene_.end.equilibrium && now_->is_at_rest(*scene_.end.equilibrium);
   const int steps = report.last_step - report.first_step;
   ends_scene_ = report.is_balanced || (scene_.end.steps > 0 && steps >= scene_.end.steps);
+  if (ends_scene_) report.forces = now_->forces();
   return made;
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "step/standard_stepper.hpp"
+#include "step/stepper.hpp"
 
 namespace keyblock {
 
@@ -30,7 +30,7 @@ class ChainStepper : public Stepper {
   LedgerScope ledger_scope() const override;
   void save(Archive& archive) override;
 
-  const StandardStepper& now() const { return *now_; }
+  std::optional<ForceBalance> forces() const override { return now_->forces(); }
 
  private:
   void describe_chain(Archive& archive);
@@ -39,7 +39,7 @@ class ChainStepper : public Stepper {
 
   Scene scene_;  ///< the present one
   LedgerScope scope_;
-  std::unique_ptr<StandardStepper> now_;
+  std::unique_ptr<SceneStepper> now_;
   bool ends_scene_ = false;
   std::vector<SceneReport> reports_;  ///< that of the present scene is the last
 };

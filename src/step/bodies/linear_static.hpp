@@ -33,12 +33,6 @@ SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis
 /// All terms assembled, then one solve. Throws NotPositiveDefinite where a body can still move.
 ContinuumSolution solve_static(const Continuum& continuum);
 
-/// The forces on all bodies together and their moments about the origin: they add up to nothing.
-struct ForceBalance {
-  Resultant loads;
-  Resultant springs;
-  std::vector<Resultant> supports;  ///< one a prescribed displacement
-};
 ForceBalance balance_of(const Continuum& continuum, const ContinuumSolution& solution);
 
 /// Tension positive, the initial stress included; of the raw strain at that point, nothing recovered or averaged.

@@ -90,8 +90,7 @@ void follow(CatalogueRow& row, const std::vector<std::string>& paths, CheckDepth
   if (!checked.errors.empty()) throw checked.errors.front();
   const Warnings of_cut = look_at_scene(row, checked.problem);
   const std::string chosen = profile_of(checked.problem, profile);
-  const bool is_prepared =
-      depth == CheckDepth::plan && can_prepare(checked.problem) && !is_solved_at_once(checked.problem, chosen, {});
+  const bool is_prepared = depth == CheckDepth::plan && can_prepare(checked.problem);
   warnings = joined(std::move(warnings),
                     is_prepared ? prepare(with_named_files(checked.problem, {}, {}), chosen, {}).warnings : of_cut);
 }

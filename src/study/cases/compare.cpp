@@ -9,7 +9,6 @@
 #include <variant>
 
 #include "formats/case.hpp"
-#include "run/cover_case.hpp"
 #include "run/cover_settings.hpp"
 #include "run/prepare.hpp"
 #include "settings/profile.hpp"
@@ -70,45 +69,8 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   return compared;
 }
 
-// Bodies on covers: each load step is an instant. A body that can still move is how the run failed.
-ComparedCase solve_and_pick(const Loaded& loaded, const Problem& problem, const std::vector<Override>& overrides,
-                            ComparedCase compared) {
-  try {
-    const CoverCase cover_case(problem, compared.profile, overrides);
-    compared.warnings = joined(loaded.input.warnings, cover_case.warnings());
-    const Frame& start = cover_case.start().frame;
-    require_numbers(compared.values, start.measured_points.size(), start.elements.size(), loaded.table);
-    RunSoFar so_far;
-    const auto keep = [&](const SolvedStep& step) {
-      pick(compared.values, so_far, step.frame, kSameInstant * problem.analysis->time_step);
-      compared.times.push_back(step.time);
-      compared.displacements.push_back(length(step.frame.elements.front().displacement));
-      compared.outcome.steps = step.step;
-      compared.outcome.time = step.time;
-    };
-    keep(cover_case.start());
-    cover_case.run(keep);
-    compared.start = so_far.start();
-    compared.end = so_far.now();
-  } catch (const NotPositiveDefinite& error) {
-    compared.outcome.end = RunEnd::failed;
-    compared.outcome.reason = error.what();
-  } catch (const InputError& error) {
-    compared.not_run = error.what();
-  }
-  return compared;
-}
-
 ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
   compared.name = loaded.folder.name;
-  Problem problem = loaded.input.problem;
-  try {
-    const std::vector<Override> left = set_plan(problem, overrides);
-    if (is_solved_at_once(problem, compared.profile, left))
-      return solve_and_pick(loaded, problem, left, std::move(compared));
-  } catch (const std::invalid_argument& error) {
-    throw InputError({loaded.file.path, 0, 0}, error.what());
-  }
   const auto made = prepared_or_refused(loaded, compared.profile, overrides);
   if (const auto* why = std::get_if<std::string>(&made)) {
     compared.not_run = *why;

@@ -14,7 +14,6 @@
 #include <stdexcept>
 
 #include "base/stop.hpp"
-#include "run/cover_case.hpp"
 #include "run/cover_settings.hpp"
 #include "run/run.hpp"
 #include "settings/profile.hpp"
@@ -85,7 +84,7 @@ class Reading {
   RunSoFar so_far_;
 };
 
-void run_blocks(const StudyCase& chosen, const Scene& scene, const RunLimits& limits, MeasuredRun& measured) {
+void run_scene(const StudyCase& chosen, const Scene& scene, const RunLimits& limits, MeasuredRun& measured) {
   Reading reading(chosen);
   const double begin = cpu_seconds();
   Observer observer;
@@ -108,18 +107,6 @@ void run_blocks(const StudyCase& chosen, const Scene& scene, const RunLimits& li
     measured.reason =
         is_asked ? "by request " + at : fmt::format("{:.3g} s of processor time reached {}", limits.cpu_seconds, at);
   }
-  measured.values = reading.numbers();
-}
-
-void run_on_covers(const StudyCase& chosen, const CoverCase& cover_case, double time_step, MeasuredRun& measured) {
-  Reading reading(chosen);
-  const double begin = cpu_seconds();
-  reading.add(cover_case.start().frame, time_step);
-  cover_case.run([&](const SolvedStep& step) {
-    reading.add(step.frame, time_step);
-    measured.steps = step.step;
-  });
-  measured.seconds = cpu_seconds() - begin;
   measured.values = reading.numbers();
 }
 
@@ -165,22 +152,12 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   overrides.insert(overrides.end(), plan.set.begin(), plan.set.end());
   Problem problem = with_named_files(chosen.input.problem, overrides, chosen.folder);
   const std::vector<Override> left = set_plan(problem, overrides);
-  if (is_solved_at_once(problem, plan.profile, left)) {
-    const CoverCase cover_case(problem, plan.profile, left);
-    const Frame& start = cover_case.start().frame;
-    require_there(chosen, start.measured_points.size(), start.elements.size());
-    require_points(chosen, problem, start.measured_points.size());
-    measured.unknowns = cover_case.counts().unknowns;
-    best_of(limits, measured,
-            [&](MeasuredRun& run) { run_on_covers(chosen, cover_case, problem.analysis->time_step, run); });
-    return;
-  }
   const Prepared prepared = prepare(problem, plan.profile, left);
   const Model& model = prepared.scene.model;
   require_there(chosen, model.measured_points.size(), model.elements.size());
   require_points(chosen, problem, model.measured_points.size());
   measured.unknowns = prepared.requirements.unknowns;
-  best_of(limits, measured, [&](MeasuredRun& run) { run_blocks(chosen, prepared.scene, limits, run); });
+  best_of(limits, measured, [&](MeasuredRun& run) { run_scene(chosen, prepared.scene, limits, run); });
 }
 
 void tell(MeasuredRun& measured, MeasuredEnd end, const std::string& reason) {

@@ -1,0 +1,116 @@
+// Excavations of the plan are changes of the scene like those of stages.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/bodies/linear_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "base/error.hpp"
+#include "run/bodies/planned_bodies.hpp"
+
+namespace keyblock {
+namespace {
+
+bool has_fixed_or_loading_points(const Problem& problem) {
+  const auto has_points = [](const auto& geometry) {
+    if constexpr (requires { geometry.fixed_points; })
+      return !geometry.fixed_points.empty() || !geometry.loading_points.empty();
+    else if constexpr (requires { geometry.fixed_lines; })
+      return !geometry.fixed_lines.empty() || !geometry.loading_points.empty();
+    else
+      return false;
+  };
+  return std::visit(has_points, problem.geometry);
+}
+
+bool has_bolts(const Problem& problem) {
+  const auto has = [](const auto& geometry) {
+    if constexpr (requires { geometry.bolts; })
+      return !geometry.bolts.empty();
+    else
+      return false;
+  };
+  return std::visit(has, problem.geometry);
+}
+
+void drop_points_and_bolts(Problem& problem) {
+  const auto drop = [](auto& geometry) {
+    if constexpr (requires { geometry.bolts; }) geometry.bolts.clear();
+    if constexpr (requires { geometry.fixed_points; }) geometry.fixed_points.clear();
+    if constexpr (requires { geometry.fixed_lines; }) geometry.fixed_lines.clear();
+    if constexpr (requires { geometry.loading_points; }) geometry.loading_points.clear();
+  };
+  std::visit(drop, problem.geometry);
+  problem.analysis->point_loads.clear();
+  problem.analysis->fixed_point_motions.clear();
+}
+
+Warnings without_effect(const Problem& problem) {
+  Warnings warnings;
+  const Place& place = problem.covers->place;
+  if (has_bolts(problem))
+    warnings.push_back(
+        {"bolts_without_effect", place, "bolts have no effect where contact is ignored or regions are dug out"});
+  if (has_fixed_or_loading_points(problem))
+    warnings.push_back({"points_without_effect", place,
+                        "fixed and loading points have no effect where contact is ignored or regions are dug out: name "
+                        "displacements and forces of `covers` instead"});
+  if (bodies_touch(problem))
+    warnings.push_back(
+        {"contact_without_effect", place,
+         "bodies and the two sides of a joint do not feel each other: contact is ignored, or regions are dug out"});
+  return warnings;
+}
+
+bool is_statics(const Settings& settings) {
+  return settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
+}
+
+}  // namespace
+
+bool is_linear(const Problem& problem, const Settings& settings) {
+  if (!problem.covers || !problem.stages.empty()) return false;
+  if (!problem.covers->excavations.empty()) {
+    if (settings.dynamics != Dynamics::standard)
+      throw InputError(problem.covers->place, "expected profile standard for bodies on covers, found legacy");
+    if (!is_statics(settings))
+      throw InputError(problem.covers->excavations.front().place,
+                       fmt::format("expected statics where regions are dug out (velocity_carry_over 0), found {}",
+                                   problem.analysis->velocity_carry_over));
+    return true;
+  }
+  if (!is_statics(settings) || !problem.covers->mesh.materials.empty()) return false;
+  if (problem.covers->contact == CoverContact::ignored) return true;
+  return !has_fixed_or_loading_points(problem) && !has_bolts(problem) && !bodies_touch(problem);
+}
+
+LinearCase linear_case(const Problem& problem, const Settings& settings) {
+  LinearCase made{problem, {}, without_effect(problem)};
+  drop_points_and_bolts(made.problem);
+  std::vector<ExcavationPlan> excavations = std::exchange(made.problem.covers->excavations, {});
+  if (excavations.empty()) return made;
+  std::set<int> starts{1};
+  for (const ExcavationPlan& excavation : excavations) {
+    if (excavation.step < 1 || excavation.step > settings.step_count)
+      throw InputError(excavation.place, fmt::format("expected a load step from 1 to {}, the step_count, found {}",
+                                                     settings.step_count, excavation.step));
+    starts.insert(excavation.step);
+  }
+  for (auto start = starts.begin(); start != starts.end(); ++start) {
+    const auto next = std::next(start);
+    made.steps.push_back((next == starts.end() ? settings.step_count + 1 : *next) - *start);
+    Stage& stage = made.problem.stages.emplace_back();
+    stage.steps = made.steps.back();
+    stage.place = excavations.front().place;
+    for (const ExcavationPlan& excavation : excavations)
+      if (excavation.step == *start)
+        stage.excavations.push_back({excavation.outline, excavation.joint_material, excavation.place});
+  }
+  return made;
+}
+
+}  // namespace keyblock

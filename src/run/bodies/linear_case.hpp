@@ -1,0 +1,26 @@
+// Cases whose load steps are linear static solutions: which they are, and what of them such a solution knows.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "problem/problem.hpp"
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+/// Whether a case has bodies on covers of which each load step is one linear solution: statics in which nothing
+/// touches, no point is held or loaded and no bolt ties bodies, or contact is ignored, or `covers` dig something out.
+/// Throws InputError where something is dug out and the case is no statics of `standard`.
+bool is_linear(const Problem& problem, const Settings& settings);
+
+struct LinearCase {
+  Problem problem;         ///< without points and bolts that have no effect; what is dug out begins a stage
+  std::vector<int> steps;  ///< of each stage; none where nothing is dug out
+  Warnings warnings;       ///< of what has no effect
+};
+
+/// Of a case that is linear. Throws InputError for an excavation beyond the last load step.
+LinearCase linear_case(const Problem& problem, const Settings& settings);
+
+}  // namespace keyblock
