@@ -28,9 +28,14 @@ bool keeps_energy(const Prepared& prepared, const RunRecord& record) {
   return record.outcome.ledger_scope.has_flows || is_of_weight_alone(prepared);
 }
 
-std::string law_of(const Model& first, int number) {
+std::string law_of(const Prepared& prepared, int number) {
+  const Model& first = prepared.scene.model;
   if (number >= first.elements.end_index().value || !first.elements[ElementIndex{number}].is_on_covers()) return {};
-  return fmt::format("; the elastic law gives way below a stretch of {:.2g}", kSofteningStretch);
+  const int material = first.elements[ElementIndex{number}].material;
+  if (prepared.scene.settings.standard.elastic_law.of(material) != ElasticLaw::st_venant_kirchhoff) return {};
+  return fmt::format(
+      "; the St. Venant-Kirchhoff law softens below a stretch of {:.2g}, elastic_law = logarithmic does not",
+      kSofteningStretch);
 }
 
 std::string name_of(const Model& model, int number) {
@@ -96,7 +101,7 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
     found.push_back(
         {"crushed_beyond_limit", place,
          fmt::format("{} was pressed to {:.4g} of its area{}; below {:.4g} (crushing_limit) the run is not trusted",
-                     name_of(model, number), totals.area_share, law_of(model, number), limit)});
+                     name_of(model, number), totals.area_share, law_of(prepared, number), limit)});
 }
 
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Place& place) {

@@ -44,6 +44,12 @@ Stress Continuum::initial_stress_at(int element, Point x) const {
   return {sum.xx, sum.yy, sum.xy, stress.zz + more.zz};
 }
 
+ElasticLaw Continuum::law(int element) const {
+  if (laws.empty()) return ElasticLaw::st_venant_kirchhoff;
+  const int body = manifold.elements[static_cast<std::size_t>(element)].body;
+  return laws[static_cast<std::size_t>(manifold.body_materials[static_cast<std::size_t>(body)])];
+}
+
 Eigen::Matrix3d Continuum::modulus(int element) const {
   return modulus_of(material(element), plane);
 }
@@ -60,6 +66,8 @@ Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& mate
     material.horizontal_force = weight.x();
     material.unit_weight = -weight.y();
   }
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    continuum.laws.push_back(settings.standard.elastic_law.of(static_cast<int>(i)));
   continuum.plane = settings.plane;
   continuum.functions = functions;
   return continuum;

@@ -47,6 +47,7 @@ struct PointSpring {
 struct Continuum {
   Manifold manifold;
   std::vector<BlockMaterial> materials;  ///< `manifold.body_materials` are places in it
+  std::vector<ElasticLaw> laws = {};     ///< one a material; none: that of St. Venant and Kirchhoff
   Plane plane = Plane::stress;
   CoverFunctions functions = CoverFunctions::derived;
   std::function<Point(Point x)> body_force;  ///< force / area, beside the weight of the materials; may be empty
@@ -59,6 +60,7 @@ struct Continuum {
   std::vector<PointSpring> point_springs;
 
   const BlockMaterial& material(int element) const;
+  ElasticLaw law(int element) const;
   /// D, 3 × 3, of an element.
   Eigen::Matrix3d modulus(int element) const;
   /// Force / area: weight and push of the element's material, and `body_force`.

@@ -42,6 +42,7 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
       {{"node_merging", "near_pieces"},
        !std::holds_alternative<Drawing>(problem.geometry),
        "is read where a drawing is cut"},
+      {{"elastic_law"}, is_standard && !has_covers, "is read of bodies on covers, and there are none"},
       {{"cover_functions"},
        is_standard && !std::holds_alternative<Cover>(problem.geometry),
        "is read of cover files; a case file says `functions` of its own"},

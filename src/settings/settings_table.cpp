@@ -262,6 +262,12 @@ std::vector<SettingRow> rows_of_solution() {
                                   {CoverFunctions::derived, "derived"},
                                   {CoverFunctions::linear, "linear"},
                                   {CoverFunctions::quadratic, "quadratic"}})),
+      row(Materials::of_blocks, "elastic_law",
+          "what answers large strain on covers: the Green strain, softening under strong pressure, or that of "
+          "logarithms",
+          at(&C::elastic_law),
+          one_of<ElasticLaw>(
+              {{ElasticLaw::st_venant_kirchhoff, "st_venant_kirchhoff"}, {ElasticLaw::logarithmic, "logarithmic"}})),
   };
 }
 

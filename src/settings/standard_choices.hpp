@@ -36,11 +36,16 @@ enum class StrainDamping { critical, none };
 /// the same equilibria, reached by a motion that is stopped at each peak of its kinetic energy.
 enum class MotionRule { dynamic, equilibrium, relaxation };
 
+/// What stress answers large strain on covers: D times the Green strain, which softens under strong pressure, or times
+/// the logarithmic strain ½ ln C, which does not.
+enum class ElasticLaw { st_venant_kirchhoff, logarithmic };
+
 struct StandardChoices {
   MotionRule motion = MotionRule::dynamic;
   int load_steps = 1;  ///< equilibria from no load to that of the start: one a step, or several where steps are fewer
-  PerMaterial<Enforcement> enforcement = Enforcement::automatic;  ///< by joint material
-  CoverFunctions cover_functions = CoverFunctions::derived;       ///< of the elements of a cover file
+  PerMaterial<Enforcement> enforcement = Enforcement::automatic;          ///< by joint material
+  CoverFunctions cover_functions = CoverFunctions::derived;               ///< of the elements of a cover file
+  PerMaterial<ElasticLaw> elastic_law = ElasticLaw::st_venant_kirchhoff;  ///< by block material
   StartRule start = StartRule::compatible;
   StrainDamping strain_damping = StrainDamping::critical;
   Integrator integrator = Integrator::weighted;

@@ -54,11 +54,13 @@ std::string crushed_before(const StandardScene& scene, const State& before, cons
     const double area = end.elements[e].moments.area;
     if (!std::isfinite(area) || area > 0 || !scene.model.elements[e].is_on_covers()) continue;
     const double first = state_of(scene, start_motion(scene)).elements[e].moments.area;
+    const std::string share = fmt::format("{:.2g}", before.elements[e].moments.area / first);
+    if (scene.settings.standard.elastic_law.of(scene.model.elements[e].material) != ElasticLaw::st_venant_kirchhoff)
+      return fmt::format("; a step before it had been compressed to {} of its area", share);
     return fmt::format(
-        "; a step before it had been compressed to {:.2g} of its area, and the St. Venant-Kirchhoff law softens below "
-        "a "
-        "stretch of {:.2g}",
-        before.elements[e].moments.area / first, kSofteningStretch);
+        "; a step before it had been compressed to {} of its area, and the St. Venant-Kirchhoff law softens below a "
+        "stretch of {:.2g} (elastic_law = logarithmic does not)",
+        share, kSofteningStretch);
   }
   return {};
 }

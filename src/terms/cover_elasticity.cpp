@@ -67,6 +67,7 @@ CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
     const auto count = static_cast<Eigen::Index>(points.size());
     Element& element = elements_.emplace_back();
     element.modulus = continuum.modulus(e);
+    element.law = continuum.law(e);
     element.gradients.resize(2 * count, shape.function_count());
     element.weights.resize(count);
     element.initial.resize(3, count);
@@ -85,8 +86,7 @@ double CoverElasticity::energy(const Eigen::VectorXd& d) const {
     const Element& element = elements_[static_cast<std::size_t>(e)];
     const Eigen::MatrixX2d h = displacement_gradients(e, d);
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
-      const Eigen::Vector3d strain = green_strain(at_point(h, i));
-      sum += element.weights(i) * strain.dot(element.initial.col(i) + element.modulus * strain / 2);
+      sum += element.weights(i) * element.at(i).energy(green_strain(at_point(h, i)));
     }
   }
   return sum;
@@ -105,8 +105,8 @@ Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::V
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
       const Eigen::Matrix2d start = at_point(h0, i);
       const Eigen::Matrix2d end = at_point(h1, i);
-      const Eigen::Vector3d strain = (1 - theta) * green_strain(start) + theta * green_strain(end);
-      const Eigen::Matrix2d stress = tensor(element.initial.col(i) + element.modulus * strain);
+      const Eigen::Matrix2d stress =
+          tensor(element.at(i).stress_of_step(green_strain(start), green_strain(end), theta));
       const Eigen::Matrix2d mean = Eigen::Matrix2d::Identity() + (start + end) / 2;
       flux.middleRows<2>(2 * i) = element.weights(i) * stress * mean.transpose();
     }
@@ -125,11 +125,14 @@ void CoverElasticity::add_tangent(const Eigen::VectorXd& d0, const Eigen::Vector
     const double theta = weight_of(e, common, more);
     const Eigen::MatrixX2d h0 = displacement_gradients(e, d0);
     const Eigen::MatrixX2d h1 = displacement_gradients(e, d1);
-    Eigen::Matrix3Xd stress = element.initial;
-    for (Eigen::Index i = 0; i < element.weights.size(); ++i)
-      stress.col(i) +=
-          element.modulus * ((1 - theta) * green_strain(at_point(h0, i)) + theta * green_strain(at_point(h1, i)));
-    add_element_tangent(e, (h0 + h1) / 2, stress, theta * scale, scale / 2, system);
+    Linearised points{element.initial, {}};
+    for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
+      const Eigen::Vector3d from = green_strain(at_point(h0, i));
+      const Eigen::Vector3d to = green_strain(at_point(h1, i));
+      points.stress.col(i) = element.at(i).stress_of_step(from, to, theta);
+      points.stiffness.push_back(element.at(i).stiffness_of_step(from, to, theta));
+    }
+    add_element_tangent(e, (h0 + h1) / 2, points, theta * scale, scale / 2, system);
   }
 }
 
@@ -137,15 +140,18 @@ void CoverElasticity::add_static_tangent(const Eigen::VectorXd& d, double scale,
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
     const Eigen::MatrixX2d h = displacement_gradients(e, d);
-    Eigen::Matrix3Xd stress = element.initial;
-    for (Eigen::Index i = 0; i < element.weights.size(); ++i)
-      stress.col(i) += element.modulus * green_strain(at_point(h, i));
-    add_element_tangent(e, h, stress, scale, scale, system);
+    Linearised points{element.initial, {}};
+    for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
+      const Eigen::Vector3d strain = green_strain(at_point(h, i));
+      points.stress.col(i) = element.at(i).stress(strain);
+      points.stiffness.push_back(element.at(i).stiffness(strain));
+    }
+    add_element_tangent(e, h, points, scale, scale, system);
   }
 }
 
 // Bᵀ D B with three rows of B a point, ∇N S ∇N with two.
-void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, const Eigen::Matrix3Xd& stress,
+void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, const Linearised& points,
                                           double material, double geometric, SparseSystem& system) const {
   const Element& element = elements_[static_cast<std::size_t>(e)];
   const Eigen::Index count = element.weights.size();
@@ -161,8 +167,9 @@ void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, c
       for (Eigen::Index k = 0; k < 2; ++k)
         b.block<3, 1>(3 * i, 2 * a + k) << f(k, 0) * ga(0), f(k, 1) * ga(1), f(k, 0) * ga(1) + f(k, 1) * ga(0);
     }
-    weighted.middleRows<3>(3 * i) = (material * element.weights(i) * element.modulus) * b.middleRows<3>(3 * i);
-    stressed.middleRows<2>(2 * i) = (geometric * element.weights(i) * tensor(stress.col(i))) * g;
+    weighted.middleRows<3>(3 * i) =
+        (material * element.weights(i) * points.stiffness[static_cast<std::size_t>(i)]) * b.middleRows<3>(3 * i);
+    stressed.middleRows<2>(2 * i) = (geometric * element.weights(i) * tensor(points.stress.col(i))) * g;
   }
   Eigen::MatrixXd tangent = b.transpose() * weighted;
   const Eigen::MatrixXd both = element.gradients.transpose() * stressed;
@@ -202,13 +209,15 @@ Eigen::Matrix2d CoverElasticity::deformation(const Eigen::VectorXd& d, int eleme
 
 Stress CoverElasticity::stress(const Eigen::VectorXd& d, int element, Point at_start) const {
   const Eigen::Matrix2d f = deformation(d, element, at_start);
-  const Eigen::Vector3d strain = green_strain(f - Eigen::Matrix2d::Identity());
-  const Eigen::Matrix3d& modulus = elements_[static_cast<std::size_t>(element)].modulus;
+  const Eigen::Vector3d green = green_strain(f - Eigen::Matrix2d::Identity());
+  const Element& own = elements_[static_cast<std::size_t>(element)];
   const Stress start = initial_stress(element, at_start);
-  const Stress second =
-      with_across(in_plane(start) + modulus * strain, start, share_across_[static_cast<std::size_t>(element)]);
-  const Eigen::Matrix2d cauchy = f * tensor(in_plane(second)) * f.transpose() / f.determinant();
-  return {cauchy(0, 0), cauchy(1, 1), cauchy(0, 1), second.zz / f.determinant()};
+  const ElasticPoint point{own.law, own.modulus, in_plane(start)};
+  const Eigen::Matrix2d cauchy = f * tensor(point.stress(green)) * f.transpose() / f.determinant();
+  // Across the plane nothing stretches under plane strain, and there is no stress under plane stress.
+  const Stress measured =
+      with_across(point.stress_of_measure(green), start, share_across_[static_cast<std::size_t>(element)]);
+  return {cauchy(0, 0), cauchy(1, 1), cauchy(0, 1), measured.zz / f.determinant()};
 }
 
 }  // namespace keyblock

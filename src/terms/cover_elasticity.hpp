@@ -1,5 +1,5 @@
-// Elasticity of bodies on covers under large displacement: total Lagrangian, St. Venant-Kirchhoff, energy and momentum
-// kept by its steps.
+// Elasticity of bodies on covers under large displacement: total Lagrangian, by the law of each element's material,
+// energy and momentum kept by its steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,33 +8,36 @@
 #include <span>
 #include <vector>
 
+#include "material/elastic_law.hpp"
 #include "model/continuum.hpp"
 #include "system/sparse_system.hpp"
 
 namespace keyblock {
 
-/// x = X + Σ N_a(X) d_a on the undeformed manifold; F = I + Σ d_a ⊗ ∇N_a, E = ½ (FᵀF - I), S = S0 + D E with S0 the
-/// initial stress of the materials. Entries 2a, 2a + 1 of d belong to function a. Integrals are exact; E does not
-/// change in a rigid motion. Keeps the basis and what else it needs by value.
+/// x = X + Σ N_a(X) d_a on the undeformed manifold; F = I + Σ d_a ⊗ ∇N_a, E = ½ (FᵀF - I), S as `ElasticPoint` says
+/// of it, from the initial stress of the materials. Entries 2a, 2a + 1 of d belong to function a. Integrals are exact
+/// for the law of St. Venant and Kirchhoff; E does not change in a rigid motion. Keeps the basis and what else it needs
+/// by value.
 class CoverElasticity {
  public:
   CoverElasticity(const Continuum& continuum, CoverBasis basis);
 
   const CoverBasis& basis() const { return basis_; }
 
-  /// ∫ S0 : E + ½ E : D : E.
+  /// ∫ of what the law stores.
   double energy(const Eigen::VectorXd& d) const;
 
-  /// The force of a step from d0 to d1 (Simo & Tarnow 1992):
-  ///     f = ∫ ∇N · S_θ F_halfᵀ,   F_half = (F0 + F1)/2,   S_θ = S0 + D (E0 + θ (E1 - E0)).
-  /// Its work f · (d1 - d0) is ∫ S_θ : (E1 - E0): the change of energy, and (θ - ½) ∫ ΔE : D : ΔE which is lost. It has
+  /// The force of a step from d0 to d1 (Simo & Tarnow 1992), with S_θ the stress of a step of the law:
+  ///     f = ∫ ∇N · S_θ F_halfᵀ,   F_half = (F0 + F1)/2.
+  /// Its work f · (d1 - d0) is ∫ S_θ : (E1 - E0): the change of energy, and (θ - ½) ∫ Δε : D : Δε which is lost. It has
   /// no resultant and no moment about the mean positions (x0 + x1)/2, whatever θ. With d0 = d1 it is the gradient of
   /// the energy. θ of element e is `theta` + `more`[e], where any are given: a stress of damping follows the mean rate
   /// of strain.
   Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta,
                         std::span<const double> more = {}) const;
 
-  /// A += `scale` times ∂f/∂d1, made symmetric by F_half in place of F1: ½ ∫ ∇N S_θ ∇N + θ ∫ B(F_half)ᵀ D B(F_half).
+  /// A += `scale` times ∂f/∂d1, made symmetric by F_half in place of F1: ½ ∫ ∇N S_θ ∇N + θ ∫ B(F_half)ᵀ D B(F_half), D
+  /// the stiffness of a step of the law.
   /// What is left out is of first order in F1 - F0: Newton's method gains about log10(2/|F1 - F0|) digits a round.
   void add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta, std::span<const double> more,
                    double scale, SparseSystem& system) const;
@@ -60,9 +63,18 @@ class CoverElasticity {
     Eigen::VectorXd weights;
     Eigen::Matrix3Xd initial;  // S0 at each point: xx, yy, xy
     Eigen::Matrix3d modulus;
+    ElasticLaw law;
+
+    ElasticPoint at(Eigen::Index point) const { return {law, modulus, initial.col(point)}; }
   };
 
-  void add_element_tangent(int element, const Eigen::MatrixX2d& mean, const Eigen::Matrix3Xd& stress, double material,
+  /// Stress and stiffness of every point of an element.
+  struct Linearised {
+    Eigen::Matrix3Xd stress;
+    std::vector<Eigen::Matrix3d> stiffness;
+  };
+
+  void add_element_tangent(int element, const Eigen::MatrixX2d& mean, const Linearised& points, double material,
                            double geometric, SparseSystem& system) const;
   Eigen::MatrixX2d displacement_gradients(int element, const Eigen::VectorXd& d) const;
   Stress initial_stress(int element, Point x) const;

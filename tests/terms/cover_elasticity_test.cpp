@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "step/bodies/elastic_bodies.hpp"
@@ -17,7 +19,8 @@ namespace keyblock::cover_elasticity_test {
 namespace {
 
 /// The plate of nmm-01 with initial stress, on a mesh turned by 10°.
-ElasticBodies plate(CoverFunctions functions, const Stress& initial = {}, const Stress& per_y = {}) {
+ElasticBodies plate(CoverFunctions functions, const Stress& initial = {}, const Stress& per_y = {},
+                    ElasticLaw law = ElasticLaw::st_venant_kirchhoff) {
   Continuum continuum;
   MeshSetting mesh{0.06};
   mesh.through = {0.013, 0.007};
@@ -25,9 +28,12 @@ ElasticBodies plate(CoverFunctions functions, const Stress& initial = {}, const 
   continuum.materials = {elastic_material(1e6, 0.25)};
   continuum.materials[0].initial_stress = initial;
   continuum.materials[0].stress_gradient = per_y;
+  continuum.laws = {law};
   continuum.functions = functions;
   return ElasticBodies(continuum);
 }
+
+constexpr std::array kLaws{ElasticLaw::st_venant_kirchhoff, ElasticLaw::logarithmic};
 
 constexpr Stress kInitial{3e4, -5e4, 2e4};
 constexpr Stress kPerY{1e5, 2e5, -3e5};
@@ -54,11 +60,16 @@ Eigen::VectorXd bent(const ElasticBodies& bodies, double seed) {
   return bodies.rigid.turned(1, {0.05, 0.1}, {0.3, -0.2}) + scattered(bodies.unknown_count(), 1e-3, seed);
 }
 
+void for_each_basis_and_law(const std::function<void(CoverFunctions, ElasticLaw)>& look) {
+  for (const CoverFunctions functions : kAllCoverFunctions)
+    for (const ElasticLaw law : kLaws) look(functions, law);
+}
+
 }  // namespace
 
 TEST(CoverElasticity, the_force_is_the_gradient_of_the_energy) {
-  for (const CoverFunctions functions : kAllCoverFunctions) {
-    const ElasticBodies bodies = plate(functions, kInitial, kPerY);
+  for_each_basis_and_law([](CoverFunctions functions, ElasticLaw law) {
+    const ElasticBodies bodies = plate(functions, kInitial, kPerY, law);
     const Eigen::VectorXd d = bent(bodies, 1);
     const Eigen::VectorXd along = scattered(bodies.unknown_count(), 1, 2);
     const double h = 1e-6;
@@ -66,37 +77,37 @@ TEST(CoverElasticity, the_force_is_the_gradient_of_the_energy) {
         (bodies.elasticity.energy(d + h * along) - bodies.elasticity.energy(d - h * along)) / (2 * h);
     const double force = bodies.elasticity.force(d, d, 1).dot(along);
     EXPECT_NEAR(force, difference, 1e-6 * bodies.elasticity.force(d, d, 1).norm()) << name_of(functions);
-  }
+  });
 }
 
 TEST(CoverElasticity, the_work_of_a_step_is_the_change_of_energy_and_what_the_weight_loses) {
-  for (const CoverFunctions functions : kAllCoverFunctions) {
-    const ElasticBodies bodies = plate(functions, kInitial, kPerY);
+  for_each_basis_and_law([](CoverFunctions functions, ElasticLaw law) {
+    const ElasticBodies bodies = plate(functions, kInitial, kPerY, law);
     const Eigen::VectorXd d0 = bent(bodies, 1);
     const Eigen::VectorXd d1 = bodies.rigid.turned(0.7, {}, {}) + scattered(bodies.unknown_count(), 1e-3, 3);
     const double change = bodies.elasticity.energy(d1) - bodies.elasticity.energy(d0);
     const auto work = [&](double theta) { return bodies.elasticity.force(d0, d1, theta).dot(d1 - d0); };
     EXPECT_NEAR(work(0.5), change, 1e-12 * std::abs(bodies.elasticity.energy(d1))) << name_of(functions);
-    // (θ - ½) ∫ ΔE : D : ΔE is linear in θ and positive.
+    // (θ - ½) ∫ Δε : D : Δε is linear in θ and positive.
     EXPECT_GT(work(1), change);
     EXPECT_NEAR(work(1) - change, 2 * (work(0.75) - change), 1e-11 * work(1));
-  }
+  });
 }
 
 TEST(CoverElasticity, a_step_has_no_resultant_and_no_moment_about_its_mean_positions) {
-  for (const CoverFunctions functions : kAllCoverFunctions) {
-    const ElasticBodies bodies = plate(functions, kInitial, kPerY);
+  for_each_basis_and_law([](CoverFunctions functions, ElasticLaw law) {
+    const ElasticBodies bodies = plate(functions, kInitial, kPerY, law);
     const Eigen::VectorXd d0 = bent(bodies, 1);
     const Eigen::VectorXd d1 = bodies.rigid.turned(0.7, {}, {}) + scattered(bodies.unknown_count(), 1e-3, 3);
     const Eigen::VectorXd force = bodies.elasticity.force(d0, d1, 0.8);
     const Eigen::Vector3d sums = bodies.rigid.modes(0, (d0 + d1) / 2, {}).transpose() * force;
     EXPECT_LT(sums.norm(), 1e-12 * force.norm()) << name_of(functions);
-  }
+  });
 }
 
 TEST(CoverElasticity, tangents_are_derivatives) {
-  for (const CoverFunctions functions : kAllCoverFunctions) {
-    const ElasticBodies bodies = plate(functions, kInitial, kPerY);
+  for_each_basis_and_law([](CoverFunctions functions, ElasticLaw law) {
+    const ElasticBodies bodies = plate(functions, kInitial, kPerY, law);
     const Eigen::VectorXd d = bent(bodies, 1);
     const Eigen::VectorXd along = scattered(bodies.unknown_count(), 1, 2);
     const double h = 1e-7;
@@ -113,7 +124,7 @@ TEST(CoverElasticity, tangents_are_derivatives) {
     SparseSystem step = empty_like(bodies.mass);
     elasticity.add_tangent(d, d, 0.8, {}, 1, step);
     check(elasticity.force(d, up, 0.8), elasticity.force(d, down, 0.8), step);
-  }
+  });
 }
 
 // What symmetry costs the tangent is of first order in the step: halved with it.

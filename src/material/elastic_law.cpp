@@ -1,0 +1,136 @@
+// Logarithms of a plane tensor by divided differences in its principal axes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material/elastic_law.hpp"
+
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+// Principal stretches nearer to each other than this share of their mean are one but for the first terms of a series.
+constexpr double kNearlyEqual = 1e-4;
+// Of ΔE · ΔE, below which a step has no direction to correct along (plasticity notes, section 6).
+constexpr double kNoStep = 1e-28;
+
+/// Principal values c1 = m + r ≥ c2 = m - r of C, and f = ½ ln of them by divided differences.
+struct Principal {
+  double mean = 1;    // m
+  double radius = 0;  // r
+  double cosine = 1;  // of the angle of the first axis to x
+  double sine = 0;
+  double first = 0;    // f(c1)
+  double second = 0;   // f(c2)
+  double slope = 0.5;  // f[c1, c2]
+
+  explicit Principal(const Eigen::Vector3d& green) {
+    const double difference = green(0) - green(1);  // (C11 - C22)/2
+    mean = 1 + green(0) + green(1);
+    radius = std::hypot(difference, green(2));
+    const double angle = radius > 0 ? std::atan2(green(2), difference) / 2 : 0;
+    cosine = std::cos(angle);
+    sine = std::sin(angle);
+    first = std::log1p(green(0) + green(1) + radius) / 2;
+    second = std::log1p(green(0) + green(1) - radius) / 2;
+    const double share = radius / mean;
+    slope = share < kNearlyEqual ? (1 + share * share / 3) / (2 * mean) : std::atanh(share) / (2 * radius);
+  }
+
+  double greater() const { return mean + radius; }
+  double lesser() const { return mean - radius; }
+
+  /// f[c1, c1, c2] and f[c1, c2, c2].
+  Eigen::Vector2d curvatures() const {
+    const double share = radius / mean;
+    if (share < kNearlyEqual) {
+      const double both = (-1 - share * share) / (4 * mean * mean);
+      const double odd = share / (6 * mean * mean);
+      return {both + odd, both - odd};
+    }
+    return {(1 / (2 * greater()) - slope) / (2 * radius), (slope - 1 / (2 * lesser())) / (2 * radius)};
+  }
+
+  /// Turns strains (11, 22, 2·12) into the principal axes.
+  Eigen::Matrix3d turn() const {
+    const double cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
+    Eigen::Matrix3d t;
+    t << cc, ss, cs, ss, cc, -cs, -2 * cs, 2 * cs, cc - ss;
+    return t;
+  }
+};
+
+}  // namespace
+
+Eigen::Vector3d log_strain(const Eigen::Vector3d& green) {
+  const Principal p(green);
+  const double cc = p.cosine * p.cosine, ss = p.sine * p.sine, cs = p.cosine * p.sine;
+  return {cc * p.first + ss * p.second, ss * p.first + cc * p.second, 2 * cs * (p.first - p.second)};
+}
+
+// In principal axes dε11 = dE11 / c1, dε22 = dE22 / c2, dε12 = 2 f[c1, c2] dE12.
+Eigen::Matrix3d log_strain_rate(const Eigen::Vector3d& green) {
+  const Principal p(green);
+  const Eigen::Matrix3d turn = p.turn();
+  const Eigen::Vector3d rate(1 / p.greater(), 1 / p.lesser(), 2 * p.slope);
+  // A turn of strains and that of stresses are each other's inverse transposed.
+  Principal back = p;
+  back.sine = -p.sine;
+  return back.turn() * rate.asDiagonal() * turn;
+}
+
+// T : D²(½ ln C)[H, H] = 2 Σ T_ij f[c_i, c_k, c_j] H_ik H_kj with H = 2 dE (Daleckii & Krein 1965).
+Eigen::Matrix3d log_strain_curvature(const Eigen::Vector3d& green, const Eigen::Vector3d& stress) {
+  const Principal p(green);
+  const Eigen::Matrix3d turn = p.turn();
+  Principal back = p;
+  back.sine = -p.sine;
+  const Eigen::Vector3d t = back.turn().transpose() * stress;
+  const Eigen::Vector2d mixed = p.curvatures();
+  Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
+  k(0, 0) = -2 * t(0) / (p.greater() * p.greater());
+  k(1, 1) = -2 * t(1) / (p.lesser() * p.lesser());
+  k(2, 2) = 2 * (t(0) * mixed(0) + t(1) * mixed(1));
+  k(0, 2) = k(2, 0) = 4 * t(2) * mixed(0);
+  k(1, 2) = k(2, 1) = 4 * t(2) * mixed(1);
+  return turn.transpose() * k * turn;
+}
+
+namespace {
+
+Eigen::Vector3d mean_stress(const ElasticPoint& point, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                            double theta) {
+  return point.initial + point.modulus * ((1 - theta) * from + theta * to);
+}
+
+}  // namespace
+
+Eigen::Vector3d ElasticPoint::stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                             double theta) const {
+  if (law == ElasticLaw::st_venant_kirchhoff) return mean_stress(*this, from, to, theta);
+  const Eigen::Vector3d log_from = log_strain(from);
+  const Eigen::Vector3d log_to = log_strain(to);
+  const Eigen::Vector3d stress = mean_stress(*this, log_from, log_to, theta);
+  const Eigen::Vector3d at_mean = log_strain_rate((from + to) / 2).transpose() * stress;
+  const Eigen::Vector3d change = to - from;
+  const Eigen::Vector3d along(change(0), change(1), change(2) / 2);  // ΔE with its tensor shear
+  const double size = change.dot(along);
+  if (!(size > kNoStep)) return at_mean;
+  return at_mean + (stress.dot(log_to - log_from) - at_mean.dot(change)) / size * along;
+}
+
+Eigen::Matrix3d ElasticPoint::stiffness(const Eigen::Vector3d& green) const {
+  if (law == ElasticLaw::st_venant_kirchhoff) return modulus;
+  const Eigen::Matrix3d rate = log_strain_rate(green);
+  return rate.transpose() * modulus * rate + log_strain_curvature(green, stress_of_measure(green));
+}
+
+// P is taken at the mean strain, which moves by half of what the end does.
+Eigen::Matrix3d ElasticPoint::stiffness_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                                double theta) const {
+  if (law == ElasticLaw::st_venant_kirchhoff) return modulus;
+  const Eigen::Vector3d mean = (from + to) / 2;
+  const Eigen::Matrix3d rate = log_strain_rate(mean);
+  const Eigen::Vector3d stress = mean_stress(*this, log_strain(from), log_strain(to), theta);
+  return rate.transpose() * modulus * rate + log_strain_curvature(mean, stress) / (2 * theta);
+}
+
+}  // namespace keyblock

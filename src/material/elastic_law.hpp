@@ -1,0 +1,63 @@
+// Elastic laws of a point under large strain: stress, stored energy and stiffness after its Green strain.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+/// T = T0 + D ε of a strain measure ε, (11, 22, 2·12): the Green strain E = ½ (C - I) (St. Venant and Kirchhoff), or
+/// ½ ln C in the axes of the undeformed body (Hencky; Miehe, Apel & Lambrecht 2002), which a bar can be pressed under
+/// as far as one likes: its force grows without end. Under plane stress D is that of plane stress: both laws leave
+/// nothing across the plane then. Pure; stresses handed out are second Piola-Kirchhoff's, S = Pᵀ T with P = ∂ε/∂E.
+struct ElasticPoint {
+  ElasticLaw law;
+  const Eigen::Matrix3d& modulus;  ///< D, 3 × 3
+  Eigen::Vector3d initial;         ///< T0: xx, yy, xy
+
+  /// T0 · ε + ½ ε · D ε, per undeformed area.
+  double energy(const Eigen::Vector3d& green) const;
+
+  /// T at a strain.
+  Eigen::Vector3d stress_of_measure(const Eigen::Vector3d& green) const;
+
+  /// S at a strain.
+  Eigen::Vector3d stress(const Eigen::Vector3d& green) const;
+
+  /// S of a step from E0 to E1 whose work S · (E1 - E0) is T_θ · (ε1 - ε0), T_θ = T0 + D (ε0 + θ (ε1 - ε0)): the change
+  /// of energy where θ = ½ (Simo & Tarnow 1992; for logarithms with Gonzalez' correction along E1 - E0, 2000).
+  Eigen::Vector3d stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const;
+
+  /// ∂S/∂E, the second derivative of the energy.
+  Eigen::Matrix3d stiffness(const Eigen::Vector3d& green) const;
+
+  /// ∂S/∂E1 of a step over θ > 0, symmetric: of logarithms what is of the order of the step is left out.
+  Eigen::Matrix3d stiffness_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const;
+};
+
+/// ½ ln C of C = I + 2 E as (11, 22, 2·12). Exact to the last digits at small strain too.
+Eigen::Vector3d log_strain(const Eigen::Vector3d& green);
+
+/// P = ∂(½ ln C)/∂E, 3 × 3.
+Eigen::Matrix3d log_strain_rate(const Eigen::Vector3d& green);
+
+/// ∂(Pᵀ T)/∂E at fixed T, 3 × 3 symmetric.
+Eigen::Matrix3d log_strain_curvature(const Eigen::Vector3d& green, const Eigen::Vector3d& stress);
+
+inline double ElasticPoint::energy(const Eigen::Vector3d& green) const {
+  const Eigen::Vector3d strain = law == ElasticLaw::st_venant_kirchhoff ? green : log_strain(green);
+  return strain.dot(initial + modulus * strain / 2);
+}
+
+inline Eigen::Vector3d ElasticPoint::stress_of_measure(const Eigen::Vector3d& green) const {
+  return initial + modulus * (law == ElasticLaw::st_venant_kirchhoff ? green : log_strain(green));
+}
+
+inline Eigen::Vector3d ElasticPoint::stress(const Eigen::Vector3d& green) const {
+  if (law == ElasticLaw::st_venant_kirchhoff) return initial + modulus * green;
+  return log_strain_rate(green).transpose() * stress_of_measure(green);
+}
+
+}  // namespace keyblock
