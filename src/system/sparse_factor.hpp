@@ -3,9 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <memory>
 #include <stdexcept>
+
+#include "system/linear_factor.hpp"
 
 namespace keyblock {
 
@@ -23,19 +24,20 @@ enum class Definiteness {
 /// Supernodal L Lᵀ (CHOLMOD) of the matrix scaled to a diagonal of ones. A semidefinite matrix is factorised with 1e-11
 /// added to its diagonal; refinement takes that out again (Strouboulis, Babuška & Copps 2000): what it leaves
 /// undetermined is a combination of unknowns that makes no displacement. Not for two threads at once.
-class SparseFactor {
+class SparseFactor : public LinearFactor {
  public:
   /// Orders and analyses the pattern of a lower triangle, whose diagonals open their columns; the values do not matter.
   SparseFactor(const Eigen::SparseMatrix<double>& lower, Definiteness definiteness);
-  ~SparseFactor();
+  ~SparseFactor() override;
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
 
   /// Of values on that pattern. Throws NotPositiveDefinite.
-  void factorise(const Eigen::SparseMatrix<double>& lower);
+  void factorise(const Eigen::SparseMatrix<double>& lower) override;
 
   /// A⁻¹ `right`, column by column; refined where the matrix is semidefinite.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const override;
+  Eigen::MatrixXd solve_transposed(const Eigen::MatrixXd& right) const override { return solve(right); }
 
   struct Refined {
     Eigen::VectorXd x;
@@ -45,7 +47,7 @@ class SparseFactor {
   Refined solve_refined(const Eigen::VectorXd& right) const;
 
   /// Entries of L.
-  double entries() const;
+  double entries() const override;
 
  private:
   struct Cholmod;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/coupled_forces.hpp"
 
+#include <utility>
+
 namespace keyblock {
 
 CoupledForces::CoupledForces(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added) {
@@ -24,7 +26,13 @@ CoupledForces::CoupledForces(const ContactMatrix& w, const ActiveSet& set, const
     }
   }
   a.finalize();
-  factor_.compute(Eigen::SparseMatrix<double>(a));
+  const Eigen::SparseMatrix<double> by_columns(a);
+  auto factor = std::make_unique<SparseLu>(by_columns);
+  try {
+    factor->factorise(by_columns);
+    factor_ = std::move(factor);
+  } catch (const SingularMatrix&) {  // is_regular says so
+  }
 }
 
 }  // namespace keyblock

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseLU>
+#include <memory>
 
 #include "contact/solve/active_forces.hpp"
+#include "system/sparse_lu.hpp"
 
 namespace keyblock {
 
@@ -14,12 +15,12 @@ class CoupledForces {
  public:
   CoupledForces(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added);
 
-  bool is_regular() const { return factor_.info() == Eigen::Success; }
+  bool is_regular() const { return factor_ != nullptr; }
   /// u for one f, an entry an unknown each.
-  Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factor_.solve(right); }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factor_->solve(right); }
 
  private:
-  Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factor_;
+  std::unique_ptr<SparseLu> factor_;  ///< none of equations that are singular
 };
 
 }  // namespace keyblock

@@ -1,0 +1,216 @@
+// Gaps are those at the end of the step, directions those of its middle.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/time/smooth_contacts.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "base/loop.hpp"
+#include "contact/rows/gap.hpp"
+#include "step/scene/contact_laws.hpp"
+
+namespace keyblock {
+namespace {
+
+// Gaps of this share of block size need not be closed further by forces without springs.
+constexpr double kGapTolerance = 1e-9;
+// Where nothing loads a scene, no load says what forces are small: round-off is these shares of what the gaps ask for
+// one by one.
+constexpr double kRoundOff = 1e-14;
+constexpr double kFewRoundOffs = 1e-12;
+// A bond that opens by more than this share of block size in a step is broken; less is round-off of the solution.
+constexpr double kBroken = 1e-11;
+
+// λ = (rest − g1) / compliance.
+struct SpringLine {
+  double rest = 0;
+  double compliance = 0;
+};
+
+// Springs that stop an impact give back what they took, whatever the step: their force is the change of their energy
+// U = p min(g, 0)²/2 over that of the gap, λ = −(U(g1) − U(g0)) / (g1 − g0) (Gonzalez 2000): the mean of both ends
+// while they are pressed. Where they meet or part within the step it is not linear in g1, and each round takes its
+// tangent at the last estimate.
+SpringLine spring_line(double before, double after, double compliance) {
+  if (before <= 0 && after <= 0) return {-before, 2 * compliance};
+  const double way = std::abs(after - before);
+  if (before > 0 && after >= 0) return {-way, 2 * compliance};  // no force unless the estimate turns out to be far off
+  const double pressed = std::min(before, after);
+  const double force = pressed * pressed / (2 * compliance * way);
+  const double slope = after < before ? -pressed / (compliance * way) * (1 + pressed / (2 * way)) : force / way;
+  return {after + force / slope, 1 / slope};
+}
+
+}  // namespace
+
+SmoothContacts::SmoothContacts(const StandardScene& scene, const Motion& start, const Touches& touches,
+                               const ForceTolerance& tolerance, double time, double dt, const StepRule& rule,
+                               const FreeMotion& free)
+    : scene_(scene),
+      start_(start),
+      touches_(touches),
+      free_(free),
+      tolerance_(tolerance),
+      dt_(dt),
+      may_follow_rates_(!rule.carries_acceleration() && rule.judging_inertia == 0),
+      start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
+      bonds_(start.bonds),
+      ties_(scene, start, time, dt, rule.stiffness) {
+  memories_.resize(touches_.size());
+  for_each_entry(touches_.size(), [&](std::size_t i) { memories_[i] = start_.closed.of(touches_[i]); });
+}
+
+void SmoothContacts::take_laws() {
+  laws_.clear();
+  for (const Touch& touch : touches_) laws_.push_back(contact_law(scene_, bonds_, touch));
+}
+
+void SmoothContacts::linearise(const UnknownsTable& estimate) {
+  kept_ = {};
+  line_compliance_.resize(0);
+  const UnknownsTable middle = plus(start_.q, 0.5, estimate);
+  rows_ = std::make_shared<ContactRows>(contact_rows(scene_.model, scene_.reference, middle, touches_));
+  const ContactRows of_ties = ties_.rows(middle);
+  rows_->insert(rows_->end(), of_ties.begin(), of_ties.end());
+  problem_.w = ContactMatrix(rows_, free_.flexibility());
+  const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
+  problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * free_.size();
+  if (free_.has_judging()) problem_.scale = diagonal_of(*rows_, free_.judging(), problem_.w.covers());
+  add_laws();
+}
+
+void SmoothContacts::add_laws() {
+  problem_.laws.clear();
+  problem_.proximal = Eigen::VectorXd::Zero(has_proximal() ? problem_.w.rows() : 0);
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    const ContactLaw& law = laws_[i];
+    problem_.laws.push_back(law.force);
+    add_compliance(n, normal_scale(i) * law.normal_compliance);
+    add_compliance(n + 1, of_stretch() * law.tangential_compliance);
+    if (problem_.proximal.size() == 0) continue;
+    problem_.proximal[n] = law.normal_weight;
+    problem_.proximal[n + 1] = of_stretch() * law.tangential_weight;
+  }
+  for (std::size_t i = 0; i < ties_.count(); ++i) {
+    const Eigen::Index n = first_tie() + static_cast<Eigen::Index>(2 * i);
+    problem_.laws.push_back(ties_.law(i));
+    add_compliance(n, ties_.compliance(i));
+    if (i < ties_.bolt_count()) add_compliance(n + 1, 1);  // across a bolt there is no force
+  }
+}
+
+void SmoothContacts::add_compliance(Eigen::Index row, double compliance) {
+  problem_.w.add_to_diagonal(row, compliance);
+  if (problem_.scale.size() > 0) problem_.scale[row] += compliance;
+}
+
+// An augmented Lagrangian says its own.
+bool SmoothContacts::has_proximal() const {
+  const auto is_augmented = [](const ContactLaw& law) { return law.normal_weight > 0; };
+  return std::ranges::any_of(laws_, is_augmented) && std::ranges::all_of(laws_, [&](const ContactLaw& law) {
+           return is_augmented(law) || law.normal_compliance > 0;
+         });
+}
+
+void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
+  const Table<VertexIndex, Point> end = vertices_at(scene_.model, scene_.reference, plus(start_.q, 1, estimate));
+  const Eigen::VectorXd from_estimate = rates(*rows_, plus(free_.increments(), -1, estimate));
+  Eigen::VectorXd line_compliance = Eigen::VectorXd::Zero(springs_stop() ? first_tie() : 0);
+  problem_.b = rates(*rows_, plus(free_.increments(), 1 / free_.rate(), free_.known_velocity()));
+  for_each_entry(touches_.size(), [&](std::size_t i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    const double before = gap_of(touches_[i], start_vertices_) - laws_[i].rest_gap;
+    const double after = gap_of(touches_[i], end) - laws_[i].rest_gap;
+    if (follows_rate(i))
+      problem_.b[n] += of_stretch() * before;
+    else
+      problem_.b[n] = after + from_estimate[n];
+    if (springs_stop() && laws_[i].normal_compliance > 0) {
+      const SpringLine line = spring_line(before, after, laws_[i].normal_compliance);
+      problem_.b[n] -= line.rest;
+      line_compliance[n] = line.compliance;
+    }
+    const ContactMemory* memory = memories_[i];
+    if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += of_stretch() * memory->stretch;
+  });
+  follow_lines(line_compliance);
+  const Eigen::Index of_ties = problem_.b.size() - first_tie();
+  problem_.b.tail(of_ties) = ties_.gaps(plus(start_.q, 1, estimate)) + from_estimate.tail(of_ties);
+  put_goal();
+}
+
+void SmoothContacts::put_goal() {
+  problem_.goal = tolerance_.goal;
+  problem_.acceptable = tolerance_.acceptable;
+  if (tolerance_.acceptable > 0 || problem_.b.size() == 0) return;
+  const double asked = problem_.b.cwiseQuotient(problem_.compliance()).cwiseAbs().maxCoeff();
+  problem_.goal = kRoundOff * asked;
+  problem_.acceptable = kFewRoundOffs * asked;
+}
+
+void SmoothContacts::follow_lines(const Eigen::VectorXd& compliance) {
+  if (compliance.size() == 0) return;
+  if (line_compliance_.size() != compliance.size()) line_compliance_ = Eigen::VectorXd::Zero(compliance.size());
+  for (Eigen::Index n = 0; n < compliance.size(); n += 2) {
+    if (compliance[n] == line_compliance_[n]) continue;
+    add_compliance(n, compliance[n] - line_compliance_[n]);
+    kept_ = {};
+  }
+  line_compliance_ = compliance;
+}
+
+// A spring that was closed before is compressed by dt times the velocity at the end of the step, λ = −p (g0 + dt ġ1),
+// as the tangential one is stretched: where it is too stiff for the step, the gap at its end would leave its rate
+// turned over in every step for ever.
+bool SmoothContacts::follows_rate(std::size_t i) const {
+  return may_follow_rates_ && !springs_stop() && memories_[i] && laws_[i].normal_compliance > 0;
+}
+
+bool SmoothContacts::break_bonds(const Eigen::VectorXd& forces) {
+  const std::size_t before = bonds_.size();
+  const NaturalMap map = natural_map(problem_, forces);
+  const Eigen::VectorXd y = problem_.w * forces + problem_.b;
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    if (!laws_[i].is_bonded || !is_open(map.grips[i])) continue;
+    if (y[static_cast<Eigen::Index>(2 * i)] > kBroken * free_.size()) bonds_.erase(touches_[i].facing);
+  }
+  if (bonds_.size() == before)
+    for (const Facing& facing : sheared_bonds(touches_, laws_, forces, problem_.acceptable)) bonds_.erase(facing);
+  return bonds_.size() < before;
+}
+
+Eigen::VectorXd SmoothContacts::remembered_forces() const {
+  const Eigen::VectorXd of_ties = ties_.remembered();
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_tie() + of_ties.size());
+  forces.tail(of_ties.size()) = of_ties;
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    const ContactMemory* memory = memories_[i];
+    if (!memory) continue;
+    forces[static_cast<Eigen::Index>(2 * i)] = memory->normal;
+    forces[static_cast<Eigen::Index>(2 * i + 1)] = memory->tangential;
+  }
+  return forces;
+}
+
+// Ties come last in both.
+Eigen::VectorXd SmoothContacts::forces_of(const SmoothMotion& before) const {
+  assert(before.laws.size() <= touches_.size());
+  const auto known = static_cast<Eigen::Index>(2 * before.laws.size());
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_tie() + before.forces.size() - known);
+  forces.head(known) = before.forces.head(known);
+  forces.tail(before.forces.size() - known) = before.forces.tail(before.forces.size() - known);
+  return forces;
+}
+
+void SmoothContacts::put_end(SmoothMotion& to) && {
+  to.bonds = std::move(bonds_);
+  to.ties = ties_.memory(to.forces.tail(to.forces.size() - first_tie()), to.q);
+  for (std::size_t i = 0; i < touches_.size(); ++i) to.rate_laws.push_back(follows_rate(i));
+  if (rows_) to.rows = std::move(*rows_);  // the matrix that shares them is not used again
+  to.laws = std::move(laws_);
+}
+
+}  // namespace keyblock
