@@ -42,16 +42,17 @@ void describe(Archive& a, ContactMemory& memory) {
   a.value("compression", memory.compression);
 }
 
-void describe(Archive& a, TieMemory& ties) {
-  a.values("bolt_forces", ties.bolt_forces);
+void describe(Archive& a, ConstraintMemory& constraints) {
+  a.values("bolt_forces", constraints.bolt_forces);
   a.group("bolts", [&] {
-    for (std::size_t i = 0; i < ties.broken.size(); ++i) {
-      bool broken = ties.broken[i];
+    for (std::size_t i = 0; i < constraints.broken.size(); ++i) {
+      bool broken = constraints.broken[i];
       a.value("broken", broken);
-      ties.broken[i] = broken;
+      constraints.broken[i] = broken;
     }
   });
-  a.values("point_forces", {ties.point_forces.data(), static_cast<std::size_t>(ties.point_forces.size())});
+  a.values("point_forces",
+           {constraints.point_forces.data(), static_cast<std::size_t>(constraints.point_forces.size())});
 }
 
 void describe(Archive& a, const char* name, UnknownsTable& table) {
@@ -81,7 +82,7 @@ void describe(Archive& a, Motion& motion, VertexIndex vertices) {
     a.value("gap", bond.gap);
     a.value("length", bond.length);
   });
-  a.group("ties", [&] { describe(a, motion.ties); });
+  a.group("ties", [&] { describe(a, motion.constraints); });
 }
 
 }  // namespace keyblock

@@ -12,8 +12,8 @@
 
 #include "base/counted.hpp"
 #include "base/stop.hpp"
+#include "contact/rows/constraints.hpp"
 #include "contact/rows/gap.hpp"
-#include "contact/rows/ties.hpp"
 #include "material/elastic.hpp"
 #include "model/body_load.hpp"
 #include "result/describe.hpp"
@@ -226,7 +226,8 @@ State state_of(const StandardScene& scene, const Motion& motion) {
     const auto end = [&](const MaterialPoint& point) {
       return point_at(scene.model, scene.reference, motion.q, point.element, point.start);
     };
-    state.bolts.push_back({end(bolt.first), end(bolt.second), motion.ties.bolt_forces[i], motion.ties.broken[i]});
+    state.bolts.push_back(
+        {end(bolt.first), end(bolt.second), motion.constraints.bolt_forces[i], motion.constraints.broken[i]});
   }
   return state;
 }

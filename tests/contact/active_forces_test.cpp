@@ -166,7 +166,7 @@ TEST(FrictionalProblem, a_tolerated_gap_settles_forces_that_their_law_allows) {
   FrictionalProblem problem;
   problem.w = ContactMatrix(rows, {{UnknownBlock(Eigen::Matrix2d::Identity())}});
   problem.b = Eigen::Vector4d(-10, 0, -10 - 1e-6, 0);
-  problem.laws = {kTie, kTie};
+  problem.laws = {kBilateral, kBilateral};
   problem.goal = problem.acceptable = 1e-9;
   EXPECT_FALSE(solve(problem, Eigen::Vector4d::Zero()).converged);
   problem.gap_tolerance = 1e-6;

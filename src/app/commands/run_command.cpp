@@ -130,6 +130,7 @@ std::string how_to_go_on(const std::string& folder) {
 void print_stages(const std::vector<SceneReport>& stages) {
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const SceneReport& stage = stages[i];
+    if (stage.last_step == stage.first_step) continue;  // stopped before its first step
     spdlog::info("stage {}{}: steps {} to {}, time {:.6g}{}", i + 1,
                  stage.name.empty() ? "" : fmt::format(" ({})", stage.name), stage.first_step + 1, stage.last_step,
                  stage.end_time, stage.is_balanced ? ", balanced" : "");

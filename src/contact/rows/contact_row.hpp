@@ -1,4 +1,4 @@
-// Rows of G: how gap and slip of contacts and ties change with the unknowns of two elements.
+// Rows of G: how gap and slip of contacts and constraints change with the unknowns of two elements.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

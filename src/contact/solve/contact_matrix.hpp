@@ -1,4 +1,5 @@
-// What forces of contacts and ties do to the rates along them, without the matrix of that ever being formed for blocks.
+// What forces of contacts and constraints do to the rates along them, without the matrix of that ever being formed for
+// blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

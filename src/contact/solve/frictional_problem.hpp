@@ -1,4 +1,4 @@
-// Contact, bond and tie forces of a step as a complementarity problem, and its solution.
+// Contact, bond and constraint forces of a step as a complementarity problem, and its solution.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,7 @@ namespace keyblock {
 struct ForceLaw {
   double friction = 0;  ///< μ
   double cohesion = 0;  ///< tangential force held without normal force; infinite where nothing slips, open or not
-  double least = 0;     ///< smallest normal force: 0 of a touch, −tensile strength of a bond, −∞ of a tie
+  double least = 0;     ///< smallest normal force: 0 of a touch, −tensile strength of a bond, −∞ of a constraint
 
   /// Largest tangential force under a normal force.
   double limit(double normal) const;
@@ -31,7 +31,7 @@ struct ForceLaw {
 inline constexpr ForceLaw kHeld{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
 /// The normal force keeps yn = 0, pushing or pulling, and there is no other: a bolt, or a face that must not move.
-inline constexpr ForceLaw kTie{0, 0, -std::numeric_limits<double>::infinity()};
+inline constexpr ForceLaw kBilateral{0, 0, -std::numeric_limits<double>::infinity()};
 
 /// y = W λ + b with entries 2i (normal) and 2i + 1 (tangential) of pair i:
 ///     λn − least ≥ 0 ⊥ yn ≥ 0,   |λt| ≤ limit,   λt opposes yt, and yt = 0 while |λt| < limit.

@@ -66,7 +66,7 @@ class Settling {
         rates(bolt_rows(start_.scene.model, start_.scene.reference, start_.motion.q), start_.acceleration);
     const std::size_t before = start_.bolts.size();
     for (std::size_t i = 0; i < start_.scene.model.bolts.size(); ++i) {
-      const bool may_pull = start_.scene.model.bolts[i].is_spring() && !start_.motion.ties.broken[i] &&
+      const bool may_pull = start_.scene.model.bolts[i].is_spring() && !start_.motion.constraints.broken[i] &&
                             !std::ranges::count(start_.bolts, i) && !std::ranges::count(weak_bolts_, i);
       if (may_pull && longer[static_cast<Eigen::Index>(2 * i)] > kRoundOff * start_.acceleration_of_loads)
         start_.bolts.push_back(i);
@@ -131,12 +131,12 @@ class Settling {
         ContactMatrix(start_.rows, {yielding}), Eigen::VectorXd::Zero(start_.forces.size()), {}, 0, 0, {}};
     const std::vector<double> gaps = start_.gaps_from_wanted();
     for (std::size_t i = 0; i < start_.touches.size(); ++i) {
-      problem.laws.push_back(start_.normal(i) != 0 ? kTie : ForceLaw{});
+      problem.laws.push_back(start_.normal(i) != 0 ? kBilateral : ForceLaw{});
       problem.b[static_cast<Eigen::Index>(2 * i)] = gaps[i];
     }
     start_.add_bolts(problem);
     for (std::size_t i = 0; i < start_.bolts.size(); ++i) {
-      if (start_.tension(i) > 0) problem.laws[start_.touches.size() + i] = kTie;
+      if (start_.tension(i) > 0) problem.laws[start_.touches.size() + i] = kBilateral;
       problem.b[start_.bolt_row(i)] = start_.tension(i) / start_.bolt(i).stiffness - start_.elongation(i);
     }
     double missing = start_.missing();
@@ -196,10 +196,12 @@ class Settling {
     const Eigen::VectorXd longer = elongations(start_.scene.model, start_.scene.reference, start_.motion.q);
     for (std::size_t i = 0; i < start_.scene.model.bolts.size(); ++i) {
       const Bolt& bolt = start_.scene.model.bolts[i];
-      if (bolt.is_spring() && !start_.motion.ties.broken[i])
-        start_.motion.ties.bolt_forces[i] = bolt.pretension + bolt.stiffness * longer[static_cast<Eigen::Index>(i)];
+      if (bolt.is_spring() && !start_.motion.constraints.broken[i])
+        start_.motion.constraints.bolt_forces[i] =
+            bolt.pretension + bolt.stiffness * longer[static_cast<Eigen::Index>(i)];
     }
-    start_.motion.ties.point_forces = start_.forces.tail(static_cast<Eigen::Index>(2 * start_.scene.held.size()));
+    start_.motion.constraints.point_forces =
+        start_.forces.tail(static_cast<Eigen::Index>(2 * start_.scene.held.size()));
   }
 
   StartForces start_;

@@ -10,7 +10,7 @@
 #include "contact/rows/gap.hpp"
 #include "contact/rows/joined_blocks.hpp"
 #include "step/scene/contact_laws.hpp"
-#include "step/scene/step_ties.hpp"
+#include "step/scene/step_constraints.hpp"
 #include "step/scene/touch_search.hpp"
 #include "step/time/smooth_solve.hpp"
 
@@ -74,22 +74,22 @@ class Settling {
     std::ranges::copy_if(touches, std::back_inserter(faces), [](const Touch& touch) { return touch.stretch > 0; });
     ContactRows rows = contact_rows(scene_.model, scene_.reference, motion_.q, faces);
     const auto of_faces = static_cast<Eigen::Index>(rows.size());
-    const StepTies ties(scene_, motion_, 0, 0);
-    const ContactRows of_ties = ties.rows(motion_.q);
-    rows.insert(rows.end(), of_ties.begin(), of_ties.end());
+    const StepConstraints constraints(scene_, motion_, 0, 0);
+    const ContactRows of_constraints = constraints.rows(motion_.q);
+    rows.insert(rows.end(), of_constraints.begin(), of_constraints.end());
     const auto count = static_cast<Eigen::Index>(rows.size());
     Eigen::VectorXd compliance = Eigen::VectorXd::Constant(count, kRigid / scene_.normal_stiffness());
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Springs springs = springs_of(scene_, faces[i]);
       compliance.segment<2>(static_cast<Eigen::Index>(2 * i)) << springs.normal, springs.tangential;
     }
-    for (std::size_t i = 0; i < ties.bolt_count(); ++i) {
+    for (std::size_t i = 0; i < constraints.bolt_count(); ++i) {
       const Eigen::Index n = of_faces + static_cast<Eigen::Index>(2 * i);
-      compliance[n] = ties.compliance(i);
+      compliance[n] = constraints.compliance(i);
       compliance[n + 1] = kHeldByNothing / scene_.normal_stiffness();  // none across
     }
     Eigen::VectorXd gaps = Eigen::VectorXd::Zero(count);
-    gaps.tail(count - of_faces) = ties.gaps(motion_.q);
+    gaps.tail(count - of_faces) = constraints.gaps(motion_.q);
     const double inertia = scene_.normal_stiffness() / (kHeldByNothing * heaviest());
     Table<ElementIndex, UnknownBlock> stiffness;
     for (const Body& body : scene_.bodies) stiffness.push_back(body.sum_of(inertia, 1));
@@ -103,7 +103,7 @@ class Settling {
       closed.push_back({faces[i], memory_of(contact_law(scene_, motion_.bonds, faces[i]), forces[n], forces[n + 1])});
     }
     motion_.closed = ClosedContacts(std::move(closed));
-    motion_.ties = ties.memory(forces.tail(count - of_faces), motion_.q);
+    motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
   // The greatest way of a block. A step that finds no forces changes nothing.
@@ -128,7 +128,7 @@ class Settling {
     const Eigen::VectorXd way = rates(made.rows, moved);
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
-    motion_.ties = std::move(made.ties);
+    motion_.constraints = std::move(made.constraints);
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < found_.touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);

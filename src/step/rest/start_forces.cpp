@@ -10,7 +10,7 @@
 #include "contact/solve/friction_newton.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/contact_laws.hpp"
-#include "step/scene/step_ties.hpp"
+#include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "contact/rows/ties.hpp"
+#include "contact/rows/constraints.hpp"
 #include "contact/solve/frictional_problem.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/touch_search.hpp"

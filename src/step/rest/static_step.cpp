@@ -199,7 +199,7 @@ class StaticSolve {
     moved_ = moved;
     now_.q = made.q;
     now_.bonds = made.bonds;
-    now_.ties = made.ties;
+    now_.constraints = made.constraints;
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);

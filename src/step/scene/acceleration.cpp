@@ -7,7 +7,7 @@
 
 #include "contact/rows/gap.hpp"
 #include "step/scene/contact_laws.hpp"
-#include "step/scene/step_ties.hpp"
+#include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {
@@ -45,12 +45,12 @@ double largest_force(const StandardScene& scene, const UnknownsTable& a) {
 }  // namespace
 
 UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& motion, double time) {
-  const StepTies ties(scene, motion, time, 0);
+  const StepConstraints constraints(scene, motion, time, 0);
   ContactRows rows = contact_rows(scene.model, scene.reference, motion.q, closed_of(motion));
-  const ContactRows of_ties = ties.rows(motion.q);
-  rows.insert(rows.end(), of_ties.begin(), of_ties.end());
+  const ContactRows of_constraints = constraints.rows(motion.q);
+  rows.insert(rows.end(), of_constraints.begin(), of_constraints.end());
   Eigen::VectorXd forces(static_cast<Eigen::Index>(rows.size()));
-  forces << forces_of(motion), ties.remembered();
+  forces << forces_of(motion), constraints.remembered();
   const UnknownsTable loads = loads_at(scene, motion.q, time);
   const Flexibility inverse = mass_flexibility(scene);
   UnknownsTable a = answer(rows, inverse, forces);
@@ -75,7 +75,7 @@ UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion
   for (const Touch& touch : closed) {
     const ContactMemory& memory = *motion.closed.of(touch);
     const double limit = contact_law(scene, motion.bonds, touch).force.limit(memory.normal);
-    problem.laws.push_back(std::abs(memory.tangential) < (1 - kAtLimit) * limit ? kHeld : kTie);
+    problem.laws.push_back(std::abs(memory.tangential) < (1 - kAtLimit) * limit ? kHeld : kBilateral);
   }
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   const Eigen::VectorXd forces = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;

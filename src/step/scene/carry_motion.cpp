@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "contact/rows/ties.hpp"
+#include "contact/rows/constraints.hpp"
 #include "step/bodies/carry_covers.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/touch_search.hpp"
@@ -137,26 +137,26 @@ std::vector<int> places_among_held(const Model& model) {
   return places;
 }
 
-void carry_ties(const StandardScene& before, const Motion& motion, const SceneMap& map, const StandardScene& after,
-                Motion& carried) {
-  TieMemory& ties = carried.ties;
+void carry_constraints(const StandardScene& before, const Motion& motion, const SceneMap& map,
+                       const StandardScene& after, Motion& carried) {
+  ConstraintMemory& constraints = carried.constraints;
   const Eigen::VectorXd longer = elongations(after.model, after.reference, carried.q);
   for (std::size_t i = 0; i < map.bolts.size(); ++i) {
     if (map.bolts[i] < 0) {
       const Bolt& bolt = after.model.bolts[i];
-      ties.bolt_forces[i] += bolt.stiffness * longer[static_cast<Eigen::Index>(i)];
+      constraints.bolt_forces[i] += bolt.stiffness * longer[static_cast<Eigen::Index>(i)];
       continue;
     }
     const auto old = static_cast<std::size_t>(map.bolts[i]);
-    ties.bolt_forces[i] = motion.ties.bolt_forces[old];
-    ties.broken[i] = motion.ties.broken[old];
+    constraints.bolt_forces[i] = motion.constraints.bolt_forces[old];
+    constraints.broken[i] = motion.constraints.broken[old];
   }
   const std::vector<int> was = places_among_held(before.model);
   const std::vector<int> is = places_among_held(after.model);
   for (std::size_t i = 0; i < map.fixed_points.size(); ++i) {
     if (map.fixed_points[i] < 0 || is[i] < 0) continue;
     const int old = was[static_cast<std::size_t>(map.fixed_points[i])];
-    if (old >= 0) ties.point_forces.segment<2>(2 * is[i]) = motion.ties.point_forces.segment<2>(2 * old);
+    if (old >= 0) constraints.point_forces.segment<2>(2 * is[i]) = motion.constraints.point_forces.segment<2>(2 * old);
   }
 }
 
@@ -199,7 +199,7 @@ Motion carried_motion(const StandardScene& before, const Motion& motion, const S
   const Names names(map, before, after);
   carried.closed = carried_contacts(motion.closed, names);
   carried.bonds = carried_bonds(motion.bonds, names, map, before, carried, after, time);
-  carry_ties(before, motion, map, after, carried);
+  carry_constraints(before, motion, map, after, carried);
   return carried;
 }
 

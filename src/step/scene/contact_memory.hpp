@@ -67,7 +67,7 @@ class ClosedContacts {
 void describe(Archive& archive, ClosedContacts& contacts, VertexIndex vertices);
 
 /// Bolts and held points.
-struct TieMemory {
+struct ConstraintMemory {
   std::vector<double> bolt_forces;  ///< tension positive; 0 of a broken one
   std::vector<bool> broken;         ///< bolts
   Eigen::VectorXd point_forces;     ///< on the element, 2i in x and 2i + 1 in y

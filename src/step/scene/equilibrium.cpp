@@ -9,7 +9,7 @@
 
 #include "base/listed.hpp"
 #include "base/worse.hpp"
-#include "contact/rows/ties.hpp"
+#include "contact/rows/constraints.hpp"
 #include "step/scene/acceleration.hpp"
 
 namespace keyblock {

@@ -11,7 +11,7 @@
 #include "model/body_load.hpp"
 #include "model/setup/choose_basis.hpp"
 #include "step/scene/enforcement.hpp"
-#include "step/scene/step_ties.hpp"
+#include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {
@@ -108,7 +108,7 @@ Motion start_motion(const StandardScene& scene) {
     motion.v.covers = scene.covers->start_velocity();
     motion.q.covers = motion.a.covers = Eigen::VectorXd::Zero(motion.v.covers.size());
   }
-  motion.ties = tie_start(scene);
+  motion.constraints = constraint_start(scene);
   return motion;
 }
 

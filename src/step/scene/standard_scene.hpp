@@ -45,7 +45,7 @@ struct Motion {
   UnknownsTable a;
   ClosedContacts closed;
   Bonds bonds;
-  TieMemory ties;
+  ConstraintMemory constraints;
 };
 
 Motion start_motion(const StandardScene& scene);

@@ -11,7 +11,7 @@
 #include "contact/solve/friction_newton.hpp"
 #include "contact/solve/frictional_problem.hpp"
 #include "model/material_choices.hpp"
-#include "step/scene/step_ties.hpp"
+#include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {
@@ -379,7 +379,7 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
-  problem.laws.assign(closed.size(), kTie);
+  problem.laws.assign(closed.size(), kBilateral);
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.goal = kImpulseTolerance * momentum_of(scene, v) / (dt * dt) + kSmallest;
   problem.acceptable = kLooser * problem.goal;

@@ -38,7 +38,7 @@ double bolt_energy(const Bolt& bolt, double force) {
 double bolt_energy(const StandardScene& scene, const Motion& motion) {
   double energy = 0;
   for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)
-    energy += bolt_energy(scene.model.bolts[i], motion.ties.bolt_forces[i]);
+    energy += bolt_energy(scene.model.bolts[i], motion.constraints.bolt_forces[i]);
   return energy;
 }
 
@@ -47,7 +47,8 @@ double ruptured(const StandardScene& scene, const StepTrail& trail) {
   double energy = 0;
   for (std::size_t i = 0; i < scene.model.bolts.size(); ++i) {
     const Bolt& bolt = scene.model.bolts[i];
-    if (trail.end.ties.broken[i] && !trail.start.ties.broken[i]) energy += bolt_energy(bolt, bolt.strength);
+    if (trail.end.constraints.broken[i] && !trail.start.constraints.broken[i])
+      energy += bolt_energy(bolt, bolt.strength);
   }
   return energy;
 }
@@ -114,7 +115,7 @@ class ContactFlow {
 
   EnergyFlow run() {
     if (!trail_.smooth.forces.isZero(0)) add_touches();
-    if (trail_.ties.count() > 0) add_ties();
+    if (trail_.constraints.count() > 0) add_constraints();
     flow_.algorithmic += forgotten_;  // springs that let go in this step
     return flow_;
   }
@@ -141,23 +142,24 @@ class ContactFlow {
   }
 
   // A bolt is a spring; a held point does the work of its support.
-  void add_ties() {
+  void add_constraints() {
     const Eigen::VectorXd way = rates(trail_.smooth.rows, plus(trail_.smooth.q, -1, trail_.start.q));
-    const Eigen::VectorXd longer = trail_.ties.elongation(trail_.smooth.q) - trail_.ties.elongation(trail_.start.q);
-    const Eigen::VectorXd before = trail_.ties.remembered();
+    const Eigen::VectorXd longer =
+        trail_.constraints.elongation(trail_.smooth.q) - trail_.constraints.elongation(trail_.start.q);
+    const Eigen::VectorXd before = trail_.constraints.remembered();
     const Eigen::Index first = static_cast<Eigen::Index>(2 * trail_.touches.size());
-    for (std::size_t i = 0; i < trail_.ties.count(); ++i) {
+    for (std::size_t i = 0; i < trail_.constraints.count(); ++i) {
       const Eigen::Index own = static_cast<Eigen::Index>(2 * i);
       const Eigen::Index n = first + own;
-      if (i >= trail_.ties.bolt_count()) {
+      if (i >= trail_.constraints.bolt_count()) {
         flow_.external += trail_.smooth.forces.segment<2>(n).dot(way.segment<2>(n));
         continue;
       }
       ContactLaw law;
-      law.normal_compliance = trail_.ties.compliance(i);
+      law.normal_compliance = trail_.constraints.compliance(i);
       ContactMemory memory;
       memory.normal_at_end = before[own];
-      const double at_end = -trail_.ties.at_end(i, trail_.end);
+      const double at_end = -trail_.constraints.at_end(i, trail_.end);
       add_normal({trail_.smooth.forces[n], 0, memory, at_end, 0, 0, law}, longer[static_cast<Eigen::Index>(i)], way[n]);
     }
   }

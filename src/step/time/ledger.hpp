@@ -3,7 +3,7 @@
 #pragma once
 
 #include "result/ledger.hpp"
-#include "step/scene/step_ties.hpp"
+#include "step/scene/step_constraints.hpp"
 #include "step/time/smooth_solve.hpp"
 
 namespace keyblock {
@@ -11,9 +11,9 @@ namespace keyblock {
 /// What an accepted step leaves behind for the books; it refers to what the step holds.
 struct StepTrail {
   const Motion& start;
-  const UnknownsTable& loads;  ///< on the unknowns, weight included
-  const Touches& touches;      ///< of the smooth motion
-  const StepTies& ties;        ///< whose forces follow those of the touches
+  const UnknownsTable& loads;          ///< on the unknowns, weight included
+  const Touches& touches;              ///< of the smooth motion
+  const StepConstraints& constraints;  ///< whose forces follow those of the touches
   const SmoothMotion& smooth;
   const UnknownsTable& cleaned;  ///< velocities after the clean-up
   const Motion& end;             ///< after projection and jump

@@ -57,7 +57,7 @@ SmoothContacts::SmoothContacts(const StandardScene& scene, const Motion& start, 
       may_follow_rates_(!rule.carries_acceleration() && rule.judging_inertia == 0),
       start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
       bonds_(start.bonds),
-      ties_(scene, start, time, dt, rule.stiffness) {
+      constraints_(scene, start, time, dt, rule.stiffness) {
   memories_.resize(touches_.size());
   for_each_entry(touches_.size(), [&](std::size_t i) { memories_[i] = start_.closed.of(touches_[i]); });
 }
@@ -72,8 +72,8 @@ void SmoothContacts::linearise(const UnknownsTable& estimate) {
   line_compliance_.resize(0);
   const UnknownsTable middle = plus(start_.q, 0.5, estimate);
   rows_ = std::make_shared<ContactRows>(contact_rows(scene_.model, scene_.reference, middle, touches_));
-  const ContactRows of_ties = ties_.rows(middle);
-  rows_->insert(rows_->end(), of_ties.begin(), of_ties.end());
+  const ContactRows of_constraints = constraints_.rows(middle);
+  rows_->insert(rows_->end(), of_constraints.begin(), of_constraints.end());
   problem_.w = ContactMatrix(rows_, free_.flexibility());
   const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
   problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * free_.size();
@@ -94,11 +94,11 @@ void SmoothContacts::add_laws() {
     problem_.proximal[n] = law.normal_weight;
     problem_.proximal[n + 1] = of_stretch() * law.tangential_weight;
   }
-  for (std::size_t i = 0; i < ties_.count(); ++i) {
-    const Eigen::Index n = first_tie() + static_cast<Eigen::Index>(2 * i);
-    problem_.laws.push_back(ties_.law(i));
-    add_compliance(n, ties_.compliance(i));
-    if (i < ties_.bolt_count()) add_compliance(n + 1, 1);  // across a bolt there is no force
+  for (std::size_t i = 0; i < constraints_.count(); ++i) {
+    const Eigen::Index n = first_constraint() + static_cast<Eigen::Index>(2 * i);
+    problem_.laws.push_back(constraints_.law(i));
+    add_compliance(n, constraints_.compliance(i));
+    if (i < constraints_.bolt_count()) add_compliance(n + 1, 1);  // across a bolt there is no force
   }
 }
 
@@ -118,7 +118,7 @@ bool SmoothContacts::has_proximal() const {
 void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
   const Table<VertexIndex, Point> end = vertices_at(scene_.model, scene_.reference, plus(start_.q, 1, estimate));
   const Eigen::VectorXd from_estimate = rates(*rows_, plus(free_.increments(), -1, estimate));
-  Eigen::VectorXd line_compliance = Eigen::VectorXd::Zero(springs_stop() ? first_tie() : 0);
+  Eigen::VectorXd line_compliance = Eigen::VectorXd::Zero(springs_stop() ? first_constraint() : 0);
   problem_.b = rates(*rows_, plus(free_.increments(), 1 / free_.rate(), free_.known_velocity()));
   for_each_entry(touches_.size(), [&](std::size_t i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
@@ -137,8 +137,8 @@ void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
     if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += of_stretch() * memory->stretch;
   });
   follow_lines(line_compliance);
-  const Eigen::Index of_ties = problem_.b.size() - first_tie();
-  problem_.b.tail(of_ties) = ties_.gaps(plus(start_.q, 1, estimate)) + from_estimate.tail(of_ties);
+  const Eigen::Index of_constraints = problem_.b.size() - first_constraint();
+  problem_.b.tail(of_constraints) = constraints_.gaps(plus(start_.q, 1, estimate)) + from_estimate.tail(of_constraints);
   put_goal();
 }
 
@@ -183,9 +183,9 @@ bool SmoothContacts::break_bonds(const Eigen::VectorXd& forces) {
 }
 
 Eigen::VectorXd SmoothContacts::remembered_forces() const {
-  const Eigen::VectorXd of_ties = ties_.remembered();
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_tie() + of_ties.size());
-  forces.tail(of_ties.size()) = of_ties;
+  const Eigen::VectorXd of_constraints = constraints_.remembered();
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_constraint() + of_constraints.size());
+  forces.tail(of_constraints.size()) = of_constraints;
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     const ContactMemory* memory = memories_[i];
     if (!memory) continue;
@@ -195,11 +195,11 @@ Eigen::VectorXd SmoothContacts::remembered_forces() const {
   return forces;
 }
 
-// Ties come last in both.
+// Constraints come last in both.
 Eigen::VectorXd SmoothContacts::forces_of(const SmoothMotion& before) const {
   assert(before.laws.size() <= touches_.size());
   const auto known = static_cast<Eigen::Index>(2 * before.laws.size());
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_tie() + before.forces.size() - known);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(first_constraint() + before.forces.size() - known);
   forces.head(known) = before.forces.head(known);
   forces.tail(before.forces.size() - known) = before.forces.tail(before.forces.size() - known);
   return forces;
@@ -207,7 +207,7 @@ Eigen::VectorXd SmoothContacts::forces_of(const SmoothMotion& before) const {
 
 void SmoothContacts::put_end(SmoothMotion& to) && {
   to.bonds = std::move(bonds_);
-  to.ties = ties_.memory(to.forces.tail(to.forces.size() - first_tie()), to.q);
+  to.constraints = constraints_.memory(to.forces.tail(to.forces.size() - first_constraint()), to.q);
   for (std::size_t i = 0; i < touches_.size(); ++i) to.rate_laws.push_back(follows_rate(i));
   if (rows_) to.rows = std::move(*rows_);  // the matrix that shares them is not used again
   to.laws = std::move(laws_);

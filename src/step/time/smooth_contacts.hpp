@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/solve/active_forces.hpp"
-#include "step/scene/step_ties.hpp"
+#include "step/scene/step_constraints.hpp"
 #include "step/time/free_motion.hpp"
 #include "step/time/smooth_solve.hpp"
 
@@ -18,7 +18,7 @@ class SmoothContacts {
   SmoothContacts(const StandardScene& scene, const Motion& start, const Touches& touches,
                  const ForceTolerance& tolerance, double time, double dt, const StepRule& rule, const FreeMotion& free);
 
-  bool is_empty() const { return touches_.empty() && ties_.count() == 0; }
+  bool is_empty() const { return touches_.empty() && constraints_.count() == 0; }
   std::size_t touch_count() const { return touches_.size(); }
   bool springs_stop() const { return scene_.settings.standard.impact == ImpactLaw::springs; }
 
@@ -57,7 +57,7 @@ class SmoothContacts {
   /// The tangential spring is stretched by dt times the velocity at the end of the step: a spring too stiff for the
   /// step then brings its point to rest, where the displacement of the step would turn the velocity over in each step.
   double of_stretch() const { return 1 / (free_.rate() * dt_); }
-  Eigen::Index first_tie() const { return static_cast<Eigen::Index>(2 * touches_.size()); }
+  Eigen::Index first_constraint() const { return static_cast<Eigen::Index>(2 * touches_.size()); }
 
   const StandardScene& scene_;
   const Motion& start_;
@@ -68,7 +68,7 @@ class SmoothContacts {
   bool may_follow_rates_;
   Table<VertexIndex, Point> start_vertices_;
   Bonds bonds_;
-  StepTies ties_;
+  StepConstraints constraints_;
   std::vector<ContactLaw> laws_;
   std::vector<const ContactMemory*> memories_;  ///< of each touch; none of one that was open
   std::shared_ptr<ContactRows> rows_;

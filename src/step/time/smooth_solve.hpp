@@ -33,7 +33,7 @@ struct SmoothMotion {
   std::vector<bool> rate_laws;   ///< of the touches: whether the force is that of the rate at the end, not of the gap
   double residual = 0;
   Bonds bonds;  ///< that still hold
-  TieMemory ties;
+  ConstraintMemory constraints;
   int solves = 0;  ///< linear systems factorised
   int sweeps = 0;  ///< of the fall-back
   bool converged = false;

@@ -118,7 +118,7 @@ class Attempt {
     step_.motion.q = smooth_.q;
     step_.motion.a = smooth_.a;
     step_.motion.bonds = smooth_.bonds;
-    step_.motion.ties = smooth_.ties;
+    step_.motion.constraints = smooth_.constraints;
     const std::vector<std::size_t> held = to_be_held();
     Touches held_touches;
     std::vector<double> slides;
@@ -133,8 +133,8 @@ class Attempt {
     remember();
     if (rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
-      step_.account = account_of(scene_, {start_, loads_, parts_.smooth, StepTies(scene_, start_, time_, dt_), smooth_,
-                                          cleaned, step_.motion, dt_, rule_});
+      step_.account = account_of(scene_, {start_, loads_, parts_.smooth, StepConstraints(scene_, start_, time_, dt_),
+                                          smooth_, cleaned, step_.motion, dt_, rule_});
     return std::move(step_);
   }
 

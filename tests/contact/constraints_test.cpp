@@ -1,13 +1,13 @@
 // Rows of bolts and held points against differences of lengths and places; what a bolt's forces do to momentum.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/rows/ties.hpp"
+#include "contact/rows/constraints.hpp"
 
 #include <gtest/gtest.h>
 
 #include "contact/solve/contact_matrix.hpp"
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock::ties_test {
+namespace keyblock::constraints_test {
 namespace {
 
 using support::rectangle;
@@ -62,7 +62,7 @@ Point bolt_end(const Tied& tied, const UnknownsTable& q, const MaterialPoint& en
 
 }  // namespace
 
-TEST(Ties, the_row_along_a_bolt_is_the_derivative_of_its_length) {
+TEST(Constraints, the_row_along_a_bolt_is_the_derivative_of_its_length) {
   const Tied tied;
   const ContactRows rows = bolt_rows(tied.model, tied.reference, tied.q);
   ASSERT_EQ(rows.size(), 4U);
@@ -74,7 +74,7 @@ TEST(Ties, the_row_along_a_bolt_is_the_derivative_of_its_length) {
   }
 }
 
-TEST(Ties, the_row_across_a_bolt_is_its_turning_times_its_length) {
+TEST(Constraints, the_row_across_a_bolt_is_its_turning_times_its_length) {
   const Tied tied;
   const ContactRows rows = bolt_rows(tied.model, tied.reference, tied.q);
   const auto chord = [&](const UnknownsTable& q) {
@@ -87,7 +87,7 @@ TEST(Ties, the_row_across_a_bolt_is_its_turning_times_its_length) {
 }
 
 // Rigid turn and shift of a bolt as a whole leave its length: 3-4-5 triangle, closed form.
-TEST(Ties, elongation_is_present_length_less_that_at_the_start) {
+TEST(Constraints, elongation_is_present_length_less_that_at_the_start) {
   Tied tied;
   tied.model.bolts = {{{{0, 0}, {0}}, {{3, 4}, {1}}, 1, 0, 0}};
   tied.q = {Unknowns::Zero(6), Unknowns::Zero(6)};
@@ -96,7 +96,7 @@ TEST(Ties, elongation_is_present_length_less_that_at_the_start) {
   EXPECT_NEAR(elongations(tied.model, tied.reference, tied.q)[0], 13 - 5, 1e-14);
 }
 
-TEST(Ties, the_force_of_a_bolt_keeps_both_momenta) {
+TEST(Constraints, the_force_of_a_bolt_keeps_both_momenta) {
   const Tied tied;
   const ContactRows rows = bolt_rows(tied.model, tied.reference, tied.q);
   UnknownsTable rate = tied.q;
@@ -109,7 +109,7 @@ TEST(Ties, the_force_of_a_bolt_keeps_both_momenta) {
   EXPECT_NEAR(seen[2], 0, 1e-13);
 }
 
-TEST(Ties, contact_matrix_of_a_bolt_within_one_block_is_that_of_its_definition) {
+TEST(Constraints, contact_matrix_of_a_bolt_within_one_block_is_that_of_its_definition) {
   const Tied tied;
   const ContactRows rows = bolt_rows(tied.model, tied.reference, tied.q);
   Table<ElementIndex, UnknownBlock> blocks;
@@ -122,7 +122,7 @@ TEST(Ties, contact_matrix_of_a_bolt_within_one_block_is_that_of_its_definition) 
   }
 }
 
-TEST(Ties, the_rows_of_a_held_point_are_the_derivatives_of_its_place) {
+TEST(Constraints, the_rows_of_a_held_point_are_the_derivatives_of_its_place) {
   const Tied tied;
   const ContactRows rows = point_rows(tied.model, tied.reference, tied.q, tied.held);
   ASSERT_EQ(rows.size(), 2U);
@@ -136,7 +136,7 @@ TEST(Ties, the_rows_of_a_held_point_are_the_derivatives_of_its_place) {
   }
 }
 
-TEST(Ties, a_driven_point_is_off_by_what_its_motion_lacks) {
+TEST(Constraints, a_driven_point_is_off_by_what_its_motion_lacks) {
   Tied tied;
   tied.q[ElementIndex{0}] = Unknowns::Zero(6);
   tied.q[ElementIndex{0}].head<2>() << 0.125, 0;
@@ -146,7 +146,7 @@ TEST(Ties, a_driven_point_is_off_by_what_its_motion_lacks) {
   EXPECT_EQ(wanted_velocities(tied.held, 2, 0.25).norm(), 0);  // past its table a motion stands still
 }
 
-TEST(Ties, points_of_fixed_elements_hold_nothing) {
+TEST(Constraints, points_of_fixed_elements_hold_nothing) {
   Tied tied;
   tied.model.elements[ElementIndex{0}].basis = &fixed_basis();
   EXPECT_TRUE(held_points(tied.model).empty());
@@ -154,4 +154,4 @@ TEST(Ties, points_of_fixed_elements_hold_nothing) {
   EXPECT_EQ(bolt_rows(tied.model, tied.reference, tied.q)[0].of_edge.size(), 0);
 }
 
-}  // namespace keyblock::ties_test
+}  // namespace keyblock::constraints_test

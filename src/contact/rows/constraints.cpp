@@ -1,6 +1,6 @@
 // Rows of bolts and held points from the derivatives of their material points.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/rows/ties.hpp"
+#include "contact/rows/constraints.hpp"
 
 #include "contact/rows/point_motion.hpp"
 

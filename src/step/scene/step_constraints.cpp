@@ -1,6 +1,6 @@
 // Broken bolts, and those whose force is a load, are left out; what remains is numbered bolts first, points after.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/scene/step_ties.hpp"
+#include "step/scene/step_constraints.hpp"
 
 #include <algorithm>
 
@@ -16,20 +16,20 @@ Eigen::Index pair(std::size_t i) {
 
 }  // namespace
 
-StepTies::StepTies(const StandardScene& scene, const Motion& start, double time, double dt, double weight)
+StepConstraints::StepConstraints(const StandardScene& scene, const Motion& start, double time, double dt, double weight)
     : scene_(scene), start_(start), points_(scene.held), end_time_(time + dt), weight_(weight) {
   for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)
-    if (scene.model.bolts[i].is_spring() && !start.ties.broken[i]) bolts_.push_back(i);
+    if (scene.model.bolts[i].is_spring() && !start.constraints.broken[i]) bolts_.push_back(i);
 }
 
-Eigen::VectorXd StepTies::remembered() const {
+Eigen::VectorXd StepConstraints::remembered() const {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(pair(count()));
-  for (std::size_t i = 0; i < bolts_.size(); ++i) forces[pair(i)] = -start_.ties.bolt_forces[bolts_[i]];
-  forces.tail(start_.ties.point_forces.size()) = start_.ties.point_forces;
+  for (std::size_t i = 0; i < bolts_.size(); ++i) forces[pair(i)] = -start_.constraints.bolt_forces[bolts_[i]];
+  forces.tail(start_.constraints.point_forces.size()) = start_.constraints.point_forces;
   return forces;
 }
 
-ContactRows StepTies::rows(const UnknownsTable& q) const {
+ContactRows StepConstraints::rows(const UnknownsTable& q) const {
   ContactRows rows;
   if (!bolts_.empty()) {
     const ContactRows all = bolt_rows(scene_.model, scene_.reference, q);
@@ -44,20 +44,20 @@ ContactRows StepTies::rows(const UnknownsTable& q) const {
   return rows;
 }
 
-double StepTies::compliance(std::size_t tie) const {
-  return tie < bolts_.size() ? 1 / (weight_ * scene_.model.bolts[bolts_[tie]].stiffness) : 0;
+double StepConstraints::compliance(std::size_t constraint) const {
+  return constraint < bolts_.size() ? 1 / (weight_ * scene_.model.bolts[bolts_[constraint]].stiffness) : 0;
 }
 
-ForceLaw StepTies::law(std::size_t tie) const {
-  return tie < bolts_.size() ? ForceLaw{0, 0, -scene_.model.bolts[bolts_[tie]].strength} : kHeld;
+ForceLaw StepConstraints::law(std::size_t constraint) const {
+  return constraint < bolts_.size() ? ForceLaw{0, 0, -scene_.model.bolts[bolts_[constraint]].strength} : kHeld;
 }
 
-Eigen::VectorXd StepTies::gaps(const UnknownsTable& q) const {
+Eigen::VectorXd StepConstraints::gaps(const UnknownsTable& q) const {
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(pair(count()));
   const Eigen::VectorXd longer = elongation(q);
   for (std::size_t i = 0; i < bolts_.size(); ++i) {
     const Bolt& bolt = scene_.model.bolts[bolts_[i]];
-    const double at_start = start_.ties.bolt_forces[bolts_[i]] / bolt.stiffness;
+    const double at_start = start_.constraints.bolt_forces[bolts_[i]] / bolt.stiffness;
     gaps[pair(i)] =
         longer[static_cast<Eigen::Index>(i)] + bolt.pretension / bolt.stiffness + (1 / weight_ - 1) * at_start;
   }
@@ -66,7 +66,7 @@ Eigen::VectorXd StepTies::gaps(const UnknownsTable& q) const {
   return gaps;
 }
 
-Eigen::VectorXd StepTies::elongation(const UnknownsTable& q) const {
+Eigen::VectorXd StepConstraints::elongation(const UnknownsTable& q) const {
   Eigen::VectorXd longer(static_cast<Eigen::Index>(bolts_.size()));
   if (bolts_.empty()) return longer;
   const Eigen::VectorXd all = elongations(scene_.model, scene_.reference, q);
@@ -75,13 +75,13 @@ Eigen::VectorXd StepTies::elongation(const UnknownsTable& q) const {
   return longer;
 }
 
-double StepTies::at_end(std::size_t bolt, const Motion& end) const {
+double StepConstraints::at_end(std::size_t bolt, const Motion& end) const {
   const std::size_t i = bolts_[bolt];
-  return end.ties.broken[i] ? scene_.model.bolts[i].strength : end.ties.bolt_forces[i];
+  return end.constraints.broken[i] ? scene_.model.bolts[i].strength : end.constraints.bolt_forces[i];
 }
 
-TieMemory StepTies::memory(const Eigen::VectorXd& forces, const UnknownsTable& q) const {
-  TieMemory memory = start_.ties;
+ConstraintMemory StepConstraints::memory(const Eigen::VectorXd& forces, const UnknownsTable& q) const {
+  ConstraintMemory memory = start_.constraints;
   const Eigen::VectorXd longer = weight_ < 1 ? elongation(q) : Eigen::VectorXd();
   for (std::size_t i = 0; i < bolts_.size(); ++i) {
     const Bolt& bolt = scene_.model.bolts[bolts_[i]];
@@ -95,8 +95,8 @@ TieMemory StepTies::memory(const Eigen::VectorXd& forces, const UnknownsTable& q
   return memory;
 }
 
-TieMemory tie_start(const StandardScene& scene) {
-  TieMemory memory;
+ConstraintMemory constraint_start(const StandardScene& scene) {
+  ConstraintMemory memory;
   for (const Bolt& bolt : scene.model.bolts) {
     memory.bolt_forces.push_back(bolt.is_spring() ? bolt.pretension : bolt.constant_force());
     memory.broken.push_back(!bolt.is_spring() && bolt.pretension >= bolt.strength);

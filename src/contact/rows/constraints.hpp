@@ -1,5 +1,5 @@
-// Ties between elements, or of an element to the plane, that hold without touching: bolts, and points that are held or
-// driven. Their rows are pairs as those of a touch are.
+// Constraints between elements, or of an element to the plane, that hold without touching: bolts, and points that are
+// held or driven. Their rows are pairs as those of a touch are.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
