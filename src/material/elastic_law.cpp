@@ -94,21 +94,11 @@ Eigen::Matrix3d log_strain_curvature(const Eigen::Vector3d& green, const Eigen::
   return turn.transpose() * k * turn;
 }
 
-namespace {
-
-Eigen::Vector3d mean_stress(const ElasticPoint& point, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                            double theta) {
-  return point.initial + point.modulus * ((1 - theta) * from + theta * to);
-}
-
-}  // namespace
-
-Eigen::Vector3d ElasticPoint::stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                             double theta) const {
-  if (law == ElasticLaw::st_venant_kirchhoff) return mean_stress(*this, from, to, theta);
+Eigen::Vector3d ElasticPoint::log_stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                                 double theta) const {
   const Eigen::Vector3d log_from = log_strain(from);
   const Eigen::Vector3d log_to = log_strain(to);
-  const Eigen::Vector3d stress = mean_stress(*this, log_from, log_to, theta);
+  const Eigen::Vector3d stress = mean_stress(log_from, log_to, theta);
   const Eigen::Vector3d at_mean = log_strain_rate((from + to) / 2).transpose() * stress;
   const Eigen::Vector3d change = to - from;
   const Eigen::Vector3d along(change(0), change(1), change(2) / 2);  // ΔE with its tensor shear
@@ -124,12 +114,11 @@ Eigen::Matrix3d ElasticPoint::stiffness(const Eigen::Vector3d& green) const {
 }
 
 // P is taken at the mean strain, which moves by half of what the end does.
-Eigen::Matrix3d ElasticPoint::stiffness_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                                double theta) const {
-  if (law == ElasticLaw::st_venant_kirchhoff) return modulus;
+Eigen::Matrix3d ElasticPoint::log_stiffness_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                                    double theta) const {
   const Eigen::Vector3d mean = (from + to) / 2;
   const Eigen::Matrix3d rate = log_strain_rate(mean);
-  const Eigen::Vector3d stress = mean_stress(*this, log_strain(from), log_strain(to), theta);
+  const Eigen::Vector3d stress = mean_stress(log_strain(from), log_strain(to), theta);
   return rate.transpose() * modulus * rate + log_strain_curvature(mean, stress) / (2 * theta);
 }
 

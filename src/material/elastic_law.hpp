@@ -14,8 +14,8 @@ namespace keyblock {
 /// nothing across the plane then. Pure; stresses handed out are second Piola-Kirchhoff's, S = Pᵀ T with P = ∂ε/∂E.
 struct ElasticPoint {
   ElasticLaw law;
-  const Eigen::Matrix3d& modulus;  ///< D, 3 × 3
-  Eigen::Vector3d initial;         ///< T0: xx, yy, xy
+  const Eigen::Matrix3d& modulus;             ///< D, 3 × 3
+  Eigen::Map<const Eigen::Vector3d> initial;  ///< T0: xx, yy, xy; views, as D is viewed
 
   /// T0 · ε + ½ ε · D ε, per undeformed area.
   double energy(const Eigen::Vector3d& green) const;
@@ -28,13 +28,28 @@ struct ElasticPoint {
 
   /// S of a step from E0 to E1 whose work S · (E1 - E0) is T_θ · (ε1 - ε0), T_θ = T0 + D (ε0 + θ (ε1 - ε0)): the change
   /// of energy where θ = ½ (Simo & Tarnow 1992; for logarithms with Gonzalez' correction along E1 - E0, 2000).
-  Eigen::Vector3d stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const;
+  Eigen::Vector3d stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const {
+    if (law != ElasticLaw::st_venant_kirchhoff) return log_stress_of_step(from, to, theta);
+    const Eigen::Vector3d strain = (1 - theta) * from + theta * to;
+    return initial + modulus * strain;
+  }
 
   /// ∂S/∂E, the second derivative of the energy.
   Eigen::Matrix3d stiffness(const Eigen::Vector3d& green) const;
 
   /// ∂S/∂E1 of a step over θ > 0, symmetric: of logarithms what is of the order of the step is left out.
-  Eigen::Matrix3d stiffness_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const;
+  Eigen::Matrix3d stiffness_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const {
+    return law == ElasticLaw::st_venant_kirchhoff ? modulus : log_stiffness_of_step(from, to, theta);
+  }
+
+ private:
+  /// T_θ between two strains of the measure.
+  Eigen::Vector3d mean_stress(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const {
+    const Eigen::Vector3d strain = (1 - theta) * from + theta * to;
+    return initial + modulus * strain;
+  }
+  Eigen::Vector3d log_stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const;
+  Eigen::Matrix3d log_stiffness_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double theta) const;
 };
 
 /// ½ ln C of C = I + 2 E as (11, 22, 2·12). Exact to the last digits at small strain too.
@@ -47,8 +62,8 @@ Eigen::Matrix3d log_strain_rate(const Eigen::Vector3d& green);
 Eigen::Matrix3d log_strain_curvature(const Eigen::Vector3d& green, const Eigen::Vector3d& stress);
 
 inline double ElasticPoint::energy(const Eigen::Vector3d& green) const {
-  const Eigen::Vector3d strain = law == ElasticLaw::st_venant_kirchhoff ? green : log_strain(green);
-  return strain.dot(initial + modulus * strain / 2);
+  const auto stored = [&](const Eigen::Vector3d& strain) { return strain.dot(initial + modulus * strain / 2); };
+  return law == ElasticLaw::st_venant_kirchhoff ? stored(green) : stored(log_strain(green));
 }
 
 inline Eigen::Vector3d ElasticPoint::stress_of_measure(const Eigen::Vector3d& green) const {

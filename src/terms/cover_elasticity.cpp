@@ -120,12 +120,14 @@ Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::V
 
 void CoverElasticity::add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double common,
                                   std::span<const double> more, double scale, SparseSystem& system) const {
+  Linearised points;
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
     const double theta = weight_of(e, common, more);
     const Eigen::MatrixX2d h0 = displacement_gradients(e, d0);
     const Eigen::MatrixX2d h1 = displacement_gradients(e, d1);
-    Linearised points{element.initial, {}};
+    points.stress.resize(3, element.weights.size());
+    points.stiffness.clear();
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
       const Eigen::Vector3d from = green_strain(at_point(h0, i));
       const Eigen::Vector3d to = green_strain(at_point(h1, i));
@@ -137,10 +139,12 @@ void CoverElasticity::add_tangent(const Eigen::VectorXd& d0, const Eigen::Vector
 }
 
 void CoverElasticity::add_static_tangent(const Eigen::VectorXd& d, double scale, SparseSystem& system) const {
+  Linearised points;
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
     const Eigen::MatrixX2d h = displacement_gradients(e, d);
-    Linearised points{element.initial, {}};
+    points.stress.resize(3, element.weights.size());
+    points.stiffness.clear();
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
       const Eigen::Vector3d strain = green_strain(at_point(h, i));
       points.stress.col(i) = element.at(i).stress(strain);
@@ -212,7 +216,8 @@ Stress CoverElasticity::stress(const Eigen::VectorXd& d, int element, Point at_s
   const Eigen::Vector3d green = green_strain(f - Eigen::Matrix2d::Identity());
   const Element& own = elements_[static_cast<std::size_t>(element)];
   const Stress start = initial_stress(element, at_start);
-  const ElasticPoint point{own.law, own.modulus, in_plane(start)};
+  const Eigen::Vector3d initial = in_plane(start);
+  const ElasticPoint point{own.law, own.modulus, Eigen::Map<const Eigen::Vector3d>(initial.data())};
   const Eigen::Matrix2d cauchy = f * tensor(point.stress(green)) * f.transpose() / f.determinant();
   // Across the plane nothing stretches under plane strain, and there is no stress under plane stress.
   const Stress measured =

@@ -65,7 +65,9 @@ class CoverElasticity {
     Eigen::Matrix3d modulus;
     ElasticLaw law;
 
-    ElasticPoint at(Eigen::Index point) const { return {law, modulus, initial.col(point)}; }
+    ElasticPoint at(Eigen::Index point) const {
+      return {law, modulus, Eigen::Map<const Eigen::Vector3d>(initial.data() + 3 * point)};
+    }
   };
 
   /// Stress and stiffness of every point of an element.
