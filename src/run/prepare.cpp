@@ -251,7 +251,7 @@ Asked as_asked(const Problem& problem, const std::string& profile, const std::ve
     for (std::size_t i = 0; i < linear.steps.size(); ++i) asked.choices[i].steps = linear.steps[i];
   } else if (problem.covers && problem.covers->contact == CoverContact::ignored) {
     asked.warnings.push_back({"contact_felt", problem.covers->place,
-                              "contact is ignored by statics that is solved at once only; these steps know it"});
+                              "contact is ignored by linear statics only; these steps know it"});
   }
   return asked;
 }

@@ -1,4 +1,4 @@
-// One body as a block, in a single triangle of covers, on a mesh of covers, and solved at once: a run leaves the same
+// One body as a block, in a single triangle of covers, on a mesh of covers, and solved linearly: a run leaves the same
 // files with the same columns, and frames with the same data of cells.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>

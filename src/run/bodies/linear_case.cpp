@@ -49,8 +49,10 @@ void drop_points_and_bolts(Problem& problem) {
   problem.analysis->fixed_point_motions.clear();
 }
 
+// Where contact is felt and nothing is dug out there is nothing that a linear solution does not know (is_linear).
 Warnings without_effect(const Problem& problem) {
   Warnings warnings;
+  if (problem.covers->contact == CoverContact::felt && problem.covers->excavations.empty()) return warnings;
   const Place& place = problem.covers->place;
   if (has_bolts(problem))
     warnings.push_back(

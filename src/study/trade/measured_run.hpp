@@ -43,7 +43,7 @@ struct RunPlan {
 
 struct RunLimits {
   int repeat = 1;           ///< the best of so many
-  double cpu_seconds = 60;  ///< of one run; bodies on covers that are solved at once are not interrupted
+  double cpu_seconds = 60;  ///< of one run; a linear solution is not interrupted
   std::function<bool()> wants_stop = [] { return false; };  ///< ends the run at hand, and all runs after it
 };
 

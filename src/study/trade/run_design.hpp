@@ -42,8 +42,8 @@ std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& pro
                                  const std::vector<std::string>& vary = {});
 
 /// The case in the profile as it is, with half and with a quarter of the step, or of the side of the mesh where the
-/// case is solved at once; coarsest first, with the names that the designs have for them. `finest`: a power of two, 4
-/// or more; then the last three of the halvings down to that part.
+/// case is of linear statics; coarsest first, with the names that the designs have for them. `finest`: a power of two,
+/// 4 or more; then the last three of the halvings down to that part.
 std::vector<RunPlan> refinements(const StudyCase& chosen, const std::string& profile, int finest);
 
 /// `plan`, one of the designs under `profile`, with steps (or sides of the mesh, or where steps go by their error its
