@@ -66,6 +66,25 @@ TEST(Layout, no_line_of_a_source_is_longer_than_120_characters) {
   EXPECT_GT(sources, 600);
 }
 
+// What a block and a body on covers do differently is said by their groups (step/groups) and by how their points move
+// (contact/rows/point_motion).
+TEST(Layout, no_line_of_step_and_contact_outside_the_groups_asks_whether_elements_are_on_covers) {
+  constexpr std::array<std::string_view, 4> kGroups{"/step/bodies/", "/step/groups/", "/contact/rows/point_motion",
+                                                    "/step/linear_stepper"};
+  constexpr std::array<std::string_view, 5> kQuestions{"is_on_covers", "reference.covers", "reference_.covers",
+                                                       "scene.covers", "CoverScene"};
+  int sources = 0;
+  each_source({"src/step", "src/contact"}, [&](const auto& name, const auto& lines) {
+    const auto is_in = [&](std::string_view part) { return name.find(part) != std::string::npos; };
+    if (std::ranges::any_of(kGroups, is_in)) return;
+    ++sources;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (const std::string_view question : kQuestions)
+        EXPECT_EQ(lines[i].find(question), std::string::npos) << name << ":" << i + 1;
+  });
+  EXPECT_GT(sources, 60);
+}
+
 TEST(Layout, no_function_is_longer_than_60_lines) {
   int functions = 0;
   each_source({"src", "formats"}, [&](const auto& name, const auto& lines) {

@@ -3,6 +3,7 @@
 #include "model/kinematics.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "base/loop.hpp"
@@ -86,23 +87,27 @@ DisplacementOperator jacobian(const Basis& basis, const Unknowns& q, Point offse
 
 void UnknownsTable::set_zero() {
   for (Unknowns& of : *this) of.setZero();
-  covers.setZero();
+  shared.setZero();
+}
+
+bool UnknownsTable::all_finite() const {
+  return std::ranges::all_of(*this, [](const Unknowns& of) { return of.allFinite(); }) && shared.allFinite();
 }
 
 UnknownsTable& UnknownsTable::operator*=(double factor) {
   for (Unknowns& of : *this) of *= factor;
-  covers *= factor;
+  shared *= factor;
   return *this;
 }
 
 bool operator==(const UnknownsTable& a, const UnknownsTable& b) {
   const Table<ElementIndex, Unknowns>& blocks = a;
-  return blocks == b && a.covers.size() == b.covers.size() && a.covers == b.covers;
+  return blocks == b && a.shared.size() == b.shared.size() && a.shared == b.shared;
 }
 
 Point point_at(const Model& model, const Reference& reference, const UnknownsTable& q, ElementIndex element,
                Point start) {
-  if (reference.is_on_covers(element)) return moved(start, reference.covers->shares(element, start), q.covers);
+  if (reference.is_on_covers(element)) return moved(start, reference.covers->shares(element, start), q.shared);
   const Point centroid = reference.centroids[element];
   return BlockMap(*model.elements[element].basis, q[element], centroid).place(start - centroid);
 }
@@ -114,7 +119,7 @@ Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& refer
     if (reference.is_on_covers(e)) {
       for (VertexIndex v : model.elements[e].vertices())
         vertices[v] =
-            moved(model.start_vertices[static_cast<std::size_t>(v.value)], reference.covers->of_vertex(v), q.covers);
+            moved(model.start_vertices[static_cast<std::size_t>(v.value)], reference.covers->of_vertex(v), q.shared);
       return;
     }
     const BlockMap map(*model.elements[e].basis, q[e], reference.centroids[e]);
@@ -123,10 +128,16 @@ Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& refer
   return vertices;
 }
 
+double dot(const UnknownsTable& a, const UnknownsTable& b) {
+  double sum = 0;
+  for (ElementIndex e : indices(a)) sum += a[e].dot(b[e]);
+  return sum + a.shared.dot(b.shared);
+}
+
 UnknownsTable plus(const UnknownsTable& a, double s, const UnknownsTable& b) {
   UnknownsTable sum = a;
   for (ElementIndex e : indices(sum)) sum[e] += s * b[e];
-  sum.covers += s * b.covers;
+  sum.shared += s * b.shared;
   return sum;
 }
 

@@ -12,13 +12,14 @@
 namespace keyblock {
 
 /// Unknowns of all blocks: displacement of the centroid, total angle, strain in the frame that turns with the block.
-/// Elements on covers have none of their own.
+/// Elements that share unknowns have none of their own.
 struct UnknownsTable : Table<ElementIndex, Unknowns> {
   using Table::Table;
 
-  Eigen::VectorXd covers;  ///< (dx, dy) of each cover function; empty where nothing hangs on covers
+  Eigen::VectorXd shared;  ///< (dx, dy) of each cover function; empty where nothing hangs on covers
 
   void set_zero();
+  bool all_finite() const;
   UnknownsTable& operator*=(double factor);
   friend bool operator==(const UnknownsTable& a, const UnknownsTable& b);
 };
@@ -88,6 +89,8 @@ Point point_at(const Model& model, const Reference& reference, const UnknownsTab
 
 /// All vertices in the plane.
 Table<VertexIndex, Point> vertices_at(const Model& model, const Reference& reference, const UnknownsTable& q);
+
+double dot(const UnknownsTable& a, const UnknownsTable& b);
 
 /// a + s b, element by element.
 UnknownsTable plus(const UnknownsTable& a, double s, const UnknownsTable& b);

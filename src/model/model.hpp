@@ -133,6 +133,8 @@ struct Model {
   /// The joint material of the edge that arrives at `vertex`.
   const JointMaterial& joint_at(VertexIndex vertex) const { return joint_material(vertices[vertex].joint_material); }
   const JointMaterial& joint_material(int number) const { return joint_materials[static_cast<std::size_t>(number)]; }
+  /// Whether elements share unknowns, as those of a body on covers do.
+  bool shares_unknowns() const { return continuum != nullptr; }
   const BlockMaterial& material_of(const Element& element) const {
     return block_materials[static_cast<std::size_t>(element.material)];
   }

@@ -57,9 +57,9 @@ void describe(Archive& a, ConstraintMemory& constraints) {
 
 void describe(Archive& a, const char* name, UnknownsTable& table) {
   a.table(name, table, [&](Unknowns& unknowns) { describe(a, "unknowns", unknowns); });
-  if (table.covers.size() > 0)
+  if (table.shared.size() > 0)
     a.values((std::string(name) + "_covers").c_str(),
-             {table.covers.data(), static_cast<std::size_t>(table.covers.size())});
+             {table.shared.data(), static_cast<std::size_t>(table.shared.size())});
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ constexpr std::size_t kMostNamed = 10;  // contacts in a message; the record lis
 
 // A start with stress of its own is the file's statement of equilibrium; it is not replaced.
 bool has_initial_stress(const StandardScene& scene) {
-  return std::ranges::any_of(scene.bodies, [](const Body& body) { return (body.initial_stress.array() != 0).any(); });
+  return std::ranges::any_of(scene.bodies(), [](const Body& body) { return (body.initial_stress.array() != 0).any(); });
 }
 
 // Forces whose gaps no shift can make are not those of elastic blocks: the start is settled instead.
@@ -52,10 +52,11 @@ constexpr std::array kFinerShares{5, 20};
 std::string crushed_before(const StandardScene& scene, const State& before, const State& end) {
   for (ElementIndex e : indices(end.elements)) {
     const double area = end.elements[e].moments.area;
-    if (!std::isfinite(area) || area > 0 || !scene.model.elements[e].is_on_covers()) continue;
+    const std::optional<ElasticLaw> law = scene.groups.of(e).law_of_large_strain(scene.parts(), e);
+    if (!std::isfinite(area) || area > 0 || !law) continue;
     const double first = state_of(scene, start_motion(scene)).elements[e].moments.area;
     const std::string share = fmt::format("{:.2g}", before.elements[e].moments.area / first);
-    if (scene.settings.standard.elastic_law.of(scene.model.elements[e].material) != ElasticLaw::st_venant_kirchhoff)
+    if (law != ElasticLaw::st_venant_kirchhoff)
       return fmt::format("; a step before it had been compressed to {} of its area", share);
     return fmt::format(
         "; a step before it had been compressed to {} of its area, and the St. Venant-Kirchhoff law softens below a "
@@ -71,8 +72,8 @@ std::string too_deep(const StandardScene& scene, const Motion& motion, const Sta
   for (const auto& [touch, memory] : motion.closed.all()) {
     const ElementIndex vertex = scene.model.vertices[touch.vertex].element;
     const ElementIndex edge = scene.model.vertices[touch.start].element;
-    if (scene.model.elements[vertex].is_on_covers() || scene.model.elements[edge].is_on_covers()) continue;
-    const double size = std::min(scene.bodies[vertex].size, scene.bodies[edge].size);
+    if (scene.groups.of(vertex).resolves_impacts() || scene.groups.of(edge).resolves_impacts()) continue;
+    const double size = std::min(scene.bodies()[vertex].size, scene.bodies()[edge].size);
     const double depth = -gap_of(touch, end.vertices) - memory.compression;
     if (!(depth > scene.settings.trust.penetration * size)) continue;
     return fmt::format(
@@ -94,7 +95,7 @@ std::string loads_in_words(const StandardScene& scene) {
   std::size_t points = 0;
   for (const CarriedPoint& point : scene.model.loading_points) points += length(point.curve.at(0)) > 0 ? 1 : 0;
   const bool has_weight = std::ranges::any_of(
-      scene.bodies, [](const Body& body) { return body.weight.size() > 0 && !body.weight.isZero(0); });
+      scene.bodies(), [](const Body& body) { return body.weight.size() > 0 && !body.weight.isZero(0); });
   std::vector<std::string> loads;
   if (has_weight) loads.emplace_back("the weight");
   if (points > 0) loads.push_back(counted(points, "point load"));
@@ -126,7 +127,9 @@ First asked_motion(const StandardScene& scene) {
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
   const StandardChoices& choices = scene.settings.standard;
   const bool as_drawn = choices.start == StartRule::sudden || choices.motion != MotionRule::dynamic;
-  if (as_drawn || scene.covers || has_initial_stress(scene)) return {std::move(motion), {}, {}};
+  const bool is_balanced =
+      std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
+  if (as_drawn || !is_balanced || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
   if (is_jointed && touching.size() > kMostExact)
@@ -188,26 +191,7 @@ std::vector<PointState> carried(const StandardScene& scene, const Motion& motion
 
 ElementState element_state(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
                            ElementIndex e) {
-  if (scene.reference.is_on_covers(e)) {
-    const Placement now = place(scene.model, vertices, e, scene.settings);
-    const Point at_start = scene.reference.centroids[e];
-    return {now.centroid,
-            now.moments,
-            motion.v[e],
-            motion.v[e],
-            scene.covers->stress(e, motion.q.covers, at_start),
-            scene.covers->rotation(e, motion.q.covers, at_start),
-            scene.covers->velocity(e, motion.q.covers, motion.v.covers, at_start)};
-  }
-  const Basis& basis = *scene.model.elements[e].basis;
-  const Unknowns& q = motion.q[e];
-  const double angle = angle_of(basis, q);
-  const Stress stress = turned(block_stress(scene.model, e, scene.reference, scene.settings, q), angle);
-  // The centroid is an unknown; moments are those of the polygon as it lies.
-  const Point centroid = scene.reference.centroids[e] + translation(basis, q);
-  return {centroid,    place(scene.model, vertices, e, scene.settings).moments,
-          motion.v[e], Unknowns::Zero(q.size()),
-          stress,      angle};
+  return scene.groups.of(e).state_of(scene.parts(), e, motion, place(scene.model, vertices, e, scene.settings));
 }
 
 }  // namespace
@@ -337,8 +321,7 @@ bool StandardStepper::is_at_rest(double share) const {
 }
 
 Stress StandardStepper::stress_at(ElementIndex e, Point start) const {
-  return scene_.reference.is_on_covers(e) ? scene_.covers->stress(e, motion_.q.covers, start)
-                                          : state_.elements[e].stress;
+  return scene_.groups.of(e).stress_at(scene_.parts(), e, motion_.q, start);
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance() {
@@ -374,9 +357,7 @@ ControlledStep StandardStepper::make_step() {
   if (settings.standard.motion != MotionRule::dynamic)
     return whole(scene_, motion_.q, static_equilibrium(state_.time + dt), dt);
   Motion start = motion_;
-  for (ElementIndex e : indices(start.v))
-    start.v[e] *= settings.velocity_carry_over.of(scene_.model.elements[e].material);
-  if (scene_.covers) start.v.covers = scene_.covers->carried_over(std::move(start.v.covers));
+  for (const auto& group : scene_.groups) group->carry_over(scene_.parts(), start.v);
   ControlledStep made = settings.step_control == StepControl::constant
                             ? whole(scene_, motion_.q, standard_step(scene_, start, state_.time, dt), dt)
                             : controlled_step(scene_, start, state_.time, dt, next_part_);
@@ -401,7 +382,7 @@ StandardStep StandardStepper::static_equilibrium(double time) {
       std::ranges::all_of(scene_.held, stays))
     return unchanged(scene_, motion_, time);
   StandardStep made = equilibrium_from(motion_, time);
-  if (state_.step == 0 && wanted == 1 && scene_.covers) made = in_finer_shares(std::move(made), time);
+  if (state_.step == 0 && wanted == 1 && !scene_.is_linear()) made = in_finer_shares(std::move(made), time);
   while (++share <= end && made.converged && made.failure.empty()) {
     scene_.load_share = static_cast<double>(share) / wanted;
     made = joined(made, equilibrium_from(made.motion, time));
@@ -455,14 +436,14 @@ StepReport StandardStepper::report_of(const ControlledStep& made) const {
   report.unsettled_contacts = static_cast<int>(made.step.undecided.size());
   report.contacts = static_cast<int>(made.step.touches.size());
   report.closed = static_cast<int>(motion_.closed.size());
-  report.matrix_blocks = static_cast<int>(scene_.bodies.size());
+  report.matrix_blocks = static_cast<int>(scene_.bodies().size());
   report.penalty = scene_.has_springs() ? scene_.normal_stiffness() : 0;
   report.residual = made.step.residual;
   report.displacement_ratio = made.displacement / (scene_.settings.allowed_displacement_ratio * scene_.model.scale);
   for (const auto& [touch, memory] : motion_.closed.all()) {
     const double depth = -gap_of(touch, state_.vertices);
-    const Body& one = scene_.bodies[scene_.model.vertices[touch.vertex].element];
-    const Body& other = scene_.bodies[scene_.model.vertices[touch.start].element];
+    const Body& one = scene_.bodies()[scene_.model.vertices[touch.vertex].element];
+    const Body& other = scene_.bodies()[scene_.model.vertices[touch.start].element];
     report.greatest_penetration = std::max(report.greatest_penetration, depth);
     report.penetration_share = std::max(report.penetration_share, depth / std::min(one.size, other.size));
   }

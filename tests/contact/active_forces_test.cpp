@@ -38,9 +38,9 @@ FrictionalProblem chain(int elements, std::mt19937& engine) {
 }
 
 /// Bodies of three functions each, none of which answers to forces on another.
-class CoversOfBodies : public CoverFlexibility {
+class SharedOfBodies : public SharedFlexibility {
  public:
-  explicit CoversOfBodies(std::vector<Eigen::MatrixXd> bodies) : bodies_(std::move(bodies)) {}
+  explicit SharedOfBodies(std::vector<Eigen::MatrixXd> bodies) : bodies_(std::move(bodies)) {}
   Eigen::Index size() const override { return 6 * std::ssize(bodies_); }
   Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
     Eigen::MatrixXd answers(forces.rows(), forces.cols());
@@ -68,10 +68,10 @@ FrictionalProblem chain_on_covers(int bodies, std::mt19937& engine) {
   std::vector<Eigen::MatrixXd> of_bodies;
   for (int b = 0; b < bodies; ++b) of_bodies.push_back(answer_of(6));
   Flexibility flexibility;
-  flexibility.covers = std::make_shared<CoversOfBodies>(of_bodies);
+  flexibility.shared = std::make_shared<SharedOfBodies>(of_bodies);
   flexibility.blocks.assign(static_cast<std::size_t>(bodies), UnknownBlock(0, 0));
   flexibility.blocks.push_back(UnknownBlock(answer_of(3)));
-  const auto entries_of = [&](int body, std::vector<CoverEntry>& entries) {
+  const auto entries_of = [&](int body, std::vector<SharedEntry>& entries) {
     for (int f = 0; f < 3; ++f) entries.push_back({3 * body + f, number(engine), number(engine)});
   };
   ContactRows rows;
@@ -79,8 +79,8 @@ FrictionalProblem chain_on_covers(int bodies, std::mt19937& engine) {
     for (int k = 0; k < 2; ++k) {
       const bool is_last = b + 1 == bodies;
       ContactRow row{{b}, {b + 1}, ContactRow::Row(1, 0), ContactRow::Row(random(1, is_last ? 3 : 0)), {}};
-      entries_of(b, row.covers);
-      if (!is_last) entries_of(b + 1, row.covers);
+      entries_of(b, row.shared);
+      if (!is_last) entries_of(b + 1, row.shared);
       rows.push_back(row);
     }
   FrictionalProblem problem;

@@ -172,13 +172,17 @@ Collision collision_of(const Scene& scene, double dt) {
     if (met == 0) met = stepper.state().time;
     found.time = stepper.state().time - met;
   }
-  const CoverScene& covers = *stepper.scene().covers;
+  const StandardScene& at_end = stepper.scene();
   const Motion& end = stepper.motion();
-  const std::vector<WholeBody> bars = covers.whole(end.q.covers, covers.momentum(end.v.covers));
+  std::vector<WholeBody> bars;
+  for (const auto& group : at_end.groups)
+    group->look_at_bodies(at_end.parts(), end.q, momentum(at_end, end.v),
+                          [&](const WholeBody& bar) { bars.push_back(bar); });
   const double mass = kDensity * kBar * kThickness;
   found.exchanged = -bars[0].resultant[0] / mass / kSpeed;
   const double kinetic = mass * kSpeed * kSpeed;
-  found.lost = 1 - (covers.kinetic_energy(end.v.covers) + covers.strain_energy(end.q.covers)) / kinetic;
+  const StoredEnergy stored = stored_energy(at_end, end);
+  found.lost = 1 - (stored.kinetic + stored.strain) / kinetic;
   return found;
 }
 

@@ -68,7 +68,7 @@ TEST(HollowBlock, turns_with_the_inertia_of_a_ring) {
   const Analysis analysis = heavy(1e-3, 1);
   const Scene made = standard_scene_of(scene, analysis, standard_settings(analysis));
   const StandardScene standard = standard_scene(made.model, made.settings);
-  const Body& ring = standard.bodies[ElementIndex{1}];
+  const Body& ring = standard.bodies()[ElementIndex{1}];
   EXPECT_NEAR(ring.mass(0, 0), 5 * kDensity, 1e-9 * kDensity);
   EXPECT_NEAR(ring.mass(2, 2), (81 - 16) / 6.0 * kDensity, 1e-9 * kDensity);
 }

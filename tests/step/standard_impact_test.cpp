@@ -79,7 +79,7 @@ struct PressedRow {
   }
 
   bool is_apart(const Touch& touch) const {
-    return drawn.model.vertices[touch.vertex].element.value >= static_cast<int>(scene.bodies.size()) - 2;
+    return drawn.model.vertices[touch.vertex].element.value >= static_cast<int>(scene.bodies().size()) - 2;
   }
 
   // Of the row, or of the two blocks apart.
@@ -253,7 +253,7 @@ TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
     motion.v[ElementIndex{1}] << 0, -approach, 0, 0, 0.4, 0;  // u v r ex ey gxy
     std::vector<Meeting> meetings;
     for (const Touch& touch : touches) meetings.push_back({touch, 0, 0});
-    const Flexibility blocks_alone{rigid_mass_inverses(scene.bodies)};
+    const Flexibility blocks_alone{rigid_mass_inverses(scene.bodies())};
     const Jump jump = after_jump(scene, motion.q, motion.v, {meetings, {}, {}}, blocks_alone);
     const Jump closed = after_jump(scene, motion.q, motion.v, {{meetings[0]}, {touches[1]}, {}}, blocks_alone);
     EXPECT_NEAR(jump.v[ElementIndex{1}][1], 0, 1e-12) << approach;
@@ -362,7 +362,7 @@ TEST(StandardImpact, overlaps_go_where_there_is_room) {
     const PressedRow row(count, false);
     EXPECT_NEAR(row.deepest(row.motion.q, false), PressedRow::kOverlap, 1e-12);
     const Separated separated = without_overlap(row.scene, row.motion.q, row.touches, {}, row.motion.q,
-                                                {rigid_mass_inverses(row.scene.bodies)});
+                                                {rigid_mass_inverses(row.scene.bodies())});
     EXPECT_LE(row.deepest(separated.q, false), kSeparated) << count;
     EXPECT_LE(row.deepest(separated.q, true), kSeparated) << count;
     EXPECT_EQ(separated.locked, 0) << count;
@@ -374,7 +374,7 @@ TEST(StandardImpact, overlaps_that_lock_each_other_stay_and_hold_no_others_up) {
   for (const int count : {5, 40}) {
     const PressedRow row(count, true);
     const Separated separated = without_overlap(row.scene, row.motion.q, row.touches, {}, row.motion.q,
-                                                {rigid_mass_inverses(row.scene.bodies)});
+                                                {rigid_mass_inverses(row.scene.bodies())});
     EXPECT_NEAR(row.deepest(separated.q, false), PressedRow::kOverlap, 1e-12) << count;
     EXPECT_LE(row.deepest(separated.q, true), kSeparated) << count;
     EXPECT_GT(separated.locked, 0) << count;

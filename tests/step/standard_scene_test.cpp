@@ -33,9 +33,9 @@ TEST(StandardScene, a_rigid_scene_without_friction_solves_three_unknowns_a_movin
   EXPECT_EQ(prepared.requirements.unknowns, 9);
   StandardStepper stepper(prepared.scene);
   ASSERT_TRUE(std::holds_alternative<StepReport>(stepper.advance()));
-  for (ElementIndex e : indices(stepper.scene().bodies)) {
+  for (ElementIndex e : indices(stepper.scene().bodies())) {
     const Eigen::Index expected = e.value == 0 ? 0 : 3;
-    EXPECT_EQ(stepper.scene().bodies[e].mass.rows(), expected);
+    EXPECT_EQ(stepper.scene().bodies()[e].mass.rows(), expected);
     EXPECT_EQ(stepper.motion().q[e].size(), expected);
   }
 }

@@ -2,28 +2,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rows/contact_row.hpp"
 
+#include <utility>
+
 #include "base/loop.hpp"
 
 namespace keyblock {
+namespace {
+
+class ScaledFlexibility final : public SharedFlexibility {
+ public:
+  ScaledFlexibility(std::shared_ptr<const SharedFlexibility> of, double by) : of_(std::move(of)), by_(by) {}
+  Eigen::Index size() const override { return of_->size(); }
+  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override { return by_ * of_->times(forces); }
+
+ private:
+  std::shared_ptr<const SharedFlexibility> of_;
+  double by_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SharedFlexibility> scaled(std::shared_ptr<const SharedFlexibility> flexibility, double factor) {
+  if (!flexibility) return nullptr;
+  return std::make_shared<ScaledFlexibility>(std::move(flexibility), factor);
+}
 
 Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
   for_each_entry(rows.size(), [&](std::size_t i) {
     const ContactRow& row = rows[i];
     result[static_cast<Eigen::Index>(i)] = row.of_vertex.dot(x[row.vertex_element].transpose()) +
-                                           row.of_edge.dot(x[row.edge_element].transpose()) + row.of_covers(x.covers);
+                                           row.of_edge.dot(x[row.edge_element].transpose()) + row.of_shared(x.shared);
   });
   return result;
 }
 
-double ContactRow::of_covers(const Eigen::VectorXd& x) const {
+double ContactRow::of_shared(const Eigen::VectorXd& x) const {
   double sum = 0;
-  for (const CoverEntry& entry : covers) sum += entry.x * x[2 * entry.function] + entry.y * x[2 * entry.function + 1];
+  for (const SharedEntry& entry : shared) sum += entry.x * x[2 * entry.function] + entry.y * x[2 * entry.function + 1];
   return sum;
 }
 
-void ContactRow::add_covers(double force, Eigen::VectorXd& sum) const {
-  for (const CoverEntry& entry : covers)
+void ContactRow::add_to(UnknownsTable& sum, double force) const {
+  sum[vertex_element] += force * of_vertex.transpose();
+  sum[edge_element] += force * of_edge.transpose();
+  add_shared(force, sum.shared);
+}
+
+void ContactRow::add_shared(double force, Eigen::VectorXd& sum) const {
+  for (const SharedEntry& entry : shared)
     sum.segment<2>(2 * entry.function) += force * Eigen::Vector2d(entry.x, entry.y);
 }
 
@@ -43,10 +70,10 @@ UnknownsTable answer_of_blocks(const ContactRows& rows, const Table<ElementIndex
 
 UnknownsTable answer(const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& forces) {
   UnknownsTable sum = answer_of_blocks(rows, flexibility.blocks, forces);
-  if (!flexibility.covers) return sum;
-  sum.covers = Eigen::VectorXd::Zero(flexibility.covers->size());
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].add_covers(forces[static_cast<Eigen::Index>(i)], sum.covers);
-  sum.covers = flexibility.covers->times(sum.covers);
+  if (!flexibility.shared) return sum;
+  sum.shared = Eigen::VectorXd::Zero(flexibility.shared->size());
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].add_shared(forces[static_cast<Eigen::Index>(i)], sum.shared);
+  sum.shared = flexibility.shared->times(sum.shared);
   return sum;
 }
 

@@ -10,25 +10,27 @@
 namespace keyblock {
 
 /// What a unit rate of the two unknowns of a cover function does to gap or slip.
-struct CoverEntry {
+struct SharedEntry {
   int function = 0;
   double x = 0;
   double y = 0;
 };
 
-/// One row of G: what a unit rate of the unknowns of the two elements does to gap or slip. The part of an element on
-/// covers stands in `covers`, and its own row is empty.
+/// One row of G: what a unit rate of the unknowns of the two elements does to gap or slip. The part of an element
+/// whose unknowns others share stands in `shared`, and its own row is empty.
 struct ContactRow {
   using Row = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMostUnknowns>;
   ElementIndex vertex_element;
   ElementIndex edge_element;
   Row of_vertex;
   Row of_edge;
-  std::vector<CoverEntry> covers{};
+  std::vector<SharedEntry> shared{};
 
-  /// The product with unknowns of covers.
-  double of_covers(const Eigen::VectorXd& x) const;
-  void add_covers(double force, Eigen::VectorXd& sum) const;
+  /// The product with shared unknowns.
+  double of_shared(const Eigen::VectorXd& x) const;
+  void add_shared(double force, Eigen::VectorXd& sum) const;
+  /// Gᵀ f of this row.
+  void add_to(UnknownsTable& sum, double force) const;
 };
 
 /// Rows 2i (normal) and 2i + 1 (tangential) belong to touch i.
@@ -37,22 +39,25 @@ using ContactRows = std::vector<ContactRow>;
 /// G x.
 Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x);
 
-/// How the unknowns of all covers answer to forces on them.
-class CoverFlexibility {
+/// How all shared unknowns answer to forces on them.
+class SharedFlexibility {
  public:
-  virtual ~CoverFlexibility() = default;
+  virtual ~SharedFlexibility() = default;
   virtual Eigen::Index size() const = 0;  ///< unknowns
   /// B f, a column a load.
   virtual Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const = 0;
 };
 
-/// B: one block an element, and one for all covers.
+/// The same, times a factor; none of none.
+std::shared_ptr<const SharedFlexibility> scaled(std::shared_ptr<const SharedFlexibility> flexibility, double factor);
+
+/// B: a block for each element, and an operator for what elements share.
 struct Flexibility {
   Table<ElementIndex, UnknownBlock> blocks;
-  std::shared_ptr<const CoverFlexibility> covers{};
+  std::shared_ptr<const SharedFlexibility> shared{};
 };
 
-/// B Gᵀ f of the blocks alone; nothing is said of covers.
+/// B Gᵀ f of the blocks alone; shared unknowns are left out.
 UnknownsTable answer_of_blocks(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks,
                                const Eigen::VectorXd& forces);
 

@@ -9,8 +9,8 @@
 namespace keyblock {
 namespace {
 
-void add(const PointMotion& motion, Point direction, std::vector<CoverEntry>& entries) {
-  for (const CoverShare& share : motion.of_covers)
+void add(const PointMotion& motion, Point direction, std::vector<SharedEntry>& entries) {
+  for (const CoverShare& share : motion.of_shared)
     entries.push_back({share.function, share.value * direction.x, share.value * direction.y});
 }
 
@@ -18,8 +18,8 @@ void add(const PointMotion& motion, Point direction, std::vector<CoverEntry>& en
 
 PointMotion between(PointMotion a, const PointMotion& b, double s) {
   a.of_block = (1 - s) * a.of_block + s * b.of_block;
-  for (CoverShare& share : a.of_covers) share.value *= 1 - s;
-  for (const CoverShare& share : b.of_covers) a.of_covers.push_back({share.function, s * share.value});
+  for (CoverShare& share : a.of_shared) share.value *= 1 - s;
+  for (const CoverShare& share : b.of_shared) a.of_shared.push_back({share.function, s * share.value});
   return a;
 }
 
@@ -67,24 +67,31 @@ PointMotion PointMotions::of_point(ElementIndex e, Point start) const {
 }
 
 PointMotion PointMotions::at_place(ElementIndex e, Point x) const {
-  if (reference_.is_on_covers(e)) return of_point(e, reference_.covers->start_of(e, q_.covers, x));
+  if (reference_.is_on_covers(e)) return of_point(e, reference_.covers->start_of(e, q_.shared, x));
   const Block& of = block(e);
   return {of.jacobian.at(of.map.offset(x))};
+}
+
+void add_force(const PointMotion& motion, ElementIndex e, Point force, UnknownsTable& loads) {
+  const Eigen::Vector2d of_point(force.x, force.y);
+  loads[e] += motion.of_block.transpose() * of_point;
+  for (const CoverShare& share : motion.of_shared)
+    loads.shared.segment<2>(2 * share.function) += share.value * of_point;
 }
 
 ContactRow row_between(ElementIndex a, const PointMotion& of_a, ElementIndex b, const PointMotion& of_b,
                        Point direction) {
   const Eigen::RowVector2d d(direction.x, direction.y);
   ContactRow row{a, b, d * of_a.of_block, -d * of_b.of_block};
-  add(of_a, direction, row.covers);
-  add(of_b, -1 * direction, row.covers);
+  add(of_a, direction, row.shared);
+  add(of_b, -1 * direction, row.shared);
   return row;
 }
 
 ContactRow row_of(ElementIndex e, const PointMotion& motion, Point direction) {
   ContactRow::Row nothing = ContactRow::Row::Zero(motion.of_block.cols());
   ContactRow row{e, e, Eigen::RowVector2d(direction.x, direction.y) * motion.of_block, std::move(nothing)};
-  add(motion, direction, row.covers);
+  add(motion, direction, row.shared);
   return row;
 }
 

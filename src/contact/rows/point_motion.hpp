@@ -12,7 +12,7 @@ namespace keyblock {
 /// ∂x/∂q of a point: by the unknowns of its block, or by shares of cover functions.
 struct PointMotion {
   DisplacementOperator of_block;  ///< 2 × n; n = 0 on covers
-  std::vector<CoverShare> of_covers{};
+  std::vector<CoverShare> of_shared{};
 };
 
 /// (1 − s) a + s b, both points of one element.
@@ -48,6 +48,9 @@ class PointMotions {
   mutable Table<ElementIndex, int> numbers_;  ///< of each element in the list below; −1 where its map was not made yet
   mutable std::vector<std::optional<Block>> blocks_;
 };
+
+/// Adds what a force on a point of the element does on its unknowns.
+void add_force(const PointMotion& motion, ElementIndex e, Point force, UnknownsTable& loads);
 
 /// The row of `direction` · (velocity of the point of a − velocity of the point of b).
 ContactRow row_between(ElementIndex a, const PointMotion& of_a, ElementIndex b, const PointMotion& of_b,

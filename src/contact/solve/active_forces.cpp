@@ -73,7 +73,7 @@ ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<G
   if ((given.array() != 0).any()) from_given_ = set_.kept(problem.w * given + added.cwiseProduct(given));
   if (set_.rows.size() <= kMostDense)
     factorise_dense();
-  else if (!problem.w.covers().is_none())
+  else if (!problem.w.shared().is_none())
     factorise_coupled();
   else if (is_inertia_great())
     iterates_ = true;

@@ -1,4 +1,4 @@
-// Products row by row; the diagonal, and what covers couple, are made once.
+// Products row by row; the diagonal, and what shared unknowns couple, are made once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/contact_matrix.hpp"
 
@@ -18,7 +18,7 @@ ContactRow through(const ContactRow& row, const Table<ElementIndex, UnknownBlock
           row.of_edge * blocks[row.edge_element]};
 }
 
-// Right sides that the factor of the covers takes at a time.
+// Right sides that the factor of shared unknowns takes at a time.
 constexpr std::size_t kSolvedAtOnce = 64;
 
 /// What one unknown answers to all forces lies side by side.
@@ -26,20 +26,20 @@ using AnswersByUnknown = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, E
 
 /// A column for a unit of force along each of the rows.
 AnswersByUnknown answers_to(const ContactRows& rows, std::span<const Eigen::Index> some,
-                            const CoverFlexibility& covers) {
-  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(covers.size(), static_cast<Eigen::Index>(some.size()));
+                            const SharedFlexibility& shared) {
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(shared.size(), static_cast<Eigen::Index>(some.size()));
   for (std::size_t k = 0; k < some.size(); ++k)
-    for (const CoverEntry& entry : rows[static_cast<std::size_t>(some[k])].covers)
+    for (const SharedEntry& entry : rows[static_cast<std::size_t>(some[k])].shared)
       forces.col(static_cast<Eigen::Index>(k)).segment<2>(2 * entry.function) += Eigen::Vector2d(entry.x, entry.y);
-  return covers.times(forces);
+  return shared.times(forces);
 }
 
 /// The entries of row i with those of `some` that are not behind it.
 void add_coupled(const ContactRow& row, Eigen::Index i, std::span<const Eigen::Index> some,
-                 const AnswersByUnknown& answers, std::vector<CoverCoupling::Entry>& entries) {
+                 const AnswersByUnknown& answers, std::vector<SharedCoupling::Entry>& entries) {
   const auto count = std::ranges::upper_bound(some, i) - some.begin();
   Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(count);
-  for (const CoverEntry& entry : row.covers)
+  for (const SharedEntry& entry : row.shared)
     sums += entry.x * answers.row(2 * entry.function).head(count) +
             entry.y * answers.row(2 * entry.function + 1).head(count);
   for (Eigen::Index k = 0; k < count; ++k)
@@ -64,17 +64,17 @@ void CoupledRows::add(std::span<const Entry> entries) {
   first_.push_back(entries_.size());
 }
 
-CoverCoupling::CoverCoupling(const ContactRows& rows, const Flexibility& flexibility) {
-  if (!flexibility.covers) return;
-  std::vector<Eigen::Index> on_covers;
+SharedCoupling::SharedCoupling(const ContactRows& rows, const Flexibility& flexibility) {
+  if (!flexibility.shared) return;
+  std::vector<Eigen::Index> coupled;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (!rows[i].covers.empty()) on_covers.push_back(static_cast<Eigen::Index>(i));
+    if (!rows[i].shared.empty()) coupled.push_back(static_cast<Eigen::Index>(i));
   std::vector<std::vector<Entry>> lower(rows.size());
-  for (std::size_t begin = 0; begin < on_covers.size(); begin += kSolvedAtOnce) {
+  for (std::size_t begin = 0; begin < coupled.size(); begin += kSolvedAtOnce) {
     const std::span<const Eigen::Index> some =
-        std::span(on_covers).subspan(begin, std::min(kSolvedAtOnce, on_covers.size() - begin));
-    const AnswersByUnknown answers = answers_to(rows, some, *flexibility.covers);
-    for (const Eigen::Index i : std::span(on_covers).subspan(begin))
+        std::span(coupled).subspan(begin, std::min(kSolvedAtOnce, coupled.size() - begin));
+    const AnswersByUnknown answers = answers_to(rows, some, *flexibility.shared);
+    for (const Eigen::Index i : std::span(coupled).subspan(begin))
       add_coupled(rows[static_cast<std::size_t>(i)], i, some, answers, lower[static_cast<std::size_t>(i)]);
   }
   std::vector<std::vector<Entry>> upper(rows.size());
@@ -88,23 +88,23 @@ CoverCoupling::CoverCoupling(const ContactRows& rows, const Flexibility& flexibi
   }
 }
 
-std::span<const CoverCoupling::Entry> CoverCoupling::entries(Eigen::Index i) const {
+std::span<const SharedCoupling::Entry> SharedCoupling::entries(Eigen::Index i) const {
   return is_none() ? std::span<const Entry>() : rows_.of(i);
 }
 
-double CoverCoupling::entry(Eigen::Index i, Eigen::Index j) const {
+double SharedCoupling::entry(Eigen::Index i, Eigen::Index j) const {
   const std::span<const Entry> row = entries(i);
   const auto found = std::ranges::lower_bound(row, j, {}, &Entry::row);
   return found == row.end() || found->row != j ? 0 : found->value;
 }
 
-double CoverCoupling::rate(Eigen::Index i, const Eigen::VectorXd& forces) const {
+double SharedCoupling::rate(Eigen::Index i, const Eigen::VectorXd& forces) const {
   double sum = 0;
   for (const Entry& entry : entries(i)) sum += entry.value * forces[entry.row];
   return sum;
 }
 
-Eigen::VectorXd CoverCoupling::times(const Eigen::VectorXd& forces) const {
+Eigen::VectorXd SharedCoupling::times(const Eigen::VectorXd& forces) const {
   Eigen::VectorXd all(forces.size());
   for (Eigen::Index i = 0; i < all.size(); ++i) all[i] = rate(i, forces);
   return all;
@@ -116,10 +116,10 @@ ContactMatrix::ContactMatrix(ContactRows rows, Flexibility flexibility)
 ContactMatrix::ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibility flexibility)
     : rows_(std::move(rows)),
       flexibility_(std::move(flexibility)),
-      covers_(*rows_, flexibility_),
-      diagonal_(diagonal_of(*rows_, flexibility_, covers_)),
+      shared_(*rows_, flexibility_),
+      diagonal_(diagonal_of(*rows_, flexibility_, shared_)),
       added_(Eigen::VectorXd::Zero(diagonal_.size())) {
-  has_many_pairs_ = covers_.is_none() && flexibility_.blocks.size() >= kManyBlocks && rows_->size() >= 2 * kManyBlocks;
+  has_many_pairs_ = shared_.is_none() && flexibility_.blocks.size() >= kManyBlocks && rows_->size() >= 2 * kManyBlocks;
 }
 
 void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
@@ -145,7 +145,7 @@ const CoupledRows& ContactMatrix::coupled() const {
   std::vector<CoupledRows::Entry> entries;
   for (Eigen::Index i = 0; i < rows(); ++i) {
     others.assign(1, i);
-    for (const CoupledRows::Entry& entry : covers_.entries(i)) others.push_back(entry.row);
+    for (const CoupledRows::Entry& entry : shared_.entries(i)) others.push_back(entry.row);
     for (const ElementIndex e : {row(i).vertex_element, row(i).edge_element})
       others.insert(others.end(), rows_on[e].begin(), rows_on[e].end());
     std::ranges::sort(others);
@@ -171,15 +171,15 @@ Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {
   for (Eigen::Index i = 0; i < all.size(); ++i)
     all[i] += row(i).of_vertex.dot(of_blocks[row(i).vertex_element].transpose()) +
               row(i).of_edge.dot(of_blocks[row(i).edge_element].transpose());
-  return covers_.is_none() ? all : Eigen::VectorXd(all + covers_.times(forces));
+  return shared_.is_none() ? all : Eigen::VectorXd(all + shared_.times(forces));
 }
 
-Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const CoverCoupling& covers) {
+Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const SharedCoupling& shared) {
   Eigen::VectorXd diagonal(static_cast<Eigen::Index>(rows.size()));
   for_each_entry(rows.size(), [&](std::size_t i) {
     const auto n = static_cast<Eigen::Index>(i);
     diagonal[n] = product(through(rows[i], flexibility.blocks), rows[i]);
-    if (!covers.is_none()) diagonal[n] += covers.entry(n, n);
+    if (!shared.is_none()) diagonal[n] += shared.entry(n, n);
   });
   return diagonal;
 }
@@ -188,8 +188,8 @@ RowThrough::RowThrough(const ContactMatrix& w, Eigen::Index i)
     : w_(w), i_(i), through_(through(w.row(i), w.flexibility().blocks)) {}
 
 double RowThrough::times(Eigen::Index j) const {
-  const double of_covers = w_.covers().is_none() ? 0 : w_.covers().entry(i_, j);
-  return product(through_, w_.row(j)) + of_covers;
+  const double of_shared = w_.shared().is_none() ? 0 : w_.shared().entry(i_, j);
+  return product(through_, w_.row(j)) + of_shared;
 }
 
 }  // namespace keyblock

@@ -34,17 +34,17 @@ class CoupledRows {
   std::vector<Entry> entries_;
 };
 
-/// G B Gᵀ by way of the covers alone, a solution a row. The covers of a body couple the rows that it has a part in; of
-/// other rows B makes exact zeros, which are not kept.
-class CoverCoupling {
+/// G B Gᵀ by way of the shared unknowns alone, a solution a row. The unknowns of a body couple the rows that it has a
+/// part in; of other rows B makes exact zeros, which are not kept.
+class SharedCoupling {
  public:
   using Entry = CoupledRows::Entry;
 
-  CoverCoupling() = default;
-  CoverCoupling(const ContactRows& rows, const Flexibility& flexibility);
+  SharedCoupling() = default;
+  SharedCoupling(const ContactRows& rows, const Flexibility& flexibility);
 
   bool is_none() const { return rows_.is_none(); }
-  /// Of row i; none where there are no covers.
+  /// Of row i; none where nothing is shared.
   std::span<const Entry> entries(Eigen::Index i) const;
   double entry(Eigen::Index i, Eigen::Index j) const;
   /// Row i times forces.
@@ -70,14 +70,14 @@ class ContactMatrix {
   const Eigen::VectorXd& diagonal() const { return diagonal_; }
   const ContactRow& row(Eigen::Index i) const { return (*rows_)[static_cast<std::size_t>(i)]; }
   const Flexibility& flexibility() const { return flexibility_; }
-  const CoverCoupling& covers() const { return covers_; }
+  const SharedCoupling& shared() const { return shared_; }
   const Eigen::VectorXd& added() const { return added_; }
   /// Made when first asked for.
   const BlockNumbers& blocks() const;
-  /// The entries of W by way of blocks and covers alike, without what was added. Made when first asked for.
+  /// The entries of W by way of blocks and shared unknowns alike, without what was added. Made when first asked for.
   const CoupledRows& coupled() const;
-  /// The same rows for products many times over; none for few blocks or pairs, or where covers couple rows. Made
-  /// when first asked for.
+  /// The same rows for products many times over; none for few blocks or pairs, or where shared unknowns couple rows.
+  /// Made when first asked for.
   const PairSystem* pairs() const;
 
   /// The compliance of a spring, 1/p.
@@ -88,7 +88,7 @@ class ContactMatrix {
  private:
   std::shared_ptr<const ContactRows> rows_ = std::make_shared<ContactRows>();
   Flexibility flexibility_;
-  CoverCoupling covers_;
+  SharedCoupling shared_;
   Eigen::VectorXd diagonal_;
   Eigen::VectorXd added_;
   mutable std::shared_ptr<const BlockNumbers> blocks_;
@@ -97,8 +97,8 @@ class ContactMatrix {
   mutable std::shared_ptr<const PairSystem> pairs_;
 };
 
-/// The diagonal of G B Gᵀ alone, with what covers couple made already.
-Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const CoverCoupling& covers);
+/// The diagonal of G B Gᵀ alone, with what shared unknowns couple made already.
+Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const SharedCoupling& shared);
 
 /// A row of G times B, for entries of W where a few are wanted: entry (i, j) is row i times row j, without what was
 /// added.

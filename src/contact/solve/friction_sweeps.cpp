@@ -76,7 +76,7 @@ class Sweep {
     double y = p_.b[i] + p_.w.added()[i] * forces_[i];
     for (const SweptPair::Side& side : pairs_[pair].forces[k])
       for (int u = 0; u < side.count; ++u) y += side.row[static_cast<std::size_t>(u)] * answer_[side.first + u];
-    if (!p_.w.covers().is_none()) y += p_.w.covers().rate(i, forces_);
+    if (!p_.w.shared().is_none()) y += p_.w.shared().rate(i, forces_);
     return forces_[i] - y / p_.w.diagonal()[i];
   }
   void put(std::size_t pair, std::size_t k, double force) {

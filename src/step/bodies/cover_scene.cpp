@@ -42,7 +42,7 @@ Eigen::MatrixXd by_body(const Functions& functions, const Eigen::MatrixXd& force
   return result;
 }
 
-class StepAnswer : public CoverFlexibility {
+class StepAnswer : public SharedFlexibility {
  public:
   StepAnswer(const CoverEquations& equations, const Functions& functions)
       : equations_(equations), functions_(functions) {}
@@ -57,7 +57,7 @@ class StepAnswer : public CoverFlexibility {
   const Functions& functions_;
 };
 
-class MassAnswer : public CoverFlexibility {
+class MassAnswer : public SharedFlexibility {
  public:
   MassAnswer(const ElasticBodies& bodies)
       : functions_(bodies.rigid.functions()),
@@ -260,7 +260,7 @@ double CoverScene::rotation(ElementIndex e, const Eigen::VectorXd& d, Point star
   return std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));
 }
 
-std::shared_ptr<const CoverFlexibility> CoverScene::flexibility_of_step() const {
+std::shared_ptr<const SharedFlexibility> CoverScene::flexibility_of_step() const {
   return std::make_shared<StepAnswer>(*equations_, bodies_.rigid.functions());
 }
 

@@ -11,19 +11,9 @@
 #include "model/cover_kinematics.hpp"
 #include "settings/settings.hpp"
 #include "step/bodies/cover_equations.hpp"
+#include "step/bodies/whole_body.hpp"
 
 namespace keyblock {
-
-/// A body seen as a rigid one.
-struct WholeBody {
-  double mass = 0;
-  double inertia = 0;  ///< about the mass centre, as it is now
-  double size = 0;     ///< largest distance of a vertex from the mass centre at the start
-  Point centre;        ///< mass centre now
-  /// Of forces, or momenta, on the unknowns: x, y and moment about the mass centre; and the sum of their sizes.
-  Eigen::Vector3d resultant = Eigen::Vector3d::Zero();
-  double gross = 0;
-};
 
 /// All bodies of a model that hang on covers. Vectors have the entries (dx, dy) of every cover function.
 class CoverScene {
@@ -89,8 +79,8 @@ class CoverScene {
 
   /// Of the step at hand: one step at a time is made of a scene.
   CoverEquations& equations() const { return *equations_; }
-  std::shared_ptr<const CoverFlexibility> flexibility_of_step() const;
-  std::shared_ptr<const CoverFlexibility> mass_inverse() const { return mass_inverse_; }
+  std::shared_ptr<const SharedFlexibility> flexibility_of_step() const;
+  std::shared_ptr<const SharedFlexibility> mass_inverse() const { return mass_inverse_; }
 
  private:
   ElasticBodies bodies_;
@@ -103,7 +93,7 @@ class CoverScene {
   Eigen::VectorXd weight_;
   Eigen::VectorXd initial_force_;
   std::unique_ptr<CoverEquations> equations_;
-  std::shared_ptr<const CoverFlexibility> mass_inverse_;
+  std::shared_ptr<const SharedFlexibility> mass_inverse_;
 };
 
 }  // namespace keyblock

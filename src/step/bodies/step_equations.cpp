@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-Unknowns known(const StepSum& sum, const BodyMotion& start) {
+Unknowns known(const StepSum& sum, const BlockMotion& start) {
   return sum.velocity * start.v + sum.acceleration * start.a;
 }
 
@@ -18,7 +18,7 @@ UnknownBlock inverse_of(const UnknownBlock& a) {
 
 }  // namespace
 
-StepEquations step_equations(const Body& body, const BodyMotion& start, const Unknowns& load, const StepRule& rule) {
+StepEquations step_equations(const Body& body, const BlockMotion& start, const Unknowns& load, const StepRule& rule) {
   const double inertia = rule.inertia.increment + rule.damping.increment * body.mass_damping;
   const double stiffness = rule.strain.increment + rule.strain_rate.increment * body.stiffness_damping;
   const UnknownBlock a = body.sum_of(inertia, stiffness);

@@ -8,7 +8,7 @@
 namespace keyblock {
 
 /// A body at the start of a step.
-struct BodyMotion {
+struct BlockMotion {
   const Unknowns& q;
   const Unknowns& v;
   const Unknowns& a;
@@ -24,6 +24,6 @@ struct StepEquations {
 };
 
 /// `load`: force on the unknowns besides elastic, damping and contact forces.
-StepEquations step_equations(const Body& body, const BodyMotion& start, const Unknowns& load, const StepRule& rule);
+StepEquations step_equations(const Body& body, const BlockMotion& start, const Unknowns& load, const StepRule& rule);
 
 }  // namespace keyblock

@@ -114,7 +114,7 @@ class Settling {
   void strain() {
     UnknownsTable forces = plus(start_.loads, 1, answer(start_.rows, {start_.identities()}, start_.forces));
     for (ElementIndex e : indices(forces)) {
-      const Body& body = start_.scene.bodies[e];
+      const Body& body = start_.scene.bodies()[e];
       const Eigen::Index strains = body.strain_count();
       if (strains == 0) continue;
       forces[e] += body.initial_stress - body.mass * start_.acceleration[e];

@@ -87,10 +87,7 @@ class Relaxation {
 
   void add_work(const UnknownsTable& from) {
     const UnknownsTable loads = loads_at(scene_, from, time_);
-    double work = 0;
-    for (ElementIndex e : indices(loads)) work += loads[e].dot(result_.motion.q[e] - from[e]);
-    if (scene_.covers) work += loads.covers.dot(result_.motion.q.covers - from.covers);
-    work_ += std::abs(work);
+    work_ += std::abs(dot(loads, plus(result_.motion.q, -1, from)));
   }
 
   StandardScene scene_;

@@ -92,7 +92,7 @@ class Settling {
     gaps.tail(count - of_faces) = constraints.gaps(motion_.q);
     const double inertia = scene_.normal_stiffness() / (kHeldByNothing * heaviest());
     Table<ElementIndex, UnknownBlock> stiffness;
-    for (const Body& body : scene_.bodies) stiffness.push_back(body.sum_of(inertia, 1));
+    for (const Body& body : scene_.bodies()) stiffness.push_back(body.sum_of(inertia, 1));
     const auto made = displacements_of_joined(stiffness, rows, compliance, gaps, loads_);
     if (!made) return;
     const Eigen::VectorXd forces = -(rates(rows, *made) + gaps).cwiseQuotient(compliance);
@@ -156,21 +156,21 @@ class Settling {
 
   double heaviest() const {
     double mass = 0;
-    for (const Body& body : scene_.bodies)
+    for (const Body& body : scene_.bodies())
       if (body.mass.rows() > 0) mass = std::max(mass, body.mass(0, 0));
     return mass;
   }
 
   // Union of touching and bolted blocks; a group without a block that is fixed or held somewhere bears no load here.
   void leave_unsupported(const Touches& touches) {
-    UnionFind groups(scene_.bodies.size());
+    UnionFind groups(scene_.bodies().size());
     const auto join = [&](ElementIndex first, ElementIndex second) { groups.unite(first.value, second.value); };
     for (const Touch& touch : touches)
       join(scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element);
     for (const Bolt& bolt : scene_.model.bolts) join(bolt.first.element, bolt.second.element);
-    std::vector<bool> held(scene_.bodies.size(), false);
-    for (ElementIndex e : indices(scene_.bodies))
-      if (scene_.bodies[e].mass.rows() == 0) held[static_cast<std::size_t>(groups.find(e.value))] = true;
+    std::vector<bool> held(scene_.bodies().size(), false);
+    for (ElementIndex e : indices(scene_.bodies()))
+      if (scene_.bodies()[e].mass.rows() == 0) held[static_cast<std::size_t>(groups.find(e.value))] = true;
     for (const CarriedPoint& point : scene_.held)
       held[static_cast<std::size_t>(groups.find(point.element.value))] = true;
     for (ElementIndex e : indices(loads_))

@@ -42,7 +42,7 @@ Eigen::VectorXd pretensions(const StandardScene& scene) {
 }
 
 bool has_light_blocks(const StandardScene& scene, double heaviest) {
-  return std::ranges::any_of(scene.bodies, [&](const Body& body) {
+  return std::ranges::any_of(scene.bodies(), [&](const Body& body) {
     return body.mass.rows() > 0 && body.mass(0, 0) < StartForces::kLightest * heaviest;
   });
 }
@@ -50,7 +50,7 @@ bool has_light_blocks(const StandardScene& scene, double heaviest) {
 }  // namespace
 
 StartForces::StartForces(const StandardScene& of, Motion start)
-    : scene(of), motion(std::move(start)), loads(loads_at(of, motion.q, 0)), rigid(rigid_mass_inverses(of.bodies)) {
+    : scene(of), motion(std::move(start)), loads(loads_at(of, motion.q, 0)), rigid(rigid_mass_inverses(of.bodies())) {
   for (const Unknowns& a : product(rigid, loads))
     if (a.size() > 0) acceleration_of_loads = std::max(acceleration_of_loads, a.head<2>().norm());
   const ContactRows of_bolts = bolt_rows(scene.model, scene.reference, motion.q);
@@ -59,7 +59,7 @@ StartForces::StartForces(const StandardScene& of, Motion start)
   add_centrifugal_force(scene, motion.v, loads);
   tolerance = kForceTolerance * scales.force;
   acceptable = kLooser * tolerance;
-  for (const Body& body : scene.bodies)
+  for (const Body& body : scene.bodies())
     if (body.mass.rows() > 0) heaviest = std::max(heaviest, body.mass(0, 0));
   touches = resting_touches(scene, motion, scales);
 }
@@ -101,7 +101,7 @@ void StartForces::find() {
     add_bolts(problem);
     problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
     if (has_light_blocks(scene, heaviest))
-      problem.scale = diagonal_of(rows, {scaled(dt, counted_as(1))}, problem.w.covers()) + problem.w.added();
+      problem.scale = diagonal_of(rows, {scaled(dt, counted_as(1))}, problem.w.shared()) + problem.w.added();
     forces = solve(problem, forces).forces;
   }
   acceleration = plus(product(rigid, loads), 1, answer(rows, {rigid}, forces));
@@ -113,8 +113,8 @@ void StartForces::distribute() {
   for (std::size_t i = 0; i < bolts.size(); ++i) softest = std::min(softest, bolt(i).stiffness);
   Table<ElementIndex, UnknownBlock> flexibility;
   UnknownsTable increments;
-  for (ElementIndex e : indices(scene.bodies)) {
-    const Body& body = scene.bodies[e];
+  for (ElementIndex e : indices(scene.bodies())) {
+    const Body& body = scene.bodies()[e];
     const UnknownBlock a = body.sum_of(softest / (kLong * heaviest), 1);
     flexibility.push_back(a.rows() > 0 ? UnknownBlock(a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()))) : a);
     const Unknowns unbalanced =
@@ -158,7 +158,7 @@ void StartForces::add_bolts(FrictionalProblem& problem) const {
 Table<ElementIndex, UnknownBlock> StartForces::counted_as(double share) const {
   Table<ElementIndex, UnknownBlock> blocks = rigid;
   for (ElementIndex e : indices(blocks))
-    if (blocks[e].rows() > 0) blocks[e] *= std::min(1.0, scene.bodies[e].mass(0, 0) / (share * heaviest));
+    if (blocks[e].rows() > 0) blocks[e] *= std::min(1.0, scene.bodies()[e].mass(0, 0) / (share * heaviest));
   return blocks;
 }
 

@@ -99,32 +99,13 @@ class StaticSolve {
     load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, scene_.settings.time_step));
     if (load_ == 0) return false;
     const Scales scales = scales_of(scene_, loads, now_.q, now_.v);
-    double slowest = std::numeric_limits<double>::max();
-    bool all_strain = true;
-    double lightest = slowest;
-    double heaviest = 0;
-    for (const Body& body : scene_.bodies) {
-      const Eigen::Index last = body.mass.rows() - 1;
-      if (last < 0) continue;
-      lightest = std::min(lightest, body.mass(0, 0));
-      heaviest = std::max(heaviest, body.mass(0, 0));
-      all_strain = all_strain && body.slowest_frequency > 0;
-      if (body.strain_count() > 0)
-        slowest = std::min(slowest, std::sqrt(body.stiffness.diagonal().tail<1>()[0] / body.mass(last, last)));
-      if (scene_.has_springs()) slowest = std::min(slowest, std::sqrt(scene_.normal_stiffness() / body.mass(0, 0)));
-    }
-    if (scene_.covers) {
-      for (const WholeBody& body : scene_.covers->at_start()) {
-        lightest = std::min(lightest, body.mass);
-        heaviest = std::max(heaviest, body.mass);
-      }
-      slowest = std::min(slowest, scene_.covers->slow_frequency());
-    }
+    MassRange range;
+    for (const auto& group : scene_.groups) group->add_to(range, scene_.has_springs() ? scene_.normal_stiffness() : 0);
     for (const Bolt& bolt : scene_.model.bolts)
-      if (bolt.is_spring()) slowest = std::min(slowest, std::sqrt(bolt.stiffness / heaviest));
-    tau_ = std::sqrt(kFarthest * scales.size * lightest / load_);
-    const double longest = all_strain ? kLongest : kLongestOfRigid;
-    longest_ = slowest < std::numeric_limits<double>::max() ? longest / slowest : longest * tau_;
+      if (bolt.is_spring()) range.slowest = std::min(range.slowest, std::sqrt(bolt.stiffness / range.heaviest));
+    tau_ = std::sqrt(kFarthest * scales.size * range.lightest / load_);
+    const double longest = range.all_strain ? kLongest : kLongestOfRigid;
+    longest_ = range.slowest < std::numeric_limits<double>::max() ? longest / range.slowest : longest * tau_;
     tau_ = std::min(tau_, longest_);
     return true;
   }
@@ -219,17 +200,13 @@ class StaticSolve {
     now_.closed = ClosedContacts(std::move(closed));
   }
 
-  double work_of_mass(const UnknownsTable& a, const UnknownsTable& b) const {
-    double sum = 0;
-    for (ElementIndex e : indices(a)) sum += a[e].dot(scene_.bodies[e].mass * b[e]);
-    return scene_.covers ? sum + a.covers.dot(scene_.covers->momentum(b.covers)) : sum;
-  }
+  double work_of_mass(const UnknownsTable& a, const UnknownsTable& b) const { return dot(a, momentum(scene_, b)); }
 
   // A touch is closed that was open where slip is counted from.
   bool one_closed() const {
     const auto then = vertices_at(scene_.model, scene_.reference, slip_start_.q);
     return std::ranges::any_of(closed_.all(), [&](const auto& entry) {
-      const double size = scene_.bodies[scene_.model.vertices[entry.touch.vertex].element].size;
+      const double size = scene_.bodies()[scene_.model.vertices[entry.touch.vertex].element].size;
       return gap_of(entry.touch, then) > kClosedThen * size;
     });
   }

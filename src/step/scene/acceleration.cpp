@@ -35,13 +35,6 @@ Eigen::VectorXd forces_of(const Motion& motion) {
   return forces;
 }
 
-double largest_force(const StandardScene& scene, const UnknownsTable& a) {
-  double largest = 0;
-  for (ElementIndex e : indices(a))
-    if (a[e].size() > 0) largest = std::max(largest, (scene.bodies[e].mass * a[e]).head<2>().norm());
-  return scene.covers ? std::max(largest, scene.covers->greatest_momentum(a.covers)) : largest;
-}
-
 }  // namespace
 
 UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& motion, double time) {
@@ -54,14 +47,7 @@ UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& mo
   const UnknownsTable loads = loads_at(scene, motion.q, time);
   const Flexibility inverse = mass_flexibility(scene);
   UnknownsTable a = answer(rows, inverse, forces);
-  if (scene.covers)
-    a.covers += scene.covers->mass_inverse()->times(loads.covers - scene.covers->elastic_force(motion.q.covers) -
-                                                    scene.covers->damping_force(motion.v.covers));
-  for (ElementIndex e : indices(a)) {
-    const Body& body = scene.bodies[e];
-    a[e] += inverse.blocks[e] *
-            (loads[e] + body.initial_stress - body.elastic_force(motion.q[e]) - body.damping_force(motion.v[e]));
-  }
+  for (const auto& group : scene.groups) group->add_acceleration(loads, motion.q, motion.v, inverse, a);
   return a;
 }
 
@@ -70,7 +56,7 @@ UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion
   if (closed.empty() && scene.held.empty()) return motion.a;
   const ContactRows rows = rows_with_points(scene, motion.q, closed);
   const Flexibility blocks = mass_flexibility(scene);
-  const double goal = kTolerance * largest_force(scene, motion.a) + kSmallest;
+  const double goal = kTolerance * largest_momentum(scene, motion.a) + kSmallest;
   FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, motion.a), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : closed) {
     const ContactMemory& memory = *motion.closed.of(touch);

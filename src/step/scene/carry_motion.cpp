@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "contact/rows/constraints.hpp"
-#include "step/bodies/carry_covers.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/touch_search.hpp"
 
@@ -67,35 +66,6 @@ class Names {
   const Model& after_;
   Table<VertexIndex, VertexIndex> now_;
 };
-
-// The affine field of a block about the centroid of its piece; its velocity as the mass of the block has it, whose
-// points lie where they would without strain: kinetic energy is kept to round-off.
-void carry_block(const StandardScene& before, const Motion& motion, ElementIndex old, const StandardScene& after,
-                 Motion& carried, ElementIndex e) {
-  const Basis& basis = *before.model.elements[old].basis;
-  const Eigen::Index count = std::min(motion.q[old].size(), carried.q[e].size());
-  if (count == 0) return;
-  const Point centroid = after.reference.centroids[e];
-  const Point offset = centroid - before.reference.centroids[old];
-  carried.q[e].head(count) = motion.q[old].head(count);
-  carried.v[e].setZero();
-  carried.v[e].head(count) = motion.v[old].head(count);
-  if (offset == Point{}) return;
-  const Point moved = point_at(before.model, before.reference, motion.q, old, centroid) - centroid;
-  carried.q[e].head<2>() << moved.x, moved.y;
-  Unknowns unstrained = motion.q[old];
-  unstrained.tail(unstrained.size() - kRigidUnknowns).setZero();
-  carried.v[e].head<2>() = jacobian(basis, unstrained, offset) * motion.v[old];
-}
-
-// Of every element on covers, the one among those before.
-std::vector<int> parents_on_covers(const StandardScene& before, const SceneMap& map, const StandardScene& after) {
-  std::vector<int> parents;
-  for (ElementIndex e : indices(map.elements))
-    if (after.reference.is_on_covers(e))
-      parents.push_back(before.covers->kinematics()->manifold_element(map.elements[e]));
-  return parents;
-}
 
 ClosedContacts carried_contacts(const ClosedContacts& closed, const Names& names) {
   std::vector<ClosedContact> kept;
@@ -188,14 +158,8 @@ Model installed(Model model, const SceneMap& map, const StandardScene& before, c
 Motion carried_motion(const StandardScene& before, const Motion& motion, const SceneMap& map,
                       const StandardScene& after, double time) {
   Motion carried = start_motion(after);
-  for (ElementIndex e : indices(map.elements))
-    if (!after.model.elements[e].is_on_covers()) carry_block(before, motion, map.elements[e], after, carried, e);
-  if (before.covers && after.covers) {
-    const CarriedCovers covers = carried_covers(*before.covers, motion.q.covers, motion.v.covers,
-                                                parents_on_covers(before, map, after), *after.covers);
-    carried.q.covers = covers.d;
-    carried.v.covers = covers.v;
-  }
+  const BodiesBefore bodies{before.parts(), before.groups, motion, map.elements};
+  for (const auto& group : after.groups) group->carry(after.parts(), bodies, carried);
   const Names names(map, before, after);
   carried.closed = carried_contacts(motion.closed, names);
   carried.bonds = carried_bonds(motion.bonds, names, map, before, carried, after, time);

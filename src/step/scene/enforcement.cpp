@@ -68,7 +68,7 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
                         std::ranges::any_of(own, [](const auto& material) { return is_automatic(material.second); });
   if (!is_asked) return settings;
   // Faces of many elements meet at more points than forces can be told apart at.
-  const bool needs_springs = settings.standard.impact == ImpactLaw::springs || model.continuum ||
+  const bool needs_springs = settings.standard.impact == ImpactLaw::springs || model.shares_unknowns() ||
                              (!has_few_blocks(model) && has_ring(model, touching_pairs(model)));
   const Enforcement decided = needs_springs ? Enforcement::penalty : Enforcement::lagrange;
   if (is_automatic(common)) common = decided;
@@ -79,7 +79,7 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
 
 std::string why_enforcement(const Model& model, const Settings& settings) {
   if (settings.standard.impact == ImpactLaw::springs) return "springs stop blocks that meet";
-  if (model.continuum) return "faces of bodies on covers";
+  if (model.shares_unknowns()) return "faces of bodies on covers";
   if (has_few_blocks(model)) return fmt::format("at most {} blocks can move", kFewBlocks);
   return has_ring(model, touching_pairs(model)) ? "touching blocks stand in a ring"
                                                 : "no touching blocks stand in a ring";

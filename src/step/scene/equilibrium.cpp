@@ -23,21 +23,14 @@ constexpr double kInPlace = 1e-9;
 // A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from
 // its place than its own size.
 bool is_held(const StandardScene& scene, ElementIndex e) {
-  if (scene.reference.is_on_covers(e) && scene.covers->has_supports()) return true;
+  if (scene.groups.of(e).is_supported(e)) return true;
   const CarriedPoint* first = nullptr;
   for (const CarriedPoint& point : scene.held) {
-    const bool are_on_covers = scene.reference.is_on_covers(point.element) && scene.reference.is_on_covers(e);
-    if (point.element != e && !(are_on_covers && scene.covers->are_one_body(point.element, e))) continue;
+    if (!scene.groups.are_one_body(point.element, e)) continue;
     if (first && !(first->start == point.start)) return true;
     first = &point;
   }
   return false;
-}
-
-double size_of_force(const Unknowns& force, double size) {
-  if (force.size() == 0) return 0;
-  return worse(force.head<2>().stableNorm(),
-               force.tail(force.size() - 2).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / size);
 }
 
 // Of each held point, from where it is wanted.
@@ -52,13 +45,8 @@ std::vector<double> ways_left(const StandardScene& scene, const Motion& motion, 
 
 double largest_load(const StandardScene& scene, const UnknownsTable& loads) {
   double largest = 0;
-  for (ElementIndex e : indices(loads)) {
-    const Body& body = scene.bodies[e];
-    largest = std::max({largest, size_of_force(loads[e], body.size), size_of_force(body.initial_stress, body.size)});
-  }
-  return scene.covers ? std::max({largest, scene.covers->largest_load(loads.covers),
-                                  scene.covers->largest_load(scene.covers->initial_force())})
-                      : largest;
+  for (const auto& group : scene.groups) largest = std::max(largest, group->largest_load(loads));
+  return largest;
 }
 
 double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt) {
@@ -66,9 +54,8 @@ double driving_force(const StandardScene& scene, const Motion& motion, double ti
   double largest = 0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const ElementIndex e = scene.held[i].element;
-    const double mass =
-        scene.reference.is_on_covers(e) ? scene.covers->body_at_start(e).mass : scene.bodies[e].mass(0, 0);
-    if (ways[i] > kInPlace * scene.bodies[e].size) largest = std::max(largest, mass * ways[i] / (dt * dt));
+    if (ways[i] > kInPlace * scene.bodies()[e].size)
+      largest = std::max(largest, scene.groups.of(e).mass_of(e) * ways[i] / (dt * dt));
   }
   return largest;
 }
@@ -80,16 +67,11 @@ Balance balance_of(const StandardScene& scene, const Motion& motion, double time
   const double load = std::max(least_load, largest_load(scene, loads_at(scene, motion.q, time)));
   Balance balance;
   balance.holds_points = driving_force(scene, motion, time, 1) == 0;
-  for (ElementIndex e : indices(a)) {
-    const double force = size_of_force(scene.bodies[e].mass * a[e], scene.bodies[e].size);
-    if (!(force <= kBalanced * load)) balance.blocks.push_back(e);
-    if (load > 0) balance.share = worse(balance.share, force / load);
-  }
-  if (!scene.covers) return balance;
-  for (const auto& [element, force] : scene.covers->largest_forces(scene.covers->momentum(a.covers))) {
-    if (!(force <= kBalanced * load)) balance.blocks.push_back(element);
-    if (load > 0) balance.share = worse(balance.share, force / load);
-  }
+  for (const auto& group : scene.groups)
+    group->look_at_forces(a, [&](ElementIndex e, double force) {
+      if (!(force <= kBalanced * load)) balance.blocks.push_back(e);
+      if (load > 0) balance.share = worse(balance.share, force / load);
+    });
   return balance;
 }
 
@@ -97,11 +79,11 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
   const auto before = vertices_at(scene.model, scene.reference, from);
   const auto after = vertices_at(scene.model, scene.reference, to);
   Travel travel;
-  for (ElementIndex e : indices(scene.bodies)) {
+  for (ElementIndex e : indices(scene.bodies())) {
     double way = 0;
     for (VertexIndex v : scene.model.elements[e].vertices()) way = worse(way, distance(before[v], after[v]));
-    travel.share = worse(travel.share, way / scene.bodies[e].size);
-    if (!(way <= scene.bodies[e].size) && !is_held(scene, e)) travel.far.push_back(e);
+    travel.share = worse(travel.share, way / scene.bodies()[e].size);
+    if (!(way <= scene.bodies()[e].size) && !is_held(scene, e)) travel.far.push_back(e);
   }
   return travel;
 }
@@ -110,9 +92,11 @@ std::string no_equilibrium(const StandardScene& scene, const std::vector<Element
   std::vector<int> numbers;
   for (ElementIndex e : blocks) numbers.push_back(e.value + 1);
   const bool several = numbers.size() > 1;
-  const bool is_of_body = std::ranges::any_of(blocks, [&](ElementIndex e) { return scene.reference.is_on_covers(e); });
+  std::string_view why;
+  for (const ElementIndex e : blocks)
+    if (why.empty()) why = scene.groups.of(e).why_unheld();
   return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", listed(numbers),
-                     several ? "" : "s", is_of_body ? "; its body is held at fewer than two fixed points" : "");
+                     several ? "" : "s", why);
 }
 
 }  // namespace keyblock

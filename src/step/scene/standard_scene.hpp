@@ -7,8 +7,7 @@
 #include "contact/find/touch.hpp"
 #include "model/material_choices.hpp"
 #include "model/state.hpp"
-#include "step/bodies/cover_scene.hpp"
-#include "step/bodies/standard_body.hpp"
+#include "step/groups/block_group.hpp"
 #include "step/scene/contact_memory.hpp"
 
 namespace keyblock {
@@ -17,14 +16,20 @@ struct StandardScene {
   Model model;
   Settings settings;
   Reference reference;
-  Bodies bodies;
-  std::shared_ptr<const CoverScene> covers;  ///< none where nothing hangs on covers
+  BodyGroups groups;
+  std::shared_ptr<const BlockGroup> blocks;  ///< one of the groups
   Table<ElementIndex, ConvexPieces> pieces;
   std::vector<ElementIndex> with_faces;  ///< elements that something may touch
   std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
   Point mass_centre;                     ///< of the blocks that can move, at the start
   double load_share = 1;                 ///< of all loads, while they are put on
 
+  const Bodies& bodies() const { return blocks->bodies(); }
+  SceneParts parts() const { return {model, reference, settings}; }
+  /// Of the largest body that can move.
+  double size() const;
+  /// Whether the equations of a step are linear but for contact.
+  bool is_linear() const;
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
   bool has_springs() const { return has_enforcement(settings, model, Enforcement::penalty); }
@@ -39,10 +44,7 @@ StandardScene standard_scene(Model model, Settings settings);
 /// Why this scene cannot be run so, in one sentence; empty if it can: blocks with holes have no convex pieces.
 std::string unsupported(const StandardScene& scene);
 
-struct Motion {
-  UnknownsTable q;
-  UnknownsTable v;
-  UnknownsTable a;
+struct Motion : BodiesMotion {
   ClosedContacts closed;
   Bonds bonds;
   ConstraintMemory constraints;
@@ -59,18 +61,17 @@ void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, U
 /// and in the configuration q.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
 
-/// Largest force on a block, and largest acceleration it gives a free block.
-struct Scales {
-  double force = 0;
-  double acceleration = 0;
-  double momentum = 0;
-  double size = 0;  ///< of the largest moving block
-};
+/// M v.
+UnknownsTable momentum(const StandardScene& scene, const UnknownsTable& v);
+
+/// The largest of a body.
+double largest_momentum(const StandardScene& scene, const UnknownsTable& v);
+
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,
                  const UnknownsTable& v);
 
 /// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of
 /// free acceleration would give.
-double slow_speed(const Scales& scales, const UnknownsTable& v, double dt);
+double slow_speed(const StandardScene& scene, const Scales& scales, const UnknownsTable& v, double dt);
 
 }  // namespace keyblock

@@ -32,14 +32,8 @@ constexpr double kSameLine = 0.999;
 constexpr double kTouching = 1e-6;
 
 double top_speed(const StandardScene& scene, const UnknownsTable& v) {
-  double top = scene.covers ? CoverScene::top_speed(v.covers) : 0;
-  for (ElementIndex e : indices(v)) {
-    const Eigen::Index n = v[e].size();
-    if (n == 0) continue;
-    double speed = std::hypot(v[e][0], v[e][1]);
-    for (Eigen::Index i = 2; i < n; ++i) speed += scene.bodies[e].size * std::abs(v[e][i]);
-    top = std::max(top, speed);
-  }
+  double top = 0;
+  for (const auto& group : scene.groups) top = std::max(top, group->fastest_point(v));
   return top;
 }
 
@@ -85,7 +79,7 @@ FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, P
   std::erase_if(pairs, [&](const ElementPair& pair) {
     const Element& lower = scene.model.elements[pair.lower];
     const Element& upper = scene.model.elements[pair.upper];
-    return (lower.is_on_covers() && share_a_cover(lower, upper)) || (!lower.can_move() && !upper.can_move());
+    return share_a_cover(lower, upper) || (!lower.can_move() && !upper.can_move());
   });
   FoundTouches found = find_touches(pairs, scene.pieces, vertices, search);
   name_joints(found.touches, scene.model, vertices);
@@ -210,7 +204,7 @@ void leave_overlaps(const StandardScene& scene, const Motion& start, const Scale
 Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {
   const double dt = scene.settings.time_step;
   const Touches all = touches_of(scene, motion, scales, dt).touches;
-  const double slow = slow_speed(scales, motion.v, dt);
+  const double slow = slow_speed(scene, scales, motion.v, dt);
   const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, all), motion.v);
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   Touches touches;

@@ -26,40 +26,15 @@ struct Verdict {
   double next = 0;  ///< size of the next part, or of this one made again
 };
 
-// Largest over blocks of Σ c_i x_i, rotation and strain being relative as they are.
 double relative_error(const StandardScene& scene, const Motion& before, const Motion& after, double dt) {
   const StepRule rule = step_rule(scene.settings, dt);
   double greatest = 0;
-  for (ElementIndex e : indices(before.q)) {
-    if (before.q[e].size() == 0) continue;
-    const Unknowns change = after.a[e] - before.a[e];
-    const Unknowns mean = rule.carries_acceleration() ? Unknowns(before.a[e] + change / 2) : after.a[e];
-    const Unknowns jump = after.v[e] - before.v[e] - dt * mean;
-    const Unknowns error =
-        dt * dt * (rule.error_of_change * change.cwiseAbs() + rule.error_of_acceleration * mean.cwiseAbs()) +
-        dt * jump.cwiseAbs();
-    greatest = worse(greatest, error.head<2>().norm() / scene.bodies[e].size);
-    greatest = worse(greatest, error.tail(error.size() - 2).maxCoeff<Eigen::PropagateNaN>());
-  }
-  if (!scene.covers) return greatest;
-  const Eigen::VectorXd change = after.a.covers - before.a.covers;
-  const Eigen::VectorXd mean =
-      rule.carries_acceleration() ? Eigen::VectorXd(before.a.covers + change / 2) : after.a.covers;
-  const Eigen::VectorXd error =
-      dt * dt * (rule.error_of_change * change.cwiseAbs() + rule.error_of_acceleration * mean.cwiseAbs()) +
-      dt * (after.v.covers - before.v.covers - dt * mean).cwiseAbs();
-  return worse(greatest, error.maxCoeff<Eigen::PropagateNaN>() / scene.covers->size());
-}
-
-bool all_finite(const Motion& motion) {
-  const auto is_finite = [](const Unknowns& u) { return u.allFinite(); };
-  return std::ranges::all_of(motion.q, is_finite) && std::ranges::all_of(motion.v, is_finite) &&
-         std::ranges::all_of(motion.a, is_finite) && motion.q.covers.allFinite() && motion.v.covers.allFinite() &&
-         motion.a.covers.allFinite();
+  for (const auto& group : scene.groups) greatest = worse(greatest, group->step_error(before, after, rule, dt));
+  return greatest;
 }
 
 Verdict by_error(const StandardScene& scene, const Motion& before, const Motion& after, double dt) {
-  if (!all_finite(after)) return {false, kMostCut * dt};
+  if (!after.q.all_finite() || !after.v.all_finite() || !after.a.all_finite()) return {false, kMostCut * dt};
   const double share = relative_error(scene, before, after, dt) / scene.settings.standard.step_tolerance;
   const double wanted = kSafety * std::pow(share, -1 / kOrder);
   return {share <= 1, dt * std::clamp(wanted, kMostCut, kMostGrowth)};

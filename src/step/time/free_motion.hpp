@@ -2,37 +2,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <utility>
+#include <vector>
 
-#include "step/bodies/integrator.hpp"
 #include "step/scene/standard_scene.hpp"
 
 namespace keyblock {
 
-/// Of blocks, whose strain is linear in their own frame, and of bodies on covers, whose equations are linearised about
-/// an estimate of the increments. Δq = increments + A⁻¹ Gᵀ λ (smooth_solve.hpp). Views the scene and the start.
+/// Of all groups: those whose equations are linear are known at once, others are linearised about an estimate of the
+/// increments. Δq = increments + A⁻¹ Gᵀ λ (smooth_solve.hpp). Views the scene and the start.
 class FreeMotion {
  public:
   FreeMotion(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const StepRule& rule,
              double dt);
 
-  /// Whether one round finds all: nothing hangs on covers.
-  bool is_linear() const { return covers_ == nullptr; }
+  /// Whether one round finds all.
+  bool is_linear() const { return estimated_.empty(); }
 
-  /// A⁻¹ about an estimate. False where a body on covers has no factor: one that buckles, or turns inside out, may have
-  /// one in a shorter step.
+  /// A⁻¹ about an estimate. False where a body has no factor: one that buckles, or turns inside out, may have one in a
+  /// shorter step.
   bool linearise(const UnknownsTable& estimate);
   /// The free increments about an estimate, with the A⁻¹ of before.
   void evaluate(const UnknownsTable& estimate);
 
-  const UnknownsTable& increments() const { return increments_; }
+  const UnknownsTable& increments() const { return step_.increments; }
   /// What the increments leave of the velocities at the end.
-  const UnknownsTable& known_velocity() const { return known_velocity_; }
-  const Flexibility& flexibility() const { return flexibility_; }
-  Flexibility take_flexibility() && { return std::move(flexibility_); }
+  const UnknownsTable& known_velocity() const { return step_.known_velocity; }
+  const Flexibility& flexibility() const { return step_.flexibility; }
+  Flexibility take_flexibility() && { return std::move(step_.flexibility); }
   /// By which forces are judged, where that is another; else empty.
-  const Flexibility& judging() const { return judging_; }
-  bool has_judging() const { return !judging_.blocks.empty(); }
+  const Flexibility& judging() const { return step_.judging; }
+  bool has_judging() const { return !step_.judging.blocks.empty(); }
 
   /// Share of the increments in the velocity at the end, over the known one.
   double rate() const { return rule_.end_velocity.increment; }
@@ -47,19 +48,12 @@ class FreeMotion {
   double size() const { return size_; }  ///< of the largest moving body
 
  private:
-  void prepare(ElementIndex e, const UnknownsTable& loads);
-  void prepare_covers(const Eigen::VectorXd& load, double dt);
-
   const StandardScene& scene_;
   const Motion& start_;
   StepRule rule_;
   double size_ = 0;
-  CoverEquations* covers_ = nullptr;  ///< of this step; none without bodies on covers
-  Flexibility flexibility_;
-  Flexibility judging_;
-  UnknownsTable increments_;
-  UnknownsTable known_velocity_;
-  UnknownsTable known_acceleration_;  ///< what the increments leave of the accelerations
+  FreeStep step_;
+  std::vector<std::unique_ptr<EstimatedStep>> estimated_;
 };
 
 }  // namespace keyblock

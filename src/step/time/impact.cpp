@@ -56,36 +56,10 @@ constexpr int kFewestSystems = 12;
 constexpr int kMostFrictionRounds = 5;
 constexpr double kSmallest = 1e-300;  // a tolerance is never zero
 
-// The inertia that a step reaches, of bodies on covers, as a velocity that an impulse makes.
-class ScaledAnswer : public CoverFlexibility {
- public:
-  ScaledAnswer(std::shared_ptr<const CoverFlexibility> of, double by) : of_(std::move(of)), by_(by) {}
-  Eigen::Index size() const override { return of_->size(); }
-  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override { return by_ * of_->times(forces); }
-
- private:
-  std::shared_ptr<const CoverFlexibility> of_;
-  double by_;
-};
-
 Touches joined(const Touches& a, const Touches& b) {
   Touches all = a;
   all.insert(all.end(), b.begin(), b.end());
   return all;
-}
-
-double size_of(const StandardScene& scene) {
-  double size = 0;
-  for (const Body& body : scene.bodies)
-    if (body.mass.rows() > 0) size = std::max(size, body.size);
-  return scene.covers ? std::max(size, scene.covers->size()) : size;
-}
-
-double momentum_of(const StandardScene& scene, const UnknownsTable& v) {
-  double greatest = 0;
-  for (ElementIndex e : indices(v))
-    if (v[e].size() > 0) greatest = std::max(greatest, (scene.bodies[e].mass * v[e]).head<2>().norm());
-  return scene.covers ? std::max(greatest, scene.covers->greatest_momentum(v.covers)) : greatest;
 }
 
 std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, const Touches& touches) {
@@ -98,7 +72,7 @@ std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, 
 // Rows of a touch, with the arms that its forces had `time` ago: both centroids and the point of contact then lay back
 // along their velocities. The directions stay. Bodies on covers keep the arms of the end of the step.
 void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& v, double time) {
-  if (!normal.covers.empty()) return;
+  if (!normal.shared.empty()) return;
   const Unknowns& of_vertex = v[normal.vertex_element];
   const Unknowns& of_edge = v[normal.edge_element];
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
@@ -137,7 +111,7 @@ class Separation {
         tolerable_((has_very_many() ? kLeftToStep
                     : has_many()    ? kNoOverlapOfMany
                                     : kNoOverlap) *
-                   size_of(scene)),
+                   scene.size()),
         least_(gaps_of(scene, before, touches_)) {
     result_.q = std::move(q);
     for (std::size_t i = 0; i < touches_.size(); ++i)
@@ -151,7 +125,7 @@ class Separation {
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
       const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();
-      const double deepest = -std::ranges::min(room) / size_of(scene_);
+      const double deepest = -std::ranges::min(room) / scene_.size();
       if (pass == 0) is_soft = has_very_many() ? deepest < kDeep : has_many() && 2 * near.size() < touches_.size();
       if (is_soft) {
         const bool is_late = has_very_many() && pass >= kSoftPassesOfVeryMany;
@@ -240,7 +214,7 @@ class Separation {
 
   // Touches of blocks that overlap, of their neighbours and of the neighbours of these.
   std::vector<std::size_t> near_overlaps(const std::vector<double>& room) const {
-    std::vector<bool> is_near(scene_.bodies.size(), false);
+    std::vector<bool> is_near(scene_.bodies().size(), false);
     const auto of = [&](VertexIndex vertex) {
       return static_cast<std::size_t>(scene_.model.vertices[vertex].element.value);
     };
@@ -300,8 +274,8 @@ UnknownsTable rigid_part(UnknownsTable v) {
 }
 
 Flexibility impact_flexibility(const StandardScene& scene, const Flexibility& step, const StepRule& rule) {
-  Flexibility flexibility{rigid_mass_inverses(scene.bodies), nullptr};
-  if (step.covers) flexibility.covers = std::make_shared<ScaledAnswer>(step.covers, rule.inertia.increment);
+  Flexibility flexibility{rigid_mass_inverses(scene.bodies()), nullptr};
+  flexibility.shared = scaled(step.shared, rule.inertia.increment);
   return flexibility;
 }
 
@@ -313,7 +287,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   touches = joined(touches, impacts.closed);
   ContactRows rows = rows_with_points(scene, q, touches);
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
-  const double goal = kImpulseTolerance * momentum_of(scene, v) + kSmallest;
+  const double goal = kImpulseTolerance * largest_momentum(scene, v) + kSmallest;
   FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, rigid_part(v)), {}, goal, kLooser * goal, {}};
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
@@ -337,7 +311,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
     }
   }
   if (problem.has_many()) {
-    problem.goal = kImpulseToleranceOfMany * momentum_of(scene, v) + kSmallest;
+    problem.goal = kImpulseToleranceOfMany * largest_momentum(scene, v) + kSmallest;
     problem.acceptable = std::max(problem.goal, kShareOfImpulse * greatest);
     problem.gap_tolerance = kShareOfSlow * impacts.slow;
     problem.most_systems = kMostSystems;
@@ -358,7 +332,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
 UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, double time,
                                    const Flexibility& flexibility) {
   if (scene.held.empty()) return q;
-  const double tolerance = kNoOverlap * size_of(scene);
+  const double tolerance = kNoOverlap * scene.size();
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const Eigen::VectorXd off = offsets(scene.model, scene.reference, q, scene.held, time);
     if (off.cwiseAbs().maxCoeff() <= tolerance) break;
@@ -381,7 +355,7 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
   problem.laws.assign(closed.size(), kBilateral);
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  problem.goal = kImpulseTolerance * momentum_of(scene, v) / (dt * dt) + kSmallest;
+  problem.goal = kImpulseTolerance * largest_momentum(scene, v) / (dt * dt) + kSmallest;
   problem.acceptable = kLooser * problem.goal;
   const Eigen::VectorXd asked = problem.b;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.w.rows());

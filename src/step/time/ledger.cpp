@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/ledger.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -10,20 +9,6 @@
 
 namespace keyblock {
 namespace {
-
-double half_square(const UnknownBlock& matrix, const Unknowns& x) {
-  return x.dot(matrix * x) / 2;
-}
-
-// ½ A σᵀ D⁻¹ σ, written in unknowns: a force f of the initial stress makes ½ (q − K⁻¹f)ᵀ K (q − K⁻¹f).
-double strain_energy(const Body& body, const Unknowns& q) {
-  const Eigen::Index strains = body.strain_count();
-  if (strains == 0) return 0;
-  const double without_initial = q.dot(body.elastic_force(q)) / 2;
-  if (body.initial_stress.isZero(0)) return without_initial;
-  const Unknowns force = body.initial_stress.tail(strains);
-  return without_initial - body.initial_stress.dot(q) + force.dot(body.stiffness.llt().solve(force)) / 2;
-}
 
 double spring_energy(const Motion& motion) {
   double energy = 0;
@@ -53,57 +38,11 @@ double ruptured(const StandardScene& scene, const StepTrail& trail) {
   return energy;
 }
 
-Unknowns sum_of(const StepSum& sum, const Unknowns& increment, const Motion& start, ElementIndex e) {
-  return sum.increment * increment + sum.velocity * start.v[e] + sum.acceleration * start.a[e];
-}
-
-// pᵀ M Δv/dt + (dt v̄ + p)ᵀ M r of `account_of`, from velocities and accelerations alone: that they fit the increments
-// is what the closure checks.
-double inertia_loss(const Body& body, const StepTrail& trail, ElementIndex e) {
-  const StepRule& rule = trail.rule;
-  const Unknowns dv = trail.smooth.v[e] - trail.start.v[e];
-  const Unknowns da = trail.smooth.a[e] - trail.start.a[e];
-  const Unknowns lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
-  const Unknowns way = trail.dt / 2 * (trail.start.v[e] + trail.smooth.v[e]) + lead;
-  return lead.dot(body.mass * dv) / trail.dt + rule.inertia_lead * way.dot(body.mass * da);
-}
-
-// As a block, with the elastic force that large rotations have.
-void add_covers(const CoverScene& covers, const StepTrail& trail, EnergyFlow& flow) {
-  const StepRule& rule = trail.rule;
-  const Eigen::VectorXd dq = trail.smooth.q.covers - trail.start.q.covers;
-  const Eigen::VectorXd dv = trail.smooth.v.covers - trail.start.v.covers;
-  const Eigen::VectorXd da = trail.smooth.a.covers - trail.start.a.covers;
-  const Eigen::VectorXd lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
-  const Eigen::VectorXd way = trail.dt / 2 * (trail.start.v.covers + trail.smooth.v.covers) + lead;
-  flow.external += (trail.loads.covers - covers.weight()).dot(dq);
-  flow.projection += covers.strain_energy(trail.end.q.covers) - covers.strain_energy(trail.smooth.q.covers) -
-                     covers.weight().dot(trail.end.q.covers - trail.smooth.q.covers);
-  flow.damping += covers.damping_work(trail.start.q.covers, trail.smooth.q.covers,
-                                      rule.damping.increment * dq + rule.damping.velocity * trail.start.v.covers +
-                                          rule.damping.acceleration * trail.start.a.covers,
-                                      trail.dt);
-  flow.algorithmic += lead.dot(covers.momentum(dv)) / trail.dt + rule.inertia_lead * way.dot(covers.momentum(da)) +
-                      covers.strain_loss(trail.start.q.covers, trail.smooth.q.covers, rule.stiffness);
-}
-
 EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
-  const StepRule& rule = trail.rule;
+  const SmoothMotion& smooth = trail.smooth;
+  const BodiesStep step{trail.start, smooth.q, smooth.v, smooth.a, trail.end.q, trail.loads, trail.rule, trail.dt};
   EnergyFlow flow;
-  for (ElementIndex e : indices(scene.bodies)) {
-    const Body& body = scene.bodies[e];
-    if (body.mass.rows() == 0) continue;
-    const Unknowns dq = trail.smooth.q[e] - trail.start.q[e];
-    flow.external += (trail.loads[e] - body.weight).dot(dq);
-    flow.projection -= body.weight.dot(trail.end.q[e] - trail.smooth.q[e]);
-    const Unknowns rate = sum_of(rule.strain_rate, dq, trail.start, e);
-    const Unknowns beyond =
-        sum_of(rule.strain, dq, trail.start, e) - dq / 2;  // what the elastic force sees beside its mean
-    flow.damping += body.mass_damping * dq.dot(body.mass * sum_of(rule.damping, dq, trail.start, e)) +
-                    body.stiffness_damping * dq.dot(body.elastic_force(rate));
-    flow.algorithmic += inertia_loss(body, trail, e) + dq.dot(body.elastic_force(beyond));
-  }
-  if (scene.covers) add_covers(*scene.covers, trail, flow);
+  for (const auto& group : scene.groups) group->add_flow(step, flow);
   return flow;
 }
 
@@ -219,26 +158,17 @@ class ContactFlow {
   EnergyFlow flow_;
 };
 
-Point present_centroid(const StandardScene& scene, ElementIndex e, const Unknowns& q) {
-  return scene.reference.centroids[e] + Point{q[0], q[1]};
-}
-
 // Loads act for the whole step at its middle configuration, as the equation of the step has it.
 Momentum load_impulse(const StandardScene& scene, const StepTrail& trail) {
+  UnknownsTable middle = plus(trail.start.q, 1, trail.smooth.q);
+  middle *= 0.5;
   Momentum impulse;
-  for (ElementIndex e : indices(scene.bodies)) {
-    if (scene.bodies[e].mass.rows() == 0) continue;
-    const Unknowns& load = trail.loads[e];
-    const Point force{load[0], load[1]};
-    const Point arm = present_centroid(scene, e, (trail.start.q[e] + trail.smooth.q[e]) / 2) - scene.mass_centre;
-    impulse += {trail.dt * force, trail.dt * (cross(arm, force) + load[2])};
-  }
-  if (!scene.covers) return impulse;
-  const Eigen::VectorXd middle = (trail.start.q.covers + trail.smooth.q.covers) / 2;
-  for (const WholeBody& body : scene.covers->whole(middle, trail.loads.covers)) {
-    const Point force{body.resultant[0], body.resultant[1]};
-    impulse += {trail.dt * force, trail.dt * (cross(body.centre - scene.mass_centre, force) + body.resultant[2])};
-  }
+  for (const auto& group : scene.groups)
+    group->look_at_bodies(scene.parts(), middle, trail.loads, [&](const WholeBody& body) {
+      const Point force{body.resultant[0], body.resultant[1]};
+      const Point arm = body.centre - scene.mass_centre;
+      impulse += {trail.dt * force, trail.dt * (cross(arm, force) + body.resultant[2])};
+    });
   return impulse;
 }
 
@@ -263,53 +193,39 @@ StepAccount account_of(const StandardScene& scene, const StepTrail& trail) {
 
 double kinetic_energy(const StandardScene& scene, const UnknownsTable& v) {
   double energy = 0;
-  for (ElementIndex e : indices(v))
-    if (v[e].size() > 0) energy += half_square(scene.bodies[e].mass, v[e]);
-  return scene.covers ? energy + scene.covers->kinetic_energy(v.covers) : energy;
+  for (const auto& group : scene.groups) energy += group->kinetic_energy(v);
+  return energy;
 }
 
 StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion) {
   StoredEnergy stored;
   stored.kinetic = kinetic_energy(scene, motion.v);
   stored.contact = spring_energy(motion) + bolt_energy(scene, motion);
-  for (ElementIndex e : indices(motion.q)) {
-    const Body& body = scene.bodies[e];
-    if (body.mass.rows() == 0) continue;
-    stored.strain += strain_energy(body, motion.q[e]);
-    stored.gravity -= body.weight.dot(motion.q[e]);
-  }
-  if (!scene.covers) return stored;
-  stored.strain += scene.covers->strain_energy(motion.q.covers);
-  stored.gravity -= scene.covers->weight().dot(motion.q.covers);
+  for (const auto& group : scene.groups) group->add_stored(motion.q, stored);
   return stored;
 }
 
 LedgerRow ledger_row(const StandardScene& scene, const Motion& motion) {
   LedgerRow row;
   row.stored = stored_energy(scene, motion);
-  const auto add = [&](Point centre, double size, Point linear, double spin) {
-    const Point arm = centre - scene.mass_centre;
+  const UnknownsTable momenta = momentum(scene, motion.v);
+  const auto add = [&](const WholeBody& body) {
+    const Point linear{body.resultant[0], body.resultant[1]};
+    const double spin = body.resultant[2];
+    const Point arm = body.centre - scene.mass_centre;
     row.momentum += {linear, cross(arm, linear) + spin};
     row.momentum_size.linear += length(linear);
-    row.momentum_size.angular += (length(arm) + size) * length(linear) + std::abs(spin);
+    row.momentum_size.angular += (length(arm) + body.size) * length(linear) + std::abs(spin);
   };
-  for (ElementIndex e : indices(motion.v)) {
-    if (motion.v[e].size() == 0) continue;
-    const Unknowns p = scene.bodies[e].mass * motion.v[e];
-    add(present_centroid(scene, e, motion.q[e]), scene.bodies[e].size, {p[0], p[1]}, p[2]);
-  }
-  if (scene.covers)
-    for (const WholeBody& body : scene.covers->whole(motion.q.covers, scene.covers->momentum(motion.v.covers)))
-      add(body.centre, body.size, {body.resultant[0], body.resultant[1]}, body.resultant[2]);
+  for (const auto& group : scene.groups) group->look_at_bodies(scene.parts(), motion.q, momenta, add);
   return row;
 }
 
 LedgerScope ledger_scope(const StandardScene& scene) {
   const bool has_supports =
-      std::ranges::any_of(scene.model.elements, [](const Element& element) { return !element.can_move(); });
-  const bool holds_covers = scene.covers && scene.covers->has_supports();
+      std::ranges::any_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_supports(); });
   const bool is_dynamic = scene.settings.standard.motion == MotionRule::dynamic;
-  return {is_dynamic, has_supports || holds_covers || !scene.held.empty(), scene.mass_centre};
+  return {is_dynamic, has_supports || !scene.held.empty(), scene.mass_centre};
 }
 
 }  // namespace keyblock

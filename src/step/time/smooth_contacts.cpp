@@ -77,7 +77,7 @@ void SmoothContacts::linearise(const UnknownsTable& estimate) {
   problem_.w = ContactMatrix(rows_, free_.flexibility());
   const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
   problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * free_.size();
-  if (free_.has_judging()) problem_.scale = diagonal_of(*rows_, free_.judging(), problem_.w.covers());
+  if (free_.has_judging()) problem_.scale = diagonal_of(*rows_, free_.judging(), problem_.w.shared());
   add_laws();
 }
 

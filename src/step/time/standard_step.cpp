@@ -49,18 +49,18 @@ constexpr double kMeeting = 1e-10;
 
 // A body does not jump apart from itself: rigid motions leave such a touch as it is.
 bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
-  return scene.covers && scene.covers->are_one_body(scene.model.vertices[touch.vertex].element,
-                                                    scene.model.vertices[touch.start].element);
+  return scene.groups.are_one_body(scene.model.vertices[touch.vertex].element,
+                                   scene.model.vertices[touch.start].element);
 }
 
 // Bodies on covers resolve by themselves how an impact goes on: their own inertia near the touch takes part in the
 // motion of the step, and nothing else is struck. Their rebound is that of their own elasticity: Newton's law with a
 // restitution is one of whole blocks.
 bool resolves_impact(const StandardScene& scene, const Touch& touch) {
-  const auto is_on_covers = [&](VertexIndex vertex) {
-    return scene.reference.is_on_covers(scene.model.vertices[vertex].element);
+  const auto resolves = [&](VertexIndex vertex) {
+    return scene.groups.of(scene.model.vertices[vertex].element).resolves_impacts();
   };
-  return is_on_covers(touch.vertex) || is_on_covers(touch.start);
+  return resolves(touch.vertex) || resolves(touch.start);
 }
 
 struct Split {
@@ -156,7 +156,7 @@ class Attempt {
         tolerance.most_systems = std::max(0, kMostSystems - step_.solves);
         tolerance.enough_systems = std::max(0, kEnoughSystems - step_.solves);
       }
-      parts_ = split(scene_, start_, found_.touches, slow_speed(scales_, start_.v, dt_));
+      parts_ = split(scene_, start_, found_.touches, slow_speed(scene_, scales_, start_.v, dt_));
       const SmoothMotion before = std::move(smooth_);
       smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_,
                              search > 0 ? &before : nullptr);
@@ -188,8 +188,7 @@ class Attempt {
   // Those whose gap decides what they do in the step: multipliers, and what has just closed on bodies on covers, which
   // would be thrown back.
   std::vector<std::size_t> to_be_held() const {
-    const bool springs_throw_back =
-        scene_.covers && scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
+    const bool springs_throw_back = scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
     std::vector<std::size_t> held;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       if (!is_closed(i)) continue;
@@ -229,7 +228,7 @@ class Attempt {
     std::erase_if(impacts.closed, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
     const Flexibility flexibility = impact_flexibility(scene_, smooth_.flexibility, rule_);
     impacts.bonds = smooth_.bonds;
-    impacts.slow = slow_speed(scales_, start_.v, dt_);
+    impacts.slow = slow_speed(scene_, scales_, start_.v, dt_);
     Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, impacts, flexibility);
     for (std::size_t i : jump.undecided) step_.undecided.push_back(parts_.smooth.size() + met[i]);
     step_.motion.v = std::move(jump.v);

@@ -1,6 +1,6 @@
 // Products of polynomials over the elements that are left.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/bodies/carry_covers.hpp"
+#include "step/groups/carry_covers.hpp"
 
 #include <array>
 

@@ -1,0 +1,190 @@
+// What a table of unknowns says of bodies on covers, handed on to them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/groups/cover_group.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/worse.hpp"
+#include "step/groups/carry_covers.hpp"
+
+namespace keyblock {
+namespace {
+
+class CoverStep final : public EstimatedStep {
+ public:
+  explicit CoverStep(const CoverScene& bodies) : bodies_(bodies), equations_(bodies.equations()) {}
+
+  bool linearise(const UnknownsTable& estimate, FreeStep& step) override {
+    bool has_factor = true;
+    try {
+      equations_.linearise(estimate.shared);
+    } catch (const NotPositiveDefinite&) {
+      has_factor = false;
+    }
+    step.flexibility.shared = bodies_.flexibility_of_step();
+    if (!step.judging.blocks.empty()) step.judging.shared = step.flexibility.shared;
+    return has_factor;
+  }
+
+  void evaluate(const UnknownsTable& estimate, FreeStep& step) override {
+    equations_.evaluate(estimate.shared);
+    step.increments.shared = equations_.free_increment();
+  }
+
+  void put_end(const UnknownsTable& increments, UnknownsTable& v, UnknownsTable& a) const override {
+    CoverMotion end = equations_.end(increments.shared);
+    v.shared = std::move(end.v);
+    a.shared = std::move(end.a);
+  }
+
+ private:
+  const CoverScene& bodies_;
+  CoverEquations& equations_;
+};
+
+}  // namespace
+
+std::optional<ElasticLaw> CoverGroup::law_of_large_strain(const SceneParts& scene, ElementIndex e) const {
+  return scene.settings.standard.elastic_law.of(scene.model.elements[e].material);
+}
+
+void CoverGroup::add_to(MassRange& range, double) const {
+  for (const WholeBody& body : bodies_->at_start()) {
+    range.lightest = std::min(range.lightest, body.mass);
+    range.heaviest = std::max(range.heaviest, body.mass);
+  }
+  range.slowest = std::min(range.slowest, bodies_->slow_frequency());
+}
+
+void CoverGroup::put_start(const SceneParts&, BodiesMotion& motion) const {
+  motion.v.shared = bodies_->start_velocity();
+  motion.q.shared = motion.a.shared = Eigen::VectorXd::Zero(motion.v.shared.size());
+}
+
+void CoverGroup::carry_over(const SceneParts&, UnknownsTable& v) const {
+  v.shared = bodies_->carried_over(std::move(v.shared));
+}
+
+void CoverGroup::add_inertia(Point acceleration, UnknownsTable& loads) const {
+  loads.shared += bodies_->inertia_of(acceleration);
+}
+
+void CoverGroup::add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable& q,
+                        const UnknownsTable& v) const {
+  const auto size_of = [](const WholeBody& body) {
+    return body.resultant.head<2>().norm() + std::abs(body.resultant[2]) / body.size;
+  };
+  for (const WholeBody& body : bodies_->whole(q.shared, loads.shared)) {
+    const double force = size_of(body);
+    scales.force = std::max(scales.force, force);
+    scales.acceleration = std::max(scales.acceleration, force / body.mass);
+    scales.size = std::max(scales.size, body.size);
+  }
+  scales.force = std::max(scales.force, bodies_->largest_load(bodies_->initial_force()));
+  for (const WholeBody& body : bodies_->whole(q.shared, bodies_->momentum(v.shared)))
+    scales.momentum = std::max(scales.momentum, size_of(body));
+}
+
+void CoverGroup::put_momentum(const UnknownsTable& v, UnknownsTable& momentum) const {
+  momentum.shared = bodies_->momentum(v.shared);
+}
+
+void CoverGroup::add_stored(const UnknownsTable& q, StoredEnergy& stored) const {
+  stored.strain += bodies_->strain_energy(q.shared);
+  stored.gravity -= bodies_->weight().dot(q.shared);
+}
+
+// As a block, with the elastic force that large rotations have.
+void CoverGroup::add_flow(const BodiesStep& step, EnergyFlow& flow) const {
+  const StepRule& rule = step.rule;
+  const Eigen::VectorXd dq = step.q.shared - step.start.q.shared;
+  const Eigen::VectorXd dv = step.v.shared - step.start.v.shared;
+  const Eigen::VectorXd da = step.a.shared - step.start.a.shared;
+  const Eigen::VectorXd lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
+  const Eigen::VectorXd way = step.dt / 2 * (step.start.v.shared + step.v.shared) + lead;
+  flow.external += (step.loads.shared - bodies_->weight()).dot(dq);
+  flow.projection += bodies_->strain_energy(step.end.shared) - bodies_->strain_energy(step.q.shared) -
+                     bodies_->weight().dot(step.end.shared - step.q.shared);
+  flow.damping += bodies_->damping_work(step.start.q.shared, step.q.shared,
+                                        rule.damping.increment * dq + rule.damping.velocity * step.start.v.shared +
+                                            rule.damping.acceleration * step.start.a.shared,
+                                        step.dt);
+  flow.algorithmic += lead.dot(bodies_->momentum(dv)) / step.dt + rule.inertia_lead * way.dot(bodies_->momentum(da)) +
+                      bodies_->strain_loss(step.start.q.shared, step.q.shared, rule.stiffness);
+}
+
+void CoverGroup::add_acceleration(const UnknownsTable& loads, const UnknownsTable& q, const UnknownsTable& v,
+                                  const Flexibility& mass_inverse, UnknownsTable& a) const {
+  a.shared +=
+      mass_inverse.shared->times(loads.shared - bodies_->elastic_force(q.shared) - bodies_->damping_force(v.shared));
+}
+
+double CoverGroup::largest_load(const UnknownsTable& loads) const {
+  return std::max(bodies_->largest_load(loads.shared), bodies_->largest_load(bodies_->initial_force()));
+}
+
+void CoverGroup::look_at_forces(const UnknownsTable& a, const SeenForce& seen) const {
+  for (const auto& [element, force] : bodies_->largest_forces(bodies_->momentum(a.shared))) seen(element, force);
+}
+
+void CoverGroup::look_at_bodies(const SceneParts&, const UnknownsTable& q, const UnknownsTable& forces,
+                                const SeenBody& seen) const {
+  for (const WholeBody& body : bodies_->whole(q.shared, forces.shared)) seen(body);
+}
+
+double CoverGroup::greatest_change(const UnknownsTable& a, const UnknownsTable& b) const {
+  return (a.shared - b.shared).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / bodies_->size();
+}
+
+double CoverGroup::step_error(const BodiesMotion& before, const BodiesMotion& after, const StepRule& rule,
+                              double dt) const {
+  const Eigen::VectorXd change = after.a.shared - before.a.shared;
+  const Eigen::VectorXd mean =
+      rule.carries_acceleration() ? Eigen::VectorXd(before.a.shared + change / 2) : after.a.shared;
+  const Eigen::VectorXd error =
+      dt * dt * (rule.error_of_change * change.cwiseAbs() + rule.error_of_acceleration * mean.cwiseAbs()) +
+      dt * (after.v.shared - before.v.shared - dt * mean).cwiseAbs();
+  return error.maxCoeff<Eigen::PropagateNaN>() / bodies_->size();
+}
+
+std::unique_ptr<EstimatedStep> CoverGroup::begin(const BodiesMotion& start, const UnknownsTable& loads,
+                                                 const StepRule& rule, double dt, FreeStep& step) const {
+  CoverEquations& equations = bodies_->equations();
+  equations.begin({start.q.shared, start.v.shared, start.a.shared}, loads.shared, rule, dt);
+  step.known_velocity.shared = equations.known_velocity();
+  step.known_acceleration.shared = equations.known_acceleration();
+  return std::make_unique<CoverStep>(*bodies_);
+}
+
+ElementState CoverGroup::state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
+                                  const Placement& placed) const {
+  const Point at_start = scene.reference.centroids[e];
+  return {placed.centroid,
+          placed.moments,
+          motion.v[e],
+          motion.v[e],
+          bodies_->stress(e, motion.q.shared, at_start),
+          bodies_->rotation(e, motion.q.shared, at_start),
+          bodies_->velocity(e, motion.q.shared, motion.v.shared, at_start)};
+}
+
+Stress CoverGroup::stress_at(const SceneParts&, ElementIndex e, const UnknownsTable& q, Point start) const {
+  return bodies_->stress(e, q.shared, start);
+}
+
+void CoverGroup::carry(const SceneParts&, const BodiesBefore& before, BodiesMotion& carried) const {
+  for (const BodyGroups::Group& group : before.groups) {
+    const auto* same = dynamic_cast<const CoverGroup*>(group.get());
+    if (!same) continue;
+    std::vector<int> parents;
+    for (ElementIndex e : indices(before.parents))
+      if (has(e)) parents.push_back(same->bodies_->kinematics()->manifold_element(before.parents[e]));
+    const CarriedCovers covers =
+        carried_covers(*same->bodies_, before.motion.q.shared, before.motion.v.shared, parents, *bodies_);
+    carried.q.shared = covers.d;
+    carried.v.shared = covers.v;
+  }
+}
+
+}  // namespace keyblock

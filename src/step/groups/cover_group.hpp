@@ -1,0 +1,66 @@
+// The bodies of a scene that hang on covers, as a group.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "step/groups/body_group.hpp"
+#include "step/bodies/cover_scene.hpp"
+
+namespace keyblock {
+
+class CoverGroup final : public BodyGroup {
+ public:
+  explicit CoverGroup(std::shared_ptr<const CoverScene> bodies) : bodies_(std::move(bodies)) {}
+
+  const CoverScene& bodies() const { return *bodies_; }
+
+  bool has(ElementIndex e) const override { return bodies_->kinematics()->carries(e); }
+  double size() const override { return bodies_->size(); }
+  double mass_of(ElementIndex e) const override { return bodies_->body_at_start(e).mass; }
+  bool are_one_body(ElementIndex a, ElementIndex b) const override { return bodies_->are_one_body(a, b); }
+  bool has_supports() const override { return bodies_->has_supports(); }
+  bool is_supported(ElementIndex) const override { return bodies_->has_supports(); }
+  bool is_linear() const override { return false; }
+  bool resolves_impacts() const override { return true; }
+  bool takes_holes() const override { return false; }
+  bool has_compatible_start() const override { return false; }
+  std::optional<ElasticLaw> law_of_large_strain(const SceneParts& scene, ElementIndex e) const override;
+  std::string_view why_unheld() const override { return "; its body is held at fewer than two fixed points"; }
+  void add_to(MassRange& range, double contact_stiffness) const override;
+
+  void put_start(const SceneParts& scene, BodiesMotion& motion) const override;
+  void carry_over(const SceneParts& scene, UnknownsTable& v) const override;
+  void put_weight(UnknownsTable& loads) const override { loads.shared = bodies_->weight(); }
+  void add_inertia(Point acceleration, UnknownsTable& loads) const override;
+  void add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable& q,
+              const UnknownsTable& v) const override;
+
+  void put_mass_inverse(Flexibility& flexibility) const override { flexibility.shared = bodies_->mass_inverse(); }
+  void put_momentum(const UnknownsTable& v, UnknownsTable& momentum) const override;
+  double kinetic_energy(const UnknownsTable& v) const override { return bodies_->kinetic_energy(v.shared); }
+  void add_stored(const UnknownsTable& q, StoredEnergy& stored) const override;
+  void add_flow(const BodiesStep& step, EnergyFlow& flow) const override;
+  void add_acceleration(const UnknownsTable& loads, const UnknownsTable& q, const UnknownsTable& v,
+                        const Flexibility& mass_inverse, UnknownsTable& a) const override;
+  double largest_momentum(const UnknownsTable& v) const override { return bodies_->greatest_momentum(v.shared); }
+  double largest_load(const UnknownsTable& loads) const override;
+  void look_at_forces(const UnknownsTable& a, const SeenForce& seen) const override;
+  void look_at_bodies(const SceneParts& scene, const UnknownsTable& q, const UnknownsTable& forces,
+                      const SeenBody& seen) const override;
+  double fastest_centre(const UnknownsTable& v) const override { return CoverScene::top_speed(v.shared); }
+  double fastest_point(const UnknownsTable& v) const override { return CoverScene::top_speed(v.shared); }
+  double greatest_change(const UnknownsTable& a, const UnknownsTable& b) const override;
+  double step_error(const BodiesMotion& before, const BodiesMotion& after, const StepRule& rule,
+                    double dt) const override;
+  std::unique_ptr<EstimatedStep> begin(const BodiesMotion& start, const UnknownsTable& loads, const StepRule& rule,
+                                       double dt, FreeStep& step) const override;
+
+  ElementState state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
+                        const Placement& placed) const override;
+  Stress stress_at(const SceneParts& scene, ElementIndex e, const UnknownsTable& q, Point start) const override;
+  void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
+
+ private:
+  std::shared_ptr<const CoverScene> bodies_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,28 @@
+// Blocks, and bodies on covers where there are any.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/groups/make_groups.hpp"
+
+#include <algorithm>
+
+#include "step/groups/cover_group.hpp"
+
+namespace keyblock {
+
+MadeGroups groups_of(const Model& model, const Settings& settings, Reference& reference) {
+  Bodies bodies = bodies_of(model, reference, settings);
+  std::vector<bool> on_covers;
+  for (const Element& element : model.elements) on_covers.push_back(element.is_on_covers());
+  std::vector<BodyGroups::Group> groups;
+  if (std::ranges::find(on_covers, true) != on_covers.end()) {
+    auto covers = std::make_shared<const CoverScene>(model, settings);
+    reference.covers = covers->kinematics();
+    for (ElementIndex e : indices(bodies))
+      if (model.elements[e].is_on_covers()) bodies[e].size = covers->body_at_start(e).size;
+    groups.push_back(std::make_shared<const CoverGroup>(std::move(covers)));
+  }
+  auto blocks = std::make_shared<const BlockGroup>(std::move(bodies), std::move(on_covers));
+  groups.insert(groups.begin(), blocks);
+  return {BodyGroups(std::move(groups)), std::move(blocks)};
+}
+
+}  // namespace keyblock
