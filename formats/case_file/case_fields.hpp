@@ -431,6 +431,7 @@ void describe(F& f, In<F, Stage>& stage) {
   f.objects("released", stage.released);
   f.rows("forces", stage.forces);
   f.flag("removes_forces", stage.removes_forces);
+  f.optional_object("mesh", stage.mesh);
   f.text("profile", stage.profile);
   f.pairs("set", stage.settings);
 }

@@ -253,6 +253,9 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"released", "fixed points within an outline are free from here on"},
     {"stages.forces", "constant forces on blocks"},
     {"removes_forces", "true: those of loading points and of stages before end here"},
+    {"stages.mesh",
+     "as of `covers`: from here on the blocks of its materials, or all where it names none, are on covers with this "
+     "mesh, each on its own"},
     {"stages.profile", "as of `run`, from here on; absent: as before"},
     {"stages.set", "as of `run`, from here on, on top of those before"},
 });

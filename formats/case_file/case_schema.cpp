@@ -32,9 +32,7 @@ class CaseSchema {
   void flag(std::string_view name, bool& value) { add(name, {{"type", "boolean"}, {"default", value}}); }
   void text(std::string_view name, std::string&) { add(name, {{"type", "string"}}); }
   void formula(std::string_view name, Formula&) { add(name, {{"type", {"number", "string"}}, {"default", 0}}); }
-  void optional_formula(std::string_view name, std::optional<Formula>&) {
-    add(name, {{"type", {"number", "string"}}});
-  }
+  void optional_formula(std::string_view name, std::optional<Formula>&) { add(name, {{"type", {"number", "string"}}}); }
   template <class Enum>
   void word(std::string_view name, Enum& value, std::span<const std::string_view> words) {
     add(name, {{"enum", std::vector<std::string>(words.begin(), words.end())},

@@ -165,6 +165,7 @@ void check(const std::vector<Stage>& stages) {
   for (const Stage& stage : stages) {
     if (stage.steps == 0 && stage.duration == 0)
       throw InputError(stage.place, "expected steps or a duration of each stage, found neither");
+    if (stage.mesh) check(*stage.mesh, stage.place);
     for (const StageExcavation& part : stage.excavations)
       require_points(part.outline, kFewestCorners, "about what is dug out", part.place);
     for (const StageMaterial& part : stage.block_materials)

@@ -48,6 +48,7 @@ struct Identities {
   std::vector<Identity> elements;
   std::vector<int> measured_points;
   std::vector<int> bolts;
+  std::vector<int> blocks;  ///< of every element the block that it was cut from, where blocks are given meshes
 
   Identity of_element(int e) const { return elements.empty() ? Identity{e, e} : elements[static_cast<std::size_t>(e)]; }
   int of_measured_point(std::size_t i) const { return of(measured_points, i); }

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "geometry/point.hpp"
+#include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
 
 namespace keyblock {
@@ -71,6 +72,8 @@ struct Stage {
   std::vector<StageRelease> released;
   std::vector<StageForce> forces;
   bool removes_forces = false;  ///< those of loading points and of stages before
+
+  std::optional<MeshPlan> mesh;  ///< blocks of its materials, of all where it names none, are on covers from here on
 
   std::string profile;                                        ///< empty: as before
   std::vector<std::pair<std::string, std::string>> settings;  ///< as `RunChoices::settings`, on top of those before

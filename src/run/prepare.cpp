@@ -21,6 +21,7 @@
 #include "run/bodies/linear_case.hpp"
 #include "run/stages/chain.hpp"
 #include "run/stages/cover_stages.hpp"
+#include "run/stages/mixed_stages.hpp"
 #include "run/unread_settings.hpp"
 #include "settings/profile.hpp"
 #include "settings/setting_row.hpp"
@@ -147,6 +148,12 @@ bool has_covers(const Problem& problem) {
 }
 
 Geometry geometry_of(const Problem& problem, const Settings& settings) {
+  if (has_mixed_stages(problem) && !std::holds_alternative<Cover>(problem.geometry)) {
+    Geometry geometry;  // each stage has its own model
+    geometry.cut = blocks_of(problem, settings);
+    require_motions(geometry.cut.blocks.fixed_points.size(), *problem.analysis);
+    return geometry;
+  }
   if (const auto* cover = std::get_if<Cover>(&problem.geometry)) return on_covers(problem, settings, cover->place);
   if (problem.covers) return on_covers(problem, settings, problem.covers->place);
   return of_blocks(problem, settings);
@@ -201,6 +208,14 @@ Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& 
         .model;
   };
   const Stage& first = problem.stages.front();
+  if (has_mixed_stages(problem)) {
+    const auto stages = std::make_shared<const MixedStages>(problem);
+    return {changed(rock_of(blocks, *problem.analysis), first),
+            {[=](const Rock& rock, int stage, const Settings& settings) {
+               return finished(stages->model(rock, stage, settings), settings);
+             },
+             mixed_parents, false}};
+  }
   if (!has_covers(problem))
     return {changed(rock_of(blocks, *problem.analysis), first),
             {[=](const Rock& rock, int, const Settings& settings) { return finished(model_of(rock), settings); },
@@ -287,7 +302,8 @@ Scenes scenes_in(const Asked& asked, Geometry& geometry, Warnings& warnings) {
 Warnings warnings_of_plan(const Problem& problem, const Scene& first) {
   if (!problem.covers) return {};
   std::vector<const Continuum*> bodies;
-  for (const Scene* scene : scenes_of(first)) bodies.push_back(scene->model.continuum.get());
+  for (const Scene* scene : scenes_of(first))
+    if (scene->model.continuum) bodies.push_back(scene->model.continuum.get());
   return look_at_plan(*problem.covers, bodies);
 }
 

@@ -52,6 +52,19 @@ Stage random_change(const Rock& rock, std::mt19937& dice) {
   return stage;
 }
 
+/// The same, or faces are glued or come apart, and blocks are given covers, a finer or a coarser mesh, or none any more.
+Stage random_change_of_meshes(const Rock& rock, std::mt19937& dice) {
+  const auto below = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(dice); };
+  Stage stage = below(5) == 0 ? stage_of(1) : random_change(rock, dice);
+  if (below(4) == 0) stage.joint_materials = {{0, 1, {}}, {1, 0, {}}};
+  if (below(2) == 0) {
+    stage.mesh.emplace();
+    stage.mesh->side = std::uniform_real_distribution<double>(0.7, 1.5)(dice);
+    if (below(3) > 0) stage.mesh->materials = {{below(2)}};
+  }
+  return stage;
+}
+
 }  // namespace
 
 class StagesUnderContact : public testing::TestWithParam<const char*> {};
@@ -108,5 +121,45 @@ TEST(StagesLedger, closes_through_a_thousand_random_changes_in_flight) {
   // Angular momentum closes to 5e-6 here without any change too: impacts of blocks that deform.
   EXPECT_LT(sums.energy_closure(), 1e-7);
 }
+
+class RandomMeshes : public testing::TestWithParam<unsigned> {};
+
+// Ten times a hundred: cut and dug on and on, rock soon is dust.
+TEST_P(RandomMeshes, the_ledger_closes_through_a_hundred_random_changes_in_flight) {
+  Problem problem;
+  Blocks all;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) all.blocks.push_back(rectangle({2.0 * i, 2.0 * j}, {2.0 * i + 1.5, 2.0 * j + 1.4}));
+  problem.analysis = plain_analysis(1e-3, 1);
+  problem.analysis->joint_materials.push_back(problem.analysis->joint_materials[0]);
+  problem.analysis->joint_materials[1].cohesion = problem.analysis->joint_materials[1].tensile_strength = 1e5;
+  BlockMaterial& rock = problem.analysis->block_materials[0];
+  BlockMaterial other = rock;
+  rock.initial_velocity = {1, -0.5, 0.8};
+  other.initial_velocity = {-1, 0.5, -0.8};
+  problem.analysis->block_materials.push_back(other);
+  for (std::size_t b = 0; b < all.blocks.size(); b += 2) all.blocks[b].material = 1;
+  problem.geometry = all;
+  std::mt19937 dice(GetParam());
+  problem.stages = {stage_of(1)};
+  problem.stages[0].settings = {{"gravity.x", "0"}, {"gravity.y", "0"}};
+  Rock now = rock_of(all, *problem.analysis);
+  for (int i = 0; i < 100; ++i) {
+    problem.stages.push_back(random_change_of_meshes(now, dice));
+    now = changed(now, problem.stages.back()).rock;
+  }
+  const Told told = told_of(problem);
+  EXPECT_EQ(told.outcome.end, RunEnd::finished);
+  EXPECT_EQ(told.outcome.scenes.size(), 101U);
+  for (std::size_t i = 1; i < problem.stages.size(); ++i) {
+    if (!problem.stages[i].excavations.empty()) continue;
+    const LedgerRow& before = told.ledger.rows[i];
+    const LedgerRow& after = told.ledger.rows[i + 1];
+    EXPECT_LT(distance(after.momentum.linear, before.momentum.linear), 1e-12 * before.momentum_size.linear) << i;
+  }
+  EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-7);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomMeshes, testing::Range(1U, 11U));
 
 }  // namespace keyblock::stages_ledger_test

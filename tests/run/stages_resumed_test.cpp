@@ -40,6 +40,26 @@ Scene eventful_on_covers() {
   return prepare(problem, "standard", {}).scene;
 }
 
+/// Blocks that are given covers, other ones, dug, bolted and blocks again.
+Scene eventful_mixed() {
+  Problem problem = column(3);
+  problem.analysis->block_materials.push_back(problem.analysis->block_materials.front());
+  std::get<Blocks>(problem.geometry).blocks[2].material = 1;
+  problem.stages = {stage_of(3), stage_of(3, "mesh"), stage_of(3, "dig"), stage_of(3, "finer"), stage_of(3, "blocks")};
+  problem.stages[0].settings = {{"gravity.x", "4"}};
+  problem.stages[1].mesh.emplace();
+  problem.stages[1].mesh->side = 0.7;
+  problem.stages[1].mesh->materials = {{1}};
+  problem.stages[2].excavations = {{box({0.7, 1.4}, {1.3, 3}), 0, {}}};
+  problem.stages[3].mesh = problem.stages[1].mesh;
+  problem.stages[3].mesh->side = 0.5;
+  problem.stages[3].bolts = {{{{0.4, 1.5}, {1.5, 0.5}}, 1e6, 0, 1e3, 0, {}}};
+  problem.stages[4].mesh = problem.stages[1].mesh;
+  problem.stages[4].mesh->materials = {{0}};
+  problem.stages[4].mesh->side = 1.2;
+  return prepare(problem, "standard", {}).scene;
+}
+
 /// Linear solutions of which load steps 2 and 4 dig something out.
 Scene dug_at_once() {
   Problem problem = squares_on_covers(CoverFunctions::derived);
@@ -61,7 +81,7 @@ std::string bytes_of(Stepper& stepper) {
 
 }  // namespace
 
-constexpr std::array kNames{"blocks", "covers", "linear"};
+constexpr std::array kNames{"blocks", "covers", "linear", "mixed"};
 
 class ResumedStages : public testing::TestWithParam<Scene (*)()> {};
 
@@ -84,7 +104,8 @@ TEST_P(ResumedStages, left_before_any_step_they_go_on_to_the_same_bytes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ResumedStages, testing::Values(eventful, eventful_on_covers, dug_at_once),
+INSTANTIATE_TEST_SUITE_P(Scenes, ResumedStages,
+                         testing::Values(eventful, eventful_on_covers, dug_at_once, eventful_mixed),
                          [](const auto& one) { return std::string(kNames.at(one.index)); });
 
 }  // namespace keyblock::stages_resumed_test

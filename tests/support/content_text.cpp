@@ -71,14 +71,17 @@ class Lister {
     list("body acceleration", a.body_acceleration);
   }
 
-  void list(const CoverPlan& plan) {
-    const MeshPlan& m = plan.mesh;
-    line("covers {} mesh {} {} {:a} {} {:a} {} {} {} {:a}", static_cast<int>(plan.functions), static_cast<int>(m.kind),
-         m.half_rows, m.side, static_cast<int>(m.shape), m.angle_deg, static_cast<int>(m.placement), text(m.through_x),
-         text(m.through_y), m.snap_ratio);
-    line("contact {}", static_cast<int>(plan.contact));
+  void list(const MeshPlan& m) {
+    line("mesh {} {} {:a} {} {:a} {} {} {} {:a}", static_cast<int>(m.kind), m.half_rows, m.side,
+         static_cast<int>(m.shape), m.angle_deg, static_cast<int>(m.placement), text(m.through_x), text(m.through_y),
+         m.snap_ratio);
     for (const auto& meshed : m.materials) line("meshed {}", meshed.material);
     for (const auto& r : m.refined) line("refined {} {:a}", text(r.at), r.side);
+  }
+
+  void list(const CoverPlan& plan) {
+    line("covers {} contact {}", static_cast<int>(plan.functions), static_cast<int>(plan.contact));
+    list(plan.mesh);
     for (const auto& t : plan.tractions) {
       line("traction {} | {} | {}", t.x.text, t.y.text, t.pressure.text);
       for (const Point p : t.along) line("along {}", text(p));
@@ -106,6 +109,7 @@ class Lister {
   void list(const Stage& s) {
     line("stage {} {} {:a} {:a} {} {}", s.name, s.steps, s.duration, s.equilibrium.value_or(0), s.removes_forces,
          s.profile);
+    if (s.mesh) list(*s.mesh);
     const auto outline = [&](const auto& part) {
       for (const Point p : part.outline) line("outline {}", text(p));
     };

@@ -309,28 +309,34 @@ Formula formula(Dice& dice, bool on_boundary) {
   return {on_boundary && dice.happens(0.5) ? "nx * x^2 - sin(ny)" : "x < 0 ? -y : 2*_pi*x", {}};
 }
 
-CoverPlan covers(Dice& dice) {
-  CoverPlan plan;
-  plan.functions = static_cast<CoverFunctions>(dice.below(4));
-  plan.contact = dice.happens(0.3) ? CoverContact::ignored : CoverContact::felt;
-  plan.mesh.materials = some(dice, 3, [](Dice& one) { return MeshedMaterial{one.below(5)}; });
-  plan.mesh.kind = dice.happens(0.3) ? MeshKind::unstructured : MeshKind::regular;
-  if (plan.mesh.kind == MeshKind::regular && dice.happens(0.5))
-    plan.mesh.half_rows = 1 + dice.below(1000);
+MeshPlan mesh(Dice& dice) {
+  MeshPlan plan;
+  plan.materials = some(dice, 3, [](Dice& one) { return MeshedMaterial{one.below(5)}; });
+  plan.kind = dice.happens(0.3) ? MeshKind::unstructured : MeshKind::regular;
+  if (plan.kind == MeshKind::regular && dice.happens(0.5))
+    plan.half_rows = 1 + dice.below(1000);
   else
-    plan.mesh.side = positive_real(dice);
-  plan.mesh.shape = dice.happens(0.5) ? MeshShape::old : MeshShape::equilateral;
-  const bool is_regular = plan.mesh.kind == MeshKind::regular;
+    plan.side = positive_real(dice);
+  plan.shape = dice.happens(0.5) ? MeshShape::old : MeshShape::equilateral;
+  const bool is_regular = plan.kind == MeshKind::regular;
   const double angle_deg = dice.between(-180, 180);
-  if (is_regular) plan.mesh.angle_deg = angle_deg;
-  plan.mesh.placement = dice.happens(0.5) ? MeshPlacement::aligned : MeshPlacement::free;
-  if (dice.happens(0.5)) plan.mesh.through_x = coordinate(dice);
-  if (dice.happens(0.5)) plan.mesh.through_y = coordinate(dice);
+  if (is_regular) plan.angle_deg = angle_deg;
+  plan.placement = dice.happens(0.5) ? MeshPlacement::aligned : MeshPlacement::free;
+  if (dice.happens(0.5)) plan.through_x = coordinate(dice);
+  if (dice.happens(0.5)) plan.through_y = coordinate(dice);
   auto refined = some(dice, 3, [](Dice& one) {
     const Point at = any_point(one);
     return RefinedPoint{at, positive_real(one)};
   });
-  if (!is_regular) plan.mesh.refined = std::move(refined);
+  if (!is_regular) plan.refined = std::move(refined);
+  return plan;
+}
+
+CoverPlan covers(Dice& dice) {
+  CoverPlan plan;
+  plan.functions = static_cast<CoverFunctions>(dice.below(4));
+  plan.contact = dice.happens(0.3) ? CoverContact::ignored : CoverContact::felt;
+  plan.mesh = mesh(dice);
   plan.tractions = some(dice, 3, [](Dice& one) {
     TractionPlan part{polygon(one), {}, {}, {}, {}};
     part.x = formula(one, true);
@@ -393,6 +399,7 @@ Stage stage(Dice& dice) {
     return StageForce{at, any_point(one), {}};
   });
   s.removes_forces = dice.happens(0.5);
+  if (dice.happens(0.3)) s.mesh = mesh(dice);
   if (dice.happens(0.3)) s.profile = "draft";
   if (dice.happens(0.3)) s.settings = {{"gravity.x", "1"}, {"odd \"name\"", "5"}};
   return s;

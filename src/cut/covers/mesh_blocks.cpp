@@ -25,7 +25,7 @@ void add(Manifold& manifold, Manifold more) {
 }  // namespace
 
 MeshedBlocks mesh_blocks(const Blocks& scene, const std::function<bool(const BlockPolygon&)>& is_meshed,
-                         const std::function<TriangleMesh(const BodyGraph&)>& mesh_for) {
+                         const std::function<TriangleMesh(const BlockPolygon&, const BodyGraph&)>& mesh_for) {
   MeshedBlocks result;
   result.rest.place = scene.place;
   for (const BlockPolygon& block : scene.blocks) {
@@ -36,7 +36,7 @@ MeshedBlocks mesh_blocks(const Blocks& scene, const std::function<bool(const Blo
     }
     const BodyGraph graph = graph_of(block);
     result.blocks.push_back({-1, static_cast<int>(result.manifold.body_materials.size())});
-    add(result.manifold, cut_cover(graph, mesh_for(graph)));
+    add(result.manifold, cut_cover(graph, mesh_for(block, graph)));
   }
   return result;
 }

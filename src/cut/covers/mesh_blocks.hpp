@@ -24,6 +24,6 @@ struct MeshedBlocks {
 
 /// Cuts each block that `is_meshed` says of on the mesh that `mesh_for` makes for it.
 MeshedBlocks mesh_blocks(const Blocks& scene, const std::function<bool(const BlockPolygon&)>& is_meshed,
-                         const std::function<TriangleMesh(const BodyGraph&)>& mesh_for);
+                         const std::function<TriangleMesh(const BlockPolygon&, const BodyGraph&)>& mesh_for);
 
 }  // namespace keyblock

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cut/bodies/place_points.hpp"
 #include "cut/covers/to_cover.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
@@ -76,7 +77,26 @@ double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p)
   return is_in ? 0 : nearest;
 }
 
+/// Points without a block to carry them any more go with it.
+template <class Part>
+std::vector<Part> in_blocks(const std::vector<Part>& parts, const Blocks& blocks) {
+  std::vector<Part> kept;
+  for (const Part& part : parts)
+    if (std::ranges::any_of(blocks.blocks, [&](const BlockPolygon& block) { return holds(block, part.at); }))
+      kept.push_back(part);
+  return kept;
+}
+
 }  // namespace
+
+CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& blocks) {
+  const auto is_gone = [&](const auto& part) { return sides_along(bodies, part.along).empty(); };
+  std::erase_if(plan.tractions, is_gone);
+  std::erase_if(plan.displacements, is_gone);
+  plan.forces = in_blocks(plan.forces, blocks);
+  plan.springs = in_blocks(plan.springs, blocks);
+  return plan;
+}
 
 void put_loads(Continuum& continuum, const CoverPlan& plan) {
   continuum.functions = plan.functions;

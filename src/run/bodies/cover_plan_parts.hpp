@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "model/continuum.hpp"
+#include "problem/blocks.hpp"
 #include "problem/cover_plan.hpp"
 
 namespace keyblock {
@@ -13,6 +14,9 @@ namespace keyblock {
 /// Everything of the plan that does not depend on the mesh. Functions throw InputError where a formula has no finite
 /// value.
 void put_loads(Continuum& continuum, const CoverPlan& plan);
+
+/// A plan without what has nothing to act on: chains of which the bodies have no edge, points that lie in no body.
+CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& blocks);
 
 /// Forces and springs at points, into their elements. Throws InputError for one that lies in no body.
 void put_points(Continuum& continuum, const CoverPlan& plan);

@@ -20,8 +20,7 @@ namespace {
 
 Problem with_excavations(const Problem& problem) {
   const Place& place = problem.stages.front().place;
-  if (!problem.covers || !problem.covers->mesh.materials.empty())
-    throw InputError(place, "expected stages of blocks, or of bodies that are all on covers, found others");
+  if (!problem.covers) throw InputError(place, "expected stages of blocks or a drawing, found them of a cover file");
   if (!problem.covers->excavations.empty())
     throw InputError(problem.covers->excavations.front().place,
                      "expected excavations in stages or in covers, found both");
@@ -45,16 +44,6 @@ std::vector<CoverPoint> in_elements(const Manifold& manifold, const std::vector<
   for (const BlockPoint& point : points)
     result.push_back({point.position, element_holding(manifold, -1, point.position, noun, point.place), point.place});
   return result;
-}
-
-/// Points without a block to carry them any more go with it.
-template <class Part>
-std::vector<Part> in_rock(const std::vector<Part>& parts, const Rock& rock) {
-  std::vector<Part> kept;
-  for (const Part& part : parts)
-    if (std::ranges::any_of(rock.blocks.blocks, [&](const BlockPolygon& block) { return holds(block, part.at); }))
-      kept.push_back(part);
-  return kept;
 }
 
 /// Gives every body the material of the block of the rock that it is.
@@ -88,12 +77,7 @@ CoverStages::CoverStages(const Problem& problem) : problem_(with_excavations(pro
 }
 
 Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const Settings& settings) const {
-  CoverPlan plan = *problem_.covers;
-  const auto is_gone = [&](const auto& part) { return sides_along(manifold, part.along).empty(); };
-  std::erase_if(plan.tractions, is_gone);
-  std::erase_if(plan.displacements, is_gone);
-  plan.forces = in_rock(plan.forces, rock);
-  plan.springs = in_rock(plan.springs, rock);
+  const CoverPlan plan = what_is_left_of(*problem_.covers, manifold, rock.blocks);
   Continuum continuum =
       continuum_of(std::move(manifold), rock.analysis.block_materials, settings, problem_.covers->functions);
   put_loads(continuum, plan);

@@ -3,11 +3,14 @@
 #include "step/groups/block_group.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "base/loop.hpp"
 #include "base/worse.hpp"
+#include "geometry/quadrature.hpp"
 #include "step/bodies/step_equations.hpp"
 
 namespace keyblock {
@@ -51,6 +54,17 @@ Unknowns sum_of(const StepSum& sum, const Unknowns& increment, const BodiesMotio
 double greatest(const Unknowns& change, double size) {
   return worse(change.head<2>().maxCoeff<Eigen::PropagateNaN>() / size,
                change.tail(change.size() - 2).maxCoeff<Eigen::PropagateNaN>());
+}
+
+std::vector<std::vector<Point>> loops_of(const Model& model, ElementIndex e) {
+  std::vector<std::vector<Point>> loops;
+  VertexIndex v = model.elements[e].first_vertex;
+  for (const int size : model.elements[e].loop_sizes) {
+    loops.emplace_back();
+    for (int i = 0; i < size; ++i, ++v.value)
+      loops.back().push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
+  }
+  return loops;
 }
 
 }  // namespace
@@ -287,12 +301,79 @@ Stress BlockGroup::stress_at(const SceneParts& scene, ElementIndex e, const Unkn
   return turned(block_stress(scene.model, e, scene.reference, scene.settings, q[e]), angle);
 }
 
+// The velocity is that which the mass of the block has, whose points lie where they would without strain.
+std::vector<FieldPoint> BlockGroup::field_over(const SceneParts& scene, ElementIndex e,
+                                               std::span<const std::vector<Point>> region, int degree,
+                                               const BodiesMotion& motion) const {
+  const Basis& basis = *scene.model.elements[e].basis;
+  const Point centroid = scene.reference.centroids[e];
+  const Unknowns& q = motion.q[e];
+  const bool moves = q.size() > 0;
+  Unknowns unstrained = q;
+  if (moves) unstrained.tail(q.size() - kRigidUnknowns).setZero();
+  std::vector<FieldPoint> field;
+  for (const AreaPoint& point : polygon_rule(region, std::max(degree + 1, 2))) {
+    FieldPoint& of = field.emplace_back(FieldPoint{point.at, point.weight, point.at, {}});
+    if (!moves) continue;
+    of.place = BlockMap(basis, q, centroid).place(point.at - centroid);
+    const Eigen::Vector2d v = jacobian(basis, unstrained, point.at - centroid) * motion.v[e];
+    of.velocity = {v.x(), v.y()};
+  }
+  return field;
+}
+
+// The affine field nearest to that of the mass: its mean, and the least squares of what differs from it, keep momentum
+// and angular momentum.
+void BlockGroup::carry_field(const SceneParts& scene, ElementIndex e, const std::vector<FieldPoint>& field,
+                             BodiesMotion& carried) const {
+  const Basis& basis = *scene.model.elements[e].basis;
+  Unknowns& q = carried.q[e];
+  Unknowns& v = carried.v[e];
+  if (q.size() == 0 || basis.rotation_unknown < 0) return;
+  const Point centroid = scene.reference.centroids[e];
+  double area = 0;
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d places = Eigen::Matrix2d::Zero();  // Σ x Xᵀ, X from the centroid
+  Eigen::Matrix2d rates = places;
+  Eigen::Matrix2d moments = places;
+  for (const FieldPoint& point : field) {
+    const Eigen::Vector2d arm(point.start.x - centroid.x, point.start.y - centroid.y);
+    const Eigen::Vector2d way(point.place.x - point.start.x, point.place.y - point.start.y);
+    const Eigen::Vector2d rate(point.velocity.x, point.velocity.y);
+    area += point.area;
+    shift += point.area * way;
+    velocity += point.area * rate;
+    places += point.area * (arm + way) * arm.transpose();
+    rates += point.area * rate * arm.transpose();
+    moments += point.area * arm * arm.transpose();
+  }
+  const Eigen::Matrix2d f = places * moments.inverse();
+  const double angle = std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  const Eigen::Matrix2d stretch = turn.transpose() * f;
+  const Eigen::Matrix2d rate = turn.transpose() * rates * moments.inverse();
+  q.setZero();
+  v.setZero();
+  q.head<3>() << shift / area, angle;
+  v.head<3>() << velocity / area, (rate(1, 0) - rate(0, 1)) / 2;
+  if (q.size() != kMostUnknowns) return;
+  q.tail<3>() << stretch(0, 0) - 1, stretch(1, 1) - 1, stretch(0, 1) + stretch(1, 0);
+  v.tail<3>() << rate(0, 0), rate(1, 1), rate(0, 1) + rate(1, 0);
+}
+
 // The affine field of a block about the centroid of its piece; its velocity as the mass of the block has it, whose
 // points lie where they would without strain: kinetic energy is kept to round-off.
 void BlockGroup::carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const {
   for (ElementIndex e : indices(before.parents)) {
     if (!has(e)) continue;
     const ElementIndex old = before.parents[e];
+    const BodyGroup& group = before.groups.of(old);
+    if (dynamic_cast<const BlockGroup*>(&group) == nullptr) {
+      const auto loops = loops_of(scene.model, e);
+      carry_field(scene, e, group.field_over(before.scene, old, loops, 1, before.motion), carried);
+      continue;
+    }
     const Basis& basis = *before.scene.model.elements[old].basis;
     const Eigen::Index count = std::min(before.motion.q[old].size(), carried.q[e].size());
     if (count == 0) continue;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "step/groups/body_group.hpp"
 #include "step/bodies/standard_body.hpp"
+#include "step/groups/body_group.hpp"
 
 namespace keyblock {
 
@@ -58,9 +58,15 @@ class BlockGroup final : public BodyGroup {
   ElementState state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                         const Placement& placed) const override;
   Stress stress_at(const SceneParts& scene, ElementIndex e, const UnknownsTable& q, Point start) const override;
+  std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
+                                     std::span<const std::vector<Point>> region, int degree,
+                                     const BodiesMotion& motion) const override;
   void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
 
  private:
+  void carry_field(const SceneParts& scene, ElementIndex e, const std::vector<FieldPoint>& field,
+                   BodiesMotion& carried) const;
+
   Bodies bodies_;
   std::vector<bool> of_others_;
   double size_ = 0;

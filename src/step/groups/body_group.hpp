@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -47,6 +48,14 @@ struct SceneParts {
   const Model& model;
   const Reference& reference;
   const Settings& settings;
+};
+
+/// A point of a body, of which there is `area` about it, at the start and now.
+struct FieldPoint {
+  Point start;
+  double area = 0;
+  Point place;
+  Point velocity;
 };
 
 class BodyGroups;
@@ -177,6 +186,11 @@ class BodyGroup {
                                 const Placement& placed) const = 0;
   /// At the point that lay at `start`.
   virtual Stress stress_at(const SceneParts& scene, ElementIndex e, const UnknownsTable& q, Point start) const = 0;
+  /// A motion of the body of an element over a region of the start, by points that integrate the products of its fields
+  /// with each other, and with a polynomial of `degree`, to round-off.
+  virtual std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
+                                             std::span<const std::vector<Point>> region, int degree,
+                                             const BodiesMotion& motion) const = 0;
   /// Puts unknowns and velocities as the bodies before had them.
   virtual void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const = 0;
 };

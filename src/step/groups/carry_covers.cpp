@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/carry_covers.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
+#include "geometry/common_rule.hpp"
 #include "terms/cover_inertia.hpp"
 
 namespace keyblock {
@@ -103,7 +106,100 @@ class Carrying {
   std::vector<Eigen::MatrixXd> masses_;  ///< of the monomials of each element
 };
 
+Box box_of(std::span<const std::vector<Point>> loops) {
+  Box box;
+  for (const std::vector<Point>& loop : loops)
+    for (const Point& p : loop) box.add(p);
+  return box;
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+/// ∫ ρ N f over every element, f of the points.
+Eigen::VectorXd loads_of(std::span<const std::vector<FieldPoint>> fields, const CoverScene& after,
+                         Point (*of)(const FieldPoint&)) {
+  Eigen::VectorXd loads = Eigen::VectorXd::Zero(2 * after.basis().function_count());
+  for (int e = 0; e < after.basis().element_count(); ++e) {
+    const ElementShape shape = after.basis().shape(e);
+    const double density = after.continuum().material(e).density;
+    for (const FieldPoint& point : fields[static_cast<std::size_t>(e)]) {
+      const Eigen::RowVectorXd values = density * point.area * shape.values(point.start);
+      const Point f = of(point);
+      for (int a = 0; a < shape.function_count(); ++a)
+        loads.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]) += values(a) * Eigen::Vector2d(f.x, f.y);
+    }
+  }
+  return loads;
+}
+
+/// Adds turnings that give every body the angular momentum of its points.
+Eigen::VectorXd turned_as(std::span<const std::vector<FieldPoint>> fields, const CoverScene& after,
+                          const Eigen::VectorXd& d, Eigen::VectorXd v) {
+  const std::vector<WholeBody> bodies = after.whole(d, after.momentum(v));
+  std::vector<double> missing;
+  for (const WholeBody& body : bodies) missing.push_back(-body.resultant[2]);
+  for (int e = 0; e < after.basis().element_count(); ++e) {
+    const auto body = static_cast<std::size_t>(after.continuum().manifold.elements[static_cast<std::size_t>(e)].body);
+    const double density = after.continuum().material(e).density;
+    for (const FieldPoint& point : fields[static_cast<std::size_t>(e)])
+      missing[body] += density * point.area * cross(point.place - bodies[body].centre, point.velocity);
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    v += missing[b] / bodies[b].inertia * after.turning(static_cast<int>(b), d, bodies[b].centre);
+  return v;
+}
+
 }  // namespace
+
+CarriedCovers carried_covers(std::span<const std::vector<FieldPoint>> fields, const CoverScene& after) {
+  CarriedCovers carried;
+  const auto projected = [&](Point (*of)(const FieldPoint&)) -> Eigen::VectorXd {
+    return after.mass_inverse()->times(loads_of(fields, after, of)).col(0);
+  };
+  carried.d = projected([](const FieldPoint& point) { return point.place - point.start; });
+  carried.v = projected([](const FieldPoint& point) { return point.velocity; });
+  carried.v = turned_as(fields, after, carried.d, std::move(carried.v));
+  return carried;
+}
+
+std::vector<std::vector<BoxedElement>> boxed_elements(const CoverScene& bodies) {
+  const Manifold& manifold = bodies.continuum().manifold;
+  std::vector<std::vector<BoxedElement>> all(manifold.body_materials.size());
+  for (std::size_t e = 0; e < manifold.elements.size(); ++e)
+    all[static_cast<std::size_t>(manifold.elements[e].body)].push_back(
+        {box_of(manifold.polygon(manifold.elements[e])), static_cast<int>(e)});
+  return all;
+}
+
+std::vector<FieldPoint> field_over(const CoverScene& bodies, std::span<const BoxedElement> elements,
+                                   std::span<const std::vector<Point>> region, int degree, const Eigen::VectorXd& d,
+                                   const Eigen::VectorXd& v) {
+  const Manifold& manifold = bodies.continuum().manifold;
+  const int own = bodies.basis().degree();
+  const Box box = box_of(region);
+  std::vector<FieldPoint> field;
+  for (const BoxedElement& boxed : elements) {
+    if (!overlap(box, boxed.box)) continue;
+    const auto loops = manifold.polygon(manifold.elements[static_cast<std::size_t>(boxed.element)]);
+    const ElementShape shape = bodies.basis().shape(boxed.element);
+    for (const AreaPoint& point : common_rule(region, loops, own + std::max(own, degree))) {
+      const Eigen::RowVectorXd values = shape.values(point.at);
+      FieldPoint& of = field.emplace_back(FieldPoint{point.at, point.weight, point.at, {}});
+      for (int a = 0; a < shape.function_count(); ++a) {
+        const int f = 2 * shape.functions[static_cast<std::size_t>(a)];
+        of.place = of.place + values(a) * Point{d[f], d[f + 1]};
+        of.velocity = of.velocity + values(a) * Point{v[f], v[f + 1]};
+      }
+    }
+  }
+  return field;
+}
+
+bool is_same_mesh(const Manifold& a, const Manifold& b) {
+  return a.mesh.nodes == b.mesh.nodes && a.mesh.triangles == b.mesh.triangles;
+}
 
 CarriedCovers carried_covers(const CoverScene& before, const Eigen::VectorXd& d, const Eigen::VectorXd& v,
                              std::span<const int> parents, const CoverScene& after) {

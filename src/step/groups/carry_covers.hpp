@@ -4,8 +4,11 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
+#include "geometry/box.hpp"
 #include "step/bodies/cover_scene.hpp"
+#include "step/groups/body_group.hpp"
 
 namespace keyblock {
 
@@ -21,5 +24,26 @@ struct CarriedCovers {
 /// of, in the same triangle of the same mesh.
 CarriedCovers carried_covers(const CoverScene& before, const Eigen::VectorXd& d, const Eigen::VectorXd& v,
                              std::span<const int> parents, const CoverScene& after);
+
+/// The same from points of the fields before over each element after: of other meshes, and of blocks that are given
+/// covers. Momentum and angular momentum of each body are those of its points.
+CarriedCovers carried_covers(std::span<const std::vector<FieldPoint>> fields, const CoverScene& after);
+
+/// An element of a body with the box about it.
+struct BoxedElement {
+  Box box;
+  int element = 0;
+};
+
+/// Of every body.
+std::vector<std::vector<BoxedElement>> boxed_elements(const CoverScene& bodies);
+
+/// The fields of a body, which has these elements, over a region of the start: exact to the product of the fields with
+/// each other, and with a polynomial of `degree`.
+std::vector<FieldPoint> field_over(const CoverScene& bodies, std::span<const BoxedElement> elements,
+                                   std::span<const std::vector<Point>> region, int degree, const Eigen::VectorXd& d,
+                                   const Eigen::VectorXd& v);
+
+bool is_same_mesh(const Manifold& a, const Manifold& b);
 
 }  // namespace keyblock

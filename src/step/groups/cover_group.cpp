@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/worse.hpp"
-#include "step/groups/carry_covers.hpp"
 
 namespace keyblock {
 namespace {
@@ -173,18 +172,49 @@ Stress CoverGroup::stress_at(const SceneParts&, ElementIndex e, const UnknownsTa
   return bodies_->stress(e, q.shared, start);
 }
 
+std::vector<FieldPoint> CoverGroup::field_over(const SceneParts&, ElementIndex e,
+                                               std::span<const std::vector<Point>> region, int degree,
+                                               const BodiesMotion& motion) const {
+  return keyblock::field_over(*bodies_, elements_[static_cast<std::size_t>(bodies_->body_of(e))], region, degree,
+                              motion.q.shared, motion.v.shared);
+}
+
+// Where the mesh is that of before, products of polynomials tell what is carried; a body that was a block, or that has
+// another mesh now, takes it from points.
 void CoverGroup::carry(const SceneParts&, const BodiesBefore& before, BodiesMotion& carried) const {
-  for (const BodyGroups::Group& group : before.groups) {
-    const auto* same = dynamic_cast<const CoverGroup*>(group.get());
-    if (!same) continue;
-    std::vector<int> parents;
-    for (ElementIndex e : indices(before.parents))
-      if (has(e)) parents.push_back(same->bodies_->kinematics()->manifold_element(before.parents[e]));
-    const CarriedCovers covers =
-        carried_covers(*same->bodies_, before.motion.q.shared, before.motion.v.shared, parents, *bodies_);
-    carried.q.shared = covers.d;
-    carried.v.shared = covers.v;
+  const CoverGroup* same = nullptr;
+  for (const BodyGroups::Group& group : before.groups)
+    if (const auto* one = dynamic_cast<const CoverGroup*>(group.get())) same = one;
+  std::vector<ElementIndex> own;
+  for (ElementIndex e : indices(before.parents))
+    if (has(e)) own.push_back(e);
+  const bool keeps_mesh = same &&
+                          std::ranges::all_of(own, [&](ElementIndex e) { return same->has(before.parents[e]); }) &&
+                          is_same_mesh(same->bodies_->continuum().manifold, bodies_->continuum().manifold);
+  const CarriedCovers covers =
+      keeps_mesh ? carried_by_products(*same->bodies_, own, before) : carried_by_points(own, before);
+  carried.q.shared = covers.d;
+  carried.v.shared = covers.v;
+}
+
+CarriedCovers CoverGroup::carried_by_products(const CoverScene& same, const std::vector<ElementIndex>& own,
+                                              const BodiesBefore& before) const {
+  std::vector<int> parents;
+  for (const ElementIndex e : own) parents.push_back(same.kinematics()->manifold_element(before.parents[e]));
+  return carried_covers(same, before.motion.q.shared, before.motion.v.shared, parents, *bodies_);
+}
+
+CarriedCovers CoverGroup::carried_by_points(const std::vector<ElementIndex>& own, const BodiesBefore& before) const {
+  const Manifold& manifold = bodies_->continuum().manifold;
+  const int degree = bodies_->basis().degree();
+  std::vector<std::vector<FieldPoint>> fields;
+  for (const ElementIndex e : own) {
+    const ElementIndex parent = before.parents[e];
+    const auto region =
+        manifold.polygon(manifold.elements[static_cast<std::size_t>(bodies_->kinematics()->manifold_element(e))]);
+    fields.push_back(before.groups.of(parent).field_over(before.scene, parent, region, degree, before.motion));
   }
+  return carried_covers(fields, *bodies_);
 }
 
 }  // namespace keyblock

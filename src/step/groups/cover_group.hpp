@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "step/groups/body_group.hpp"
 #include "step/bodies/cover_scene.hpp"
+#include "step/groups/body_group.hpp"
+#include "step/groups/carry_covers.hpp"
 
 namespace keyblock {
 
 class CoverGroup final : public BodyGroup {
  public:
-  explicit CoverGroup(std::shared_ptr<const CoverScene> bodies) : bodies_(std::move(bodies)) {}
+  explicit CoverGroup(std::shared_ptr<const CoverScene> bodies)
+      : bodies_(std::move(bodies)), elements_(boxed_elements(*bodies_)) {}
 
   const CoverScene& bodies() const { return *bodies_; }
 
@@ -57,10 +59,18 @@ class CoverGroup final : public BodyGroup {
   ElementState state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                         const Placement& placed) const override;
   Stress stress_at(const SceneParts& scene, ElementIndex e, const UnknownsTable& q, Point start) const override;
+  std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
+                                     std::span<const std::vector<Point>> region, int degree,
+                                     const BodiesMotion& motion) const override;
   void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
 
  private:
+  CarriedCovers carried_by_products(const CoverScene& same, const std::vector<ElementIndex>& own,
+                                    const BodiesBefore& before) const;
+  CarriedCovers carried_by_points(const std::vector<ElementIndex>& own, const BodiesBefore& before) const;
+
   std::shared_ptr<const CoverScene> bodies_;
+  std::vector<std::vector<BoxedElement>> elements_;  ///< of every body
 };
 
 }  // namespace keyblock

@@ -3,15 +3,20 @@
 #include "step/scene/carry_motion.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "contact/rows/constraints.hpp"
+#include "geometry/segment.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/touch_search.hpp"
 
 namespace keyblock {
 namespace {
+
+// Of the scene's scale: a point of a mesh on the edge of its block, within round-off of cutting.
+constexpr double kOnEdge = 1e-9;
 
 /// Where a material point of the later scene lies: it moves with what it was part of before.
 class Before {
@@ -85,16 +90,81 @@ bool is_other_joint(const Facing& facing, const SceneMap& map, const StandardSce
   return is_other(facing.lower) || is_other(facing.upper);
 }
 
-// Faces whose joint is of another material now are bonded as it says; new faces are not.
+/// Of edges of the later scene those of the earlier that they are, or lie on: a mesh parts the edges of its block.
+class Edges {
+ public:
+  Edges(const SceneMap& map, const StandardScene& before, const StandardScene& after)
+      : map_(map), before_(before.model), after_(after.model) {}
+
+  bool is_new(VertexIndex start) const {
+    const VertexIndex end = after_.vertices[start].next;
+    return !map_.vertices[start] || !map_.vertices[end] ||
+           before_.vertices[map_.vertices[start]].next != map_.vertices[end];
+  }
+
+  /// None where the edge lies on no edge of the element that its own was cut from.
+  std::optional<VertexIndex> before(VertexIndex start) const {
+    if (!is_new(start)) return map_.vertices[start];
+    const Segment edge = segment(after_, start);
+    for (VertexIndex v : before_.elements[map_.elements[after_.vertices[start].element]].vertices()) {
+      const Segment old = segment(before_, v);
+      if (is_on(old, edge.start) && is_on(old, edge.end)) return v;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static Segment segment(const Model& model, VertexIndex start) {
+    const auto place = [&](VertexIndex v) { return model.start_vertices[static_cast<std::size_t>(v.value)]; };
+    return {place(start), place(model.vertices[start].next)};
+  }
+
+  bool is_on(const Segment& old, Point p) const {
+    const Point along = old.end - old.start;
+    const double share = std::clamp(dot(p - old.start, along) / dot(along, along), 0.0, 1.0);
+    return distance(old.start + share * along, p) <= kOnEdge * before_.scale;
+  }
+
+  const SceneMap& map_;
+  const Model& before_;
+  const Model& after_;
+};
+
+/// The gap at which two faces were bonded; none where they were not.
+class BondedFaces {
+ public:
+  explicit BondedFaces(const Bonds& bonds) {
+    for (const auto& [facing, bond] : bonds) gaps_.emplace(std::minmax(facing.lower, facing.upper), bond.gap);
+  }
+
+  std::optional<double> gap(std::optional<VertexIndex> one, std::optional<VertexIndex> other) const {
+    if (!one || !other) return std::nullopt;
+    const auto found = gaps_.find(std::minmax(*one, *other));
+    return found == gaps_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::map<std::pair<VertexIndex, VertexIndex>, double> gaps_;
+};
+
+// Faces whose joint is of another material now are bonded as it says; those that a mesh parts anew stay bonded, other
+// new faces are not.
 Bonds carried_bonds(const Bonds& bonds, const Names& names, const SceneMap& map, const StandardScene& before,
                     const Motion& carried, const StandardScene& after, double time) {
+  const Edges edges(map, before, after);
+  const BondedFaces faces(bonds);
   Bonds kept;
   for (const auto& [was, bond] : bonds)
     if (Facing facing = was; names.rename(facing) && !is_other_joint(facing, map, before, after))
       kept.emplace(facing, bond);
   const Scales scales = scales_of(after, loads_at(after, carried.q, time), carried.q, carried.v);
   for (const auto& [facing, bond] : bonds_at(after, carried.q, resting_touches(after, carried, scales)))
-    if (is_other_joint(facing, map, before, after)) kept.emplace(facing, bond);
+    if (is_other_joint(facing, map, before, after)) {
+      kept.emplace(facing, bond);
+    } else if (edges.is_new(facing.lower) || edges.is_new(facing.upper)) {
+      const std::optional<double> gap = faces.gap(edges.before(facing.lower), edges.before(facing.upper));
+      if (gap) kept.emplace(facing, Bond{*gap, bond.length});
+    }
   return kept;
 }
 

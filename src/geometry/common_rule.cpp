@@ -1,0 +1,81 @@
+// Triangle by triangle of two fans.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/common_rule.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/box.hpp"
+
+namespace keyblock {
+namespace {
+
+struct SignedTriangle {
+  std::array<Point, 3> corners;  // counter-clockwise
+  double sign = 1;
+};
+
+std::vector<SignedTriangle> fan_of(std::span<const std::vector<Point>> loops) {
+  std::vector<SignedTriangle> fan;
+  for (const std::vector<Point>& loop : loops)
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      const double twice = cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
+      if (twice > 0) fan.push_back({{loop[0], loop[i], loop[i + 1]}, 1});
+      if (twice < 0) fan.push_back({{loop[0], loop[i + 1], loop[i]}, -1});
+    }
+  return fan;
+}
+
+Box box_of(const SignedTriangle& triangle) {
+  Box box;
+  for (const Point& p : triangle.corners) box.add(p);
+  return box;
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+// What lies to the left of the line from a to b.
+std::vector<Point> left_of(const std::vector<Point>& polygon, Point a, Point b) {
+  std::vector<Point> kept;
+  const auto side = [&](Point p) { return cross(b - a, p - a); };
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point from = polygon[i];
+    const Point to = polygon[(i + 1) % polygon.size()];
+    const double here = side(from);
+    const double there = side(to);
+    if (here >= 0) kept.push_back(from);
+    if ((here > 0 && there < 0) || (here < 0 && there > 0)) kept.push_back(from + here / (here - there) * (to - from));
+  }
+  return kept;
+}
+
+std::vector<Point> common_part(const SignedTriangle& a, const SignedTriangle& b) {
+  std::vector<Point> part(a.corners.begin(), a.corners.end());
+  for (std::size_t i = 0; i < 3 && part.size() > 2; ++i) part = left_of(part, b.corners[i], b.corners[(i + 1) % 3]);
+  return part;
+}
+
+}  // namespace
+
+std::vector<AreaPoint> common_rule(std::span<const std::vector<Point>> a, std::span<const std::vector<Point>> b,
+                                   int degree) {
+  std::vector<AreaPoint> rule;
+  const std::vector<SignedTriangle> others = fan_of(b);
+  for (const SignedTriangle& one : fan_of(a)) {
+    const Box box = box_of(one);
+    for (const SignedTriangle& other : others) {
+      if (!overlap(box, box_of(other))) continue;
+      const std::vector<Point> part = common_part(one, other);
+      for (std::size_t i = 1; i + 1 < part.size(); ++i)
+        for (AreaPoint point : triangle_rule({part[0], part[i], part[i + 1]}, degree)) {
+          point.weight *= one.sign * other.sign;
+          rule.push_back(point);
+        }
+    }
+  }
+  return rule;
+}
+
+}  // namespace keyblock
