@@ -38,6 +38,19 @@ std::string law_of(const Prepared& prepared, int number) {
       kSofteningStretch);
 }
 
+/// What makes energy of friction: strains of blocks are damped, those of bodies on covers only where it is asked for.
+std::string undamped_covers(const Prepared& prepared) {
+  const Settings& settings = prepared.scene.settings;
+  for (const Scene* scene : scenes_of(prepared.scene))
+    for (const Element& element : scene->model.elements)
+      if (element.is_on_covers() && settings.stiffness_damping.of(element.material).value_or(0) == 0)
+        return fmt::format(
+            "; bodies on covers may flutter where they slide, stiffness_damping = {:.2g} (two steps) "
+            "calms them",
+            2 * settings.time_step);
+  return {};
+}
+
 std::string name_of(const Model& model, int number) {
   return fmt::format("{} {}", model.nodes.empty() ? "block" : "element", number + 1);
 }
@@ -110,8 +123,8 @@ void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& reco
   if (const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope); !(made <= limit))
     found.push_back({"energy_beyond_limit", place,
                      fmt::format("energy came from nothing: {:.3g} of the largest there was; beyond {:.3g} "
-                                 "(energy_limit) the run is not trusted",
-                                 made, limit)});
+                                 "(energy_limit) the run is not trusted{}",
+                                 made, limit, undamped_covers(prepared))});
 }
 
 // What a stage was to come to before the next began.

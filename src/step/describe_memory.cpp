@@ -83,6 +83,7 @@ void describe(Archive& a, Motion& motion, VertexIndex vertices) {
     a.value("length", bond.length);
   });
   a.group("ties", [&] { describe(a, motion.constraints); });
+  if (motion.q.shared.size() > 0) a.value("given_up", motion.given_up);
 }
 
 }  // namespace keyblock

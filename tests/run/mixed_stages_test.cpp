@@ -125,6 +125,14 @@ TEST(MixedStages, meshed_blocks_are_dug_and_cut) {
   EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-8);
 }
 
+TEST(MixedStages, a_mesh_for_no_block_is_said) {
+  Problem problem = column(2);
+  problem.stages = {stage_of(5), stage_of(5)};
+  problem.stages[1].mesh = mesh_of(0.5, {{7}});
+  const Warnings warnings = prepare(problem, "standard", {}).warnings;
+  EXPECT_EQ(std::ranges::count(warnings, "stage_without_effect", &Warning::name), 1);
+}
+
 TEST(MixedStages, what_cannot_be_is_an_error) {
   Problem problem = column(2);
   problem.stages = {stage_of(5), stage_of(5)};

@@ -52,7 +52,7 @@ Stage random_change(const Rock& rock, std::mt19937& dice) {
   return stage;
 }
 
-/// The same, or faces are glued or come apart, and blocks are given covers, a finer or a coarser mesh, or none any more.
+/// The same, or faces are glued or come apart, and blocks are given covers, a finer or coarser mesh, or none any more.
 Stage random_change_of_meshes(const Rock& rock, std::mt19937& dice) {
   const auto below = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(dice); };
   Stage stage = below(5) == 0 ? stage_of(1) : random_change(rock, dice);

@@ -53,6 +53,7 @@ class Changing {
     release();
     hold();
     load();
+    look_at_mesh();
     return {std::move(rock_), std::move(descent_), std::move(warnings_)};
   }
 
@@ -245,6 +246,15 @@ class Changing {
       rock_.blocks.loading_points.push_back({force.at, block_at(force.at, "a force", force.place), force.place});
       rock_.analysis.point_loads.push_back({{0}, {force.force}, force.place});
     }
+  }
+
+  void look_at_mesh() {
+    if (!stage_.mesh || stage_.mesh->materials.empty()) return;
+    const auto is_named = [&](const BlockPolygon& block) {
+      return std::ranges::count(stage_.mesh->materials, block.material, &MeshedMaterial::material) > 0;
+    };
+    if (std::ranges::none_of(rock_.blocks.blocks, is_named))
+      warn(stage_.mesh->place, "no block is of a material that the mesh names: none is on covers from here on");
   }
 
   const Stage& stage_;

@@ -48,6 +48,7 @@ struct Motion : BodiesMotion {
   ClosedContacts closed;
   Bonds bonds;
   ConstraintMemory constraints;
+  double given_up = 0;  ///< energy that the clean-up of the last step took where bodies resolve impacts
 };
 
 Motion start_motion(const StandardScene& scene);

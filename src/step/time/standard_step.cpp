@@ -126,8 +126,9 @@ class Attempt {
       held_touches.push_back(parts_.smooth[i]);
       slides.push_back(slide(i));
     }
-    step_.motion.v =
-        with_held_velocities(scene_, smooth_.q, smooth_.v, held_touches, slides, time_, dt_, smooth_.flexibility);
+    step_.motion.v = cleaned_up(held_touches, slides, start_.given_up + energy_of_closing(held));
+    if (one_resolves_impact(held_touches))
+      step_.motion.given_up = std::max(0.0, kinetic_energy(scene_, smooth_.v) - kinetic_energy(scene_, step_.motion.v));
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty()) strike(closed);
     remember();
@@ -198,6 +199,46 @@ class Attempt {
         held.push_back(i);
     }
     return held;
+  }
+
+  bool one_resolves_impact(const Touches& touches) const {
+    return std::ranges::any_of(touches, [&](const Touch& touch) { return resolves_impact(scene_, touch); });
+  }
+
+  // What contacts took as they closed, beyond what their springs keep.
+  double energy_of_closing(const std::vector<std::size_t>& held) const {
+    const auto before = vertices_at(scene_.model, scene_.reference, start_.q);
+    const auto after = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    double taken = 0;
+    for (const std::size_t i : held) {
+      const Touch& touch = parts_.smooth[i];
+      const ContactLaw& law = smooth_.laws[i];
+      const double gap = gap_of(touch, after);
+      const double kept = law.normal_compliance > 0 ? std::max(0.0, law.rest_gap - gap) : 0;
+      taken -= normal(i) * (gap - gap_of(touch, before) + kept);
+    }
+    return std::max(0.0, taken);
+  }
+
+  // The inertia that a step reaches is not that of the kinetic energy, which may therefore rise. Where mass alone
+  // answers it falls, and contacts have no velocity either: where it would rise by more than contacts took as they
+  // closed, and the step before gave up, there is as much of that as keeps it.
+  UnknownsTable cleaned_up(const Touches& held, const std::vector<double>& slides, double at_most) const {
+    const auto answered_by = [&](const Flexibility& answer) {
+      return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slides, time_, dt_, answer);
+    };
+    UnknownsTable cleaned = answered_by(smooth_.flexibility);
+    if (!one_resolves_impact(held)) return cleaned;
+    const double most = kinetic_energy(scene_, smooth_.v) + at_most;
+    if (kinetic_energy(scene_, cleaned) <= most) return cleaned;
+    const UnknownsTable calm = answered_by(mass_flexibility(scene_));
+    const double left = most - kinetic_energy(scene_, calm);
+    if (left <= 0) return calm;  // friction of slivers, or driven points
+    const UnknownsTable change = plus(cleaned, -1, calm);
+    const UnknownsTable pushed = momentum(scene_, change);
+    const double slope = dot(calm, pushed);
+    const double curvature = dot(change, pushed);
+    return plus(calm, (std::sqrt(slope * slope + 2 * curvature * left) - slope) / curvature, change);
   }
 
   // Friction over normal force where a contact of bodies on covers slides, 0 where it sticks. Blocks, whose strains are
