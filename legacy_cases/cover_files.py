@@ -22,14 +22,16 @@ def arc(radius, start, end, chords=64):
     return points
 
 
-def case_text(corners, covers, young, poisson, measured, plane_strain=False, density=1, steps=(1, 1), settings=None, velocity=None):
-    """One body of one weightless material, one load step; or `steps` (count, size) in time where `settings` are those of the run.
-    `velocity`: that of the start, of the centroid, and the rate of rotation."""
+def case_text(corners, covers, young, poisson, measured, plane_strain=False, density=1, steps=(1, 1), settings=None, velocity=None, strength=None):
+    """One body of one weightless material, `steps` (count, size) of load; in time where `settings` are those of the run. `velocity`: that of the
+    start, of the centroid, and the rate of rotation. `strength`: of rock that may yield."""
     blocks = {'blocks': [{'outer': [[x, y, 1] for x, y in corners]}],
               'measured_points': [[x, y, 1] for x, y in measured]}
     analysis = {'step_count': steps[0], 'time_step': steps[1], 'allowed_displacement_ratio': 0.1 if velocity is None else 1, 'plane_strain': plane_strain,
                 'block_materials': [{'density': density, 'unit_weight': 0, 'youngs_modulus': young, 'poissons_ratio': poisson}],
                 'joint_materials': [{}]}
+    if strength:
+        analysis['block_materials'][0]['strength'] = strength
     if velocity:
         analysis['block_materials'][0]['initial_velocity'] = list(velocity)
     parts = [('keyblock', 1), ('blocks', blocks), ('covers', covers), ('analysis', analysis)]
@@ -62,18 +64,19 @@ def laid_out(value, depth):
     return '[' + (',\n' + pad + '  ').join(lines) + ']'
 
 
-def write_case(folder, text, values, about, variants=(), slow=False):
+def write_case(folder, text, values, about, variants=(), slow=False, missed=None):
     """`values`: quantity, point, value, tolerance, reason of it, source, and the time where it is not 1. `variants`: name, settings,
-    tolerance, reason."""
+    tolerance, reason. `missed`: of values by their index, why they are known to be missed."""
     os.makedirs(folder, exist_ok=True)
     name = os.path.basename(folder)
     with open(os.path.join(folder, name + '.json'), 'w') as file:
         file.write(text)
     with open(os.path.join(folder, 'expected.csv'), 'w', newline='') as file:
         rows = csv.writer(file, lineterminator='\n')
-        rows.writerow(['quantity', 'block', 'time', 'value', 'tolerance', 'tolerance_reason', 'source', 'judged'])
-        for quantity, point, value, tolerance, reason, source, *time in values:
-            rows.writerow([quantity, point, *(time or [1]), repr(float(value)), '%.6g' % tolerance, reason, source, 'standard'])
+        rows.writerow(['quantity', 'block', 'time', 'value', 'tolerance', 'tolerance_reason', 'source', 'judged'] + (['listed_miss'] if missed else []))
+        for i, (quantity, point, value, tolerance, reason, source, *time) in enumerate(values):
+            rows.writerow([quantity, point, *(time or [1]), repr(float(value)), '%.6g' % tolerance, reason, source, 'standard'] +
+                          ([missed.get(i, '')] if missed else []))
     case = {'about': about, 'legacy': 'not run: bodies on covers are run by profile standard'}
     if slow:
         case['slow'] = True

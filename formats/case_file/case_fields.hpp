@@ -36,6 +36,9 @@ inline constexpr std::array<std::string_view, 4> kHeld{"both", "normal", "x", "y
 inline constexpr std::array<std::string_view, 2> kMeshKinds{"regular", "unstructured"};
 inline constexpr std::array<std::string_view, 2> kMeshShapes{"equilateral", "old"};
 inline constexpr std::array<std::string_view, 2> kMeshPlacements{"free", "aligned"};
+inline constexpr std::array<std::string_view, 4> kYieldSurfaces{"tresca", "von_mises", "mohr_coulomb",
+                                                                "drucker_prager"};
+inline constexpr std::array<std::string_view, 3> kConeMatchings{"compression", "extension", "plane_strain"};
 inline constexpr std::array<std::string_view, 2> kRotations{"first_order", "exact"};
 
 // Names only: a misspelt one would stand in every later file.
@@ -202,6 +205,31 @@ void describe(F& f, In<F, std::array<double, 3>>& strain) {
 }
 
 template <class F>
+void describe(F& f, In<F, StrengthValues>& values) {
+  f.real("cohesion", values.cohesion, kNotNegative);
+  f.real("friction_deg", values.friction_deg, kFrictionAngle);
+  f.real("dilation_deg", values.dilation_deg, kFrictionAngle);
+  f.real("yield_stress", values.yield_stress, kNotNegative);
+  f.optional_real("tensile_strength", values.tensile_strength, kNotNegative);
+}
+
+template <class F>
+void describe(F& f, In<F, StrengthChange>& change) {
+  describe(f, change.values);
+  f.real("plastic_strain", change.plastic_strain, kNotNegative);
+  f.real("fracture_energy", change.fracture_energy, kNotNegative);
+}
+
+template <class F>
+void describe(F& f, In<F, Strength>& strength) {
+  f.word("surface", strength.surface, kYieldSurfaces);
+  f.word("matching", strength.matching, kConeMatchings);
+  describe(f, strength.values);
+  // What it does not name stays as it is.
+  f.optional_object("after", strength.change, StrengthChange{.values = strength.values});
+}
+
+template <class F>
 void describe(F& f, In<F, BlockMaterial>& material) {
   f.real("density", material.density, kPositive);
   f.real("unit_weight", material.unit_weight);
@@ -218,9 +246,13 @@ void describe(F& f, In<F, BlockMaterial>& material) {
   if (material.gives_zz) gradient_zz = material.stress_gradient.zz;
   f.optional_real("initial_stress_zz", zz, kAny);
   f.optional_real("stress_gradient_zz", gradient_zz, kAny);
+  std::optional<Strength> strength;
+  if (material.strength) strength = *material.strength;
+  f.optional_object("strength", strength);
   if constexpr (!F::is_writing) {
     material.gives_zz = zz || gradient_zz;
     material.initial_stress.zz = zz.value_or(0);
+    if (strength) material.strength = std::make_shared<const Strength>(*strength);
     material.stress_gradient.zz = gradient_zz.value_or(0);
   }
 }
@@ -355,7 +387,7 @@ void describe(F& f, In<F, ExcavationPlan>& excavation) {
 
 template <class F>
 void describe(F& f, In<F, CoverPlan>& covers) {
-  f.word("functions", covers.functions, kCoverFunctions);
+  f.optional_word("functions", covers.functions, kCoverFunctions);
   f.word("contact", covers.contact, kCoverContacts);
   f.object("mesh", covers.mesh);
   f.objects("tractions", covers.tractions);

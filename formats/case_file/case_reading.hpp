@@ -48,6 +48,10 @@ class CaseReading {
     if (at == words.end()) value_->fail(fmt::format("{} of {}: one of {}", name, noun_, fmt::join(words, ", ")));
     value = static_cast<Enum>(at - words.begin());
   }
+  template <class Enum>
+  void optional_word(std::string_view name, std::optional<Enum>& value, std::span<const std::string_view> words) {
+    if (from_.member(name)) word(name, value ? *value : value.emplace(), words);
+  }
   void optional_real(std::string_view name, std::optional<double>& value, const Demand& demand);
   void optional_integer(std::string_view name, std::optional<int>& value, const Demand& demand);
 
@@ -60,8 +64,8 @@ class CaseReading {
     if (take(name)) fill(of_kind(JsonKind::object, name), name, value);
   }
   template <class T>
-  void optional_object(std::string_view name, std::optional<T>& value) {
-    if (take(name)) fill(of_kind(JsonKind::object, name), name, value.emplace());
+  void optional_object(std::string_view name, std::optional<T>& value, const T& start = {}) {
+    if (take(name)) fill(of_kind(JsonKind::object, name), name, value.emplace(start));
   }
   template <class T>
   void rows(std::string_view name, std::vector<T>& values, std::optional<std::size_t> least = std::nullopt) {

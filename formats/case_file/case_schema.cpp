@@ -38,6 +38,10 @@ class CaseSchema {
     add(name, {{"enum", std::vector<std::string>(words.begin(), words.end())},
                {"default", std::string(words[static_cast<std::size_t>(value)])}});
   }
+  template <class Enum>
+  void optional_word(std::string_view name, std::optional<Enum>&, std::span<const std::string_view> words) {
+    add(name, {{"enum", std::vector<std::string>(words.begin(), words.end())}});
+  }
   void optional_real(std::string_view name, std::optional<double>&, const Demand& demand) {
     add(name, {{"type", "number"}}, demand.wording);
   }
@@ -53,7 +57,7 @@ class CaseSchema {
     add(name, object_of<T>(name));
   }
   template <class T>
-  void optional_object(std::string_view name, std::optional<T>&) {
+  void optional_object(std::string_view name, std::optional<T>&, const T& /*start*/ = {}) {
     add(name, object_of<T>(name));
   }
   template <class T>

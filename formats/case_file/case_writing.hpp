@@ -38,6 +38,10 @@ class CaseWriting {
   void word(std::string_view name, Enum value, std::span<const std::string_view> words) {
     text(name, std::string(words[static_cast<std::size_t>(value)]));
   }
+  template <class Enum>
+  void optional_word(std::string_view name, const std::optional<Enum>& value, std::span<const std::string_view> words) {
+    if (value) word(name, *value, words);
+  }
   void optional_real(std::string_view name, const std::optional<double>& value, const Demand&);
   void optional_integer(std::string_view name, const std::optional<int>& value, const Demand&);
 
@@ -52,7 +56,7 @@ class CaseWriting {
     put(value, Shape::object);
   }
   template <class T>
-  void optional_object(std::string_view name, const std::optional<T>& value) {
+  void optional_object(std::string_view name, const std::optional<T>& value, const T& /*start*/ = {}) {
     if (value) object(name, *value);
   }
   template <class T>

@@ -10,6 +10,7 @@
 #include "formats/case_file/case_fields.hpp"
 #include "formats/case_file/case_reading.hpp"
 #include "formats/case_file/case_writing.hpp"
+#include "material/strength.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -178,6 +179,14 @@ void check(const std::vector<Stage>& stages) {
 void check(const Analysis& analysis) {
   if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
+  for (const BlockMaterial& material : analysis.block_materials) {
+    if (!material.strength) continue;
+    if (const std::string why = why_unusable(*material.strength); !why.empty())
+      throw InputError(material.place, "strength: " + why);
+    if (!kPoissonPlaneStrain.holds(material.poissons_ratio))
+      throw InputError(material.place, fmt::format("expected poissons_ratio {} of a material with a strength, found {}",
+                                                   kPoissonPlaneStrain.wording, material.poissons_ratio));
+  }
   if (!analysis.plane_strain) return;
   for (const BlockMaterial& material : analysis.block_materials)
     if (!kPoissonPlaneStrain.holds(material.poissons_ratio))
@@ -212,6 +221,15 @@ Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
     if (!material.member("unit_weight"))
       add_warning(warnings, {"default_unit_weight", material.place(),
                              "no unit_weight is given, 0 is taken: blocks of this material are weightless"});
+  return warnings;
+}
+
+Warnings doubtful_strengths(const Analysis& analysis) {
+  Warnings warnings;
+  for (const BlockMaterial& material : analysis.block_materials)
+    if (material.strength)
+      for (const std::string& doubt : doubts_of(*material.strength))
+        add_warning(warnings, {"strength", material.place, doubt});
   return warnings;
 }
 
@@ -260,6 +278,7 @@ Reading read(const Source& source, const ReadHint&) {
   if (content.analysis)
     reading.warnings =
         joined(std::move(reading.warnings), weightless_materials(*content.analysis, *text.root().member("analysis")));
+  if (content.analysis) reading.warnings = joined(std::move(reading.warnings), doubtful_strengths(*content.analysis));
   if (content.analysis)
     if (const auto step = text.root().member("analysis")->member("time_step"))
       content.analysis->time_step_place = step->place();

@@ -96,12 +96,15 @@ std::string history_csv(const History& history) {
   std::string text = "step,time [T]";
   std::size_t count = 0;
   std::size_t bolts = 0;
+  std::size_t reactions = 0;
   for (const HistoryRow& row : history.rows) {
     count = std::max(count, row.points.size());
     bolts = std::max(bolts, row.bolt_forces.size());
+    reactions = std::max(reactions, row.reactions.size());
   }
   for (std::size_t i = 1; i <= count; ++i) text += fmt::format(",x{0} [L],y{0} [L],dx{0} [L],dy{0} [L]", i);
   for (std::size_t i = 1; i <= bolts; ++i) text += fmt::format(",bolt{} [F]", i);
+  for (std::size_t i = 1; i <= reactions; ++i) text += fmt::format(",reaction{0}_x [F],reaction{0}_y [F]", i);
   text += '\n';
   for (const HistoryRow& row : history.rows) {
     text += fmt::format("{}", row.step);
@@ -118,6 +121,12 @@ std::string history_csv(const History& history) {
         append(text, {row.bolt_forces[i]});
       else
         text += ',';
+    }
+    for (std::size_t i = 0; i < reactions; ++i) {
+      if (i < row.reactions.size())
+        append(text, {row.reactions[i].x, row.reactions[i].y});
+      else
+        text += ",,";
     }
     text += '\n';
   }

@@ -103,7 +103,7 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
   const Model& model = prepared.scene.model;
   const double limit = prepared.scene.settings.trust.crushing;
   const int number = totals.crushed_element;
-  if (prepared.scene.is_linear) {
+  if (prepared.scene.is_untouched && !may_yield(prepared.scene)) {
     if (!(totals.area_share > 0))
       found.push_back(
           {"crushed_beyond_limit", place,
@@ -114,7 +114,8 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
     found.push_back(
         {"crushed_beyond_limit", place,
          fmt::format("{} was pressed to {:.4g} of its area{}; below {:.4g} (crushing_limit) the run is not trusted",
-                     name_of(model, number), totals.area_share, law_of(prepared, number), limit)});
+                     name_of(model, number), totals.area_share,
+                     may_yield(prepared.scene) ? "" : law_of(prepared, number), limit)});
 }
 
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Place& place) {
@@ -145,7 +146,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
                  const Place& place) {
   Judgement judgement;
   Warnings& found = judgement.doubts;
-  if (!prepared.scene.is_linear) add_penetration(judgement, prepared, record.totals.penetration_share, last, place);
+  if (!prepared.scene.is_untouched) add_penetration(judgement, prepared, record.totals.penetration_share, last, place);
   add_crushing(found, prepared, record.totals, place);
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, place);

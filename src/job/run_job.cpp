@@ -107,7 +107,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                   record_.traced,
                   {record_.outcome.ledger_scope, record_.ledger.rows()},
                   record_.outcome.field,
-                  !prepared_.scene.is_linear});
+                  !prepared_.scene.is_untouched});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

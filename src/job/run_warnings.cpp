@@ -226,7 +226,7 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
                         fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} is held",
                                     what, curve.times.back(), outcome.time, what)});
   };
-  if (prepared.scene.settings.ledger == Bookkeeping::off && !prepared.scene.is_linear)
+  if (prepared.scene.settings.ledger == Bookkeeping::off && !prepared.scene.is_untouched)
     warnings.push_back(
         {"energy_not_judged", place, "ledger = off: whether energy came from nothing (energy_limit) is not looked at"});
   for (const CarriedPoint& point : prepared.scene.model.loading_points)

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <vector>
 
 #include "base/error.hpp"
 #include "problem/time_curve.hpp"
+#include "problem/yield.hpp"
 
 namespace keyblock {
 
@@ -46,6 +48,7 @@ struct BlockMaterial {
   double horizontal_force = 0;             ///< force / area in x; manifold files only
   Place place;
   bool gives_zz = false;  ///< else the law says what goes with the stress in the plane; case files only
+  std::shared_ptr<const Strength> strength = {};  ///< none: the material stays elastic; case files only
 };
 
 /// A joint material (Coulomb friction, cohesion, tension cut-off).

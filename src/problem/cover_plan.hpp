@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "geometry/point.hpp"
+#include "problem/analysis.hpp"
 #include "problem/formula.hpp"
 
 namespace keyblock {
@@ -115,7 +116,7 @@ struct ExcavationPlan {
 };
 
 struct CoverPlan {
-  CoverFunctions functions = CoverFunctions::derived;
+  std::optional<CoverFunctions> functions;  ///< none: `functions_of`
   CoverContact contact = CoverContact::felt;
   MeshPlan mesh;
   std::vector<TractionPlan> tractions;
@@ -127,5 +128,14 @@ struct CoverPlan {
   std::vector<ExcavationPlan> excavations;
   Place place;
 };
+
+/// Those of the plan; where it names none, constant ones where rock may yield, for the others lock when it flows at
+/// constant volume, else derived ones.
+inline CoverFunctions functions_of(const CoverPlan& plan, const std::vector<BlockMaterial>& materials) {
+  if (plan.functions) return *plan.functions;
+  for (const BlockMaterial& material : materials)
+    if (material.strength) return CoverFunctions::constant;
+  return CoverFunctions::derived;
+}
 
 }  // namespace keyblock

@@ -80,6 +80,7 @@ void describe(Archive& a, Frame& frame) {
   describe(a, "measured_points", frame.measured_points);
   a.list("bolts", frame.bolts, [&](BoltFrame& bolt) { describe(a, bolt); });
   describe(a, "outlines", frame.outlines);
+  a.list("reactions", frame.reactions, [&](Point& force) { describe(a, force); });
 }
 
 void describe(Archive& a, HistoryRow& row) {
@@ -87,6 +88,7 @@ void describe(Archive& a, HistoryRow& row) {
   a.value("time", row.time);
   describe(a, "points", row.points);
   a.numbers("bolt_forces", row.bolt_forces);
+  a.list("reactions", row.reactions, [&](Point& force) { describe(a, force); });
 }
 
 void describe(Archive& a, LedgerRow& row) {

@@ -59,6 +59,7 @@ struct Frame {
   std::vector<PointFrame> measured_points;
   std::vector<BoltFrame> bolts;
   std::vector<std::vector<Point>> outlines = {};  ///< around bodies of many elements; none where each element is one
+  std::vector<Point> reactions = {};  ///< force of each prescribed displacement on the bodies it holds
 };
 
 /// What the element at an index of the frame is called for the whole run, and what it is a piece of.

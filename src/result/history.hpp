@@ -15,7 +15,8 @@ struct HistoryRow {
   /// By number: the measured points; without any, the centroid of every element. One that is not there has no place
   /// (`is_there`).
   std::vector<PointFrame> points;
-  std::vector<double> bolt_forces;  ///< by number, tension positive; NaN of one that is not there
+  std::vector<double> bolt_forces;    ///< by number, tension positive; NaN of one that is not there
+  std::vector<Point> reactions = {};  ///< as Frame has them
 };
 
 struct History {

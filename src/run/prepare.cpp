@@ -22,6 +22,7 @@
 #include "run/stages/chain.hpp"
 #include "run/stages/cover_stages.hpp"
 #include "run/stages/mixed_stages.hpp"
+#include "run/strengths.hpp"
 #include "run/unread_settings.hpp"
 #include "settings/profile.hpp"
 #include "settings/setting_row.hpp"
@@ -184,8 +185,8 @@ Plan standard_plan(Model model, const Settings& settings, const Place& place) {
                                     is_automatic ? why_enforcement(scene.model, settings) : std::string())};
 }
 
-Plan plan_of(Model model, const Settings& settings, const Place& place, bool is_linear) {
-  if (is_linear) {
+Plan plan_of(Model model, const Settings& settings, const Place& place, bool is_untouched) {
+  if (is_untouched) {
     model = with_bases(std::move(model), settings.basis);
     Requirements needs = linear_requirements(model, settings);
     return {std::move(model), std::move(needs)};
@@ -202,9 +203,9 @@ struct Staged {
   StagedModels models;
 };
 
-Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& place, bool is_linear) {
+Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& place, bool is_untouched) {
   const auto finished = [=](Model model, const Settings& settings) {
-    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings, place, is_linear)
+    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings, place, is_untouched)
         .model;
   };
   const Stage& first = problem.stages.front();
@@ -226,7 +227,7 @@ Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& 
              return finished(stages->model(rock, stage, settings), settings);
            },
            [](const Model& before, const Model& after, const Descent&) { return cover_parents(before, after); },
-           is_linear}};
+           is_untouched}};
 }
 
 Place place_of(const Problem& problem) {
@@ -249,15 +250,15 @@ namespace {
 struct Asked {
   Problem problem;
   std::vector<StageChoices> choices;  ///< one a stage, or one
-  bool is_linear = false;
+  bool is_untouched = false;
   Warnings warnings = {};
 };
 
 Asked as_asked(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   Asked asked{problem, choices_of_stages(problem, profile, overrides)};
   Settings& settings = asked.choices.front().settings;
-  asked.is_linear = is_linear(problem, settings);
-  if (asked.is_linear) {
+  asked.is_untouched = is_untouched(problem, settings);
+  if (asked.is_untouched) {
     LinearCase linear = linear_case(problem, settings);
     settings.ledger = Bookkeeping::off;
     asked.problem = std::move(linear.problem);
@@ -265,8 +266,8 @@ Asked as_asked(const Problem& problem, const std::string& profile, const std::ve
     asked.choices.resize(std::max<std::size_t>(1, linear.steps.size()), asked.choices.front());
     for (std::size_t i = 0; i < linear.steps.size(); ++i) asked.choices[i].steps = linear.steps[i];
   } else if (problem.covers && problem.covers->contact == CoverContact::ignored) {
-    asked.warnings.push_back({"contact_felt", problem.covers->place,
-                              "contact is ignored by linear statics only; these steps know it"});
+    asked.warnings.push_back(
+        {"contact_felt", problem.covers->place, "contact is ignored by linear statics only; these steps know it"});
   }
   return asked;
 }
@@ -283,14 +284,14 @@ Scenes scenes_in(const Asked& asked, Geometry& geometry, Warnings& warnings) {
   const Place place = geometry.cut.blocks.place;
   std::optional<Staged> staged;
   if (!problem.stages.empty()) {
-    staged = staged_models(problem, geometry.cut.blocks, place, asked.is_linear);
+    staged = staged_models(problem, geometry.cut.blocks, place, asked.is_untouched);
     geometry.model = staged->models.make(staged->first.rock, 0, settings);
   } else {
     geometry.model = with_joint_strength(std::move(geometry.model), settings.joint_strength_factor);
   }
-  auto [model, needs] = plan_of(std::move(geometry.model), settings, place, asked.is_linear);
+  auto [model, needs] = plan_of(std::move(geometry.model), settings, place, asked.is_untouched);
   Scene scene{std::move(model), settings};
-  scene.is_linear = asked.is_linear;
+  scene.is_untouched = asked.is_untouched;
   if (staged) {
     scene.end = end_of(problem.stages.front(), asked.choices.front());
     warnings = joined(std::move(warnings), staged->first.warnings);
@@ -314,6 +315,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
   const Asked asked = as_asked(problem, profile, overrides);
+  require_readable_strengths(problem, asked.is_untouched);
   const Settings& settings = asked.choices.front().settings;
   Geometry geometry = geometry_of(asked.problem, settings);
   CutResult& cut = geometry.cut;
@@ -322,6 +324,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   auto [scene, needs] = scenes_in(asked, geometry, warnings);
   warnings = joined(std::move(warnings), warnings_of_plan(problem, scene));
   warnings = joined(std::move(warnings), without_effect(problem, overrides, scene));
+  if (asked.is_untouched) warnings = joined(std::move(warnings), look_at_strengths(scene, problem.covers->place));
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(warnings),

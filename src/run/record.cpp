@@ -127,6 +127,13 @@ HistoryRow history_row(const Model& model, const State& state, const StartPlaces
   return row;
 }
 
+std::vector<Point> reactions_of(const Stepper& stepper) {
+  std::vector<Point> reactions;
+  if (const std::optional<ForceBalance> forces = stepper.forces())
+    for (const Resultant& support : forces->supports) reactions.push_back(support.force);
+  return reactions;
+}
+
 void put_point_stress(Frame& frame, const Model& model, const Stepper& stepper) {
   for (std::size_t i = 0; i < model.measured_points.size(); ++i)
     frame.measured_points[i].stress =

@@ -22,6 +22,9 @@ HistoryRow history_row(const Model& model, const State& state, const StartPlaces
 void put_point_stress(Frame& frame, const Model& model, const Stepper& stepper);
 void put_point_stress(HistoryRow& row, const Model& model, const Stepper& stepper);
 
+/// What each prescribed displacement exerts, where the stepper sums it.
+std::vector<Point> reactions_of(const Stepper& stepper);
+
 /// Displacement and stress at the corners of all elements now.
 FieldFrame field_of(const Model& model, const Stepper& stepper);
 

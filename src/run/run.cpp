@@ -73,6 +73,7 @@ class Loop {
     if (!observer_.on_frame) return;
     Frame frame = frame_of(stepper_.model(), state(), stepper_.unloaded(), stepper_.settings());
     put_point_stress(frame, stepper_.model(), stepper_);
+    frame.reactions = reactions_of(stepper_);
     if (observer_.on_field && !stepper_.model().nodes.empty()) observer_.on_field(field_of(stepper_.model(), stepper_));
     observer_.on_frame(frame);
   }
@@ -82,6 +83,7 @@ class Loop {
     if (!observer_.on_row || !is_due) return;
     HistoryRow row = history_row(stepper_.model(), state(), stepper_.unloaded(), measures_);
     if (measures_) put_point_stress(row, stepper_.model(), stepper_);
+    row.reactions = reactions_of(stepper_);
     observer_.on_row(row);
   }
 

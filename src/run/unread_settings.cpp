@@ -64,7 +64,7 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
 }  // namespace
 
 std::string why_unread(const Problem& problem, const Scene& first, const std::string& name) {
-  if (first.is_linear && std::ranges::find(kReadByLinearStatics, name) == kReadByLinearStatics.end())
+  if (first.is_untouched && std::ranges::find(kReadByLinearStatics, name) == kReadByLinearStatics.end())
     return "is not read by linear static solutions";
   for (const Reason& reason : reasons(problem, first))
     if (reason.holds && std::ranges::find(reason.settings, without_material(name)) != reason.settings.end())

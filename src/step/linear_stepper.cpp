@@ -9,6 +9,7 @@
 
 #include "model/continuum.hpp"
 #include "model/setup/free_pieces.hpp"
+#include "step/static_places.hpp"
 
 namespace keyblock {
 
@@ -34,31 +35,12 @@ Stress LinearStepper::stress_at(ElementIndex e, Point start) const {
                    : continuum().initial_stress_at(e.value, start);
 }
 
-// Where everything lies, and its stress, as the solution says.
 void LinearStepper::put_places() {
-  const Model& model = scene_.model;
-  const auto moved = [&](ElementIndex e, Point start) {
-    return solution_ ? start + solution_->displacement(e.value, start) : start;
-  };
-  Table<VertexIndex, Point> start;
-  Table<VertexIndex, Point> vertices;
-  for (const VertexIndex v : indices(model.vertices)) {
-    start.push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
-    vertices.push_back(moved(model.vertices[v].element, start[v]));
-  }
-  state_.elements = Table<ElementIndex, ElementState>();
-  for (const ElementIndex e : indices(model.elements)) {
-    const Point centroid = place(model, start, e, scene_.settings).centroid;
-    const Unknowns none = Unknowns::Zero(model.elements[e].basis->unknown_count());
-    state_.elements.push_back({moved(e, centroid), place(model, vertices, e, scene_.settings).moments, none, none,
-                               stress_at(e, centroid), 0});
-  }
-  state_.vertices = std::move(vertices);
-  state_.measured_points.clear();
-  for (const CarriedPoint& point : model.measured_points) {
-    const Point now = moved(point.element, point.start);
-    state_.measured_points.push_back({now, now - point.start});
-  }
+  keyblock::put_places(
+      scene_,
+      {[&](ElementIndex e, Point start) { return solution_ ? start + solution_->displacement(e.value, start) : start; },
+       [&](ElementIndex e, Point start) { return stress_at(e, start); }},
+      state_);
 }
 
 std::variant<StepReport, StepFailure> LinearStepper::advance() {

@@ -7,6 +7,7 @@
 
 #include "geometry/quadrature.hpp"
 #include "material/material_stress.hpp"
+#include "terms/green_strain.hpp"
 
 namespace keyblock {
 namespace {
@@ -26,18 +27,6 @@ Eigen::MatrixX2d unknowns_of(const ElementShape& shape, const Eigen::VectorXd& d
   for (int a = 0; a < shape.function_count(); ++a)
     own.row(a) = d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]).transpose();
   return own;
-}
-
-/// E of H = ∂u/∂X as (E11, E22, 2 E12), without FᵀF - I: nothing is lost where H is small.
-Eigen::Vector3d green_strain(const Eigen::Matrix2d& h) {
-  return {h(0, 0) + h.col(0).squaredNorm() / 2, h(1, 1) + h.col(1).squaredNorm() / 2,
-          h(0, 1) + h(1, 0) + h.col(0).dot(h.col(1))};
-}
-
-Eigen::Matrix2d tensor(const Eigen::Vector3d& stress) {
-  Eigen::Matrix2d s;
-  s << stress(0), stress(2), stress(2), stress(1);
-  return s;
 }
 
 /// The 2 × 2 of a point in what displacement_gradients stacks.
@@ -63,7 +52,8 @@ CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
     share_across_.push_back(share_across(material, continuum.plane));
     const ElementShape shape = basis_.shape(e);
     const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
-    const std::vector<AreaPoint> points = points_of(loops, shape);
+    const bool yields = material.strength != nullptr;  // CoverYield's
+    const std::vector<AreaPoint> points = yields ? std::vector<AreaPoint>() : points_of(loops, shape);
     const auto count = static_cast<Eigen::Index>(points.size());
     Element& element = elements_.emplace_back();
     element.modulus = continuum.modulus(e);
@@ -106,7 +96,7 @@ Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::V
       const Eigen::Matrix2d start = at_point(h0, i);
       const Eigen::Matrix2d end = at_point(h1, i);
       const Eigen::Matrix2d stress =
-          tensor(element.at(i).stress_of_step(green_strain(start), green_strain(end), theta));
+          stress_tensor(element.at(i).stress_of_step(green_strain(start), green_strain(end), theta));
       const Eigen::Matrix2d mean = Eigen::Matrix2d::Identity() + (start + end) / 2;
       flux.middleRows<2>(2 * i) = element.weights(i) * stress * mean.transpose();
     }
@@ -173,7 +163,7 @@ void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, c
     }
     weighted.middleRows<3>(3 * i) =
         (material * element.weights(i) * points.stiffness[static_cast<std::size_t>(i)]) * b.middleRows<3>(3 * i);
-    stressed.middleRows<2>(2 * i) = (geometric * element.weights(i) * tensor(points.stress.col(i))) * g;
+    stressed.middleRows<2>(2 * i) = (geometric * element.weights(i) * stress_tensor(points.stress.col(i))) * g;
   }
   Eigen::MatrixXd tangent = b.transpose() * weighted;
   const Eigen::MatrixXd both = element.gradients.transpose() * stressed;
@@ -218,7 +208,7 @@ Stress CoverElasticity::stress(const Eigen::VectorXd& d, int element, Point at_s
   const Stress start = initial_stress(element, at_start);
   const Eigen::Vector3d initial = in_plane(start);
   const ElasticPoint point{own.law, own.modulus, Eigen::Map<const Eigen::Vector3d>(initial.data())};
-  const Eigen::Matrix2d cauchy = f * tensor(point.stress(green)) * f.transpose() / f.determinant();
+  const Eigen::Matrix2d cauchy = f * stress_tensor(point.stress(green)) * f.transpose() / f.determinant();
   // Across the plane nothing stretches under plane strain, and there is no stress under plane stress.
   const Stress measured =
       with_across(point.stress_of_measure(green), start, share_across_[static_cast<std::size_t>(element)]);

@@ -15,7 +15,8 @@
 namespace keyblock {
 
 /// x = X + Σ N_a(X) d_a on the undeformed manifold; F = I + Σ d_a ⊗ ∇N_a, E = ½ (FᵀF - I), S as `ElasticPoint` says
-/// of it, from the initial stress of the materials. Entries 2a, 2a + 1 of d belong to function a. Integrals are exact
+/// of it, from the initial stress of the materials; elements whose material has a strength are left out. Entries 2a,
+/// 2a + 1 of d belong to function a. Integrals are exact
 /// for the law of St. Venant and Kirchhoff; E does not change in a rigid motion. Keeps the basis and what else it needs
 /// by value.
 class CoverElasticity {

@@ -5,25 +5,11 @@
 #include "geometry/quadrature.hpp"
 #include "geometry/segment.hpp"
 #include "material/material_stress.hpp"
+#include "terms/held_edges.hpp"
 #include "terms/stabilisation.hpp"
 
 namespace keyblock {
 namespace {
-
-Eigen::Matrix2d projector(Held held, Point normal) {
-  const Eigen::Vector2d n(normal.x, normal.y);
-  switch (held) {
-    case Held::both:
-      return Eigen::Matrix2d::Identity();
-    case Held::normal:
-      return n * n.transpose();
-    case Held::x:
-      return Eigen::Vector2d::UnitX() * Eigen::RowVector2d::UnitX();
-    case Held::y:
-      return Eigen::Vector2d::UnitY() * Eigen::RowVector2d::UnitY();
-  }
-  return Eigen::Matrix2d::Zero();
-}
 
 /// σn = S σ.
 Eigen::Matrix<double, 2, 3> on_plane(Point n) {
@@ -47,7 +33,7 @@ template <class Visit>
 void visit_points(const Continuum& continuum, const ElementShape& shape, const PrescribedDisplacement& prescribed,
                   const ElementSide& side, Visit visit) {
   const Point n = side.normal();
-  const Eigen::Matrix2d p = projector(prescribed.held, n);
+  const Eigen::Matrix2d p = held_projector(prescribed.held, n);
   const Eigen::Matrix3d modulus = continuum.modulus(side.element);
   const double all = length(side.edge.end - side.edge.start);
   for (const GaussPoint& g : gauss_rule(shape.degree + 2)) {

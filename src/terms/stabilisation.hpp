@@ -29,4 +29,7 @@ constexpr Stabilisation stabilisation(CoverFunctions functions) {
   return {};
 }
 
+/// c of the springs along held edges of rock that may yield (held_edges): over the stiffness of the elements.
+inline constexpr double kHeldSprings = 1e4;
+
 }  // namespace keyblock

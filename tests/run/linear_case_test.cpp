@@ -62,7 +62,7 @@ struct Solved {
 
 Solved solved(const Problem& problem) {
   const Prepared prepared = prepare(problem, "standard", {});
-  EXPECT_TRUE(prepared.scene.is_linear);
+  EXPECT_TRUE(prepared.scene.is_untouched);
   Solved told;
   Observer observer;
   observer.on_frame = [&](const Frame& frame) { told.frames.push_back(frame); };

@@ -61,8 +61,10 @@ std::set<std::string> keys_of(const nlohmann::json& object) {
   return keys;
 }
 
+/// Without the reactions, which stand at the end where load steps sum them.
 std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
+  const std::string line = text.substr(0, text.find('\n'));
+  return line.substr(0, line.find(",reaction1"));
 }
 
 Left left_by(const Way& way) {

@@ -69,7 +69,7 @@ Scene dug_at_once() {
                                    {{{0, 1}, {0, 2}}, Held::both, {}, {}, {}, {}}};
   problem.covers->excavations = {{2, box({0.7, 1.4}, {1.3, 3}), {}, 0}, {4, box({1.6, 0.5}, {3, 1.2}), {}, 0}};
   const Scene scene = prepare(problem, "standard", {}).scene;
-  EXPECT_TRUE(scene.is_linear);
+  EXPECT_TRUE(scene.is_untouched);
   return scene;
 }
 

@@ -80,7 +80,8 @@ class Lister {
   }
 
   void list(const CoverPlan& plan) {
-    line("covers {} contact {}", static_cast<int>(plan.functions), static_cast<int>(plan.contact));
+    line("covers {} contact {}", plan.functions ? static_cast<int>(*plan.functions) : -1,
+         static_cast<int>(plan.contact));
     list(plan.mesh);
     for (const auto& t : plan.tractions) {
       line("traction {} | {} | {}", t.x.text, t.y.text, t.pressure.text);
@@ -165,11 +166,25 @@ class Lister {
   std::string text_;
 
  private:
+  void list(const StrengthValues& v) {
+    line("{:a} {:a} {:a} {:a} {:a}", v.cohesion, v.friction_deg, v.dilation_deg, v.yield_stress,
+         v.tensile_strength.value_or(-1));
+  }
+
+  void list(const Strength& s) {
+    line("strength {} {}", static_cast<int>(s.surface), static_cast<int>(s.matching));
+    list(s.values);
+    if (!s.change) return;
+    list(s.change->values);
+    line("{:a} {:a}", s.change->plastic_strain, s.change->fracture_energy);
+  }
+
   void list(const BlockMaterial& m) {
     line("block material {:a} {:a} {:a} {:a} {:a} {:a}", m.density, m.unit_weight, m.youngs_modulus, m.poissons_ratio,
          m.damping, m.horizontal_force);
     line("{:a} {:a} {:a}", m.initial_stress.xx, m.initial_stress.yy, m.initial_stress.xy);
     line("{} {:a} {:a}", m.gives_zz, m.initial_stress.zz, m.stress_gradient.zz);
+    if (m.strength) list(*m.strength);
     line("{:a} {:a} {:a}", m.stress_gradient.xx, m.stress_gradient.yy, m.stress_gradient.xy);
     line("{:a} {:a} {:a}", m.initial_velocity.x, m.initial_velocity.y, m.initial_velocity.rotation);
     line("{:a} {:a} {:a}", m.initial_strain[0], m.initial_strain[1], m.initial_strain[2]);

@@ -334,7 +334,7 @@ MeshPlan mesh(Dice& dice) {
 
 CoverPlan covers(Dice& dice) {
   CoverPlan plan;
-  plan.functions = static_cast<CoverFunctions>(dice.below(4));
+  if (dice.happens(0.8)) plan.functions = static_cast<CoverFunctions>(dice.below(4));
   plan.contact = dice.happens(0.3) ? CoverContact::ignored : CoverContact::felt;
   plan.mesh = mesh(dice);
   plan.tractions = some(dice, 3, [](Dice& one) {
@@ -369,6 +369,25 @@ CoverPlan covers(Dice& dice) {
     return ExcavationPlan{step, polygon(one), {}, 0};
   });
   return plan;
+}
+
+Strength strength(Dice& dice) {
+  const auto values = [&] {
+    StrengthValues v{.cohesion = positive_real(dice), .yield_stress = positive_real(dice)};
+    if (dice.happens(0.5)) v.tensile_strength = positive_real(dice);
+    return v;
+  };
+  Strength s;
+  s.surface = static_cast<YieldSurface>(dice.below(4));
+  s.matching = static_cast<ConeMatching>(dice.below(3));
+  s.values = values();
+  const bool has_angles = s.surface == YieldSurface::mohr_coulomb || s.surface == YieldSurface::drucker_prager;
+  if (has_angles) s.values.friction_deg = dice.between(0, 60);
+  if (has_angles && dice.happens(0.5)) s.values.dilation_deg = dice.between(0, s.values.friction_deg);
+  if (!dice.happens(0.4)) return s;
+  s.change = StrengthChange{.values = s.values, .plastic_strain = dice.between(0.01, 1)};
+  s.change->values.cohesion = positive_real(dice);
+  return s;
 }
 
 Stage stage(Dice& dice) {
@@ -481,6 +500,9 @@ Content anything(Dice& dice) {
       material.initial_stress.zz = any_real(dice);
       material.stress_gradient.zz = any_real(dice);
     }
+  if (content.analysis && dice.happens(0.3))
+    for (BlockMaterial& material : content.analysis->block_materials)
+      if (material.poissons_ratio < 0.5) material.strength = std::make_shared<const Strength>(strength(dice));
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }

@@ -23,8 +23,9 @@ using study::TraceDifference;
 
 std::string name_of(const ComparedValue& value) {
   if (!value.block) return value.quantity;
-  const bool of_point = study::owner_of(value.quantity) == study::Owner::point;
-  return fmt::format("{} of {} {}", value.quantity, of_point ? "point" : "block", *value.block);
+  const std::optional<study::Owner> owner = study::owner_of(value.quantity);
+  const char* noun = owner == study::Owner::point ? "point" : owner == study::Owner::support ? "support" : "block";
+  return fmt::format("{} of {} {}", value.quantity, noun, *value.block);
 }
 
 std::string computed_of(const ComparedCase& run, const ComparedValue& value) {

@@ -27,9 +27,9 @@ struct Scene {
   Settings settings;
   SceneEnd end = {};
   std::shared_ptr<const SceneChange> next = {};  ///< none of the last
-  /// Bodies on covers of which each step is one linear static solution: bodies and sides of joints do not feel each
-  /// other.
-  bool is_linear = false;
+  /// Bodies on covers at rest that do not feel each other, nor do the sides of their joints: each step is one linear
+  /// solution, or, where rock may yield, goes on from the one before.
+  bool is_untouched = false;
 };
 
 /// A scene, and what it was before.
@@ -37,6 +37,9 @@ struct SceneChange {
   Scene scene;
   SceneMap map;
 };
+
+/// Whether a material of its bodies on covers has a strength.
+bool may_yield(const Scene& scene);
 
 /// The scene and all that follow it, in order.
 std::vector<const Scene*> scenes_of(const Scene& first);

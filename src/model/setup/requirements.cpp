@@ -120,6 +120,14 @@ Reason elastic(const Model& model, const Settings&) {
   return "blocks deform";
 }
 
+Reason plastic(const Model& model, const Settings&) {
+  if (!model.continuum) return std::nullopt;
+  const auto yields = std::ranges::count_if(model.continuum->materials,
+                                            [](const BlockMaterial& rock) { return rock.strength != nullptr; });
+  if (yields == 0) return std::nullopt;
+  return fmt::format("rock of {} may yield", counted(static_cast<std::size_t>(yields), "material"));
+}
+
 Reason initial_stress(const Model& model, const Settings& settings) {
   if (!deforms(model)) return std::nullopt;
   if (!is_standard(settings)) return "blocks carry stress from step to step";
@@ -254,10 +262,11 @@ struct TermRow {
 };
 
 // In the order of the theory.
-constexpr std::array<TermRow, 15> kRows{{
+constexpr std::array<TermRow, 16> kRows{{
     {TermKind::inertia, "inertia", inertia},
     {TermKind::statics, "statics", statics},
     {TermKind::elastic, "elastic", elastic},
+    {TermKind::plastic, "plastic", plastic},
     {TermKind::initial_stress, "initial_stress", initial_stress},
     {TermKind::damping, "damping", damping},
     {TermKind::body_force, "body_force", body_force},
@@ -328,12 +337,16 @@ Requirements linear_requirements(const Model& model, const Settings& settings) {
   needs.unknowns = unknowns_on_covers(model);
   needs.basis = bases(model, settings);
   const auto bodies = model.continuum->manifold.body_materials.size();
+  const std::string whose = bodies == 1 ? "1 body" : fmt::format("{} bodies", bodies);
+  const bool yields = plastic(model, settings).has_value();
   needs.terms.push_back(
-      {TermKind::statics, fmt::format("load steps are linear static solutions of {}: nothing touches, displacements "
-                                      "are small",
-                                      bodies == 1 ? "1 body" : fmt::format("{} bodies", bodies))});
+      {TermKind::statics,
+       yields ? fmt::format("load steps of {}, each from the one before: nothing touches", whose)
+              : fmt::format("load steps are linear static solutions of {}: nothing touches, displacements are small",
+                            whose)});
   for (const auto& [term, name, reason_for] : kRows)
-    if (term == TermKind::elastic || term == TermKind::initial_stress || term == TermKind::body_force)
+    if (term == TermKind::elastic || term == TermKind::plastic || term == TermKind::initial_stress ||
+        term == TermKind::body_force)
       if (const Reason reason = reason_for(model, settings)) needs.terms.push_back({term, *reason});
   return needs;
 }

@@ -15,6 +15,7 @@ enum class TermKind {
   inertia,
   statics,
   elastic,
+  plastic,
   initial_stress,
   damping,
   body_force,

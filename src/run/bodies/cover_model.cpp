@@ -32,8 +32,8 @@ std::string point_of(int block) {
 }
 
 Continuum planned(Manifold manifold, const Problem& problem, const Settings& settings) {
-  Continuum continuum =
-      continuum_of(std::move(manifold), problem.analysis->block_materials, settings, problem.covers->functions);
+  Continuum continuum = continuum_of(std::move(manifold), problem.analysis->block_materials, settings,
+                                     functions_of(*problem.covers, problem.analysis->block_materials));
   put_loads(continuum, *problem.covers);
   put_points(continuum, *problem.covers);
   return continuum;

@@ -99,7 +99,6 @@ CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& 
 }
 
 void put_loads(Continuum& continuum, const CoverPlan& plan) {
-  continuum.functions = plan.functions;
   for (const TractionPlan& part : plan.tractions) continuum.tractions.push_back(traction_of(part));
   for (const DisplacementPlan& part : plan.displacements) continuum.prescribed.push_back(displacement_of(part));
   const Compiled fx(plan.body_force.x, kInBody), fy(plan.body_force.y, kInBody);

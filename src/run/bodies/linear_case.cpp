@@ -74,7 +74,7 @@ bool is_statics(const Settings& settings) {
 
 }  // namespace
 
-bool is_linear(const Problem& problem, const Settings& settings) {
+bool is_untouched(const Problem& problem, const Settings& settings) {
   if (!problem.covers || !problem.stages.empty()) return false;
   if (!problem.covers->excavations.empty()) {
     if (settings.dynamics != Dynamics::standard)

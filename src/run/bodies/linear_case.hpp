@@ -12,7 +12,7 @@ namespace keyblock {
 /// Whether a case has bodies on covers of which each load step is one linear solution: statics in which nothing
 /// touches, no point is held or loaded and no bolt ties bodies, or contact is ignored, or `covers` dig something out.
 /// Throws InputError where something is dug out and the case is no statics of `standard`.
-bool is_linear(const Problem& problem, const Settings& settings);
+bool is_untouched(const Problem& problem, const Settings& settings);
 
 struct LinearCase {
   Problem problem;         ///< without points and bolts that have no effect; what is dug out begins a stage

@@ -31,7 +31,8 @@ class Mixed {
       model_ = model_from_blocks(rest, analysis);
     } else {
       Model bodies = model_from_manifold(parts_.manifold, {}, analysis);
-      Continuum continuum = continuum_of(parts_.manifold, analysis.block_materials, settings, plan.functions);
+      Continuum continuum = continuum_of(parts_.manifold, analysis.block_materials, settings,
+                                         functions_of(plan, analysis.block_materials));
       put_loads(continuum, plan);
       put_points(continuum, plan);
       bodies.continuum = std::make_shared<Continuum>(std::move(continuum));

@@ -131,7 +131,7 @@ std::shared_ptr<const SceneChange> later_scenes(const Problem& problem, const Ro
     Scene& scene = change->scene;
     scene.settings = choices[i].settings;
     scene.end = end_of(stage, choices[i]);
-    scene.is_linear = models.is_linear;
+    scene.is_untouched = models.is_untouched;
     scene.model = models.make(next.rock, static_cast<int>(i), scene.settings);
     scene.model.scale = first.scale;  // tolerances of a run stay those of its beginning
     change->map = map_between(*before, scene.model, models.parents(*before, scene.model, next.descent), next.descent);

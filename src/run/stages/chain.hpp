@@ -31,7 +31,7 @@ struct StagedModels {
   std::function<Model(const Rock& rock, int stage, const Settings& settings)> make;
   std::function<Table<ElementIndex, ElementIndex>(const Model& before, const Model& after, const Descent& descent)>
       parents;
-  bool is_linear = false;  ///< each step of these scenes is one linear solution
+  bool is_untouched = false;  ///< as Scene has it
 };
 
 /// Of blocks: `make` is still to be followed by the choice of their bases.

@@ -78,8 +78,8 @@ CoverStages::CoverStages(const Problem& problem) : problem_(with_excavations(pro
 
 Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const Settings& settings) const {
   const CoverPlan plan = what_is_left_of(*problem_.covers, manifold, rock.blocks);
-  Continuum continuum =
-      continuum_of(std::move(manifold), rock.analysis.block_materials, settings, problem_.covers->functions);
+  Continuum continuum = continuum_of(std::move(manifold), rock.analysis.block_materials, settings,
+                                     functions_of(*problem_.covers, rock.analysis.block_materials));
   put_loads(continuum, plan);
   put_points(continuum, plan);
   return continuum;

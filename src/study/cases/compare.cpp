@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "formats/case.hpp"
+#include "model/continuum.hpp"
 #include "run/cover_settings.hpp"
 #include "run/prepare.hpp"
 #include "settings/profile.hpp"
@@ -78,8 +79,9 @@ ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const st
   }
   const Prepared& prepared = std::get<Prepared>(made);
   compared.warnings = joined(loaded.input.warnings, prepared.warnings);
-  require_numbers(compared.values, prepared.scene.model.measured_points.size(), prepared.scene.model.elements.size(),
-                  loaded.table);
+  const Model& model = prepared.scene.model;
+  require_numbers(compared.values, model.measured_points.size(), model.elements.size(),
+                  model.continuum ? model.continuum->prescribed.size() : 0, loaded.table);
   return run_and_pick(prepared.scene, std::move(compared));
 }
 

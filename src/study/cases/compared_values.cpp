@@ -11,6 +11,15 @@
 #include "settings/profile.hpp"
 
 namespace keyblock::study {
+namespace {
+
+const char* noun_of(const ComparedValue& value) {
+  const std::optional<Owner> owner = owner_of(value.quantity);
+  if (owner == Owner::point) return "measured point";
+  return owner == Owner::support ? "prescribed displacement" : "block";
+}
+
+}  // namespace
 
 bool ComparedValue::holds() const {
   return computed && std::abs(error()) <= tolerance;
@@ -37,13 +46,12 @@ std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expe
 }
 
 void require_numbers(const std::vector<ComparedValue>& values, std::size_t points, std::size_t elements,
-                     const std::string& file) {
+                     std::size_t supports, const std::string& file) {
   for (const ComparedValue& v : values) {
-    const bool of_point = owner_of(v.quantity) == Owner::point;
-    const std::size_t count = of_point ? points : elements;
+    const std::optional<Owner> owner = owner_of(v.quantity);
+    const std::size_t count = owner == Owner::point ? points : owner == Owner::support ? supports : elements;
     if (v.block && (*v.block < 1 || *v.block > static_cast<int>(count)))
-      throw InputError({file, 0, 0}, fmt::format("expected a {} from 1 to {}, found {}",
-                                                 of_point ? "measured point" : "block", count, *v.block));
+      throw InputError({file, 0, 0}, fmt::format("expected a {} from 1 to {}, found {}", noun_of(v), count, *v.block));
   }
 }
 

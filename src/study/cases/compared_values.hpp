@@ -41,8 +41,9 @@ inline constexpr double kSameInstant = 1e-3;
 std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expected, const std::string& profile);
 
 /// Throws InputError naming `file` where a value asks for a measured point or a block that is not there.
+/// `supports`: prescribed displacements.
 void require_numbers(const std::vector<ComparedValue>& values, std::size_t points, std::size_t elements,
-                     const std::string& file);
+                     std::size_t supports, const std::string& file);
 
 /// Takes in a frame and picks the values of its time, which instants within `same` of it have; between two frames, as
 /// automatic steps have them, values are linear.

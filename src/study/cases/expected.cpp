@@ -16,12 +16,13 @@
 namespace keyblock::study {
 namespace {
 
-// A number names a block or a measured point; without one it is a quantity of the scene.
+// A number names a block, a measured point or a prescribed displacement; without one it is a quantity of the scene.
 void require_quantity(const ExpectedValue& value, const Place& place) {
   const std::optional<Owner> owner = owner_of(value.quantity);
   if (!owner || (*owner == Owner::scene) == value.block.has_value())
-    throw InputError(place, fmt::format("expected a quantity of {}, found \"{}\"",
-                                        value.block ? "a block or a measured point" : "the scene", value.quantity));
+    throw InputError(place,
+                     fmt::format("expected a quantity of {}, found \"{}\"",
+                                 value.block ? "a block, a measured point or a support" : "the scene", value.quantity));
 }
 
 void require_judged(const ExpectedValue& value, const Place& place) {

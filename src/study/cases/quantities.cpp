@@ -20,7 +20,8 @@ struct Block {
 using OfBlock = double (*)(const Block&);
 using OfPoint = double (*)(const PointFrame&);
 using OfScene = double (*)(const RunSoFar&);
-using Quantity = std::variant<OfBlock, OfPoint, OfScene>;  // in the order of Owner
+using OfSupport = double (*)(Point reaction);
+using Quantity = std::variant<OfBlock, OfPoint, OfSupport, OfScene>;  // in the order of Owner
 
 double speed(const ElementFrame& e) {
   return std::hypot(e.velocity.x, e.velocity.y);
@@ -89,6 +90,9 @@ const std::map<std::string, Quantity>& table() {
       {"point_sxy", OfPoint([](const PointFrame& p) { return p.stress.xy; })},
       {"point_szz", OfPoint([](const PointFrame& p) { return p.stress.zz; })},
 
+      {"reaction_x", OfSupport([](Point reaction) { return reaction.x; })},
+      {"reaction_y", OfSupport([](Point reaction) { return reaction.y; })},
+
       {"total_area",
        OfScene([](const RunSoFar& r) { return sum(r.now(), [](const ElementFrame& e) { return e.area; }); })},
       {"block_count", OfScene([](const RunSoFar& r) { return static_cast<double>(r.now().elements.size()); })},
@@ -149,6 +153,10 @@ double quantity_of(const RunSoFar& run, const std::string& quantity, std::option
   if (const auto* of_point = std::get_if<OfPoint>(&found)) {
     const PointFrame* now = measured_point_of(run.now(), index);
     return now == nullptr ? kGone : (*of_point)(*now);
+  }
+  if (const auto* of_support = std::get_if<OfSupport>(&found)) {
+    const auto place = static_cast<std::size_t>(index);
+    return place < run.now().reactions.size() ? (*of_support)(run.now().reactions[place]) : kGone;
   }
   return std::get<OfScene>(found)(run);
 }

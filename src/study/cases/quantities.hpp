@@ -10,8 +10,8 @@
 
 namespace keyblock::study {
 
-/// Whose quantity it is: that of a block, of a measured point, or of the whole scene.
-enum class Owner { block, point, scene };
+/// Whose quantity it is: that of a block, of a measured point, of a prescribed displacement, or of the whole scene.
+enum class Owner { block, point, support, scene };
 
 /// The owner of a quantity that expected.csv may ask for; nothing for a name that is none.
 std::optional<Owner> owner_of(const std::string& quantity);
@@ -43,7 +43,7 @@ class RunSoFar {
   double greatest_area_change_ = 0;
 };
 
-/// The value of a quantity now; `number` (from 1) says which block or measured point. Both must exist.
+/// The value of a quantity now; `number` (from 1) says which block, measured point or support. It must exist.
 double quantity_of(const RunSoFar& run, const std::string& quantity, std::optional<int> number);
 
 }  // namespace keyblock::study

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "base/stop.hpp"
+#include "model/continuum.hpp"
 #include "run/cover_settings.hpp"
 #include "run/run.hpp"
 #include "settings/profile.hpp"
@@ -134,9 +135,9 @@ void best_of(const RunLimits& limits, MeasuredRun& measured, const Run& run) {
   measured.seconds = best;
 }
 
-void require_there(const StudyCase& chosen, std::size_t points, std::size_t elements) {
-  require_numbers(values_to_find(chosen.expected, "standard"), points, elements,
-                  (chosen.folder / "expected.csv").string());
+void require_there(const StudyCase& chosen, const Model& model) {
+  require_numbers(values_to_find(chosen.expected, "standard"), model.measured_points.size(), model.elements.size(),
+                  model.continuum ? model.continuum->prescribed.size() : 0, (chosen.folder / "expected.csv").string());
 }
 
 // Meshes differ in their elements: what can be compared are points.
@@ -154,7 +155,7 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   const std::vector<Override> left = set_plan(problem, overrides);
   const Prepared prepared = prepare(problem, plan.profile, left);
   const Model& model = prepared.scene.model;
-  require_there(chosen, model.measured_points.size(), model.elements.size());
+  require_there(chosen, model);
   require_points(chosen, problem, model.measured_points.size());
   measured.unknowns = prepared.requirements.unknowns;
   best_of(limits, measured, [&](MeasuredRun& run) { run_scene(chosen, prepared.scene, limits, run); });

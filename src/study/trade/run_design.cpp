@@ -24,7 +24,7 @@ namespace {
 
 /// What the levels are made from.
 struct Base {
-  bool is_linear = false;       ///< each load step is one linear solution
+  bool is_untouched = false;    ///< as Scene has it
   bool has_plan = false;        ///< bodies on covers, by a case file
   bool has_cover_file = false;  ///< or by a file of covers
   bool has_blocks = true;
@@ -46,9 +46,12 @@ Base base_of(const StudyCase& chosen, const std::string& profile, const std::vec
   base.has_plan = problem.covers.has_value();
   base.has_cover_file = std::holds_alternative<Cover>(problem.geometry);
   base.has_blocks = !base.has_cover_file && !(base.has_plan && problem.covers->mesh.materials.empty());
-  if (base.has_plan) base.plan = *problem.covers;
+  if (base.has_plan) {
+    base.plan = *problem.covers;
+    base.plan.functions = functions_of(*problem.covers, problem.analysis->block_materials);
+  }
   const Scene scene = prepare(problem, profile, left).scene;
-  base.is_linear = scene.is_linear;
+  base.is_untouched = scene.is_untouched;
   base.settings = scene.settings;
   if (base.settings.standard.motion == MotionRule::dynamic) base.step_factor = step_factor(profile);
   base.blocks = scene.model.elements.size();
@@ -195,9 +198,9 @@ Axis forces_axis() {
 
 std::vector<Axis> axes_of(const Base& base, int finest) {
   std::vector<Axis> axes;
-  if (base.has_plan) axes.push_back(functions_axis("functions", base.plan.functions));
+  if (base.has_plan) axes.push_back(functions_axis("functions", *base.plan.functions));
   if (base.has_plan && base.plan.mesh.refined.empty()) axes.push_back(mesh_axis(base, finest));
-  if (base.is_linear) return axes;
+  if (base.is_untouched) return axes;
   if (base.has_cover_file && base.is_standard())
     axes.push_back(functions_axis("cover_functions", base.settings.standard.cover_functions));
   if (base.has_blocks) axes.push_back(basis_axis(base));
@@ -235,7 +238,7 @@ RunPlan plan_of(const std::string& profile, const std::vector<std::pair<const Ax
 std::vector<RunPlan> with_profiles(const Base& base, const std::string& profile) {
   std::vector<RunPlan> plans{{profile, "profile", profile, {}, {}, 1}};
   for (const std::string& other : profile_names())
-    if (other != profile && !(base.is_linear && rules_of(other) != rules_of(profile)))
+    if (other != profile && !(base.is_untouched && rules_of(other) != rules_of(profile)))
       plans.push_back({other, "profile", other, {}, {}, 1});
   return plans;
 }
@@ -315,7 +318,7 @@ std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& pro
 
 std::vector<RunPlan> refinements(const StudyCase& chosen, const std::string& profile, int finest) {
   const Base base = base_of(chosen, profile);
-  const Axis axis = base.is_linear ? mesh_axis(base, finest) : step_axis(base, finest);
+  const Axis axis = base.is_untouched ? mesh_axis(base, finest) : step_axis(base, finest);
   std::vector<RunPlan> plans{{profile, "profile", profile, {}, {}, 1}};
   for (const Level& level : axis.levels)
     if (level.refinement > 1) plans.push_back(plan_of(profile, {{&axis, &level}}));
@@ -340,7 +343,7 @@ std::string refinement_name(const char* of, double factor) {
 }
 
 Refinement refinement_of(const Base& own, const Base& now, int parts) {
-  if (now.is_linear) {
+  if (now.is_untouched) {
     const std::vector<Override> set = mesh_overrides(now.plan.mesh, 1.0 / parts);
     const bool by_side = own.plan.mesh.side > 0;
     const double factor = by_side ? now.plan.mesh.side / own.plan.mesh.side
@@ -388,7 +391,7 @@ std::optional<RunPlan> refined(const StudyCase& chosen, const std::string& profi
 std::vector<RunPlan> penalty_step_map(const StudyCase& chosen, const std::string& profile,
                                       const std::vector<double>& penalties, const std::vector<double>& steps) {
   const Base base = base_of(chosen, profile);
-  if (base.is_linear)
+  if (base.is_untouched)
     throw std::invalid_argument("a case of linear statics on covers has neither contact stiffness nor steps");
   std::vector<RunPlan> plans;
   for (const double penalty : penalties)

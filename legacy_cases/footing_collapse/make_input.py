@@ -1,0 +1,46 @@
+"""Writes the cases of footing_collapse (pla-08).
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import math
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.dirname(HERE))
+from cover_files import case_text, write_case  # noqa: E402
+
+WIDTH = DEPTH = 5.0
+corners = [(0, -DEPTH), (WIDTH, -DEPTH), (WIDTH, 0), (1, 0), (0, 0)]
+
+
+def bearing_factor(phi):
+    """Prandtl 1920."""
+    if phi == 0:
+        return 2 + math.pi
+    tangent = math.tan(math.radians(phi))
+    return (math.exp(math.pi * tangent) * math.tan(math.radians(45 + phi / 2)) ** 2 - 1) / tangent
+
+
+def case(folder, phi, mesh, settlement, steps, share, reason, slow=False):
+    covers = {'mesh': mesh,
+              'displacements': [{'along': [(0, -DEPTH), (WIDTH, -DEPTH)]},
+                                {'along': [(0, -DEPTH), (0, 0)], 'held': 'normal'},
+                                {'along': [(WIDTH, -DEPTH), (WIDTH, 0)], 'held': 'normal'},
+                                {'along': [(0, 0), (1, 0)], 'held': 'y', 'y': -settlement}]}
+    strength = {'surface': 'mohr_coulomb', 'cohesion': 10, 'friction_deg': phi, 'dilation_deg': phi}
+    text = case_text(corners, covers, 1e7, 0.48 if phi == 0 else 0.3, [(0.5, 0)], plane_strain=True, steps=(steps, 1), strength=strength)
+    load = 10 * bearing_factor(phi)
+    # What is left of the load's growth in the last step, over that of the settlement, shows the plateau.
+    values = [('reaction_y', 4, -load, share * load, reason, 'c Nc = %.6g on the half width 1: Prandtl 1920' % load, steps),
+              ('reaction_y', 4, -load, share * load, 'the same an eighth of the settlement before: a plateau', 'the same', steps - steps // 8)]
+    write_case(os.path.join(HERE, folder), text, values, 'footing on weightless soil, friction %g degrees, flow associated' % phi, slow=slow)
+
+
+def graded(edge, far):
+    return {'kind': 'unstructured', 'placement': 'aligned', 'side': far, 'refined': [(1, 0, 0.35 * edge)]}
+
+
+for phi, settlement, steps, share, fine in ((0, 6e-5, 16, 0.01, 0.01), (10, 1.2e-4, 16, 0.015, 0.01), (20, 2e-4, 24, 0.02, 0.01), (30, 4e-4, 24, 0.03, 0.015)):
+    case('phi_%d' % phi, phi, graded(0.1, 0.3), settlement, steps, share, '1,682 unknowns; half of it at 5,000 (case fine)')
+    case('phi_%d_fine' % phi, phi, graded(0.04, 0.16), settlement, steps, fine, 'asked for: %g %%' % (100 * fine), slow=True)

@@ -1,0 +1,466 @@
+// Sides of the surfaces, which of them hold a trial stress, and the stress there.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material/principal_return.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <unsupported/Eigen/AutoDiff>
+
+namespace keyblock {
+namespace {
+
+/// A number with its derivatives by the three trial stresses and κ.
+using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+template <class T>
+using Stress = std::array<T, 3>;
+
+constexpr double kDegree = std::numbers::pi / 180;
+// Of the stress at hand: what multipliers, order and limits may miss by rounding when sides are chosen.
+constexpr double kRounding = 1e-13;
+
+double value_of(double x) {
+  return x;
+}
+double value_of(const Dual& x) {
+  return x.value();
+}
+
+/// κ over the strain of the change, at most 1, as a number of the kind asked for.
+template <class T>
+T share_of_change(const SurfaceOfKappa& surface, double kappa) {
+  T share(kappa >= surface.strain ? 1.0 : kappa / surface.strain);
+  if constexpr (std::is_same_v<T, Dual>)
+    share.derivatives() = Eigen::Vector4d(0, 0, 0, kappa >= surface.strain ? 0.0 : 1 / surface.strain);
+  return share;
+}
+
+/// Values of a surface at κ; angles in radians.
+template <class T>
+struct ValuesAt {
+  T cohesion, friction, dilation, yield_stress, tension;
+  bool limited = false;  ///< in tension
+
+  ValuesAt(const SurfaceOfKappa& surface, double kappa) {
+    const StrengthValues& from = surface.strength.values;
+    const StrengthValues& to = surface.strength.change ? surface.strength.change->values : from;
+    const T share = share_of_change<T>(surface, kappa);
+    const auto at = [&](double a, double b) { return T(a + share * (b - a)); };
+    cohesion = at(from.cohesion, to.cohesion);
+    friction = at(from.friction_deg * kDegree, to.friction_deg * kDegree);
+    dilation = at(from.dilation_deg * kDegree, to.dilation_deg * kDegree);
+    yield_stress = at(from.yield_stress, to.yield_stress);
+    limited = from.tensile_strength.has_value();
+    tension = at(from.tensile_strength.value_or(0), to.tensile_strength.value_or(0));
+  }
+};
+
+// ---- planes in principal stresses: Tresca, Mohr-Coulomb, limits of tension
+
+template <class T>
+T passive_ratio(const T& angle) {
+  using std::sin;
+  const T sine = sin(angle);
+  return T((1.0 + sine) / (1.0 - sine));
+}
+
+/// k σi - σj ≤ f_c, flow m e_i - e_j; σi ≤ T, T at most the apex.
+template <class T>
+struct Planes {
+  T ratio, flow, strength, tension;
+  bool limited = false;
+
+  Planes(const SurfaceOfKappa& surface, double kappa) {
+    using std::sqrt;
+    const ValuesAt<T> v(surface, kappa);
+    ratio = passive_ratio(v.friction);
+    flow = passive_ratio(v.dilation);
+    strength = T(2.0 * v.cohesion * sqrt(ratio));
+    tension = v.tension;
+    limited = v.limited && (!has_apex() || value_of(tension) < value_of(apex()));
+  }
+  bool has_apex() const { return value_of(ratio) > 1; }
+  T apex() const { return T(strength / (ratio - 1.0)); }
+};
+
+/// The shear side between two principal stresses, or the limit of one (`lesser` < 0).
+struct Side {
+  int greater = 0;
+  int lesser = -1;
+};
+
+/// Sides that hold a stress together, and what it then is.
+struct Corner {
+  std::array<Side, 3> sides;
+  int count;
+  YieldRegion region;
+};
+
+constexpr Corner kPlane{{{{0, 2}}}, 1, YieldRegion::plane};
+constexpr Corner kUpperEdge{{{{0, 2}, {1, 2}}}, 2, YieldRegion::edge};  // σ1 = σ2
+constexpr Corner kLowerEdge{{{{0, 2}, {0, 1}}}, 2, YieldRegion::edge};  // σ2 = σ3
+constexpr Corner kApex{{}, 0, YieldRegion::apex};
+constexpr std::array<Corner, 8> kTensionCorners = {{
+    {{{{0}}}, 1, YieldRegion::tension},
+    {{{{0}, {1}}}, 2, YieldRegion::tension},
+    {{{{0}, {1}, {2}}}, 3, YieldRegion::tension},
+    {{{{0, 2}, {0}}}, 2, YieldRegion::tension},
+    {{{{0, 2}, {0, 1}, {0}}}, 3, YieldRegion::tension},
+    {{{{0, 2}, {0}, {1}}}, 3, YieldRegion::tension},
+    {{{{1, 2}, {0}, {1}}}, 3, YieldRegion::tension},
+    {{{{0, 2}, {1, 2}, {0}}}, 3, YieldRegion::tension},
+}};
+
+/// Of a side: normal, D times its flow, and the limit.
+template <class T>
+struct SideAt {
+  Stress<T> normal, relaxed;
+  T limit;
+
+  SideAt(Side side, const Planes<T>& p, const Eigen::Matrix3d& d) {
+    normal.fill(T(0.0));
+    Stress<T> flow;
+    flow.fill(T(0.0));
+    const auto i = static_cast<std::size_t>(side.greater);
+    if (side.lesser < 0) {
+      normal[i] = flow[i] = T(1.0);
+      limit = p.tension;
+    } else {
+      const auto j = static_cast<std::size_t>(side.lesser);
+      normal[i] = p.ratio;
+      flow[i] = p.flow;
+      normal[j] = flow[j] = T(-1.0);
+      limit = p.strength;
+    }
+    for (int row = 0; row < 3; ++row) {
+      const auto r = static_cast<std::size_t>(row);
+      relaxed[r] = T(d(row, 0) * flow[0] + d(row, 1) * flow[1] + d(row, 2) * flow[2]);
+    }
+  }
+};
+
+template <class T>
+T dot(const Stress<T>& a, const Stress<T>& b) {
+  return T(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+/// What the sides of a corner give way by, x.
+Eigen::Vector3d multipliers(const Corner& corner, const Stress<double>& trial, const Planes<double>& p,
+                            const Eigen::Matrix3d& d) {
+  Eigen::Matrix3d system = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d beyond = Eigen::Vector3d::Zero();
+  for (int i = 0; i < corner.count; ++i) {
+    const SideAt<double> side(corner.sides[static_cast<std::size_t>(i)], p, d);
+    beyond(i) = dot(side.normal, trial) - side.limit;
+    for (int j = 0; j < corner.count; ++j)
+      system(i, j) = dot(side.normal, SideAt<double>(corner.sides[static_cast<std::size_t>(j)], p, d).relaxed);
+  }
+  return system.partialPivLu().solve(beyond);
+}
+
+/// The stress on one side or on two of them, before rounding is taken out of what they fix.
+template <class T>
+Stress<T> relaxed_onto(const Corner& corner, const Stress<T>& trial, const Planes<T>& p, const Eigen::Matrix3d& d) {
+  const SideAt<T> a(corner.sides[0], p, d);
+  const T beyond = T(dot(a.normal, trial) - a.limit);
+  const T stiffness = dot(a.normal, a.relaxed);
+  Stress<T> stress = trial;
+  if (corner.count == 1) {
+    const T x = T(beyond / stiffness);
+    for (std::size_t i = 0; i < 3; ++i) stress[i] = T(trial[i] - x * a.relaxed[i]);
+    return stress;
+  }
+  const SideAt<T> b(corner.sides[1], p, d);
+  const T other_beyond = T(dot(b.normal, trial) - b.limit);
+  const T ab = dot(a.normal, b.relaxed), ba = dot(b.normal, a.relaxed), bb = dot(b.normal, b.relaxed);
+  const T determinant = T(stiffness * bb - ab * ba);
+  const T x = T((beyond * bb - ab * other_beyond) / determinant);
+  const T y = T((stiffness * other_beyond - ba * beyond) / determinant);
+  for (std::size_t i = 0; i < 3; ++i) stress[i] = T(trial[i] - x * a.relaxed[i] - y * b.relaxed[i]);
+  return stress;
+}
+
+/// The stress in a corner: what its sides fix is set, not subtracted, so that it lies on them to the last digit.
+template <class T>
+Stress<T> land(const Corner& corner, const Stress<T>& trial, const Planes<T>& p, const Eigen::Matrix3d& d) {
+  const auto below = [&](const T& greater) { return T(p.ratio * greater - p.strength); };
+  if (corner.count == 0) return {p.apex(), p.apex(), p.apex()};
+  const bool limits = corner.region == YieldRegion::tension;
+  const bool shears = corner.sides[0].lesser >= 0;
+  if (corner.count == 3) {
+    if (!shears) return {p.tension, p.tension, p.tension};
+    const T low = below(p.tension);
+    const bool lower = corner.sides[1].lesser == 1;
+    return {p.tension, lower ? low : p.tension, low};
+  }
+  const Stress<T> s = relaxed_onto(corner, trial, p, d);
+  if (!limits) {
+    if (corner.count == 1) return {s[0], s[1], below(s[0])};
+    if (corner.sides[1].greater == 0) return {s[0], below(s[0]), below(s[0])};
+    const T both = T((s[0] + s[1]) / 2.0);
+    return {both, both, below(both)};
+  }
+  if (shears) return {p.tension, s[1], below(p.tension)};
+  return {p.tension, corner.count == 2 ? p.tension : s[1], s[2]};
+}
+
+bool is_ordered(const Stress<double>& s) {
+  return s[0] >= s[1] && s[1] >= s[2];
+}
+
+Corner shear_corner(const Stress<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
+  const Stress<double> plane = land(kPlane, trial, p, d);
+  if (is_ordered(plane)) return kPlane;
+  const auto holds = [&](const Corner& edge) {
+    const Stress<double> s = land(edge, trial, p, d);
+    return !p.has_apex() || s[0] >= s[2];
+  };
+  if (plane[0] < plane[1] && holds(kUpperEdge)) {
+    const bool also_lower = plane[1] < plane[2] && (multipliers(kUpperEdge, trial, p, d).head<2>().array() < 0).any();
+    if (!also_lower) return kUpperEdge;
+  }
+  if (plane[1] < plane[2] && holds(kLowerEdge)) return kLowerEdge;
+  return kApex;
+}
+
+/// By how much a corner's stress breaks what makes it the one sought.
+double fault_of(const Corner& corner, const Stress<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
+  const Stress<double> s = land(corner, trial, p, d);
+  double fault = std::max({s[1] - s[0], s[2] - s[1], s[0] - p.tension, p.ratio * s[0] - s[2] - p.strength});
+  const Eigen::Vector3d x = multipliers(corner, trial, p, d) * d(0, 0);
+  for (int i = 0; i < corner.count; ++i) fault = std::max(fault, -x(i));
+  return std::isfinite(fault) ? fault : std::numeric_limits<double>::infinity();
+}
+
+Corner corner_of(const Stress<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
+  const bool sheared = p.ratio * trial[0] - trial[2] > p.strength;
+  const Corner shear = sheared ? shear_corner(trial, p, d) : kPlane;
+  if (!p.limited || (sheared ? land(shear, trial, p, d)[0] : trial[0]) <= p.tension) return shear;
+  const double rounding = kRounding * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
+  const Corner* least = kTensionCorners.data();
+  double least_fault = std::numeric_limits<double>::infinity();
+  for (const Corner& corner : kTensionCorners) {
+    const double fault = fault_of(corner, trial, p, d);
+    if (fault <= rounding) return corner;
+    if (fault < least_fault) {
+      least = &corner;
+      least_fault = fault;
+    }
+  }
+  return *least;
+}
+
+// ---- cones: von Mises, Drucker-Prager, a limit of the mean stress
+
+template <class T>
+struct ConeAt {
+  T slope, flow, strength, tension;
+  bool limited = false;
+
+  ConeAt(const SurfaceOfKappa& surface, double kappa) {
+    const ValuesAt<T> v(surface, kappa);
+    limited = v.limited;
+    tension = v.tension;
+    slope = flow = T(0.0);
+    if (surface.strength.surface == YieldSurface::von_mises) {
+      strength = T(v.yield_stress / std::numbers::sqrt3);
+      return;
+    }
+    T unused;
+    matched(surface.strength.matching, v.cohesion, v.friction, slope, strength);
+    matched(surface.strength.matching, v.cohesion, v.dilation, flow, unused);
+    limited = limited && (!(value_of(slope) > 0) || value_of(tension) < value_of(apex()));
+  }
+
+  T apex() const { return T(strength / (3.0 * slope)); }
+
+  static void matched(ConeMatching matching, const T& cohesion, const T& angle, T& slope, T& strength) {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const T sine = sin(angle), cosine = cos(angle);
+    if (matching == ConeMatching::plane_strain) {
+      const T root = T(sqrt(T(9.0 * cosine * cosine + 12.0 * sine * sine)));
+      slope = T(sine / root);
+      strength = T(3.0 * cohesion * cosine / root);
+      return;
+    }
+    const double sign = matching == ConeMatching::compression ? -1 : 1;
+    const T below = T(std::numbers::sqrt3 * (3.0 + sign * sine));
+    slope = T(2.0 * sine / below);
+    strength = T(6.0 * cohesion * cosine / below);
+  }
+};
+
+template <class T>
+T mean_of(const Stress<T>& s) {
+  return T((s[0] + s[1] + s[2]) / 3.0);
+}
+
+/// √J2.
+template <class T>
+T shear_of(const Stress<T>& s) {
+  using std::sqrt;
+  const T a = T(s[0] - s[1]), b = T(s[1] - s[2]), c = T(s[2] - s[0]);
+  return T(sqrt(T((a * a + b * b + c * c) / 6.0)));
+}
+
+enum class ConePart { cone, apex, limit, rim };
+
+/// The deviator, without what rounding of a great mean leaves in its own.
+template <class T>
+Stress<T> deviator_of(const Stress<T>& s) {
+  const T mean = mean_of(s);
+  const Stress<T> d = {T(s[0] - mean), T(s[1] - mean), T(s[2] - mean)};
+  const T rest = mean_of(d);
+  return {T(d[0] - rest), T(d[1] - rest), T(d[2] - rest)};
+}
+
+/// The stress of this deviator's direction with √J2 and the mean given.
+template <class T>
+Stress<T> with_shear(const Stress<T>& trial, const T& shear, const T& mean) {
+  const T ratio = T(shear / shear_of(trial));
+  Stress<T> s = deviator_of(trial);
+  for (T& value : s) value = T(value * ratio + mean);
+  return s;
+}
+
+template <class T>
+Stress<T> land(ConePart part, const Stress<T>& trial, const ConeAt<T>& cone, double bulk, double shear_modulus) {
+  switch (part) {
+    case ConePart::apex:
+      return {cone.apex(), cone.apex(), cone.apex()};
+    case ConePart::limit: {
+      const Stress<T> d = deviator_of(trial);
+      return {T(d[0] + cone.tension), T(d[1] + cone.tension), T(d[2] + cone.tension)};
+    }
+    case ConePart::rim:
+      return with_shear(trial, T(cone.strength - 3.0 * cone.slope * cone.tension), cone.tension);
+    case ConePart::cone:
+      break;
+  }
+  const T mean = mean_of(trial);
+  const T x = T((shear_of(trial) + 3.0 * cone.slope * mean - cone.strength) /
+                (shear_modulus + 9.0 * bulk * cone.slope * cone.flow));
+  const T lower = T(mean - 3.0 * bulk * cone.flow * x);
+  return with_shear(trial, T(cone.strength - 3.0 * cone.slope * lower), lower);
+}
+
+ConePart part_of(const Stress<double>& trial, const ConeAt<double>& cone, double bulk, double shear_modulus) {
+  const double shear = shear_of(trial);
+  const double mean = mean_of(trial);
+  const double beyond = shear + 3 * cone.slope * mean - cone.strength;
+  ConePart part = ConePart::cone;
+  double lower = mean;
+  if (beyond > 0) {
+    const double x = beyond / (shear_modulus + 9 * bulk * cone.slope * cone.flow);
+    lower = mean - 3 * bulk * cone.flow * x;
+    if (cone.slope > 0 && !(shear - shear_modulus * x > 0)) {
+      part = ConePart::apex;
+      lower = cone.apex();
+    }
+  }
+  if (!cone.limited || lower <= cone.tension) return part;
+  return shear > cone.strength - 3 * cone.slope * cone.tension ? ConePart::rim : ConePart::limit;
+}
+
+// ---- both
+
+bool has_planes(const SurfaceOfKappa& surface) {
+  return surface.strength.surface == YieldSurface::tresca || surface.strength.surface == YieldSurface::mohr_coulomb;
+}
+
+double bulk_of(const Eigen::Matrix3d& d) {
+  return (d(0, 0) + 2 * d(0, 1)) / 3;
+}
+double shear_modulus_of(const Eigen::Matrix3d& d) {
+  return (d(0, 0) - d(0, 1)) / 2;
+}
+
+YieldRegion region_of(ConePart part) {
+  if (part == ConePart::cone) return YieldRegion::plane;
+  return part == ConePart::apex ? YieldRegion::apex : YieldRegion::tension;
+}
+
+Stress<double> array_of(const Eigen::Vector3d& v) {
+  return {v(0), v(1), v(2)};
+}
+
+Eigen::Vector3d ordered(const Stress<double>& s) {
+  return {std::max(s[0], s[2]), std::clamp(s[1], std::min(s[0], s[2]), std::max(s[0], s[2])), std::min(s[0], s[2])};
+}
+
+}  // namespace
+
+Cone cone_of(ConeMatching matching, double cohesion, double friction_deg) {
+  Cone cone;
+  ConeAt<double>::matched(matching, cohesion, friction_deg * kDegree, cone.slope, cone.strength);
+  return cone;
+}
+
+double surface_scale(const SurfaceOfKappa& surface, double kappa) {
+  if (has_planes(surface)) return Planes<double>(surface, kappa).strength;
+  return ConeAt<double>(surface, kappa).strength * std::numbers::sqrt3;
+}
+
+double excess_of_stress(const SurfaceOfKappa& surface, double kappa, const Eigen::Vector3d& stress) {
+  if (has_planes(surface)) {
+    const Planes<double> p(surface, kappa);
+    const double shear = p.ratio * stress(0) - stress(2) - p.strength;
+    return p.limited ? std::max(shear, stress(0) - p.tension) : shear;
+  }
+  const ConeAt<double> cone(surface, kappa);
+  const double mean = stress.mean();
+  const double shear = shear_of(array_of(stress)) + 3 * cone.slope * mean - cone.strength;
+  return cone.limited ? std::max(shear, mean - cone.tension) : shear;
+}
+
+Eigen::Vector3d stress_on_surface(const SurfaceOfKappa& surface, double kappa, const Eigen::Vector3d& trial,
+                                  const Eigen::Matrix3d& d) {
+  if (!(excess_of_stress(surface, kappa, trial) > 0)) return trial;
+  const Stress<double> from = array_of(trial);
+  if (has_planes(surface)) {
+    const Planes<double> p(surface, kappa);
+    return ordered(land(corner_of(from, p, d), from, p, d));
+  }
+  const ConeAt<double> cone(surface, kappa);
+  const double bulk = bulk_of(d), shear = shear_modulus_of(d);
+  return ordered(land(part_of(from, cone, bulk, shear), from, cone, bulk, shear));
+}
+
+PrincipalReturn return_to_surface(const SurfaceOfKappa& surface, double kappa, const Eigen::Vector3d& trial,
+                                  const Eigen::Matrix3d& d) {
+  PrincipalReturn back;
+  back.stress = trial;
+  back.by_trial.setIdentity();
+  back.by_kappa.setZero();
+  if (!(excess_of_stress(surface, kappa, trial) > 0)) return back;
+  const Stress<double> from = array_of(trial);
+  Stress<Dual> dual;
+  for (int i = 0; i < 3; ++i) dual[static_cast<std::size_t>(i)] = Dual(trial(i), 4, i);
+  Stress<Dual> landed;
+  if (has_planes(surface)) {
+    const Corner corner = corner_of(from, Planes<double>(surface, kappa), d);
+    landed = land(corner, dual, Planes<Dual>(surface, kappa), d);
+    back.region = corner.region;
+  } else {
+    const double bulk = bulk_of(d), shear = shear_modulus_of(d);
+    const ConePart part = part_of(from, ConeAt<double>(surface, kappa), bulk, shear);
+    landed = land(part, dual, ConeAt<Dual>(surface, kappa), bulk, shear);
+    back.region = region_of(part);
+  }
+  Stress<double> values;
+  for (std::size_t i = 0; i < 3; ++i) {
+    values[i] = landed[i].value();
+    back.by_trial.row(static_cast<Eigen::Index>(i)) = landed[i].derivatives().head<3>();
+    back.by_kappa(static_cast<Eigen::Index>(i)) = landed[i].derivatives()(3);
+  }
+  back.stress = ordered(values);
+  return back;
+}
+
+}  // namespace keyblock

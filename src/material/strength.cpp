@@ -1,0 +1,120 @@
+// Checks of strengths, and the plastic strain over which they change.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material/strength.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+
+#include "material/principal_return.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+double sine_of(double degrees) {
+  return std::sin(degrees * std::numbers::pi / 180);
+}
+
+bool has_friction(const Strength& strength) {
+  return strength.surface == YieldSurface::mohr_coulomb || strength.surface == YieldSurface::drucker_prager;
+}
+
+std::string why_not(const Strength& strength, const StrengthValues& values) {
+  struct Named {
+    const char* name;
+    double value;
+  };
+  for (const Named& n : {Named{"cohesion", values.cohesion}, Named{"yield_stress", values.yield_stress},
+                         Named{"tensile_strength", values.tensile_strength.value_or(0)}})
+    if (!(n.value >= 0 && std::isfinite(n.value)))
+      return fmt::format("{}: expected a number of at least 0, found {}", n.name, n.value);
+  for (const Named& n : {Named{"friction_deg", values.friction_deg}, Named{"dilation_deg", values.dilation_deg}})
+    if (!(n.value >= 0 && n.value < 90))
+      return fmt::format("{}: expected at least 0 and less than 90 degrees, found {}", n.name, n.value);
+  if (strength.surface == YieldSurface::von_mises ? values.yield_stress == 0 : false)
+    return "yield_stress: expected a number above 0, found 0";
+  if (!has_friction(strength) && (values.friction_deg != 0 || values.dilation_deg != 0))
+    return "friction_deg and dilation_deg: expected none with this surface";
+  if (!has_friction(strength) && values.cohesion == 0 && values.yield_stress == 0)
+    return "cohesion: expected a number above 0, found 0";
+  return {};
+}
+
+}  // namespace
+
+double compressive_strength(const Strength& strength, const StrengthValues& values) {
+  const double sine = sine_of(values.friction_deg);
+  switch (strength.surface) {
+    case YieldSurface::tresca:
+      return 2 * values.cohesion;
+    case YieldSurface::von_mises:
+      return values.yield_stress;
+    case YieldSurface::mohr_coulomb:
+      return 2 * values.cohesion * std::sqrt((1 + sine) / (1 - sine));
+    case YieldSurface::drucker_prager:
+      break;
+  }
+  // √J2 = s/√3 and I1 = -s under uniaxial compression s.
+  const Cone cone = cone_of(strength.matching, values.cohesion, values.friction_deg);
+  const double slope = 1 / std::numbers::sqrt3 - cone.slope;
+  return slope > 0 ? cone.strength / slope : kInfinite;
+}
+
+double strain_of_change(const Strength& strength, double size) {
+  if (!strength.change) return kInfinite;
+  const StrengthChange& change = *strength.change;
+  if (!(change.fracture_energy > 0)) return change.plastic_strain;
+  const double fall = compressive_strength(strength, strength.values) - compressive_strength(strength, change.values);
+  if (!(fall > 0)) return kInfinite;
+  const double sine = sine_of(strength.values.dilation_deg);
+  const double flow = (1 + sine) / (1 - sine);
+  return 2 * change.fracture_energy / (size * fall) * (flow + 2) / 3;
+}
+
+double largest_size(const Strength& strength, double youngs_modulus) {
+  if (!strength.change || !(strength.change->fracture_energy > 0)) return kInfinite;
+  const double fall =
+      compressive_strength(strength, strength.values) - compressive_strength(strength, strength.change->values);
+  return fall > 0 ? 2 * youngs_modulus * strength.change->fracture_energy / (fall * fall) : kInfinite;
+}
+
+std::string why_unusable(const Strength& strength) {
+  if (std::string why = why_not(strength, strength.values); !why.empty()) return why;
+  if (!strength.change) return {};
+  const StrengthChange& change = *strength.change;
+  if (std::string why = why_not(strength, change.values); !why.empty()) return "after: " + why;
+  if (!(change.plastic_strain >= 0 && std::isfinite(change.plastic_strain)) ||
+      !(change.fracture_energy >= 0 && std::isfinite(change.fracture_energy)) ||
+      (change.plastic_strain > 0) == (change.fracture_energy > 0))
+    return "after: expected a plastic_strain or a fracture_energy above 0, and not both";
+  if (change.values.tensile_strength.has_value() != strength.values.tensile_strength.has_value())
+    return "after: expected a tensile_strength with and without `after`, or in neither";
+  if (change.fracture_energy > 0 && !(largest_size(strength, 1) < kInfinite))
+    return "after: expected a lower strength where a fracture_energy is given";
+  return {};
+}
+
+std::vector<std::string> doubts_of(const Strength& strength) {
+  std::vector<std::string> doubts;
+  if (strength.values.dilation_deg > strength.values.friction_deg)
+    doubts.push_back(fmt::format("dilation_deg {} is above friction_deg {}: flow then makes energy",
+                                 strength.values.dilation_deg, strength.values.friction_deg));
+  if (strength.change && strength.change->plastic_strain > 0 &&
+      compressive_strength(strength, strength.change->values) < compressive_strength(strength, strength.values))
+    doubts.emplace_back(
+        "strength falls with plastic strain, without a fracture_energy: what is found depends on the mesh");
+  return doubts;
+}
+
+bool is_associated(const Strength& strength) {
+  if (!has_friction(strength)) return true;
+  const auto same = [](const StrengthValues& v) { return v.friction_deg == v.dilation_deg; };
+  return same(strength.values) && (!strength.change || same(strength.change->values));
+}
+
+}  // namespace keyblock

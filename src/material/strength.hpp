@@ -1,0 +1,34 @@
+// Strength of a material at a plastic strain, and what may be wrong with what a case says of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problem/yield.hpp"
+
+namespace keyblock {
+
+/// Strength under uniaxial compression: 2 c cos φ / (1 - sin φ) (Coulomb 1776), 2 c, or the yield stress; of a cone
+/// that of its matching. Never below 0.
+double compressive_strength(const Strength& strength, const StrengthValues& values);
+
+/// Plastic strain κ at which a change has come to its end in a point of this size (√area): as given, or
+/// 2 G_f / (h Δf) of axial strain, Δf the fall of the compressive strength, times κ per axial plastic strain in
+/// uniaxial compression, (m + 2)/3 with m = (1 + sin ψ)/(1 - sin ψ) of the initial flow. Infinity: no change.
+double strain_of_change(const Strength& strength, double size);
+
+/// Largest size of a point in which softening by fracture energy does not snap back: 2 E G_f / Δf² (Bažant & Oh 1983);
+/// infinity where no energy is given.
+double largest_size(const Strength& strength, double youngs_modulus);
+
+/// Empty, or why no run can be made of it: "cohesion: expected a number of at least 0, found -2".
+std::string why_unusable(const Strength& strength);
+
+/// What a user should know of a usable one: dilation above friction, softening that depends on the mesh.
+std::vector<std::string> doubts_of(const Strength& strength);
+
+/// The flow is normal to the surface at all plastic strains: tangents are symmetric.
+bool is_associated(const Strength& strength);
+
+}  // namespace keyblock

@@ -1,0 +1,53 @@
+// Law of a point that may yield: from an increment of strain and its memory to stress, tangent and new memory.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "material/principal_return.hpp"
+#include "problem/yield.hpp"
+
+namespace keyblock {
+
+/// An isotropic elastic material with a strength.
+struct YieldLaw {
+  double youngs_modulus = 0;
+  double poissons_ratio = 0;
+  Strength strength;
+
+  /// D of (xx, yy, 2xy, zz), 4 × 4.
+  Eigen::Matrix4d modulus() const;
+
+  /// Its inverse times a stress (xx, yy, xy, zz).
+  Eigen::Vector4d elastic_strain(const Eigen::Vector4d& stress) const;
+};
+
+/// What a point remembers. Strains as (xx, yy, 2xy, zz).
+struct YieldState {
+  Eigen::Vector4d elastic = Eigen::Vector4d::Zero();  ///< of an initial stress too
+  double kappa = 0;                                   ///< ∫ √(2/3) ‖dev dεᵖ‖
+  YieldRegion region = YieldRegion::elastic;          ///< where the last increment ended
+};
+
+/// What a point answers. Stresses as (xx, yy, xy, zz), tension positive.
+struct Response {
+  Eigen::Vector4d stress;
+  Eigen::Matrix4d tangent;  ///< ∂stress/∂increment; not symmetric where flow is not normal
+  double stored = 0;        ///< ½ εᵉ · D εᵉ
+  Eigen::Vector4d plastic;  ///< increment of the plastic strain
+  YieldState after;
+};
+
+/// The return in principal stresses (`principal_return`) at the end of the increment, implicit in κ: one scalar
+/// unknown, bracketed. The tangent is the exact derivative, with the turn of the axes in the plane,
+/// G (σ1 - σ2)/(σ1ᵗʳ - σ2ᵗʳ) (de Souza Neto, Perić & Owen 2008, app. A). Pure. `size`: √area of the point, for
+/// softening by fracture energy.
+Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size);
+
+/// Under plane stress: the increment's zz is found so that the stress zz is none; the tangent is that of the three
+/// strains in the plane (row and column of zz are 0). Stress zz is none to rounding of the strength, or of the greatest
+/// stress at the last try where no zz gives none.
+Response respond_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increment, const YieldState& before,
+                              double size);
+
+}  // namespace keyblock

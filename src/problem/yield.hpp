@@ -1,0 +1,47 @@
+// What a case says of the strength of a material: the yield surface, its flow, and how both change as it flows.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+namespace keyblock {
+
+enum class YieldSurface { tresca, von_mises, mohr_coulomb, drucker_prager };
+
+/// Where the cone of Drucker and Prager touches the surface of Mohr and Coulomb of the same cohesion and friction: on
+/// its edges of triaxial compression (from outside), on those of triaxial extension, or on its faces (from inside), as
+/// plane strain with associated flow asks for.
+enum class ConeMatching { compression, extension, plane_strain };
+
+/// Values of a surface. Angles in degrees, strengths in force / length², tension positive.
+struct StrengthValues {
+  double cohesion = 0;                          ///< Tresca: half the uniaxial strength; von Mises does not read it
+  double friction_deg = 0;                      ///< Mohr-Coulomb, Drucker-Prager
+  double dilation_deg = 0;                      ///< of the flow, likewise
+  double yield_stress = 0;                      ///< von Mises: the uniaxial strength
+  std::optional<double> tensile_strength = {};  ///< of each principal stress; of cones the mean stress is limited
+
+  bool operator==(const StrengthValues&) const = default;
+};
+
+/// Linear change with the plastic strain κ = ∫ √(2/3) ‖dev dεᵖ‖ to `values`, which then stay. Either the strain is
+/// given, or the energy per area of a band in which uniaxial strength falls (Bažant & Oh 1983), which makes the strain
+/// depend on the size of the point.
+struct StrengthChange {
+  StrengthValues values;
+  double plastic_strain = 0;
+  double fracture_energy = 0;  ///< force / length; above 0: in place of the strain
+
+  bool operator==(const StrengthChange&) const = default;
+};
+
+struct Strength {
+  YieldSurface surface = YieldSurface::mohr_coulomb;
+  ConeMatching matching = ConeMatching::compression;
+  StrengthValues values;
+  std::optional<StrengthChange> change = {};
+
+  bool operator==(const Strength&) const = default;
+};
+
+}  // namespace keyblock

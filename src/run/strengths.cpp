@@ -1,0 +1,54 @@
+// The refusal of strengths that would be dropped in silence, and of elements too large for softening.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/strengths.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "material/strength.hpp"
+#include "model/continuum.hpp"
+
+namespace keyblock {
+
+void require_readable_strengths(const Problem& problem, bool is_untouched) {
+  if (is_untouched) return;
+  for (const BlockMaterial& material : problem.analysis->block_materials)
+    if (material.strength)
+      throw InputError(
+          material.place,
+          "expected a strength in statics of profile standard, of bodies on covers that do not touch or with "
+          "contact ignored; found one in a run where rock stays elastic");
+}
+
+Warnings look_at_strengths(const Scene& scene, const Place& place) {
+  const Continuum& continuum = *scene.model.continuum;
+  Warnings warnings;
+  const bool yields =
+      std::ranges::any_of(continuum.materials, [](const BlockMaterial& m) { return m.strength != nullptr; });
+  if (!yields) return warnings;
+  if (continuum.functions == CoverFunctions::derived)
+    warnings.push_back(
+        {"functions_lock", place,
+         "derived functions lock where rock flows without change of volume: limit loads come out 10 to 20 % "
+         "too high; constant ones (the default) do not"});
+  // A point has a third of the areas of the triangles about a cover: that of two where there are six.
+  double largest = 0;
+  for (const ManifoldElement& element : continuum.manifold.elements) {
+    const auto t = continuum.manifold.triangle(element);
+    largest = std::max(largest, std::sqrt(std::abs(cross(t[1] - t[0], t[2] - t[0]))));
+  }
+  for (const BlockMaterial& material : continuum.materials) {
+    if (!material.strength) continue;
+    const double allowed = largest_size(*material.strength, material.youngs_modulus);
+    if (largest >= allowed)
+      throw InputError(material.place,
+                       fmt::format("strength: expected points of a size below {:.4g}, where softening by this "
+                                   "fracture_energy does not snap back, found {:.4g}",
+                                   allowed, largest));
+  }
+  return warnings;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,19 @@
+// Which materials of a problem may yield, and whether a run lets them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/scene/scene.hpp"
+#include "problem/problem.hpp"
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+/// Throws InputError where a material has a strength that a run of this problem would take no notice of: rock yields at
+/// rest, on covers, where bodies do not feel each other.
+void require_readable_strengths(const Problem& problem, bool is_untouched);
+
+/// What is to be said of the materials and the points of a scene that may yield. Throws InputError where softening by
+/// fracture energy would snap back within an element.
+Warnings look_at_strengths(const Scene& scene, const Place& place);
+
+}  // namespace keyblock

@@ -1,0 +1,116 @@
+// Forces of rock, springs, held edges and loads put together; see loaded_bodies.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/bodies/loaded_bodies.hpp"
+
+#include <algorithm>
+
+#include "step/bodies/linear_static.hpp"
+#include "terms/cover_loads.hpp"
+
+namespace keyblock {
+namespace {
+
+/// Those whose elements both stay elastic: a penalty on yielding rock would not flow with it.
+std::vector<GhostPair> elastic_pairs(const Continuum& continuum, const CoverBasis& basis) {
+  std::vector<GhostPair> pairs = ghost_pairs(continuum.manifold, basis);
+  std::erase_if(pairs, [&](const GhostPair& pair) {
+    return continuum.material(pair.first).strength || continuum.material(pair.second).strength;
+  });
+  return pairs;
+}
+
+FunctionGroups groups_of(const CoverBasis& basis, const std::vector<GhostPair>& pairs, const CoverYield& yield) {
+  FunctionGroups groups = coupled_functions(basis, pairs);
+  yield.add_groups(groups);
+  return groups;
+}
+
+int functions_per_cover(CoverFunctions functions) {
+  if (functions == CoverFunctions::linear) return 3;
+  return functions == CoverFunctions::quadratic ? 6 : 1;
+}
+
+}  // namespace
+
+LoadedBodies::LoadedBodies(const Continuum& continuum)
+    : continuum_(continuum),
+      basis_(continuum_.manifold, continuum_.functions),
+      elasticity_(continuum_, basis_),
+      yield_(continuum_, basis_),
+      held_(continuum_, basis_),
+      ghost_pairs_(elastic_pairs(continuum_, basis_)),
+      groups_(groups_of(basis_, ghost_pairs_, yield_)),
+      loads_(basis_.function_count(), groups_),
+      springs_(basis_.function_count(), groups_),
+      ghost_(basis_.function_count(), groups_) {
+  add_cover_body_force(continuum_, basis_, loads_);
+  for (const Traction& part : continuum_.tractions) add_traction(continuum_, basis_, part, loads_);
+  for (const PointForce& force : continuum_.point_forces) add_point_force(basis_, force, loads_);
+  for (const PointSpring& spring : continuum_.point_springs) add_point_spring(basis_, spring, springs_);
+  held_.add_stiffness(springs_);
+  add_ghost_penalty(continuum_, basis_, ghost_pairs_, ghost_);
+  unbalanced_ = Eigen::VectorXd::Zero(2 * basis_.function_count());
+}
+
+LoadedState LoadedBodies::at_start() const {
+  return {Eigen::VectorXd::Zero(2 * basis_.function_count()), yield_.start()};
+}
+
+void LoadedBodies::begin(const LoadedState& start, const LoadedBodies* before) {
+  unbalanced_.setZero();
+  if (before != nullptr) held_.begin_after(before->held_, start.d);
+  // With R0 none, what is left at the share 1 but for the held edges, which are as they were.
+  const Balance all = balance(start, start.d, 1);
+  unbalanced_ = all.residual + held_.pull(1, start.d.size()) - held_.pull(0, start.d.size());
+}
+
+LoadedBodies::Balance LoadedBodies::balance(const LoadedState& from, const Eigen::VectorXd& d, double share) const {
+  Balance sum;
+  sum.rock = yield_.answer(from.d, from.points, d);
+  const Eigen::VectorXd rock = sum.rock.force + elasticity_.force(d, d, 1) + ghost_.times(d);
+  const Eigen::VectorXd held = springs_.times(d) - held_.pull(share, d.size());
+  const Eigen::VectorXd loads = loads_.load() + (1 - share) * unbalanced_;
+  sum.residual = rock + held - loads;
+  sum.scale = std::max({rock.norm(), held.norm(), loads.norm()});
+  return sum;
+}
+
+WholeSystem LoadedBodies::tangent() const {
+  return {basis_.function_count(), groups_};
+}
+
+void LoadedBodies::put_tangent(const LoadedState& from, const Eigen::VectorXd& d, WholeSystem& tangent) const {
+  tangent.clear();
+  yield_.add_tangent(from.d, from.points, d, tangent);
+  SparseSystem symmetric = springs_;
+  symmetric.add_scaled(1, ghost_);
+  elasticity_.add_static_tangent(d, 1, symmetric);
+  tangent.add(symmetric);
+}
+
+ForceBalance LoadedBodies::forces(const Eigen::VectorXd& d, double share) const {
+  ForceBalance balance;
+  const Eigen::VectorXd loads = loads_.load() + (1 - share) * unbalanced_;
+  const int per_cover = functions_per_cover(basis_.functions());
+  // What moves or turns a whole body are the constant functions of its covers (cover_rigid_motion).
+  for (int f = 0; f < basis_.function_count(); f += per_cover) {
+    const PhysicalCover& cover = continuum_.manifold.covers[static_cast<std::size_t>(f / per_cover)];
+    balance.loads.add(continuum_.manifold.mesh.nodes[static_cast<std::size_t>(cover.node)],
+                      {loads(2 * f), loads(2 * f + 1)});
+  }
+  for (const PointSpring& spring : continuum_.point_springs) {
+    const Point u = elasticity_.position(d, spring.element, spring.at) - spring.at;
+    balance.springs.add(spring.at, (-spring.stiffness * dot(u, spring.direction)) * spring.direction);
+  }
+  balance.supports = held_.reactions(d, share);
+  return balance;
+}
+
+void LoadedBodies::describe(Archive& archive) {
+  archive.values("unbalanced_at_start", {unbalanced_.data(), static_cast<std::size_t>(unbalanced_.size())});
+  Eigen::VectorXd held = held_.start();
+  archive.values("held_at_start", {held.data(), static_cast<std::size_t>(held.size())});
+  if (archive.is_restoring()) held_.set_start(held);
+}
+
+}  // namespace keyblock

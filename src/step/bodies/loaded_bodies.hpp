@@ -1,0 +1,76 @@
+// Bodies on covers that nothing touches under a share of a scene's loads: what is out of balance, and its tangent.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "base/archive.hpp"
+#include "result/force_balance.hpp"
+#include "system/sparse_system.hpp"
+#include "system/whole_system.hpp"
+#include "terms/cover_elasticity.hpp"
+#include "terms/cover_yield.hpp"
+#include "terms/ghost_penalty.hpp"
+#include "terms/held_edges.hpp"
+
+namespace keyblock {
+
+/// Unknowns, and what the points of yielding rock remember.
+struct LoadedState {
+  Eigen::VectorXd d;
+  YieldStates points;
+};
+
+/// The forces of a scene that were out of balance when it began, R0, are released in proportion: at the share s of the
+/// scene
+///     r(d, s) = f(d) + K d - p(s) - F - (1 - s) R0,
+/// f of the rock, K and p of springs and held edges, F of the loads. Loads that are new in a scene grow with s, what is
+/// dug out gives way with s, and rock in balance under its initial stress stays where it is.
+class LoadedBodies {
+ public:
+  explicit LoadedBodies(const Continuum& continuum);
+
+  const Continuum& continuum() const { return continuum_; }
+  const CoverBasis& basis() const { return basis_; }
+  const CoverYield& yield() const { return yield_; }
+  const CoverElasticity& elasticity() const { return elasticity_; }
+
+  /// Undisplaced, with the memories of the initial stress.
+  LoadedState at_start() const;
+
+  /// Begins a scene: `before` is that of the scene before, none of the first.
+  void begin(const LoadedState& start, const LoadedBodies* before);
+
+  struct Balance {
+    Eigen::VectorXd residual;
+    double scale = 0;  ///< norm of the largest of the forces that make it up
+    CoverYield::Answer rock;
+  };
+  /// At d, where the points had the memories of `from` at its d.
+  Balance balance(const LoadedState& from, const Eigen::VectorXd& d, double share) const;
+
+  /// A matrix for tangents, and ∂r/∂d put into it.
+  WholeSystem tangent() const;
+  void put_tangent(const LoadedState& from, const Eigen::VectorXd& d, WholeSystem& tangent) const;
+
+  /// Loads as far as they are on, supports, springs.
+  ForceBalance forces(const Eigen::VectorXd& d, double share) const;
+
+  /// What a scene that goes on depends on beside its model.
+  void describe(Archive& archive);
+
+ private:
+  Continuum continuum_;
+  CoverBasis basis_;
+  CoverElasticity elasticity_;
+  CoverYield yield_;
+  HeldEdges held_;
+  std::vector<GhostPair> ghost_pairs_;  // of elements that stay elastic
+  FunctionGroups groups_;
+  SparseSystem loads_;    // F alone
+  SparseSystem springs_;  // K: point springs and held edges
+  SparseSystem ghost_;
+  Eigen::VectorXd unbalanced_;  // R0
+};
+
+}  // namespace keyblock

@@ -1,0 +1,163 @@
+// Parts of a step, the scene's share of loads, what is carried to the next scene; see load_stepper.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/load_stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "model/continuum.hpp"
+#include "model/setup/free_pieces.hpp"
+#include "step/static_places.hpp"
+
+namespace keyblock {
+namespace {
+
+// Of a step: parts below it are not tried. What a limit load is known to, in steps.
+constexpr double kLeastPart = 1.0 / 64;
+
+}  // namespace
+
+LoadStepper::LoadStepper(Scene scene)
+    : scene_(std::move(scene)),
+      bodies_(std::make_unique<LoadedBodies>(*scene_.model.continuum)),
+      newton_(*bodies_),
+      now_(bodies_->at_start()) {
+  bodies_->begin(now_, nullptr);
+  speed_ = Eigen::VectorXd::Zero(now_.d.size());
+  put_places();
+  unloaded_ = places_of(state_);
+}
+
+LoadStepper::LoadStepper(Scene scene, Archive& saved) : LoadStepper(std::move(scene)) {
+  describe(saved);
+}
+
+// Covers of the same mesh node, of elements that are a part of each other, are one.
+LoadedState LoadStepper::carried(const LoadedBodies& next, const SceneChange& change) const {
+  LoadedState state = next.at_start();
+  const CoverBasis& before = bodies_->basis();
+  const CoverBasis& after = next.basis();
+  for (const ElementIndex e : indices(change.scene.model.elements)) {
+    const ElementIndex parent = change.map.elements[e];
+    const ElementShape from = before.shape(parent.value), to = after.shape(e.value);
+    for (std::size_t a = 0; a < to.functions.size(); ++a)
+      state.d.segment<2>(2 * to.functions[a]) = now_.d.segment<2>(2 * from.functions[a]);
+    next.yield().carry(e.value, bodies_->yield(), parent.value, now_.points, state.points);
+  }
+  return state;
+}
+
+std::unique_ptr<SceneStepper> LoadStepper::in_next(const SceneChange& change) const {
+  auto next = std::make_unique<LoadStepper>(change.scene);
+  next->now_ = carried(*next->bodies_, change);
+  next->bodies_->begin(next->now_, bodies_.get());
+  next->state_.step = state_.step;
+  next->state_.time = state_.time;
+  next->state_.dt = state_.dt;
+  next->first_step_ = state_.step;
+  next->put_places();
+  return next;
+}
+
+Stress LoadStepper::stress_at(ElementIndex e, Point start) const {
+  if (bodies_->continuum().material(e.value).strength)
+    return bodies_->yield().stress(now_.d, now_.points, e.value, start);
+  return bodies_->elasticity().stress(now_.d, e.value, start);
+}
+
+void LoadStepper::put_places() {
+  keyblock::put_places(
+      scene_,
+      {[&](ElementIndex e, Point start) { return bodies_->elasticity().position(now_.d, e.value, start); },
+       [&](ElementIndex e, Point start) { return stress_at(e, start); }},
+      state_);
+}
+
+int LoadStepper::steps_of_scene() const {
+  return std::max(1, scene_.end.steps > 0 ? scene_.end.steps : scene_.settings.step_count - first_step_);
+}
+
+// In halves of the way that is left where the whole of it finds no equilibrium, twice as far again after each that
+// does. Nothing of a step that fails is kept.
+std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
+  const double whole = share - share_;
+  LoadedState at = now_;
+  double reached = share_;
+  double part = whole;
+  Eigen::VectorXd speed = speed_;
+  while (reached < share) {
+    const double to = part >= share - reached ? share : reached + part;
+    NewtonRounds rounds;
+    const Eigen::VectorXd guess = at.d + (to - reached) * speed;
+    std::optional<LoadedState> found = newton_.solve(at, guess, to, rounds);
+    work.rounds += rounds.count();
+    if (found) {
+      speed = (found->d - at.d) / (to - reached);
+      at = std::move(*found);
+      reached = to;
+      part = std::min(whole, 2 * part);
+      work.residual = rounds.residuals.back();
+      continue;
+    }
+    ++work.cuts;
+    part = (to - reached) / 2;
+    if (part < kLeastPart * whole)
+      return fmt::format(
+          "no equilibrium beyond {:.4g} of the loads of this scene was found ({} rounds of Newton's method, "
+          "{} cuts of the step): a limit load, or loads that nothing holds",
+          reached, work.rounds, work.cuts);
+  }
+  now_ = std::move(at);
+  speed_ = std::move(speed);
+  share_ = share;
+  return std::nullopt;
+}
+
+std::variant<StepReport, StepFailure> LoadStepper::advance() {
+  const int step = state_.step + 1;
+  if (state_.step == 0) {
+    const std::vector<FreePiece> free = free_pieces(*scene_.model.continuum);
+    if (!free.empty()) return StepFailure{fmt::format("load step {}: {}", step, to_string(free.front())), {}};
+  }
+  Work work;
+  const double share = std::min(1.0, static_cast<double>(step - first_step_) / steps_of_scene());
+  if (const std::optional<std::string> why = advance_to(share, work))
+    return StepFailure{fmt::format("load step {}: {}", step, *why), {}};
+  put_places();
+  state_.step = step;
+  state_.dt = scene_.settings.time_step;
+  state_.time = step * state_.dt;
+  StepReport report;
+  report.step = step;
+  report.time = state_.time;
+  report.dt = state_.dt;
+  report.passes = work.rounds;
+  report.redos = work.cuts;
+  report.residual = work.residual;
+  return report;
+}
+
+void LoadStepper::describe(Archive& archive) {
+  archive.values("unknowns", {now_.d.data(), static_cast<std::size_t>(now_.d.size())});
+  archive.values("speed", {speed_.data(), static_cast<std::size_t>(speed_.size())});
+  archive.table("points", now_.points, [&](YieldState& point) {
+    archive.value("strain_xx", point.elastic(0));
+    archive.value("strain_yy", point.elastic(1));
+    archive.value("strain_xy", point.elastic(2));
+    archive.value("strain_zz", point.elastic(3));
+    archive.value("kappa", point.kappa);
+    archive.choice("region", point.region, YieldRegion::tension);
+  });
+  bodies_->describe(archive);
+  archive.value("share", share_);
+  archive.value("first_step", first_step_);
+  archive.value("step", state_.step);
+  archive.value("time", state_.time);
+  archive.value("dt", state_.dt);
+  if (archive.is_restoring()) put_places();
+}
+
+}  // namespace keyblock

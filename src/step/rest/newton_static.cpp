@@ -1,0 +1,63 @@
+// Rounds of Newton's method with a line search; see newton_static.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/rest/newton_static.hpp"
+
+#include <cmath>
+
+#include "base/stop.hpp"
+
+namespace keyblock {
+namespace {
+
+// Of the largest of the forces: what may be left of them.
+constexpr double kBalanced = 1e-9;
+// Near a limit load the rock flows in regions that change from round to round: 30 rounds were seen to end well.
+constexpr int kMostRounds = 40;
+// Of what an increment promises, the fall that is asked for; and how often it is halved, 1/256 being no way forward.
+constexpr double kLeastFall = 0.1;
+constexpr int kMostHalvings = 8;
+
+}  // namespace
+
+std::optional<LoadedState> NewtonStatic::solve(const LoadedState& from, const Eigen::VectorXd& guess, double share,
+                                               NewtonRounds& rounds) {
+  Eigen::VectorXd d = from.d;
+  LoadedBodies::Balance now = bodies_->balance(from, d, share);
+  LoadedBodies::Balance guessed = bodies_->balance(from, guess, share);
+  if (guessed.residual.norm() < now.residual.norm()) {
+    d = guess;
+    now = std::move(guessed);
+  }
+  const auto left = [](const LoadedBodies::Balance& balance) {
+    return balance.scale > 0 ? balance.residual.norm() / balance.scale : 0;
+  };
+  rounds.residuals.push_back(left(now));
+  while (rounds.residuals.back() > kBalanced) {
+    leave_if_stopped();
+    if (rounds.count() >= kMostRounds || !std::isfinite(rounds.residuals.back())) return std::nullopt;
+    bodies_->put_tangent(from, d, tangent_);
+    Eigen::VectorXd increment;
+    try {
+      if (!factor_) factor_.emplace(tangent_.matrix());
+      factor_->factorise(tangent_.matrix());
+      increment = -factor_->solve(now.residual);
+    } catch (const SingularMatrix&) {
+      return std::nullopt;
+    }
+    const double before = now.residual.norm();
+    double part = 1;
+    LoadedBodies::Balance next = bodies_->balance(from, d + increment, share);
+    for (int i = 0; i < kMostHalvings && !(next.residual.norm() <= (1 - kLeastFall * part) * before); ++i) {
+      if (left(next) <= kBalanced) break;
+      part /= 2;
+      ++rounds.halvings;
+      next = bodies_->balance(from, d + part * increment, share);
+    }
+    d += part * increment;
+    now = std::move(next);
+    rounds.residuals.push_back(left(now));
+  }
+  return LoadedState{std::move(d), std::move(now.rock.after)};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,56 @@
+// Edges of bodies on covers that are held or moved by stiff springs: for rock whose stress no formula knows.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/continuum.hpp"
+#include "system/sparse_system.hpp"
+
+namespace keyblock {
+
+/// P of the held component at a boundary with this outward normal.
+Eigen::Matrix2d held_projector(Held held, Point normal);
+
+/// Springs along the boundary, k P (u - g) per length with k = c M/h: M the modulus against strain in one direction, h
+/// the size of the element's triangle, c that of `stabilisation` (penalty method; Babuška 1973). A support gives way by
+/// traction/k, 1e-4 of what the element does. g goes from `from` to `to` in the scene.
+class HeldEdges {
+ public:
+  HeldEdges(const Continuum& continuum, const CoverBasis& basis);
+
+  /// Every edge begins where `before`, of the scene before, ended at the same place, and what was free where d has it.
+  void begin_after(const HeldEdges& before, const Eigen::VectorXd& d);
+
+  /// Where every edge began, (x, y) of one point after another.
+  Eigen::VectorXd start() const;
+  void set_start(const Eigen::VectorXd& start);
+
+  void add_stiffness(SparseSystem& system) const;
+  /// ∫ k Tᵀ P g at this share of the way.
+  Eigen::VectorXd pull(double share, Eigen::Index size) const;
+  /// What each prescribed displacement exerts on the bodies, moments about the origin at undeformed places.
+  std::vector<Resultant> reactions(const Eigen::VectorXd& d, double share) const;
+
+ private:
+  struct HeldPoint {
+    std::size_t part = 0;  ///< in Continuum::prescribed
+    Point at;
+    std::vector<int> functions;
+    Eigen::RowVectorXd values;
+    double stiffness = 0;  ///< k times the length it stands for
+    Eigen::Matrix2d projector;
+    Eigen::Vector2d from = Eigen::Vector2d::Zero();
+    Eigen::Vector2d to;
+
+    Eigen::Vector2d displacement(const Eigen::VectorXd& d) const;
+    Eigen::Vector2d value(double share) const { return from + share * (to - from); }
+  };
+
+  std::size_t parts_ = 0;
+  double near_ = 0;  // of two scenes, points nearer than this are one
+  std::vector<HeldPoint> points_;
+};
+
+}  // namespace keyblock
