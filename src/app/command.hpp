@@ -32,6 +32,7 @@ Action configure_tradeoff(CLI::App& options);  ///< tradeoff_command.cpp
 Action configure_sweep(CLI::App& options);     ///< sweep_command.cpp
 Action configure_batch(CLI::App& options);     ///< batch_command.cpp
 Action configure_convert(CLI::App& options);   ///< convert_command.cpp
+Action configure_element(CLI::App& options);   ///< element_command.cpp
 Action configure_formats(CLI::App& options);   ///< formats_command.cpp
 
 }  // namespace keyblock

@@ -40,8 +40,9 @@ std::string why_not(const Strength& strength, const StrengthValues& values) {
     return "yield_stress: expected a number above 0, found 0";
   if (!has_friction(strength) && (values.friction_deg != 0 || values.dilation_deg != 0))
     return "friction_deg and dilation_deg: expected none with this surface";
-  if (!has_friction(strength) && values.cohesion == 0 && values.yield_stress == 0)
-    return "cohesion: expected a number above 0, found 0";
+  const bool needs_cohesion = strength.surface != YieldSurface::von_mises && values.friction_deg == 0;
+  if (needs_cohesion && values.cohesion == 0)
+    return "cohesion: expected a number above 0 where there is no friction, found 0";
   return {};
 }
 
@@ -87,23 +88,31 @@ std::string why_unusable(const Strength& strength) {
   if (std::string why = why_not(strength, strength.values); !why.empty()) return why;
   if (!strength.change) return {};
   const StrengthChange& change = *strength.change;
-  if (std::string why = why_not(strength, change.values); !why.empty()) return "after: " + why;
-  if (!(change.plastic_strain >= 0 && std::isfinite(change.plastic_strain)) ||
-      !(change.fracture_energy >= 0 && std::isfinite(change.fracture_energy)) ||
-      (change.plastic_strain > 0) == (change.fracture_energy > 0))
-    return "after: expected a plastic_strain or a fracture_energy above 0, and not both";
+  // Strength may fall to nothing.
+  StrengthValues last = change.values;
+  last.cohesion = last.cohesion == 0 ? strength.values.cohesion : last.cohesion;
+  last.yield_stress = last.yield_stress == 0 ? strength.values.yield_stress : last.yield_stress;
+  if (std::string why = why_not(strength, last); !why.empty()) return "after: " + why;
+  const auto is_above = [](double value) { return value > 0 && std::isfinite(value); };
+  if (is_above(change.plastic_strain) == is_above(change.fracture_energy))
+    return fmt::format("after: expected one of plastic_strain and fracture_energy above 0, found {}",
+                       is_above(change.plastic_strain) ? "both" : "neither");
   if (change.values.tensile_strength.has_value() != strength.values.tensile_strength.has_value())
-    return "after: expected a tensile_strength with and without `after`, or in neither";
+    return "after: expected a tensile_strength beside `after` too, found one in `after` alone";
   if (change.fracture_energy > 0 && !(largest_size(strength, 1) < kInfinite))
-    return "after: expected a lower strength where a fracture_energy is given";
+    return "after: expected a lower compressive strength where a fracture_energy is given, found none";
   return {};
 }
 
 std::vector<std::string> doubts_of(const Strength& strength) {
   std::vector<std::string> doubts;
-  if (strength.values.dilation_deg > strength.values.friction_deg)
-    doubts.push_back(fmt::format("dilation_deg {} is above friction_deg {}: flow then makes energy",
-                                 strength.values.dilation_deg, strength.values.friction_deg));
+  const auto look = [&](const StrengthValues& values, const char* when) {
+    if (values.dilation_deg > values.friction_deg)
+      doubts.push_back(fmt::format("dilation_deg {} is above friction_deg {}{}: flow then makes energy",
+                                   values.dilation_deg, values.friction_deg, when));
+  };
+  look(strength.values, "");
+  if (strength.change) look(strength.change->values, " after the change");
   if (strength.change && strength.change->plastic_strain > 0 &&
       compressive_strength(strength, strength.change->values) < compressive_strength(strength, strength.values))
     doubts.emplace_back(

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "material/strength.hpp"
 #include "model/continuum.hpp"
+#include "terms/cover_yield.hpp"
 
 namespace keyblock {
 
@@ -33,15 +33,16 @@ Warnings look_at_strengths(const Scene& scene, const Place& place) {
         {"functions_lock", place,
          "derived functions lock where rock flows without change of volume: limit loads come out 10 to 20 % "
          "too high; constant ones (the default) do not"});
-  // A point has a third of the areas of the triangles about a cover: that of two where there are six.
-  double largest = 0;
-  for (const ManifoldElement& element : continuum.manifold.elements) {
-    const auto t = continuum.manifold.triangle(element);
-    largest = std::max(largest, std::sqrt(std::abs(cross(t[1] - t[0], t[2] - t[0]))));
-  }
-  for (const BlockMaterial& material : continuum.materials) {
+  const bool softens = std::ranges::any_of(continuum.materials, [](const BlockMaterial& m) {
+    return m.strength && m.strength->change && m.strength->change->fracture_energy > 0;
+  });
+  if (!softens) return warnings;
+  const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
+  for (std::size_t i = 0; i < continuum.materials.size(); ++i) {
+    const BlockMaterial& material = continuum.materials[i];
     if (!material.strength) continue;
     const double allowed = largest_size(*material.strength, material.youngs_modulus);
+    const double largest = yield.greatest_size(i);
     if (largest >= allowed)
       throw InputError(material.place,
                        fmt::format("strength: expected points of a size below {:.4g}, where softening by this "

@@ -107,7 +107,7 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     if (part < kLeastPart * whole)
       return fmt::format(
           "no equilibrium beyond {:.4g} of the loads of this scene was found ({} rounds of Newton's method, "
-          "{} cuts of the step): a limit load, or loads that nothing holds",
+          "{} cuts of the step): a limit load, or an element that is turned over",
           reached, work.rounds, work.cuts);
   }
   now_ = std::move(at);
@@ -118,7 +118,7 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
 
 std::variant<StepReport, StepFailure> LoadStepper::advance() {
   const int step = state_.step + 1;
-  if (state_.step == 0) {
+  if (step == first_step_ + 1) {
     const std::vector<FreePiece> free = free_pieces(*scene_.model.continuum);
     if (!free.empty()) return StepFailure{fmt::format("load step {}: {}", step, to_string(free.front())), {}};
   }

@@ -31,6 +31,7 @@ struct Gathered {
 
 CoverYield::CoverYield(const Continuum& continuum, const CoverBasis& basis)
     : basis_(basis), plane_(continuum.plane), averages_(basis.functions() == CoverFunctions::constant) {
+  for (const BlockMaterial& material : continuum.materials) elastic_.push_back(modulus_of(material, plane_));
   for (const BlockMaterial& material : continuum.materials)
     laws_.push_back(
         {material.youngs_modulus, material.poissons_ratio, material.strength ? *material.strength : Strength{}});
@@ -132,6 +133,10 @@ CoverYield::Answer CoverYield::answer(const Eigen::VectorXd& d0, const YieldStat
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const YieldPoint& point = points_[i];
     const Eigen::Matrix2d h = displacement_gradient(point, d1);
+    if (!((Eigen::Matrix2d::Identity() + h).determinant() > 0)) {
+      answer.is_turned_over = true;
+      return answer;
+    }
     const Eigen::Vector3d green = green_strain(h);
     const Response r =
         respond_at(point, log_strain(green) - log_strain(green_strain(displacement_gradient(point, d0))), before[i]);
@@ -174,13 +179,17 @@ Eigen::MatrixXd CoverYield::tangent_at(const YieldPoint& point, const Eigen::Mat
 }
 
 void CoverYield::add_tangent(const Eigen::VectorXd& d0, const YieldStates& before, const Eigen::VectorXd& d1,
-                             WholeSystem& system) const {
+                             double elastic_share, WholeSystem& system) const {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const YieldPoint& point = points_[i];
     const Eigen::Matrix2d h = displacement_gradient(point, d1);
     const Eigen::Vector3d change =
         log_strain(green_strain(h)) - log_strain(green_strain(displacement_gradient(point, d0)));
-    system.add_matrix(point.functions, tangent_at(point, h, respond_at(point, change, before[i])));
+    Response response = respond_at(point, change, before[i]);
+    if (elastic_share > 0)
+      response.tangent.topLeftCorner<3, 3>() =
+          (1 - elastic_share) * response.tangent.topLeftCorner<3, 3>() + elastic_share * elastic_[point.law];
+    system.add_matrix(point.functions, tangent_at(point, h, response));
   }
 }
 
@@ -223,6 +232,13 @@ double CoverYield::plastic_strain(const YieldStates& states, int element, Point 
   double sum = 0;
   for (const Share& share : shares(element, at_start)) sum += share.weight * states[share.point].kappa;
   return std::max(0.0, sum);
+}
+
+double CoverYield::greatest_size(std::size_t material) const {
+  double area = 0;
+  for (const YieldPoint& point : points_)
+    if (point.law == material) area = std::max(area, point.area);
+  return std::sqrt(area);
 }
 
 double CoverYield::yielding_share(const YieldStates& states) const {

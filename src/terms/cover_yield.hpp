@@ -38,14 +38,16 @@ class CoverYield {
   struct Answer {
     Eigen::VectorXd force;  ///< ∫ ∇N · F S
     YieldStates after;
-    double stored = 0;   ///< ½ εᵉ D εᵉ
-    double plastic = 0;  ///< T at the end times the plastic strain of the step
+    double stored = 0;            ///< ½ εᵉ D εᵉ
+    double plastic = 0;           ///< T at the end times the plastic strain of the step
+    bool is_turned_over = false;  ///< a point's area is none or less: ½ ln C does not tell it from its mirror image
   };
   Answer answer(const Eigen::VectorXd& d0, const YieldStates& before, const Eigen::VectorXd& d1) const;
 
-  /// A += ∂force/∂d1; not symmetric where flow is not normal to the surface.
+  /// A += ∂force/∂d1; not symmetric where flow is not normal to the surface. `elastic_share`: of the elastic stiffness
+  /// in place of as much of the law's tangent, for stress in a corner of the surface, which no strain changes.
   void add_tangent(const Eigen::VectorXd& d0, const YieldStates& before, const Eigen::VectorXd& d1,
-                   WholeSystem& system) const;
+                   double elastic_share, WholeSystem& system) const;
 
   /// Puts into `states` the memories that an element had as the element `was` of `before`, of the same triangle.
   void carry(int element, const CoverYield& before, int was, const YieldStates& from, YieldStates& states) const;
@@ -54,6 +56,8 @@ class CoverYield {
   Stress stress(const Eigen::VectorXd& d, const YieldStates& states, int element, Point at_start) const;
   /// κ there, likewise.
   double plastic_strain(const YieldStates& states, int element, Point at_start) const;
+  /// √area of the largest point of a material; 0: it has none.
+  double greatest_size(std::size_t material) const;
   /// Share of the area at yield.
   double yielding_share(const YieldStates& states) const;
 
@@ -81,7 +85,8 @@ class CoverYield {
   CoverBasis basis_;
   Plane plane_;
   bool averages_ = false;
-  std::vector<YieldLaw> laws_;  // one a material
+  std::vector<YieldLaw> laws_;            // one a material
+  std::vector<Eigen::Matrix3d> elastic_;  // its modulus in the plane
   std::vector<YieldPoint> points_;
   std::vector<std::vector<std::size_t>> of_element_;  // its points, in the order of its functions where averaged
 };

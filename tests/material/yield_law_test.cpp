@@ -474,7 +474,16 @@ TEST(Strength, what_cannot_be_is_refused) {
   EXPECT_NE(why_unusable(von_mises(0)).find("yield_stress"), std::string::npos);
   Strength both = von_mises(10);
   both.change = StrengthChange{.values = both.values, .plastic_strain = 0.1, .fracture_energy = 1};
-  EXPECT_NE(why_unusable(both).find("not both"), std::string::npos);
+  EXPECT_NE(why_unusable(both).find("found both"), std::string::npos);
+  Strength tresca;
+  tresca.surface = YieldSurface::tresca;
+  tresca.values.yield_stress = 5;  // which it does not read
+  EXPECT_NE(why_unusable(tresca).find("cohesion: expected a number above 0"), std::string::npos);
+  EXPECT_NE(why_unusable(Strength{}).find("cohesion: expected a number above 0"), std::string::npos);
+  Strength weaker = mohr_coulomb(20, 20, 2);
+  weaker.change = StrengthChange{.values = weaker.values, .plastic_strain = 0.1};
+  weaker.change->values.friction_deg = 5;
+  EXPECT_NE(doubts_of(weaker).front().find("above friction_deg 5 after the change"), std::string::npos);
   EXPECT_EQ(doubts_of(mohr_coulomb(20, 30, 2)).size(), 1U);
 }
 

@@ -73,6 +73,23 @@ Scene dug_at_once() {
   return scene;
 }
 
+/// The same of rock that yields under its weight.
+Scene dug_in_yielding_rock() {
+  Problem problem = squares_on_covers(CoverFunctions::constant);
+  Strength strength;
+  strength.values = {.cohesion = 300000, .friction_deg = 30, .dilation_deg = 30};
+  for (BlockMaterial& material : problem.analysis->block_materials)
+    material.strength = std::make_shared<const Strength>(strength);
+  problem.analysis->velocity_carry_over = 0;
+  problem.analysis->step_count = 5;
+  problem.covers->displacements = {{{{0, 0}, {2, 0}}, Held::both, {}, {}, {}, {}},
+                                   {{{0, 1}, {0, 2}}, Held::both, {}, {}, {}, {}}};
+  problem.covers->excavations = {{2, box({0.7, 1.4}, {1.3, 3}), {}, 0}, {4, box({1.6, 0.5}, {3, 1.2}), {}, 0}};
+  const Scene scene = prepare(problem, "standard", {}).scene;
+  EXPECT_TRUE(scene.is_untouched && may_yield(scene));
+  return scene;
+}
+
 std::string bytes_of(Stepper& stepper) {
   Archive archive;
   stepper.save(archive);
@@ -81,7 +98,7 @@ std::string bytes_of(Stepper& stepper) {
 
 }  // namespace
 
-constexpr std::array kNames{"blocks", "covers", "linear", "mixed"};
+constexpr std::array kNames{"blocks", "covers", "linear", "mixed", "yielding"};
 
 class ResumedStages : public testing::TestWithParam<Scene (*)()> {};
 
@@ -91,7 +108,8 @@ TEST_P(ResumedStages, left_before_any_step_they_go_on_to_the_same_bytes) {
   std::vector<std::string> saved;
   while (!whole->is_done()) {
     saved.push_back(bytes_of(*whole));
-    ASSERT_TRUE(std::holds_alternative<StepReport>(whole->advance())) << saved.size();
+    const auto made = whole->advance();
+    ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << std::get<StepFailure>(made).reason;
   }
   ASSERT_EQ(static_cast<int>(saved.size()), scene.settings.step_count);
   const std::string end = bytes_of(*whole);
@@ -105,7 +123,8 @@ TEST_P(ResumedStages, left_before_any_step_they_go_on_to_the_same_bytes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ResumedStages,
-                         testing::Values(eventful, eventful_on_covers, dug_at_once, eventful_mixed),
+                         testing::Values(eventful, eventful_on_covers, dug_at_once, eventful_mixed,
+                                         dug_in_yielding_rock),
                          [](const auto& one) { return std::string(kNames.at(one.index)); });
 
 }  // namespace keyblock::stages_resumed_test

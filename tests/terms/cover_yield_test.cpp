@@ -114,7 +114,7 @@ TEST(CoverYield, the_tangent_is_the_derivative_of_the_force) {
       const Eigen::VectorXd d1 = d0 + scattered(count, 2e-4, 0.9);
       const YieldStates before = plate.yield.answer(0 * d0, plate.yield.start(), d0).after;
       WholeSystem system = system_of(plate);
-      plate.yield.add_tangent(d0, before, d1, system);
+      plate.yield.add_tangent(d0, before, d1, 0, system);
       const YieldStates after = plate.yield.answer(d0, before, d1).after;
       EXPECT_GT(plate.yield.yielding_share(after), 0.3);
       const Eigen::VectorXd way = scattered(count, 1, 2.1);

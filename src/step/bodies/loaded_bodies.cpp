@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/loaded_bodies.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 
+#include "geometry/polygon.hpp"
 #include "step/bodies/linear_static.hpp"
 #include "terms/cover_loads.hpp"
 
@@ -58,10 +61,13 @@ LoadedState LoadedBodies::at_start() const {
 
 void LoadedBodies::begin(const LoadedState& start, const LoadedBodies* before) {
   unbalanced_.setZero();
+  scale_at_start_ = 0;
   if (before != nullptr) held_.begin_after(before->held_, start.d);
   // With R0 none, what is left at the share 1 but for the held edges, which are as they were.
   const Balance all = balance(start, start.d, 1);
   unbalanced_ = all.residual + held_.pull(1, start.d.size()) - held_.pull(0, start.d.size());
+  const Eigen::VectorXd rock = all.rock.force + elasticity_.force(start.d, start.d, 1);
+  scale_at_start_ = std::max({rock.norm(), loads_.load().norm(), unbalanced_.norm()});
 }
 
 LoadedBodies::Balance LoadedBodies::balance(const LoadedState& from, const Eigen::VectorXd& d, double share) const {
@@ -71,7 +77,8 @@ LoadedBodies::Balance LoadedBodies::balance(const LoadedState& from, const Eigen
   const Eigen::VectorXd held = springs_.times(d) - held_.pull(share, d.size());
   const Eigen::VectorXd loads = loads_.load() + (1 - share) * unbalanced_;
   sum.residual = rock + held - loads;
-  sum.scale = std::max({rock.norm(), held.norm(), loads.norm()});
+  sum.scale = std::max({rock.norm(), held.norm(), loads.norm(), scale_at_start_});
+  if (sum.rock.is_turned_over) sum.residual.setConstant(std::numeric_limits<double>::infinity());
   return sum;
 }
 
@@ -79,13 +86,22 @@ WholeSystem LoadedBodies::tangent() const {
   return {basis_.function_count(), groups_};
 }
 
-void LoadedBodies::put_tangent(const LoadedState& from, const Eigen::VectorXd& d, WholeSystem& tangent) const {
+void LoadedBodies::put_tangent(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share,
+                               WholeSystem& tangent) const {
   tangent.clear();
-  yield_.add_tangent(from.d, from.points, d, tangent);
+  yield_.add_tangent(from.d, from.points, d, elastic_share, tangent);
   SparseSystem symmetric = springs_;
   symmetric.add_scaled(1, ghost_);
   elasticity_.add_static_tangent(d, 1, symmetric);
   tangent.add(symmetric);
+}
+
+int LoadedBodies::turned_over(const Eigen::VectorXd& d) const {
+  for (int e = 0; e < basis_.element_count(); ++e) {
+    const auto loops = continuum_.manifold.polygon(continuum_.manifold.elements[static_cast<std::size_t>(e)]);
+    if (!(elasticity_.deformation(d, e, centroid(loops.front())).determinant() > 0)) return e;
+  }
+  return -1;
 }
 
 ForceBalance LoadedBodies::forces(const Eigen::VectorXd& d, double share) const {
@@ -108,6 +124,7 @@ ForceBalance LoadedBodies::forces(const Eigen::VectorXd& d, double share) const 
 
 void LoadedBodies::describe(Archive& archive) {
   archive.values("unbalanced_at_start", {unbalanced_.data(), static_cast<std::size_t>(unbalanced_.size())});
+  archive.value("scale_at_start", scale_at_start_);
   Eigen::VectorXd held = held_.start();
   archive.values("held_at_start", {held.data(), static_cast<std::size_t>(held.size())});
   if (archive.is_restoring()) held_.set_start(held);

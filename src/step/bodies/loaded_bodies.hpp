@@ -43,7 +43,7 @@ class LoadedBodies {
 
   struct Balance {
     Eigen::VectorXd residual;
-    double scale = 0;  ///< norm of the largest of the forces that make it up
+    double scale = 0;  ///< norm of the largest of the forces that make it up, or that were there when the scene began
     CoverYield::Answer rock;
   };
   /// At d, where the points had the memories of `from` at its d.
@@ -51,7 +51,10 @@ class LoadedBodies {
 
   /// A matrix for tangents, and ∂r/∂d put into it.
   WholeSystem tangent() const;
-  void put_tangent(const LoadedState& from, const Eigen::VectorXd& d, WholeSystem& tangent) const;
+  void put_tangent(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share, WholeSystem& tangent) const;
+
+  /// An element whose area is none or less; -1: there is none.
+  int turned_over(const Eigen::VectorXd& d) const;
 
   /// Loads as far as they are on, supports, springs.
   ForceBalance forces(const Eigen::VectorXd& d, double share) const;
@@ -71,6 +74,7 @@ class LoadedBodies {
   SparseSystem springs_;  // K: point springs and held edges
   SparseSystem ghost_;
   Eigen::VectorXd unbalanced_;  // R0
+  double scale_at_start_ = 0;
 };
 
 }  // namespace keyblock

@@ -16,11 +16,22 @@ constexpr int kMostRounds = 40;
 // Of what an increment promises, the fall that is asked for; and how often it is halved, 1/256 being no way forward.
 constexpr double kLeastFall = 0.1;
 constexpr int kMostHalvings = 8;
+// Of the elastic stiffness; ten times as much was seen to double the rounds.
+constexpr double kElasticShare = 1e-3;
 
 }  // namespace
 
 std::optional<LoadedState> NewtonStatic::solve(const LoadedState& from, const Eigen::VectorXd& guess, double share,
                                                NewtonRounds& rounds) {
+  for (const double elastic_share : {0.0, kElasticShare}) {
+    std::optional<LoadedState> found = attempt(from, guess, share, elastic_share, rounds);
+    if (found && bodies_->turned_over(found->d) < 0) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<LoadedState> NewtonStatic::attempt(const LoadedState& from, const Eigen::VectorXd& guess, double share,
+                                                 double elastic_share, NewtonRounds& rounds) {
   Eigen::VectorXd d = from.d;
   LoadedBodies::Balance now = bodies_->balance(from, d, share);
   LoadedBodies::Balance guessed = bodies_->balance(from, guess, share);
@@ -32,10 +43,11 @@ std::optional<LoadedState> NewtonStatic::solve(const LoadedState& from, const Ei
     return balance.scale > 0 ? balance.residual.norm() / balance.scale : 0;
   };
   rounds.residuals.push_back(left(now));
+  const int most = rounds.count() + kMostRounds;
   while (rounds.residuals.back() > kBalanced) {
     leave_if_stopped();
-    if (rounds.count() >= kMostRounds || !std::isfinite(rounds.residuals.back())) return std::nullopt;
-    bodies_->put_tangent(from, d, tangent_);
+    if (rounds.count() >= most || !std::isfinite(rounds.residuals.back())) return std::nullopt;
+    bodies_->put_tangent(from, d, elastic_share, tangent_);
     Eigen::VectorXd increment;
     try {
       if (!factor_) factor_.emplace(tangent_.matrix());

@@ -21,7 +21,9 @@ struct NewtonRounds {
 };
 
 /// The exact tangent in each round, by LU, for it need not be symmetric; an increment is halved while the residual does
-/// not fall by a tenth of what it promises (Armijo 1966). One object serves all steps of a scene: the order of
+/// not fall by a tenth of what it promises (Armijo 1966). Where that fails, once more with a thousandth of the elastic
+/// stiffness in the tangent: in a corner of the surface the exact one has no inverse. A state with an element turned
+/// over is none. One object serves all steps of a scene: the order of
 /// elimination is found once.
 class NewtonStatic {
  public:
@@ -33,6 +35,9 @@ class NewtonStatic {
                                    NewtonRounds& rounds);
 
  private:
+  std::optional<LoadedState> attempt(const LoadedState& from, const Eigen::VectorXd& guess, double share,
+                                     double elastic_share, NewtonRounds& rounds);
+
   const LoadedBodies* bodies_;
   WholeSystem tangent_;
   std::optional<SparseLu> factor_;

@@ -1,0 +1,28 @@
+// One chart below a title.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/element_picture.hpp"
+
+#include "report/drawing/chart.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr double kPageWidth = 700;
+constexpr double kPageHeight = 460;
+constexpr double kMargin = 30;
+constexpr double kChartTop = 50;
+
+}  // namespace
+
+std::string element_picture(const std::string& title, const std::string& x_label, const std::vector<double>& x,
+                            const std::string& y_label, const std::vector<double>& y) {
+  SvgPage page(kPageWidth, kPageHeight);
+  page.text({kMargin, 28}, title, {.size = 17, .bold = true});
+  const std::vector<Curve> curves{{y_label, x, y}};
+  if (has_points(curves))
+    draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kPageHeight - kChartTop - 14}, curves,
+               {x_label, y_label});
+  return page.str();
+}
+
+}  // namespace keyblock::report

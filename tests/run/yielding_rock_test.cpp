@@ -1,0 +1,109 @@
+// Runs of rock that yields: uniaxial strength, loads beyond it, forces that vanish, what nothing holds, and
+// where a strength is refused.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::yielding_rock_test {
+namespace {
+
+using support::fresh_folder;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
+
+const std::string kCoulomb = R"({"cohesion": 10, "friction_deg": 20, "dilation_deg": 20})";
+
+/// A unit square on smooth plates below and to the left.
+std::string square(const std::string& more_displacements, const std::string& more_covers, const std::string& strength) {
+  return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]}],
+    "measured_points": [[0.5, 1, 1]]}, "covers": {
+    "mesh": {"kind": "unstructured", "placement": "aligned", "side": 0.35},
+    "displacements": [{"along": [[0, 0], [1, 0]], "held": "y"}, {"along": [[0, 0], [0, 1]], "held": "x"})" +
+         more_displacements + "]" + more_covers +
+         R"(}, "analysis": {"step_count": 8, "time_step": 1, "allowed_displacement_ratio": 0.1, "plane_strain": true,
+    "velocity_carry_over": 0, "joint_materials": [{}], "block_materials": [{"density": 1, "unit_weight": 0,
+    "youngs_modulus": 10000, "poissons_ratio": 0.3, "strength": )" +
+         strength + "}]}}";
+}
+
+struct Done {
+  int exit_code = 0;
+  std::string messages;
+  nlohmann::json forces;
+  std::string folder;
+};
+
+Done run_of(const std::string& name, const std::string& text) {
+  const std::string folder = fresh_folder("yielding_" + name);
+  write_text(folder + "/in.json", text);
+  const auto run = run_keyblock({"run", folder + "/in.json", "-o", folder + "/out"});
+  Done done{run.exit_code, run.messages, {}, folder};
+  if (run.exit_code != 3) done.forces = nlohmann::json::parse(read_text(folder + "/out/run.json"))["forces"];
+  return done;
+}
+
+const std::string kPressed = R"(, {"along": [[0, 1], [1, 1]], "held": "y", "y": -0.01})";
+
+}  // namespace
+
+// The nominal stress of large strain: the true one times the width, which lateral flow makes 1/(1 - ε) at constant
+// volume and a little more under dilation; 1.5 % at a strain of 1 %.
+TEST(YieldingRock, a_square_bears_its_uniaxial_strength) {
+  const double coulomb = 2 * 10 * std::tan((45.0 + 20.0 / 2) * std::numbers::pi / 180);
+  for (const auto& [strength, expected] :
+       {std::pair{kCoulomb, coulomb},
+        {R"({"surface": "tresca", "cohesion": 10})", 20.0},
+        {R"({"surface": "von_mises", "yield_stress": 20})", 40 / std::numbers::sqrt3}}) {
+    const Done done = run_of("square", square(kPressed, "", strength));
+    EXPECT_EQ(done.exit_code, 0) << done.messages;
+    EXPECT_NEAR(-done.forces["supports"][2]["y"].get<double>(), expected, 0.015 * expected) << strength;
+    EXPECT_LT(done.forces["unbalanced"].get<double>(), 1e-8);
+  }
+}
+
+TEST(YieldingRock, a_load_beyond_the_strength_ends_the_run_and_is_named) {
+  const Done done = run_of("limit", square("", R"(, "tractions": [{"along": [[0, 1], [1, 1]], "y": -60}])", kCoulomb));
+  EXPECT_EQ(done.exit_code, 4);
+  EXPECT_NE(done.messages.find("no equilibrium beyond"), std::string::npos) << done.messages;
+}
+
+TEST(YieldingRock, stress_that_nothing_keeps_goes_to_nothing) {
+  const Done done =
+      run_of("relaxed", square("", R"(, "initial_stress_field": {"xx": 0, "yy": -20, "zz": -6})", kCoulomb));
+  EXPECT_EQ(done.exit_code, 0) << done.messages;
+}
+
+TEST(YieldingRock, what_an_excavation_leaves_without_support_is_named) {
+  const Done done = run_of("cut_off", square("", R"(, "initial_stress_field": {"xx": -2, "yy": -2, "zz": -2},
+    "excavations": [{"step": 2, "outline": [[0, 0.5], [1, 0.5], [1, 0.7], [0, 0.7]]}])",
+                                             kCoulomb));
+  EXPECT_EQ(done.exit_code, 4);
+  EXPECT_NE(done.messages.find("can move along"), std::string::npos) << done.messages;
+}
+
+TEST(YieldingRock, a_strength_that_no_run_reads_is_refused) {
+  std::string moving = square(kPressed, "", kCoulomb);
+  moving.replace(moving.find("\"velocity_carry_over\": 0"), 24, "\"velocity_carry_over\": 1");
+  const Done done = run_of("moving", moving);
+  EXPECT_EQ(done.exit_code, 3);
+  EXPECT_NE(done.messages.find("expected a strength in statics"), std::string::npos) << done.messages;
+}
+
+TEST(YieldingRock, softening_too_steep_for_the_mesh_is_refused_with_the_size_allowed) {
+  const Done done = run_of("steep", square(kPressed, "",
+                                           R"({"surface": "von_mises", "yield_stress": 20, "after": {"yield_stress": 1,
+                             "fracture_energy": 0.001}})"));
+  EXPECT_EQ(done.exit_code, 3);
+  EXPECT_NE(done.messages.find("expected points of a size below 0.0554"), std::string::npos) << done.messages;
+}
+
+}  // namespace keyblock::yielding_rock_test
