@@ -6,7 +6,8 @@
 // or `\r\n`, a byte-order mark and empty lines are passed over. Units: the programs know no unit system, every number
 // is in the units of the input. Headers name the dimension where it helps: [T] time, [L] length.
 //   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start;
-//            then the force of every bolt, tension positive: bolti [F]
+//            then the force of every bolt, tension positive: bolti [F]; then, where load steps sum it, what every
+//            prescribed displacement exerts on the bodies: reactioni_x,reactioni_y [F]
 //   points   step,time,point,x,y,dx,dy,sxx,syy,sxy,szz: one line a measured point and instant; points from 1, stress
 //            tension positive
 //   steps    step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration: one line an accepted step;

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <numbers>
 
@@ -36,7 +35,7 @@ std::string why_not(const Strength& strength, const StrengthValues& values) {
   for (const Named& n : {Named{"friction_deg", values.friction_deg}, Named{"dilation_deg", values.dilation_deg}})
     if (!(n.value >= 0 && n.value < 90))
       return fmt::format("{}: expected at least 0 and less than 90 degrees, found {}", n.name, n.value);
-  if (strength.surface == YieldSurface::von_mises ? values.yield_stress == 0 : false)
+  if (strength.surface == YieldSurface::von_mises && values.yield_stress == 0)
     return "yield_stress: expected a number above 0, found 0";
   if (!has_friction(strength) && (values.friction_deg != 0 || values.dilation_deg != 0))
     return "friction_deg and dilation_deg: expected none with this surface";
@@ -118,12 +117,6 @@ std::vector<std::string> doubts_of(const Strength& strength) {
     doubts.emplace_back(
         "strength falls with plastic strain, without a fracture_energy: what is found depends on the mesh");
   return doubts;
-}
-
-bool is_associated(const Strength& strength) {
-  if (!has_friction(strength)) return true;
-  const auto same = [](const StrengthValues& v) { return v.friction_deg == v.dilation_deg; };
-  return same(strength.values) && (!strength.change || same(strength.change->values));
 }
 
 }  // namespace keyblock

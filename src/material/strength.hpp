@@ -28,7 +28,4 @@ std::string why_unusable(const Strength& strength);
 /// What a user should know of a usable one: dilation above friction, softening that depends on the mesh.
 std::vector<std::string> doubts_of(const Strength& strength);
 
-/// The flow is normal to the surface at all plastic strains: tangents are symmetric.
-bool is_associated(const Strength& strength);
-
 }  // namespace keyblock

@@ -80,9 +80,11 @@ struct Flow {
     return kappa - before - equivalent(compliance * (trial - stress));
   }
 
-  /// κ at the end: between nothing and what taking away the whole deviator would give, or beyond if dilation does.
+  /// κ of the surface at the end: between nothing and what taking away the whole deviator would give, or beyond if
+  /// dilation does. Where strength does not change, that of the start.
   double kappa() const {
-    if (!surface.strength.change || before >= surface.strain) return before - missing(before);
+    if (!surface.strength.change) return before;  // the surface does not ask
+    if (before >= surface.strain) return before - missing(before);
     double upper = before + std::max(-missing(before), equivalent(compliance * trial));
     for (int i = 0; i < kMostRounds && missing(upper) < 0; ++i) upper = before + 2 * (upper - before);
     if (!(missing(before) < 0)) return before;
@@ -180,11 +182,11 @@ Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const Yi
   const Eigen::Matrix3d principal = principal_modulus(modulus);
   const Eigen::Matrix3d compliance = principal_compliance(law);
   const Flow flow{surface, principal, compliance, trial, before.kappa};
-  r.after.kappa = flow.kappa();
-  const PrincipalReturn back =
-      return_to_surface(surface, law.strength.change ? r.after.kappa : before.kappa, trial, principal);
+  const double kappa = flow.kappa();
+  const PrincipalReturn back = return_to_surface(surface, kappa, trial, principal);
   Eigen::Matrix3d by_trial = back.by_trial;
   if (law.strength.change) by_trial += back.by_kappa * flow.kappa_by_trial(back);
+  r.after.kappa = law.strength.change ? kappa : before.kappa + equivalent(compliance * (trial - back.stress));
   const Eigen::Vector3d landed = axes.back(back.stress);
   r.stress = axes.stress(landed);
   r.tangent = tangent_of(axes, by_trial, landed, principal, modulus(2, 2));

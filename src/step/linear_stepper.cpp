@@ -2,20 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/linear_stepper.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
-#include <vector>
 
 #include "model/continuum.hpp"
-#include "model/setup/free_pieces.hpp"
-#include "step/static_places.hpp"
 
 namespace keyblock {
 
-LinearStepper::LinearStepper(Scene scene) : scene_(std::move(scene)) {
-  put_places();
-  unloaded_ = places_of(state_);
+LinearStepper::LinearStepper(Scene scene) : StaticStepper(std::move(scene)) {
+  begin_unloaded();
 }
 
 LinearStepper::LinearStepper(Scene scene, Archive& saved) : LinearStepper(std::move(scene)) {
@@ -24,9 +18,7 @@ LinearStepper::LinearStepper(Scene scene, Archive& saved) : LinearStepper(std::m
 
 std::unique_ptr<SceneStepper> LinearStepper::in_next(const SceneChange& change) const {
   auto next = std::make_unique<LinearStepper>(change.scene);
-  next->state_.step = state_.step;
-  next->state_.time = state_.time;
-  next->state_.dt = state_.dt;
+  next->continue_from(*this);
   return next;
 }
 
@@ -35,40 +27,22 @@ Stress LinearStepper::stress_at(ElementIndex e, Point start) const {
                    : continuum().initial_stress_at(e.value, start);
 }
 
-void LinearStepper::put_places() {
-  keyblock::put_places(
-      scene_,
-      {[&](ElementIndex e, Point start) { return solution_ ? start + solution_->displacement(e.value, start) : start; },
-       [&](ElementIndex e, Point start) { return stress_at(e, start); }},
-      state_);
+Point LinearStepper::place_of(ElementIndex e, Point start) const {
+  return solution_ ? start + solution_->displacement(e.value, start) : start;
 }
 
 std::variant<StepReport, StepFailure> LinearStepper::advance() {
-  const int step = state_.step + 1;
   const bool solves = !solution_;
   if (solves) {
-    const std::vector<FreePiece> free = free_pieces(continuum());
-    if (!free.empty())
-      return StepFailure{fmt::format("load step {}: {}{}", step, to_string(free.front()),
-                                     free.size() > 1 ? fmt::format(" (and {} more)", free.size() - 1) : ""),
-                         {}};
+    if (std::optional<StepFailure> unheld = unheld_pieces()) return *unheld;
     try {
       solution_ = solve_static(continuum());
     } catch (const NotPositiveDefinite& error) {
-      return StepFailure{fmt::format("load step {}: {}", step, error.what()), {}};
+      return failure(error.what());
     }
     put_places();
   }
-  state_.step = step;
-  state_.dt = scene_.settings.time_step;
-  state_.time = step * state_.dt;
-  StepReport report;
-  report.step = step;
-  report.time = state_.time;
-  report.dt = state_.dt;
-  report.passes = solves ? 1 : 0;
-  report.residual = solution_->solution.residual;
-  return report;
+  return end_step(solves ? 1 : 0, 0, solution_->solution.residual);
 }
 
 std::optional<ForceBalance> LinearStepper::forces() const {
@@ -81,9 +55,7 @@ void LinearStepper::describe(Archive& archive) {
   archive.value("is_solved", is_solved);
   if (is_solved) describe_solution(archive);
   if (archive.is_restoring()) put_places();
-  archive.value("step", state_.step);
-  archive.value("time", state_.time);
-  archive.value("dt", state_.dt);
+  describe_time(archive);
 }
 
 void LinearStepper::describe_solution(Archive& archive) {

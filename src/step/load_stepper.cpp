@@ -6,11 +6,8 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "model/continuum.hpp"
-#include "model/setup/free_pieces.hpp"
-#include "step/static_places.hpp"
 
 namespace keyblock {
 namespace {
@@ -21,14 +18,13 @@ constexpr double kLeastPart = 1.0 / 64;
 }  // namespace
 
 LoadStepper::LoadStepper(Scene scene)
-    : scene_(std::move(scene)),
+    : StaticStepper(std::move(scene)),
       bodies_(std::make_unique<LoadedBodies>(*scene_.model.continuum)),
       newton_(*bodies_),
       now_(bodies_->at_start()) {
   bodies_->begin(now_, nullptr);
   speed_ = Eigen::VectorXd::Zero(now_.d.size());
-  put_places();
-  unloaded_ = places_of(state_);
+  begin_unloaded();
 }
 
 LoadStepper::LoadStepper(Scene scene, Archive& saved) : LoadStepper(std::move(scene)) {
@@ -54,9 +50,7 @@ std::unique_ptr<SceneStepper> LoadStepper::in_next(const SceneChange& change) co
   auto next = std::make_unique<LoadStepper>(change.scene);
   next->now_ = carried(*next->bodies_, change);
   next->bodies_->begin(next->now_, bodies_.get());
-  next->state_.step = state_.step;
-  next->state_.time = state_.time;
-  next->state_.dt = state_.dt;
+  next->continue_from(*this);
   next->first_step_ = state_.step;
   next->put_places();
   return next;
@@ -68,12 +62,8 @@ Stress LoadStepper::stress_at(ElementIndex e, Point start) const {
   return bodies_->elasticity().stress(now_.d, e.value, start);
 }
 
-void LoadStepper::put_places() {
-  keyblock::put_places(
-      scene_,
-      {[&](ElementIndex e, Point start) { return bodies_->elasticity().position(now_.d, e.value, start); },
-       [&](ElementIndex e, Point start) { return stress_at(e, start); }},
-      state_);
+Point LoadStepper::place_of(ElementIndex e, Point start) const {
+  return bodies_->elasticity().position(now_.d, e.value, start);
 }
 
 int LoadStepper::steps_of_scene() const {
@@ -117,27 +107,14 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
 }
 
 std::variant<StepReport, StepFailure> LoadStepper::advance() {
-  const int step = state_.step + 1;
-  if (step == first_step_ + 1) {
-    const std::vector<FreePiece> free = free_pieces(*scene_.model.continuum);
-    if (!free.empty()) return StepFailure{fmt::format("load step {}: {}", step, to_string(free.front())), {}};
-  }
+  const int made = state_.step - first_step_;
+  if (made == 0)
+    if (std::optional<StepFailure> unheld = unheld_pieces()) return *unheld;
   Work work;
-  const double share = std::min(1.0, static_cast<double>(step - first_step_) / steps_of_scene());
-  if (const std::optional<std::string> why = advance_to(share, work))
-    return StepFailure{fmt::format("load step {}: {}", step, *why), {}};
+  const double share = std::min(1.0, static_cast<double>(made + 1) / steps_of_scene());
+  if (const std::optional<std::string> why = advance_to(share, work)) return failure(*why);
   put_places();
-  state_.step = step;
-  state_.dt = scene_.settings.time_step;
-  state_.time = step * state_.dt;
-  StepReport report;
-  report.step = step;
-  report.time = state_.time;
-  report.dt = state_.dt;
-  report.passes = work.rounds;
-  report.redos = work.cuts;
-  report.residual = work.residual;
-  return report;
+  return end_step(work.rounds, work.cuts, work.residual);
 }
 
 void LoadStepper::describe(Archive& archive) {
@@ -154,9 +131,7 @@ void LoadStepper::describe(Archive& archive) {
   bodies_->describe(archive);
   archive.value("share", share_);
   archive.value("first_step", first_step_);
-  archive.value("step", state_.step);
-  archive.value("time", state_.time);
-  archive.value("dt", state_.dt);
+  describe_time(archive);
   if (archive.is_restoring()) put_places();
 }
 

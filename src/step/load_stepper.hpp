@@ -7,29 +7,22 @@
 
 #include "step/bodies/loaded_bodies.hpp"
 #include "step/rest/newton_static.hpp"
-#include "step/stepper.hpp"
+#include "step/static_stepper.hpp"
 
 namespace keyblock {
 
 /// Loads of a scene grow in equal parts to their full size in its last step. A step whose part finds no equilibrium is
 /// made in halves, quarters, …; where the least part finds none, the run ends: a limit load, or loads that nothing
 /// holds.
-class LoadStepper : public SceneStepper {
+class LoadStepper : public StaticStepper {
  public:
   explicit LoadStepper(Scene scene);
   /// As it was saved, of the same scene. Throws InputError.
   LoadStepper(Scene scene, Archive& saved);
 
-  const Model& model() const override { return scene_.model; }
-  const Settings& settings() const override { return scene_.settings; }
-  const State& state() const override { return state_; }
-  const StartPlaces& unloaded() const override { return unloaded_; }
   Stress stress_at(ElementIndex e, Point start) const override;
   std::variant<StepReport, StepFailure> advance() override;
-  LedgerRow ledger() const override { return {}; }
-  LedgerScope ledger_scope() const override { return {}; }
   std::optional<ForceBalance> forces() const override { return bodies_->forces(now_.d, share_); }
-  void save(Archive& archive) override { describe(archive); }
   std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
   bool is_at_rest(double) const override { return share_ >= 1; }
 
@@ -45,10 +38,9 @@ class LoadStepper : public SceneStepper {
   LoadedState carried(const LoadedBodies& next, const SceneChange& change) const;
   int steps_of_scene() const;
   std::optional<std::string> advance_to(double share, Work& work);
-  void put_places();
-  void describe(Archive& archive);
+  Point place_of(ElementIndex e, Point start) const override;
+  void describe(Archive& archive) override;
 
-  Scene scene_;
   std::unique_ptr<LoadedBodies> bodies_;
   NewtonStatic newton_;
   LoadedState now_;
@@ -56,8 +48,6 @@ class LoadStepper : public SceneStepper {
       speed_;           ///< displacement per share of the loads in the last part of a step: the next is guessed by it
   double share_ = 0;    ///< of the scene's loads
   int first_step_ = 0;  ///< after which the scene began
-  StartPlaces unloaded_;
-  State state_;
 };
 
 }  // namespace keyblock

@@ -141,8 +141,6 @@ CoverYield::Answer CoverYield::answer(const Eigen::VectorXd& d0, const YieldStat
     const Response r =
         respond_at(point, log_strain(green) - log_strain(green_strain(displacement_gradient(point, d0))), before[i]);
     answer.after[i] = r.after;
-    answer.stored += point.area * r.stored;
-    answer.plastic += point.area * r.stress.dot(r.plastic);
     const Eigen::Vector3d second = log_strain_rate(green).transpose() * r.stress.head<3>();
     const Eigen::Matrix2d flux = point.area * (Eigen::Matrix2d::Identity() + h) * stress_tensor(second);
     for (std::size_t a = 0; a < point.functions.size(); ++a)
@@ -228,26 +226,11 @@ Stress CoverYield::stress(const Eigen::VectorXd& d, const YieldStates& states, i
   return {sum(0), sum(1), sum(2), sum(3)};
 }
 
-double CoverYield::plastic_strain(const YieldStates& states, int element, Point at_start) const {
-  double sum = 0;
-  for (const Share& share : shares(element, at_start)) sum += share.weight * states[share.point].kappa;
-  return std::max(0.0, sum);
-}
-
 double CoverYield::greatest_size(std::size_t material) const {
   double area = 0;
   for (const YieldPoint& point : points_)
     if (point.law == material) area = std::max(area, point.area);
   return std::sqrt(area);
-}
-
-double CoverYield::yielding_share(const YieldStates& states) const {
-  double all = 0, yielding = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    all += points_[i].area;
-    if (states[i].region != YieldRegion::elastic) yielding += points_[i].area;
-  }
-  return all > 0 ? yielding / all : 0;
 }
 
 }  // namespace keyblock

@@ -38,8 +38,6 @@ class CoverYield {
   struct Answer {
     Eigen::VectorXd force;  ///< ∫ ∇N · F S
     YieldStates after;
-    double stored = 0;            ///< ½ εᵉ D εᵉ
-    double plastic = 0;           ///< T at the end times the plastic strain of the step
     bool is_turned_over = false;  ///< a point's area is none or less: ½ ln C does not tell it from its mirror image
   };
   Answer answer(const Eigen::VectorXd& d0, const YieldStates& before, const Eigen::VectorXd& d1) const;
@@ -54,12 +52,8 @@ class CoverYield {
 
   /// Cauchy stress of an element at X: the mean of the covers' points, weighted by λ; else of the element's points.
   Stress stress(const Eigen::VectorXd& d, const YieldStates& states, int element, Point at_start) const;
-  /// κ there, likewise.
-  double plastic_strain(const YieldStates& states, int element, Point at_start) const;
   /// √area of the largest point of a material; 0: it has none.
   double greatest_size(std::size_t material) const;
-  /// Share of the area at yield.
-  double yielding_share(const YieldStates& states) const;
 
  private:
   struct YieldPoint {

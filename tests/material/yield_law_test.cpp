@@ -120,7 +120,7 @@ void check_trial(const Strength& strength, const Eigen::Vector3d& trial, std::mt
   worst.order = std::max({worst.order, stress(1) - stress(0), stress(2) - stress(1)});
   const Eigen::Vector3d plastic = modulus.ldlt().solve(trial - stress);
   worst.work = std::max(worst.work, -stress.dot(plastic) / (great * great / 1000));
-  if (!is_associated(strength)) return;
+  if (strength.values.friction_deg != strength.values.dilation_deg) return;
   // Any stress inside is on the other side of the plane through σ across the flow.
   const Eigen::Vector3d inside = stress_on_surface(surface, 0, random_trial(random) / 1e4 * size, modulus);
   const double reach = std::max(great, inside.cwiseAbs().maxCoeff());

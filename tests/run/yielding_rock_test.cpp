@@ -76,6 +76,26 @@ TEST(YieldingRock, a_load_beyond_the_strength_ends_the_run_and_is_named) {
   EXPECT_NE(done.messages.find("no equilibrium beyond"), std::string::npos) << done.messages;
 }
 
+// pla-09 A: 2:1, H 10, φ 20°, c/(γ H) 0.05, no foundation layer; published factors of safety are 1.36 to 1.42
+// (Griffiths & Lane 1999; log-spiral 1.368); flow is associated here. With sides of 1.5 the slope slides by 2 % of its
+// height at 1.45 and then bears its weight: the mesh must be finer than that.
+TEST(YieldingRock, a_slope_stands_below_its_factor_of_safety_and_falls_above_it) {
+  for (const auto& [factor, exit_code] : {std::pair{1.36, 0}, {1.45, 4}}) {
+    const double tangent = std::tan(20 * std::numbers::pi / 180) / factor;
+    const double angle = std::atan(tangent) * 180 / std::numbers::pi;
+    const Done done = run_of("slope", fmt::format(R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer":
+      [[0, 0, 1], [32, 0, 1], [32, 10, 1], [20, 10, 1]]}}]}}, "covers": {{
+      "mesh": {{"kind": "unstructured", "placement": "aligned", "side": 1}},
+      "displacements": [{{"along": [[0, 0], [32, 0]]}}, {{"along": [[32, 0], [32, 10]], "held": "normal"}}]}},
+      "analysis": {{"step_count": 4, "time_step": 1, "allowed_displacement_ratio": 0.1, "plane_strain": true,
+      "velocity_carry_over": 0, "joint_materials": [{{}}], "block_materials": [{{"density": 2, "unit_weight": 20,
+      "youngs_modulus": 1e5, "poissons_ratio": 0.3, "strength": {{"cohesion": {}, "friction_deg": {},
+      "dilation_deg": {}}}}}]}}}})",
+                                                  10 / factor, angle, angle));
+    EXPECT_EQ(done.exit_code, exit_code) << factor << done.messages;
+  }
+}
+
 TEST(YieldingRock, stress_that_nothing_keeps_goes_to_nothing) {
   const Done done =
       run_of("relaxed", square("", R"(, "initial_stress_field": {"xx": 0, "yy": -20, "zz": -6})", kCoulomb));

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -69,6 +69,11 @@ Eigen::VectorXd scattered(Eigen::Index count, double size, double seed) {
   return d;
 }
 
+double yielding_share(const YieldStates& states) {
+  const auto yields = [](const YieldState& state) { return state.region != YieldRegion::elastic; };
+  return static_cast<double>(std::ranges::count_if(states, yields)) / static_cast<double>(states.size());
+}
+
 WholeSystem system_of(const Plate& plate) {
   FunctionGroups groups;
   plate.yield.add_groups(groups);
@@ -77,7 +82,7 @@ WholeSystem system_of(const Plate& plate) {
 
 }  // namespace
 
-// All covers see the same gradient: stress is the law's, stored energy and plastic work are those of the area.
+// All covers see the same gradient: stress is the law's, virtual work that of the area.
 TEST(CoverYield, homogeneous_strain_has_the_stress_of_one_point) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
   Eigen::Matrix2d h;
@@ -92,9 +97,7 @@ TEST(CoverYield, homogeneous_strain_has_the_stress_of_one_point) {
   const Response point = respond(law, {strain(0), strain(1), strain(2), 0}, {}, 1);
   ASSERT_NE(point.after.region, YieldRegion::elastic);
   for (const YieldState& state : answer.after) EXPECT_LT((state.elastic - point.after.elastic).norm(), 1e-14);
-  EXPECT_NEAR(answer.stored, kWidth * kHeight * point.stored, 1e-12 * answer.stored);
-  EXPECT_NEAR(answer.plastic, kWidth * kHeight * point.stress.dot(point.plastic), 1e-12 * answer.plastic);
-  EXPECT_EQ(plate.yield.yielding_share(answer.after), 1);
+  for (const YieldState& state : answer.after) EXPECT_EQ(state.region, point.after.region);
   // Virtual work of a homogeneous field: area times S : Fᵀ δH.
   const Eigen::Vector3d second =
       log_strain_rate({green(0, 0), green(1, 1), 2 * green(0, 1)}).transpose() * point.stress.head<3>();
@@ -116,7 +119,7 @@ TEST(CoverYield, the_tangent_is_the_derivative_of_the_force) {
       WholeSystem system = system_of(plate);
       plate.yield.add_tangent(d0, before, d1, 0, system);
       const YieldStates after = plate.yield.answer(d0, before, d1).after;
-      EXPECT_GT(plate.yield.yielding_share(after), 0.3);
+      EXPECT_GT(yielding_share(after), 0.3);
       const Eigen::VectorXd way = scattered(count, 1, 2.1);
       constexpr double kStep = 1e-10;
       const CoverYield::Answer forth = plate.yield.answer(d0, before, d1 + kStep * way);

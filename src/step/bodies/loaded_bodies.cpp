@@ -44,14 +44,13 @@ LoadedBodies::LoadedBodies(const Continuum& continuum)
       ghost_pairs_(elastic_pairs(continuum_, basis_)),
       groups_(groups_of(basis_, ghost_pairs_, yield_)),
       loads_(basis_.function_count(), groups_),
-      springs_(basis_.function_count(), groups_),
-      ghost_(basis_.function_count(), groups_) {
+      stiffness_(basis_.function_count(), groups_) {
   add_cover_body_force(continuum_, basis_, loads_);
   for (const Traction& part : continuum_.tractions) add_traction(continuum_, basis_, part, loads_);
   for (const PointForce& force : continuum_.point_forces) add_point_force(basis_, force, loads_);
-  for (const PointSpring& spring : continuum_.point_springs) add_point_spring(basis_, spring, springs_);
-  held_.add_stiffness(springs_);
-  add_ghost_penalty(continuum_, basis_, ghost_pairs_, ghost_);
+  for (const PointSpring& spring : continuum_.point_springs) add_point_spring(basis_, spring, stiffness_);
+  held_.add_stiffness(stiffness_);
+  add_ghost_penalty(continuum_, basis_, ghost_pairs_, stiffness_);
   unbalanced_ = Eigen::VectorXd::Zero(2 * basis_.function_count());
 }
 
@@ -73,8 +72,8 @@ void LoadedBodies::begin(const LoadedState& start, const LoadedBodies* before) {
 LoadedBodies::Balance LoadedBodies::balance(const LoadedState& from, const Eigen::VectorXd& d, double share) const {
   Balance sum;
   sum.rock = yield_.answer(from.d, from.points, d);
-  const Eigen::VectorXd rock = sum.rock.force + elasticity_.force(d, d, 1) + ghost_.times(d);
-  const Eigen::VectorXd held = springs_.times(d) - held_.pull(share, d.size());
+  const Eigen::VectorXd rock = sum.rock.force + elasticity_.force(d, d, 1);
+  const Eigen::VectorXd held = stiffness_.times(d) - held_.pull(share, d.size());
   const Eigen::VectorXd loads = loads_.load() + (1 - share) * unbalanced_;
   sum.residual = rock + held - loads;
   sum.scale = std::max({rock.norm(), held.norm(), loads.norm(), scale_at_start_});
@@ -90,8 +89,7 @@ void LoadedBodies::put_tangent(const LoadedState& from, const Eigen::VectorXd& d
                                WholeSystem& tangent) const {
   tangent.clear();
   yield_.add_tangent(from.d, from.points, d, elastic_share, tangent);
-  SparseSystem symmetric = springs_;
-  symmetric.add_scaled(1, ghost_);
+  SparseSystem symmetric = stiffness_;
   elasticity_.add_static_tangent(d, 1, symmetric);
   tangent.add(symmetric);
 }

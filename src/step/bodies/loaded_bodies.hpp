@@ -24,8 +24,9 @@ struct LoadedState {
 /// The forces of a scene that were out of balance when it began, R0, are released in proportion: at the share s of the
 /// scene
 ///     r(d, s) = f(d) + K d - p(s) - F - (1 - s) R0,
-/// f of the rock, K and p of springs and held edges, F of the loads. Loads that are new in a scene grow with s, what is
-/// dug out gives way with s, and rock in balance under its initial stress stays where it is.
+/// f of the rock, K and p of springs, held edges and the ghost penalty of elastic rock, F of the loads. Loads that are
+/// new in a scene grow with s, what is dug out gives way with s, and rock in balance under its initial stress stays
+/// where it is.
 class LoadedBodies {
  public:
   explicit LoadedBodies(const Continuum& continuum);
@@ -70,9 +71,8 @@ class LoadedBodies {
   HeldEdges held_;
   std::vector<GhostPair> ghost_pairs_;  // of elements that stay elastic
   FunctionGroups groups_;
-  SparseSystem loads_;    // F alone
-  SparseSystem springs_;  // K: point springs and held edges
-  SparseSystem ghost_;
+  SparseSystem loads_;          // F alone
+  SparseSystem stiffness_;      // K
   Eigen::VectorXd unbalanced_;  // R0
   double scale_at_start_ = 0;
 };

@@ -62,7 +62,6 @@ std::optional<LoadedState> NewtonStatic::attempt(const LoadedState& from, const 
     for (int i = 0; i < kMostHalvings && !(next.residual.norm() <= (1 - kLeastFall * part) * before); ++i) {
       if (left(next) <= kBalanced) break;
       part /= 2;
-      ++rounds.halvings;
       next = bodies_->balance(from, d + part * increment, share);
     }
     d += part * increment;

@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,7 +14,6 @@ namespace keyblock {
 /// How a search went.
 struct NewtonRounds {
   std::vector<double> residuals;  ///< before each round and at the end, over the largest of the forces
-  int halvings = 0;               ///< of increments that left the residual too large
 
   int count() const { return static_cast<int>(residuals.size()) - 1; }
 };
@@ -23,8 +21,7 @@ struct NewtonRounds {
 /// The exact tangent in each round, by LU, for it need not be symmetric; an increment is halved while the residual does
 /// not fall by a tenth of what it promises (Armijo 1966). Where that fails, once more with a thousandth of the elastic
 /// stiffness in the tangent: in a corner of the surface the exact one has no inverse. A state with an element turned
-/// over is none. One object serves all steps of a scene: the order of
-/// elimination is found once.
+/// over is none. One object serves all steps of a scene: the order of elimination is found once.
 class NewtonStatic {
  public:
   explicit NewtonStatic(const LoadedBodies& bodies) : bodies_(&bodies), tangent_(bodies.tangent()) {}
