@@ -30,6 +30,7 @@ const std::vector<Column> kFlows{{"contact", [](const LedgerRow& r) { return r.s
                                  {"projection", [](const LedgerRow& r) { return r.flow.projection; }},
                                  {"geometric", [](const LedgerRow& r) { return r.flow.geometric; }},
                                  {"creep", [](const LedgerRow& r) { return r.flow.creep; }}};
+const std::vector<Column> kPlastic{{"plastic", [](const LedgerRow& r) { return r.flow.plastic; }}};
 const std::vector<Column> kChanges{{"change", [](const LedgerRow& r) { return r.flow.change; }}};
 const std::vector<Column> kMomentum{{"momentum_x", [](const LedgerRow& r) { return r.momentum.linear.x; }},
                                     {"momentum_y", [](const LedgerRow& r) { return r.momentum.linear.y; }},
@@ -53,6 +54,7 @@ std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start)
   std::vector<Column> columns = kStored;
   const auto append = [&](const std::vector<Column>& more) { columns.insert(columns.end(), more.begin(), more.end()); };
   if (scope.has_flows) append(kFlows);
+  if (scope.has_flows && scope.may_yield) append(kPlastic);
   if (scope.has_flows && scope.has_changes) append(kChanges);
   append(kMomentum);
   if (!scope.has_flows) return columns;

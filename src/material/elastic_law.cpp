@@ -94,17 +94,18 @@ Eigen::Matrix3d log_strain_curvature(const Eigen::Vector3d& green, const Eigen::
   return turn.transpose() * k * turn;
 }
 
-Eigen::Vector3d ElasticPoint::log_stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                                 double theta) const {
-  const Eigen::Vector3d log_from = log_strain(from);
-  const Eigen::Vector3d log_to = log_strain(to);
-  const Eigen::Vector3d stress = mean_stress(log_from, log_to, theta);
-  const Eigen::Vector3d at_mean = log_strain_rate((from + to) / 2).transpose() * stress;
+Eigen::Vector3d log_step_stress(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& mean) {
+  const Eigen::Vector3d at_mean = log_strain_rate((from + to) / 2).transpose() * mean;
   const Eigen::Vector3d change = to - from;
   const Eigen::Vector3d along(change(0), change(1), change(2) / 2);  // ΔE with its tensor shear
   const double size = change.dot(along);
   if (!(size > kNoStep)) return at_mean;
-  return at_mean + (stress.dot(log_to - log_from) - at_mean.dot(change)) / size * along;
+  return at_mean + (mean.dot(log_strain(to) - log_strain(from)) - at_mean.dot(change)) / size * along;
+}
+
+Eigen::Vector3d ElasticPoint::log_stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                                 double theta) const {
+  return log_step_stress(from, to, mean_stress(log_strain(from), log_strain(to), theta));
 }
 
 Eigen::Matrix3d ElasticPoint::stiffness(const Eigen::Vector3d& green) const {

@@ -61,6 +61,10 @@ Eigen::Matrix3d log_strain_rate(const Eigen::Vector3d& green);
 /// ∂(Pᵀ T)/∂E at fixed T, 3 × 3 symmetric.
 Eigen::Matrix3d log_strain_curvature(const Eigen::Vector3d& green, const Eigen::Vector3d& stress);
 
+/// S of a step from E0 to E1 whose work S · (E1 - E0) is `mean` · (ε1 - ε0), ε = ½ ln C and `mean` a stress that goes
+/// with it: Pᵀ T at the mean of both, corrected along E1 - E0 (Gonzalez 2000).
+Eigen::Vector3d log_step_stress(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& mean);
+
 inline double ElasticPoint::energy(const Eigen::Vector3d& green) const {
   const auto stored = [&](const Eigen::Vector3d& strain) { return strain.dot(initial + modulus * strain / 2); };
   return law == ElasticLaw::st_venant_kirchhoff ? stored(green) : stored(log_strain(green));

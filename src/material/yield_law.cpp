@@ -172,7 +172,7 @@ Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const Yi
   r.stress = modulus * strain;
   r.tangent = modulus;
   r.plastic.setZero();
-  r.after = {.elastic = strain, .kappa = before.kappa, .region = YieldRegion::elastic};
+  r.after = {.elastic = strain, .plastic = before.plastic, .kappa = before.kappa, .region = YieldRegion::elastic};
   r.stored = strain.dot(r.stress) / 2;
   const Axes axes(r.stress);
   const Eigen::Vector3d trial = axes.in_order();
@@ -193,6 +193,7 @@ Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const Yi
   r.after.elastic = law.elastic_strain(r.stress);
   r.after.region = back.region;
   r.plastic = strain - r.after.elastic;
+  r.after.plastic += r.plastic;
   r.stored = r.after.elastic.dot(r.stress) / 2;
   return r;
 }

@@ -25,6 +25,7 @@ struct YieldLaw {
 /// What a point remembers. Strains as (xx, yy, 2xy, zz).
 struct YieldState {
   Eigen::Vector4d elastic = Eigen::Vector4d::Zero();  ///< of an initial stress too
+  Eigen::Vector4d plastic = Eigen::Vector4d::Zero();  ///< since the start
   double kappa = 0;                                   ///< ∫ √(2/3) ‖dev dεᵖ‖
   YieldRegion region = YieldRegion::elastic;          ///< where the last increment ended
 };

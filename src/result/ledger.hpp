@@ -34,10 +34,11 @@ struct EnergyFlow {
   double closing = 0;  ///< normal forces times the gaps they closed; negative where they pushed an overlap apart
   double clean_up = 0;
   double rupture = 0;      ///< what bolts held that broke
+  double plastic = 0;      ///< stress at the end of steps times the plastic strain of rock that yields
   double algorithmic = 0;  ///< of the integrator and of its rule for contact springs
 
   double gained() const { return external + projection + geometric + creep + change; }
-  double lost() const { return friction + damping + impact + closing + clean_up + rupture + algorithmic; }
+  double lost() const { return friction + damping + impact + closing + clean_up + rupture + plastic + algorithmic; }
   EnergyFlow& operator+=(const EnergyFlow& other);
 };
 
@@ -73,6 +74,7 @@ struct LedgerScope {
   bool has_supports = true;  ///< momentum: true where held blocks push too
   Point centre;              ///< that angular momentum is taken about
   bool has_changes = false;  ///< the scene changes during the run
+  bool may_yield = false;    ///< some of its rock may yield
 };
 
 struct Ledger {

@@ -315,8 +315,8 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
   const Asked asked = as_asked(problem, profile, overrides);
-  require_readable_strengths(problem, asked.is_untouched);
   const Settings& settings = asked.choices.front().settings;
+  require_readable_strengths(problem, settings);
   Geometry geometry = geometry_of(asked.problem, settings);
   CutResult& cut = geometry.cut;
   Warnings warnings = joined(std::move(cut.warnings), asked.warnings);
@@ -324,7 +324,8 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   auto [scene, needs] = scenes_in(asked, geometry, warnings);
   warnings = joined(std::move(warnings), warnings_of_plan(problem, scene));
   warnings = joined(std::move(warnings), without_effect(problem, overrides, scene));
-  if (asked.is_untouched) warnings = joined(std::move(warnings), look_at_strengths(scene, problem.covers->place));
+  if (scene.model.continuum && problem.covers)
+    warnings = joined(std::move(warnings), look_at_strengths(scene, problem.covers->place));
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(warnings),

@@ -12,14 +12,13 @@
 
 namespace keyblock {
 
-void require_readable_strengths(const Problem& problem, bool is_untouched) {
-  if (is_untouched) return;
+void require_readable_strengths(const Problem& problem, const Settings& settings) {
+  if (settings.dynamics == Dynamics::standard && problem.covers) return;
   for (const BlockMaterial& material : problem.analysis->block_materials)
     if (material.strength)
-      throw InputError(
-          material.place,
-          "expected a strength in statics of profile standard, of bodies on covers that do not touch or with "
-          "contact ignored; found one in a run where rock stays elastic");
+      throw InputError(material.place,
+                       "expected a strength in a run of profile standard with bodies on covers; found one in a run "
+                       "where rock stays elastic");
 }
 
 Warnings look_at_strengths(const Scene& scene, const Place& place) {

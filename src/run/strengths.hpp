@@ -8,9 +8,9 @@
 
 namespace keyblock {
 
-/// Throws InputError where a material has a strength that a run of this problem would take no notice of: rock yields at
-/// rest, on covers, where bodies do not feel each other.
-void require_readable_strengths(const Problem& problem, bool is_untouched);
+/// Throws InputError where a material has a strength that a run would take no notice of: blocks do not yield, nor does
+/// anything under the rules of the old programs.
+void require_readable_strengths(const Problem& problem, const Settings& settings);
 
 /// What is to be said of the materials and the points of a scene that may yield. Throws InputError where softening by
 /// fracture energy would snap back within an element.

@@ -55,6 +55,10 @@ void describe(Archive& a, ConstraintMemory& constraints) {
            {constraints.point_forces.data(), static_cast<std::size_t>(constraints.point_forces.size())});
 }
 
+void describe_points(Archive& a, const char* name, std::vector<YieldState>& points) {
+  if (!points.empty()) a.table(name, points, [&](YieldState& point) { keyblock::describe(a, point); });
+}
+
 void describe(Archive& a, const char* name, UnknownsTable& table) {
   a.table(name, table, [&](Unknowns& unknowns) { describe(a, "unknowns", unknowns); });
   if (table.shared.size() > 0)
@@ -72,6 +76,13 @@ void describe(Archive& a, ClosedContacts& contacts, VertexIndex vertices) {
   if (a.is_restoring()) contacts = ClosedContacts(std::move(contacts.by_touch_));
 }
 
+void describe(Archive& a, YieldState& point) {
+  a.values("elastic", {point.elastic.data(), static_cast<std::size_t>(point.elastic.size())});
+  a.values("plastic", {point.plastic.data(), static_cast<std::size_t>(point.plastic.size())});
+  a.value("kappa", point.kappa);
+  a.choice("region", point.region, YieldRegion::tension);
+}
+
 void describe(Archive& a, Motion& motion, VertexIndex vertices) {
   describe(a, "q", motion.q);
   describe(a, "v", motion.v);
@@ -84,6 +95,8 @@ void describe(Archive& a, Motion& motion, VertexIndex vertices) {
   });
   a.group("ties", [&] { describe(a, motion.constraints); });
   if (motion.q.shared.size() > 0) a.value("given_up", motion.given_up);
+  describe_points(a, "points_of_blocks", motion.points.blocks);
+  describe_points(a, "points_of_covers", motion.points.covers);
 }
 
 }  // namespace keyblock

@@ -7,6 +7,9 @@
 
 namespace keyblock {
 
+/// What a point of rock that may yield remembers.
+void describe(Archive& archive, YieldState& point);
+
 /// Of a motion of the same scene, as `start_motion` makes it; contacts and bonds lie between `vertices`.
 void describe(Archive& archive, Motion& motion, VertexIndex vertices);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/continuum.hpp"
+#include "step/describe_memory.hpp"
 
 namespace keyblock {
 namespace {
@@ -120,14 +121,7 @@ std::variant<StepReport, StepFailure> LoadStepper::advance() {
 void LoadStepper::describe(Archive& archive) {
   archive.values("unknowns", {now_.d.data(), static_cast<std::size_t>(now_.d.size())});
   archive.values("speed", {speed_.data(), static_cast<std::size_t>(speed_.size())});
-  archive.table("points", now_.points, [&](YieldState& point) {
-    archive.value("strain_xx", point.elastic(0));
-    archive.value("strain_yy", point.elastic(1));
-    archive.value("strain_xy", point.elastic(2));
-    archive.value("strain_zz", point.elastic(3));
-    archive.value("kappa", point.kappa);
-    archive.choice("region", point.region, YieldRegion::tension);
-  });
+  archive.table("points", now_.points, [&](YieldState& point) { keyblock::describe(archive, point); });
   bodies_->describe(archive);
   archive.value("share", share_);
   archive.value("first_step", first_step_);

@@ -321,7 +321,7 @@ bool StandardStepper::is_at_rest(double share) const {
 }
 
 Stress StandardStepper::stress_at(ElementIndex e, Point start) const {
-  return scene_.groups.of(e).stress_at(scene_.parts(), e, motion_.q, start);
+  return scene_.groups.of(e).stress_at(scene_.parts(), e, motion_, start);
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance() {

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "geometry/quadrature.hpp"
@@ -21,10 +22,11 @@ Eigen::Vector4d vector_of(const Stress& s) {
 
 /// What the star of a cover adds up to.
 struct Gathered {
-  std::map<int, Eigen::Vector2d> gradients;  // ∫ λ ∇N of each function
-  double area = 0;                           // ∫ λ
-  Eigen::Vector4d initial = Eigen::Vector4d::Zero();
+  std::map<int, Eigen::Vector2d> gradients;           // ∫ λ ∇N of each function
+  double area = 0;                                    // ∫ λ
+  Eigen::Vector4d initial = Eigen::Vector4d::Zero();  // stress
   std::size_t law = 0;
+  int element = 0;
 };
 
 }  // namespace
@@ -53,6 +55,7 @@ void CoverYield::add_averaged(const Continuum& continuum, const CoverBasis& basi
         Gathered& cover = covers[shape.functions[static_cast<std::size_t>(i)]];
         const double weight = at.weight * values(i);
         cover.law = static_cast<std::size_t>(&continuum.material(e) - continuum.materials.data());
+        cover.element = e;
         cover.area += weight;
         cover.initial += weight * initial;
         for (Eigen::Index a = 0; a < values.size(); ++a) {
@@ -70,7 +73,8 @@ void CoverYield::add_averaged(const Continuum& continuum, const CoverBasis& basi
     YieldPoint& point = points_.emplace_back();
     point.area = sum.area;
     point.law = sum.law;
-    point.initial = sum.initial / sum.area;
+    point.element = sum.element;
+    point.initial = laws_[point.law].elastic_strain(sum.initial / sum.area);
     point.gradients.resize(2, static_cast<Eigen::Index>(sum.gradients.size()));
     for (const auto& [function, gradient] : sum.gradients) {
       point.gradients.col(static_cast<Eigen::Index>(point.functions.size())) = gradient / sum.area;
@@ -94,7 +98,8 @@ void CoverYield::add_of_elements(const Continuum& continuum, const CoverBasis& b
       YieldPoint& point = points_.emplace_back();
       point.area = at.weight;
       point.law = static_cast<std::size_t>(&material - continuum.materials.data());
-      point.initial = vector_of(continuum.initial_stress_at(e, at.at));
+      point.element = e;
+      point.initial = laws_[point.law].elastic_strain(vector_of(continuum.initial_stress_at(e, at.at)));
       point.gradients = shape.gradients(at.at);
       point.functions.assign(shape.functions.begin(), shape.functions.end());
     }
@@ -107,8 +112,7 @@ void CoverYield::add_groups(FunctionGroups& groups) const {
 
 YieldStates CoverYield::start() const {
   YieldStates states(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    states[i].elastic = laws_[points_[i].law].elastic_strain(points_[i].initial);
+  for (std::size_t i = 0; i < points_.size(); ++i) states[i].elastic = points_[i].initial;
   return states;
 }
 
@@ -119,45 +123,54 @@ Eigen::Matrix2d CoverYield::displacement_gradient(const YieldPoint& point, const
   return h;
 }
 
-Response CoverYield::respond_at(const YieldPoint& point, const Eigen::Vector3d& change,
-                                const YieldState& before) const {
-  const YieldLaw& law = laws_[point.law];
-  const double size = std::sqrt(point.area);
-  if (plane_ == Plane::stress) return respond_plane_stress(law, change, before, size);
-  return respond(law, {change(0), change(1), change(2), 0}, before, size);
+// Across the plane there is no strain, or no stress.
+YieldState CoverYield::as_at(const YieldPoint& point, const Eigen::Vector3d& log, const YieldState& state) const {
+  YieldState now = state;
+  now.elastic = point.initial - state.plastic;
+  now.elastic.head<3>() += log;
+  if (plane_ == Plane::stress) {
+    const double nu = laws_[point.law].poissons_ratio;
+    now.elastic(3) = -nu / (1 - nu) * (now.elastic(0) + now.elastic(1));
+  }
+  return now;
 }
 
-CoverYield::Answer CoverYield::answer(const Eigen::VectorXd& d0, const YieldStates& before,
-                                      const Eigen::VectorXd& d1) const {
-  Answer answer{Eigen::VectorXd::Zero(d1.size()), YieldStates(points_.size())};
+Response CoverYield::respond_at(const YieldPoint& point, const Eigen::Vector3d& log, const YieldState& before) const {
+  const YieldLaw& law = laws_[point.law];
+  const double size = std::sqrt(point.area);
+  const YieldState trial = as_at(point, log, before);
+  if (plane_ == Plane::stress) return respond_plane_stress(law, Eigen::Vector3d::Zero(), trial, size);
+  return respond(law, Eigen::Vector4d::Zero(), trial, size);
+}
+
+void CoverYield::add_force(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Vector3d& second,
+                           Eigen::VectorXd& force) const {
+  const Eigen::Matrix2d flux = point.area * f * stress_tensor(second);
+  for (std::size_t a = 0; a < point.functions.size(); ++a)
+    force.segment<2>(2 * point.functions[a]) += flux * point.gradients.col(static_cast<Eigen::Index>(a));
+}
+
+CoverYield::Answer CoverYield::answer(const Eigen::VectorXd& d, const YieldStates& before) const {
+  Answer answer{Eigen::VectorXd::Zero(d.size()), YieldStates(points_.size())};
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const YieldPoint& point = points_[i];
-    const Eigen::Matrix2d h = displacement_gradient(point, d1);
-    if (!((Eigen::Matrix2d::Identity() + h).determinant() > 0)) {
+    const Eigen::Matrix2d h = displacement_gradient(point, d);
+    const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + h;
+    if (!(f.determinant() > 0)) {
       answer.is_turned_over = true;
       return answer;
     }
     const Eigen::Vector3d green = green_strain(h);
-    const Response r =
-        respond_at(point, log_strain(green) - log_strain(green_strain(displacement_gradient(point, d0))), before[i]);
+    const Response r = respond_at(point, log_strain(green), before[i]);
     answer.after[i] = r.after;
-    const Eigen::Vector3d second = log_strain_rate(green).transpose() * r.stress.head<3>();
-    const Eigen::Matrix2d flux = point.area * (Eigen::Matrix2d::Identity() + h) * stress_tensor(second);
-    for (std::size_t a = 0; a < point.functions.size(); ++a)
-      answer.force.segment<2>(2 * point.functions[a]) += flux * point.gradients.col(static_cast<Eigen::Index>(a));
+    add_force(point, f, log_strain_rate(green).transpose() * r.stress.head<3>(), answer.force);
   }
   return answer;
 }
 
-// Bᵀ (Pᵀ D P + ∂Pᵀ T/∂E) B and ∇N · S ∇N.
-Eigen::MatrixXd CoverYield::tangent_at(const YieldPoint& point, const Eigen::Matrix2d& h,
-                                       const Response& response) const {
-  const Eigen::Vector3d green = green_strain(h);
-  const Eigen::Matrix3d rate = log_strain_rate(green);
-  const Eigen::Vector3d stress = response.stress.head<3>();
-  const Eigen::Matrix3d material =
-      rate.transpose() * response.tangent.topLeftCorner<3, 3>() * rate + log_strain_curvature(green, stress);
-  const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + h;
+// Bᵀ C B and ∇N · S ∇N.
+Eigen::MatrixXd CoverYield::tangent_at(const YieldPoint& point, const Eigen::Matrix2d& f,
+                                       const Eigen::Matrix3d& stiffness, const Eigen::Vector3d& second) {
   const auto n = static_cast<Eigen::Index>(point.functions.size());
   Eigen::Matrix3Xd b(3, 2 * n);
   for (Eigen::Index a = 0; a < n; ++a) {
@@ -165,8 +178,7 @@ Eigen::MatrixXd CoverYield::tangent_at(const YieldPoint& point, const Eigen::Mat
     for (Eigen::Index k = 0; k < 2; ++k)
       b.col(2 * a + k) << f(k, 0) * g(0), f(k, 1) * g(1), f(k, 0) * g(1) + f(k, 1) * g(0);
   }
-  Eigen::MatrixXd tangent = b.transpose() * (material * b);
-  const Eigen::Vector3d second = rate.transpose() * stress;
+  Eigen::MatrixXd tangent = b.transpose() * (stiffness * b);
   const Eigen::MatrixXd geometric = point.gradients.transpose() * (stress_tensor(second) * point.gradients);
   for (Eigen::Index a = 0; a < n; ++a)
     for (Eigen::Index c = 0; c < n; ++c) {
@@ -176,19 +188,106 @@ Eigen::MatrixXd CoverYield::tangent_at(const YieldPoint& point, const Eigen::Mat
   return point.area * tangent;
 }
 
-void CoverYield::add_tangent(const Eigen::VectorXd& d0, const YieldStates& before, const Eigen::VectorXd& d1,
-                             double elastic_share, WholeSystem& system) const {
+// C = Pᵀ D P + ∂Pᵀ T/∂E.
+void CoverYield::add_tangent(const Eigen::VectorXd& d, const YieldStates& before, double elastic_share,
+                             WholeSystem& system) const {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const YieldPoint& point = points_[i];
-    const Eigen::Matrix2d h = displacement_gradient(point, d1);
-    const Eigen::Vector3d change =
-        log_strain(green_strain(h)) - log_strain(green_strain(displacement_gradient(point, d0)));
-    Response response = respond_at(point, change, before[i]);
-    if (elastic_share > 0)
-      response.tangent.topLeftCorner<3, 3>() =
-          (1 - elastic_share) * response.tangent.topLeftCorner<3, 3>() + elastic_share * elastic_[point.law];
-    system.add_matrix(point.functions, tangent_at(point, h, response));
+    const Eigen::Matrix2d h = displacement_gradient(point, d);
+    const Eigen::Vector3d green = green_strain(h);
+    const Response response = respond_at(point, log_strain(green), before[i]);
+    const Eigen::Vector3d stress = response.stress.head<3>();
+    const Eigen::Matrix3d modulus =
+        (1 - elastic_share) * response.tangent.topLeftCorner<3, 3>() + elastic_share * elastic_[point.law];
+    const Eigen::Matrix3d rate = log_strain_rate(green);
+    system.add_matrix(
+        point.functions,
+        tangent_at(point, Eigen::Matrix2d::Identity() + h,
+                   rate.transpose() * modulus * rate + log_strain_curvature(green, stress), rate.transpose() * stress));
   }
+}
+
+double CoverYield::weight_of(const YieldPoint& point, const Way& way) const {
+  return way.theta + (way.more.empty() ? 0 : way.more[static_cast<std::size_t>(point.element)]);
+}
+
+// A stress of damping follows the strain, whatever of it is plastic.
+Eigen::Vector3d CoverYield::mean_stress(const YieldPoint& point, const Way& way, const Eigen::Vector3d& log0,
+                                        const Eigen::Vector3d& log1, const YieldState& before,
+                                        const Response& end) const {
+  const Eigen::Vector3d start = (laws_[point.law].modulus() * as_at(point, log0, before).elastic).head<3>();
+  Eigen::Vector3d stress = (1 - way.theta) * start + way.theta * end.stress.head<3>();
+  if (!way.more.empty())
+    stress += way.more[static_cast<std::size_t>(point.element)] * (elastic_[point.law] * (log1 - log0));
+  return stress;
+}
+
+Eigen::VectorXd CoverYield::force_of_step(const Way& way) const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(way.d1.size());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const YieldPoint& point = points_[i];
+    const Eigen::Matrix2d h0 = displacement_gradient(point, way.d0), h1 = displacement_gradient(point, way.d1);
+    if (!((Eigen::Matrix2d::Identity() + h1).determinant() > 0))
+      return Eigen::VectorXd::Constant(way.d1.size(), std::numeric_limits<double>::quiet_NaN());
+    const Eigen::Vector3d from = green_strain(h0), to = green_strain(h1);
+    const Eigen::Vector3d log0 = log_strain(from), log1 = log_strain(to);
+    const Response end = respond_at(point, log1, way.before[i]);
+    const Eigen::Vector3d stress = mean_stress(point, way, log0, log1, way.before[i], end);
+    add_force(point, Eigen::Matrix2d::Identity() + (h0 + h1) / 2, log_step_stress(from, to, stress), force);
+  }
+  return force;
+}
+
+// P is taken at the mean strain, which moves by half of what the end does.
+void CoverYield::add_tangent_of_step(const Way& way, SparseSystem& system) const {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const YieldPoint& point = points_[i];
+    const Eigen::Matrix2d h0 = displacement_gradient(point, way.d0), h1 = displacement_gradient(point, way.d1);
+    const Eigen::Vector3d from = green_strain(h0), to = green_strain(h1), mean = (from + to) / 2;
+    const Eigen::Vector3d log0 = log_strain(from), log1 = log_strain(to);
+    const Response end = respond_at(point, log1, way.before[i]);
+    const Eigen::Vector3d stress = mean_stress(point, way, log0, log1, way.before[i], end);
+    const Eigen::Matrix3d of_law = end.tangent.topLeftCorner<3, 3>();
+    const Eigen::Matrix3d modulus =
+        way.theta / 2 * (of_law + of_law.transpose()) + (weight_of(point, way) - way.theta) * elastic_[point.law];
+    const Eigen::Matrix3d rate = log_strain_rate(mean);
+    const Eigen::Matrix3d stiffness = rate.transpose() * modulus * rate + log_strain_curvature(mean, stress) / 2;
+    system.add_matrix(point.functions, tangent_at(point, Eigen::Matrix2d::Identity() + (h0 + h1) / 2, stiffness,
+                                                  log_step_stress(from, to, stress) / 2));
+  }
+}
+
+double CoverYield::damping_work(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1,
+                                std::span<const double> more) const {
+  double sum = 0;
+  for (const YieldPoint& point : points_) {
+    const Eigen::Vector3d change = log_strain(green_strain(displacement_gradient(point, d1))) -
+                                   log_strain(green_strain(displacement_gradient(point, d0)));
+    sum += point.area * more[static_cast<std::size_t>(point.element)] * change.dot(elastic_[point.law] * change);
+  }
+  return sum;
+}
+
+double CoverYield::stored(const Eigen::VectorXd& d, const YieldStates& states) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const YieldPoint& point = points_[i];
+    const Eigen::Vector3d log = log_strain(green_strain(displacement_gradient(point, d)));
+    const Eigen::Vector4d change = as_at(point, log, states[i]).elastic - point.initial;
+    sum += point.area * change.dot(laws_[point.law].modulus() * (point.initial + change / 2));
+  }
+  return sum;
+}
+
+double CoverYield::plastic_work(const Eigen::VectorXd& d, const YieldStates& before, const YieldStates& after) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const YieldPoint& point = points_[i];
+    const Eigen::Vector3d log = log_strain(green_strain(displacement_gradient(point, d)));
+    const Eigen::Vector4d stress = laws_[point.law].modulus() * as_at(point, log, after[i]).elastic;
+    sum += point.area * stress.dot(after[i].plastic - before[i].plastic);
+  }
+  return sum;
 }
 
 void CoverYield::carry(int element, const CoverYield& before, int was, const YieldStates& from,
@@ -196,6 +295,39 @@ void CoverYield::carry(int element, const CoverYield& before, int was, const Yie
   const std::vector<std::size_t>& to = of_element_[static_cast<std::size_t>(element)];
   const std::vector<std::size_t>& of = before.of_element_[static_cast<std::size_t>(was)];
   for (std::size_t i = 0; i < std::min(to.size(), of.size()); ++i) states[to[i]] = from[of[i]];
+}
+
+YieldStates CoverYield::gathered(std::span<const std::vector<Remembered>> of_elements) const {
+  YieldStates sums = start();
+  std::vector<double> areas(points_.size());
+  for (std::size_t e = 0; e < of_elements.size(); ++e)
+    for (const Remembered& part : of_elements[e])
+      for (const Share& share : shares(static_cast<int>(e), part.at)) {
+        const double weight = share.weight * part.area;
+        areas[share.point] += weight;
+        sums[share.point].plastic += weight * part.memory.plastic;
+        sums[share.point].kappa += weight * part.memory.kappa;
+      }
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!(areas[i] > 0)) continue;
+    sums[i].plastic /= areas[i];
+    sums[i].kappa /= areas[i];
+  }
+  return sums;
+}
+
+YieldState CoverYield::memory(const YieldStates& states, int element, Point at_start) const {
+  YieldState mean;
+  double most = 0;
+  for (const Share& share : shares(element, at_start)) {
+    const YieldState& state = states[share.point];
+    mean.elastic += share.weight * state.elastic;
+    mean.plastic += share.weight * state.plastic;
+    mean.kappa += share.weight * state.kappa;
+    if (share.weight > most) mean.region = state.region;
+    most = std::max(most, share.weight);
+  }
+  return mean;
 }
 
 std::vector<CoverYield::Share> CoverYield::shares(int element, Point at_start) const {
@@ -216,10 +348,11 @@ Stress CoverYield::stress(const Eigen::VectorXd& d, const YieldStates& states, i
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
   for (const Share& share : shares(element, at_start)) {
     const YieldPoint& point = points_[share.point];
-    const Eigen::Vector4d t = laws_[point.law].modulus() * states[share.point].elastic;
     const Eigen::Matrix2d h = displacement_gradient(point, d);
     const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + h;
-    const Eigen::Vector3d second = log_strain_rate(green_strain(h)).transpose() * t.head<3>();
+    const Eigen::Vector3d green = green_strain(h);
+    const Eigen::Vector4d t = laws_[point.law].modulus() * as_at(point, log_strain(green), states[share.point]).elastic;
+    const Eigen::Vector3d second = log_strain_rate(green).transpose() * t.head<3>();
     const Eigen::Matrix2d cauchy = f * stress_tensor(second) * f.transpose() / f.determinant();
     sum += share.weight * Eigen::Vector4d(cauchy(0, 0), cauchy(1, 1), cauchy(0, 1), t(3) / f.determinant());
   }

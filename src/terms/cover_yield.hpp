@@ -1,4 +1,4 @@
-// Rock on covers that may yield: points of integration with a memory, their forces and tangents under large strain.
+// Rock on covers that may yield: points of integration with a memory, their forces and tangents at rest and in a step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,8 @@
 
 namespace keyblock {
 
-/// The memories of all points of a CoverYield.
+/// The memories of all points of a CoverYield. Their elastic strain is what the strain at hand leaves of the plastic one
+/// (and of the initial stress), so that unknowns may be moved without them.
 using YieldStates = std::vector<YieldState>;
 
 /// Elements whose material has a strength. With constant functions a point is a physical cover, its gradient of
@@ -20,8 +21,8 @@ using YieldStates = std::vector<YieldState>;
 /// Liu et al. 2009): elements with gradients of their own lock when they flow at constant volume. With other functions
 /// points are those of integration of the elements.
 ///
-/// Strain is ½ ln C in the axes of the undeformed body, additive there (Miehe, Apel & Lambrecht 2002), and the law's
-/// increment that of the step; S = Pᵀ T with P = ∂(½ ln C)/∂E.
+/// Strain is ½ ln C in the axes of the undeformed body, additive there (Miehe, Apel & Lambrecht 2002); S = Pᵀ T with
+/// P = ∂(½ ln C)/∂E.
 class CoverYield {
  public:
   CoverYield(const Continuum& continuum, const CoverBasis& basis);
@@ -34,21 +35,59 @@ class CoverYield {
   /// Memories before any displacement: the elastic strain of the initial stress.
   YieldStates start() const;
 
-  /// Bodies at d1, when all points had the memories `before` at d0.
+  /// Bodies at rest at d, when all points had the memories `before`.
   struct Answer {
     Eigen::VectorXd force;  ///< ∫ ∇N · F S
     YieldStates after;
     bool is_turned_over = false;  ///< a point's area is none or less: ½ ln C does not tell it from its mirror image
   };
-  Answer answer(const Eigen::VectorXd& d0, const YieldStates& before, const Eigen::VectorXd& d1) const;
+  Answer answer(const Eigen::VectorXd& d, const YieldStates& before) const;
 
-  /// A += ∂force/∂d1; not symmetric where flow is not normal to the surface. `elastic_share`: of the elastic stiffness
+  /// A += ∂force/∂d; not symmetric where flow is not normal to the surface. `elastic_share`: of the elastic stiffness
   /// in place of as much of the law's tangent, for stress in a corner of the surface, which no strain changes.
-  void add_tangent(const Eigen::VectorXd& d0, const YieldStates& before, const Eigen::VectorXd& d1,
-                   double elastic_share, WholeSystem& system) const;
+  void add_tangent(const Eigen::VectorXd& d, const YieldStates& before, double elastic_share,
+                   WholeSystem& system) const;
+
+  /// A step from d0, where points have the memories `before`, to d1. `theta` as CoverElasticity has it, and `more` of
+  /// every element.
+  struct Way {
+    const Eigen::VectorXd& d0;
+    const YieldStates& before;
+    const Eigen::VectorXd& d1;
+    double theta = 1;
+    std::span<const double> more = {};
+  };
+  /// The force of a step, ∫ ∇N · S F_halfᵀ, whose work is (1 - θ) T0 · Δε + θ T1 · Δε, T0 the stress at d0, T1 that which
+  /// the law returns to at d1 (`step_stress`): the change of ½ εᵉ · D εᵉ, the plastic work, and a rest that vanishes
+  /// with the step. Not finite where a point is turned over.
+  Eigen::VectorXd force_of_step(const Way& way) const;
+  /// A += ∂force_of_step/∂d1, made symmetric, as CoverElasticity::add_tangent.
+  void add_tangent_of_step(const Way& way, SparseSystem& system) const;
+
+  /// Of the stress of damping, `more` D Δε, over a step.
+  double damping_work(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, std::span<const double> more) const;
+
+  /// Memories at d, of points that had those of `before`.
+  YieldStates after(const Eigen::VectorXd& d, const YieldStates& before) const { return answer(d, before).after; }
+  /// ∫ ½ εᵉ · D εᵉ less that of the initial stress.
+  double stored(const Eigen::VectorXd& d, const YieldStates& states) const;
+  /// ∫ T1 · Δεᵖ, by the stress at the end, which for associated flow is never negative.
+  double plastic_work(const Eigen::VectorXd& d, const YieldStates& before, const YieldStates& after) const;
 
   /// Puts into `states` the memories that an element had as the element `was` of `before`, of the same triangle.
   void carry(int element, const CoverYield& before, int was, const YieldStates& from, YieldStates& states) const;
+
+  /// What rock remembered at a point of an element, of which there is `area`.
+  struct Remembered {
+    Point at;
+    double area = 0;
+    YieldState memory;
+  };
+  /// The means of plastic strain and κ over points of every element, as a point's function weighs them: of the mesh
+  /// before, whatever it was.
+  YieldStates gathered(std::span<const std::vector<Remembered>> of_elements) const;
+  /// The mean at X, as `stress` has it; nothing of an element that cannot yield.
+  YieldState memory(const YieldStates& states, int element, Point at_start) const;
 
   /// Cauchy stress of an element at X: the mean of the covers' points, weighted by λ; else of the element's points.
   Stress stress(const Eigen::VectorXd& d, const YieldStates& states, int element, Point at_start) const;
@@ -61,7 +100,8 @@ class CoverYield {
     Eigen::Matrix2Xd gradients;  // of the functions
     double area = 0;
     std::size_t law = 0;      // in laws_
-    Eigen::Vector4d initial;  // stress xx, yy, xy, zz
+    int element = 0;          // one of its body
+    Eigen::Vector4d initial;  // elastic strain of the initial stress
   };
   /// A point of an element, and what of it goes into its mean at X.
   struct Share {
@@ -73,8 +113,16 @@ class CoverYield {
   void add_of_elements(const Continuum& continuum, const CoverBasis& basis);
   std::vector<Share> shares(int element, Point at_start) const;
   Eigen::Matrix2d displacement_gradient(const YieldPoint& point, const Eigen::VectorXd& d) const;
-  Response respond_at(const YieldPoint& point, const Eigen::Vector3d& log_change, const YieldState& before) const;
-  Eigen::MatrixXd tangent_at(const YieldPoint& point, const Eigen::Matrix2d& h, const Response& response) const;
+  YieldState as_at(const YieldPoint& point, const Eigen::Vector3d& log, const YieldState& state) const;
+  Response respond_at(const YieldPoint& point, const Eigen::Vector3d& log, const YieldState& before) const;
+  Eigen::Vector3d mean_stress(const YieldPoint& point, const Way& way, const Eigen::Vector3d& log0,
+                              const Eigen::Vector3d& log1, const YieldState& before, const Response& end) const;
+  double weight_of(const YieldPoint& point, const Way& way) const;
+  void add_force(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Vector3d& second,
+                 Eigen::VectorXd& force) const;
+  /// Of a point with the stress S and the stiffness ∂S/∂E at F.
+  static Eigen::MatrixXd tangent_at(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Matrix3d& stiffness,
+                                    const Eigen::Vector3d& second);
 
   CoverBasis basis_;
   Plane plane_;

@@ -59,6 +59,14 @@ std::vector<GhostPair> ghost_pairs(const Manifold& manifold, const CoverBasis& b
   return pairs;
 }
 
+std::vector<GhostPair> elastic_ghost_pairs(const Continuum& continuum, const CoverBasis& basis) {
+  std::vector<GhostPair> pairs = ghost_pairs(continuum.manifold, basis);
+  std::erase_if(pairs, [&](const GhostPair& pair) {
+    return continuum.material(pair.first).strength || continuum.material(pair.second).strength;
+  });
+  return pairs;
+}
+
 void add_ghost_penalty(const Continuum& continuum, const CoverBasis& basis, const std::vector<GhostPair>& pairs,
                        SparseSystem& system) {
   const Manifold& manifold = continuum.manifold;

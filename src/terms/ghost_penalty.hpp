@@ -16,6 +16,9 @@ struct GhostPair {
 
 std::vector<GhostPair> ghost_pairs(const Manifold& manifold, const CoverBasis& basis);
 
+/// Those whose elements both stay elastic: a penalty on yielding rock would not flow with it.
+std::vector<GhostPair> elastic_ghost_pairs(const Continuum& continuum, const CoverBasis& basis);
+
 /// K += γ M/h² ∫ (u₁ - u₂)·(v₁ - v₂) over both full triangles, u₁ and u₂ the polynomials of the two elements extended
 /// to both (Burman 2010; direct form: Preuss 2018, Lehrenfeld & Olshanskii 2019); M is the modulus against strain in
 /// one direction, γ that of `stabilisation`. It vanishes for every field that is one polynomial of the elements'

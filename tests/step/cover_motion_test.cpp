@@ -64,7 +64,7 @@ TEST(CoverMotion, free_fall_is_exact) {
     const Point at = bodies.elasticity.position(motion.q, 0, {0.5, 0.5});
     EXPECT_NEAR(at.x, 2.5, 1e-12) << name_of(functions);
     EXPECT_NEAR(at.y, 0.5 + 3 - 5, 1e-12);
-    EXPECT_LT(bodies.energy(motion.q), 1e-15 * 1e6);
+    EXPECT_LT(bodies.energy(motion.q, {}), 1e-15 * 1e6);
     EXPECT_NEAR(area_of(bodies, motion.q), 1, 1e-12);
   }
 }
@@ -91,7 +91,7 @@ Spin spin(CoverFunctions functions, double force_weight, int steps) {
     if (step % 100 != 0) continue;
     const RigidMotion now = bodies.rigid.motions(motion.q, motion.v)[0];
     const auto keep = [](double& most, double value) { most = std::max(most, std::abs(value)); };
-    keep(worst.energy, (now.kinetic_energy + bodies.energy(motion.q)) / start.kinetic_energy - 1);
+    keep(worst.energy, (now.kinetic_energy + bodies.energy(motion.q, {})) / start.kinetic_energy - 1);
     keep(worst.momentum, length(now.momentum - start.momentum) / std::sqrt(2 * start.mass * start.kinetic_energy));
     keep(worst.momentum, now.angular_momentum / start.angular_momentum - 1);
     keep(worst.area, area_of(bodies, motion.q) - 1);
@@ -132,7 +132,7 @@ TEST(CoverMotion, stiffness_damping_leaves_a_turning_body_alone) {
   CoverMotion motion = moving(bodies, {0, 0, 2});
   const Eigen::VectorXd no_load = Eigen::VectorXd::Zero(bodies.unknown_count());
   const auto energy = [&] {
-    return bodies.rigid.motions(motion.q, motion.v)[0].kinetic_energy + bodies.energy(motion.q);
+    return bodies.rigid.motions(motion.q, motion.v)[0].kinetic_energy + bodies.energy(motion.q, {});
   };
   const auto turn = [&](int steps) {
     for (int step = 0; step < steps; ++step) motion = cover_step(equations, motion, no_load, weighted(0.5, dt), dt).end;

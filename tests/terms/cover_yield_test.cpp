@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "geometry/quadrature.hpp"
 #include "step/bodies/elastic_bodies.hpp"
 #include "terms/cover_elasticity.hpp"
 #include "tests/support/continuum_scenes.hpp"
@@ -87,9 +88,8 @@ TEST(CoverYield, homogeneous_strain_has_the_stress_of_one_point) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
   Eigen::Matrix2d h;
   h << 2e-3, 1e-3, -1e-3, -8e-3;
-  const Eigen::VectorXd none = plate.homogeneous(Eigen::Matrix2d::Zero());
   const Eigen::VectorXd d = plate.homogeneous(h);
-  const CoverYield::Answer answer = plate.yield.answer(none, plate.yield.start(), d);
+  const CoverYield::Answer answer = plate.yield.answer(d, plate.yield.start());
   const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + h;
   const Eigen::Matrix2d green = (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
   const Eigen::Vector3d strain = log_strain({green(0, 0), green(1, 1), 2 * green(0, 1)});
@@ -115,15 +115,15 @@ TEST(CoverYield, the_tangent_is_the_derivative_of_the_force) {
       const Eigen::Index count = 2 * plate.basis.function_count();
       const Eigen::VectorXd d0 = scattered(count, 2e-5, 0.3);
       const Eigen::VectorXd d1 = d0 + scattered(count, 2e-4, 0.9);
-      const YieldStates before = plate.yield.answer(0 * d0, plate.yield.start(), d0).after;
+      const YieldStates before = plate.yield.after(d0, plate.yield.start());
       WholeSystem system = system_of(plate);
-      plate.yield.add_tangent(d0, before, d1, 0, system);
-      const YieldStates after = plate.yield.answer(d0, before, d1).after;
+      plate.yield.add_tangent(d1, before, 0, system);
+      const YieldStates after = plate.yield.after(d1, before);
       EXPECT_GT(yielding_share(after), 0.3);
       const Eigen::VectorXd way = scattered(count, 1, 2.1);
       constexpr double kStep = 1e-10;
-      const CoverYield::Answer forth = plate.yield.answer(d0, before, d1 + kStep * way);
-      const CoverYield::Answer back = plate.yield.answer(d0, before, d1 - kStep * way);
+      const CoverYield::Answer forth = plate.yield.answer(d1 + kStep * way, before);
+      const CoverYield::Answer back = plate.yield.answer(d1 - kStep * way, before);
       const Eigen::VectorXd difference = (forth.force - back.force) / (2 * kStep);
       EXPECT_LT((difference - system.matrix() * way).norm(), 1e-5 * difference.norm());
     }
@@ -133,9 +133,8 @@ TEST(CoverYield, a_body_that_turns_bears_nothing_and_turned_stress_turns_with_it
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 10), Plane::strain, {-500, -300, 200});
   Eigen::Matrix2d turn;
   turn << std::cos(1.0) - 1, -std::sin(1.0), std::sin(1.0), std::cos(1.0) - 1;
-  const Eigen::VectorXd none = plate.homogeneous(Eigen::Matrix2d::Zero());
   const Eigen::VectorXd d = plate.homogeneous(turn);
-  const CoverYield::Answer answer = plate.yield.answer(none, plate.yield.start(), d);
+  const CoverYield::Answer answer = plate.yield.answer(d, plate.yield.start());
   for (const YieldState& state : answer.after) EXPECT_EQ(state.region, YieldRegion::elastic);
   const Stress stress = plate.yield.stress(d, answer.after, 0, {0.1, 0.05});
   const Eigen::Matrix2d r = turn + Eigen::Matrix2d::Identity();
@@ -153,10 +152,122 @@ TEST(CoverYield, forces_add_up_to_nothing) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 0));
   const Eigen::Index count = 2 * plate.basis.function_count();
   const Eigen::VectorXd d = scattered(count, 3e-4, 0.4);
-  const Eigen::VectorXd force = plate.yield.answer(0 * d, plate.yield.start(), d).force;
+  const Eigen::VectorXd force = plate.yield.answer(d, plate.yield.start()).force;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (Eigen::Index f = 0; f < count / 2; ++f) sum += force.segment<2>(2 * f);
   EXPECT_LT(sum.norm(), 1e-12 * force.norm());
+}
+
+// The work of a step is the change of what is stored, the plastic work and what the weights of the step lose: an
+// identity, in any step, whatever turns and flows (Simo & Tarnow 1992, Gonzalez 2000).
+TEST(CoverYield, the_work_of_a_step_is_what_is_stored_and_what_flows) {
+  for (const double dilation : {30.0, 0.0})
+    for (const CoverFunctions functions : {CoverFunctions::constant, CoverFunctions::linear})
+      for (const Plane plane : {Plane::strain, Plane::stress}) {
+        const Plate plate(functions, friction(1000, 30, dilation), plane, {500, -300, 200});
+        const Eigen::Index count = 2 * plate.basis.function_count();
+        Eigen::Matrix2d turn;
+        turn << std::cos(0.4) - 1, -std::sin(0.4), std::sin(0.4), std::cos(0.4) - 1;
+        const Eigen::VectorXd d0 = scattered(count, 1e-4, 0.3);
+        Eigen::VectorXd d1 = d0 + scattered(count, 2e-4, 0.9);
+        if (functions == CoverFunctions::constant) d1 += plate.homogeneous(turn);
+        const YieldStates before = plate.yield.after(d0, plate.yield.start());
+        const YieldStates after = plate.yield.after(d1, before);
+        EXPECT_GT(yielding_share(after), 0.3);
+        const double work = plate.yield.force_of_step({d0, before, d1, 0.5}).dot(d1 - d0);
+        const double stored = plate.yield.stored(d1, after) - plate.yield.stored(d0, before);
+        const double plastic = plate.yield.plastic_work(d1, before, after);
+        EXPECT_GT(plastic, 0);
+        // Of the mean of both stresses ½ (T0 - T1) · Δεᵖ is left, which is what the end and the mean differ by.
+        const double end = plate.yield.force_of_step({d0, before, d1, 1}).dot(d1 - d0);
+        const double start = plate.yield.force_of_step({d0, before, d1, 0}).dot(d1 - d0);
+        EXPECT_NEAR(work, (start + end) / 2, 1e-12 * std::abs(work));
+        const double lost = work - stored - plastic;
+        EXPECT_LT(std::abs(lost), 0.5 * plastic);
+      }
+}
+
+// The rest of the identity vanishes with the step.
+TEST(CoverYield, what_a_step_loses_beside_plastic_work_is_of_second_order) {
+  const Plate plate(CoverFunctions::constant, friction(1000, 30, 0));
+  const Eigen::Index count = 2 * plate.basis.function_count();
+  const Eigen::VectorXd whole = scattered(count, 4e-4, 0.9);
+  std::vector<double> lost;
+  for (const int steps : {40, 80}) {
+    YieldStates states = plate.yield.start();
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+      const Eigen::VectorXd d0 = whole * i / steps, d1 = whole * (i + 1) / steps;
+      const YieldStates after = plate.yield.after(d1, states);
+      sum += plate.yield.force_of_step({d0, states, d1, 0.5}).dot(d1 - d0) -
+             (plate.yield.stored(d1, after) - plate.yield.stored(d0, states)) -
+             plate.yield.plastic_work(d1, states, after);
+      states = after;
+    }
+    lost.push_back(std::abs(sum));
+  }
+  EXPECT_LT(lost[1], 0.6 * lost[0]);
+}
+
+TEST(CoverYield, the_tangent_of_a_step_is_the_symmetric_part_of_its_derivative) {
+  const Plate plate(CoverFunctions::constant, friction(1000, 30, 30), Plane::strain, {500, -300, 200});
+  const Eigen::Index count = 2 * plate.basis.function_count();
+  const Eigen::VectorXd d0 = scattered(count, 2e-5, 0.3);
+  const Eigen::VectorXd d1 = d0 + scattered(count, 2e-4, 0.9);
+  const YieldStates before = plate.yield.after(d0, plate.yield.start());
+  FunctionGroups groups;
+  plate.yield.add_groups(groups);
+  SparseSystem system(plate.basis.function_count(), groups);
+  plate.yield.add_tangent_of_step({d0, before, d1, 0.5}, system);
+  const Eigen::VectorXd way = scattered(count, 1, 2.1);
+  constexpr double kStep = 1e-10;
+  const Eigen::VectorXd forth = d1 + kStep * way, back = d1 - kStep * way;
+  const double difference = way.dot(plate.yield.force_of_step({d0, before, forth, 0.5}) -
+                                    plate.yield.force_of_step({d0, before, back, 0.5})) /
+                            (2 * kStep);
+  EXPECT_NEAR(way.dot(system.times(way)), difference, 1e-3 * std::abs(difference));
+}
+
+TEST(CoverYield, forces_of_a_step_have_no_resultant_and_no_moment_about_the_mean_places) {
+  const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
+  const Eigen::Index count = 2 * plate.basis.function_count();
+  const Eigen::VectorXd d0 = scattered(count, 1e-4, 0.3), d1 = d0 + scattered(count, 3e-4, 0.4);
+  const Eigen::VectorXd force = plate.yield.force_of_step({d0, plate.yield.start(), d1, 0.5});
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double moment = 0;
+  for (Eigen::Index f = 0; f < count / 2; ++f) {
+    const auto& cover = plate.continuum.manifold.covers[static_cast<std::size_t>(f)];
+    const Point node = plate.continuum.manifold.mesh.nodes[static_cast<std::size_t>(cover.node)];
+    const Eigen::Vector2d place = Eigen::Vector2d(node.x, node.y) + (d0.segment<2>(2 * f) + d1.segment<2>(2 * f)) / 2;
+    sum += force.segment<2>(2 * f);
+    moment += place.x() * force(2 * f + 1) - place.y() * force(2 * f);
+  }
+  EXPECT_LT(sum.norm(), 1e-12 * force.norm());
+  EXPECT_LT(std::abs(moment), 1e-12 * force.norm());
+}
+
+// On the same mesh a memory comes back from points as it was where it is uniform, and its mean stays where it is not.
+TEST(CoverYield, memories_gathered_from_points_keep_their_mean) {
+  const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
+  const YieldStates states =
+      plate.yield.after(scattered(2 * plate.basis.function_count(), 3e-4, 0.4), plate.yield.start());
+  std::vector<std::vector<CoverYield::Remembered>> remembered;
+  Eigen::Vector4d before = Eigen::Vector4d::Zero();
+  for (int e = 0; e < plate.basis.element_count(); ++e) {
+    std::vector<CoverYield::Remembered>& of = remembered.emplace_back();
+    const auto loops = plate.continuum.manifold.polygon(plate.continuum.manifold.elements[static_cast<std::size_t>(e)]);
+    for (const AreaPoint& point : polygon_rule(loops, 2)) {
+      of.push_back({point.at, point.weight, plate.yield.memory(states, e, point.at)});
+      before += point.weight * of.back().memory.plastic;
+    }
+  }
+  const YieldStates after = plate.yield.gathered(remembered);
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (int e = 0; e < plate.basis.element_count(); ++e)
+    for (const CoverYield::Remembered& part : remembered[static_cast<std::size_t>(e)])
+      sum += part.area * plate.yield.memory(after, e, part.at).plastic;
+  EXPECT_GT(before.norm(), 0);
+  EXPECT_LT((sum - before).norm(), 1e-12 * before.norm());
 }
 
 TEST(CoverYield, rock_without_a_strength_is_left_to_its_elasticity) {

@@ -79,6 +79,7 @@ LedgerScope ChainStepper::ledger_scope() const {
   scope.has_flows = scope_.has_flows;
   scope.has_supports = scope.has_supports || scope_.has_supports;
   scope.has_changes = true;
+  scope.may_yield = scope.may_yield || scope_.may_yield;
   scope.centre = scope_.centre;
   return scope;
 }

@@ -29,6 +29,7 @@ void CoverEquations::begin(const CoverMotion& start, const Eigen::VectorXd& load
   if (weights_.strain_rate != 0)
     for (const double b : bodies_.stiffness_damping) of_strain_rate_.push_back(b / dt);
   start_ = start.q;
+  points_ = start.points;
   known_inertia_ = known(rule.inertia, start);
   if (bodies_.has_mass_damping) known_damping_ = known(rule.damping, start);
   load_ = load;
@@ -47,7 +48,9 @@ void CoverEquations::linearise(const Eigen::VectorXd& increment) {
   if (bodies_.has_mass_damping) tangent_.add_scaled(weights_.damping, bodies_.mass_damping);
   tangent_.add_scaled(weights_.force, bodies_.ghost);
   tangent_.add_scaled(weights_.force, bodies_.supports);
-  bodies_.elasticity.add_tangent(start_, start_ + increment, weights_.force, of_strain_rate_, 1, tangent_);
+  const Eigen::VectorXd end = start_ + increment;
+  bodies_.elasticity.add_tangent(start_, end, weights_.force, of_strain_rate_, 1, tangent_);
+  bodies_.yield.add_tangent_of_step(way_to(end), tangent_);
   is_factorised_ = false;
   factors_.factorise(tangent_);
   is_factorised_ = true;
@@ -61,14 +64,15 @@ void CoverEquations::evaluate(const Eigen::VectorXd& increment) {
   const Eigen::VectorXd end = start_ + increment;
   Eigen::VectorXd inertia = bodies_.mass.times(weights_.mass * increment + known_inertia_);
   if (bodies_.has_mass_damping) inertia += bodies_.mass_damping.times(weights_.damping * increment + known_damping_);
-  const Eigen::VectorXd resisting = bodies_.force(start_, end, weights_.force, of_strain_rate_);
+  const Eigen::VectorXd resisting = bodies_.force(way_to(end));
   residual_ = inertia + resisting - load_;
   force_scale_ = std::max({inertia.norm(), resisting.norm(), load_.norm()});
 }
 
 CoverMotion CoverEquations::end(const Eigen::VectorXd& increment) const {
   CoverMotion end{start_ + increment, rule_.end_velocity.increment * increment + known_velocity_,
-                  rule_.end_acceleration.increment * increment + known_acceleration_};
+                  rule_.end_acceleration.increment * increment + known_acceleration_, points_};
+  if (!bodies_.yield.is_empty()) end.points = bodies_.yield.after(end.q, points_);
   if (definiteness_of(bodies_.continuum.functions) == Definiteness::semidefinite) {
     end.v = solve(tangent_.times(end.v));
     end.a = solve(tangent_.times(end.a));

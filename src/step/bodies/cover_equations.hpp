@@ -11,11 +11,12 @@
 
 namespace keyblock {
 
-/// Unknowns, their velocities and accelerations.
+/// Unknowns, their velocities and accelerations, and what points of yielding rock remember.
 struct CoverMotion {
   Eigen::VectorXd q;
   Eigen::VectorXd v;
   Eigen::VectorXd a;
+  YieldStates points = {};
 };
 
 /// r(Δq) = M inertia + a M damping + f(q0, q0 + Δq; θ + b/dt) + ghost_force(q0, q0 + Δq; θ) + H (q0 + θ Δq) - F,
@@ -73,7 +74,12 @@ class CoverEquations {
   Weights weights_;
   Weights factor_weights_;
   bool is_factorised_ = false;
+  CoverYield::Way way_to(const Eigen::VectorXd& end) const {
+    return {start_, points_, end, weights_.force, of_strain_rate_};
+  }
+
   Eigen::VectorXd start_;  // q0
+  YieldStates points_;
   Eigen::VectorXd load_;
   Eigen::VectorXd known_velocity_;
   Eigen::VectorXd known_acceleration_;

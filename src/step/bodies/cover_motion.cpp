@@ -83,14 +83,17 @@ Eigen::VectorXd acceleration_at(const ElasticBodies& bodies, const Eigen::Vector
                                 const Eigen::VectorXd& load) {
   PartFactors factors(bodies.mass, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions));
   factors.factorise(bodies.mass);
-  const Eigen::VectorXd force = load - bodies.force(q) - bodies.mass_damping.times(v);
+  const Eigen::VectorXd force = load - bodies.force(q, bodies.yield.start()) - bodies.mass_damping.times(v);
   return factors.solve(force);
 }
 
 CoverEquilibrium cover_equilibrium(const ElasticBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& load) {
   SparseSystem tangent = bodies.mass;
   PartFactors factors(tangent, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions));
-  const auto residual_at = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd { return bodies.force(at) - load; };
+  const YieldStates points = bodies.yield.start();
+  const auto residual_at = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+    return bodies.force(at, points) - load;
+  };
   Eigen::VectorXd at = q;
   Eigen::VectorXd residual = residual_at(at);
   Rounds rounds(bodies.mass);

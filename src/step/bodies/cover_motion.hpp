@@ -26,7 +26,7 @@ CoverMotion rest(const ElasticBodies& bodies);
 Eigen::VectorXd acceleration_at(const ElasticBodies& bodies, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                 const Eigen::VectorXd& load);
 
-/// The static equilibrium under `load`, by Newton's method from q.
+/// The static equilibrium of elastic bodies under `load`, by Newton's method from q.
 struct CoverEquilibrium {
   Eigen::VectorXd q;
   int iterations = 0;

@@ -103,6 +103,7 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
   weight_ = bodies_.supports.load();
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(bodies_.unknown_count());
   initial_force_ = -bodies_.elasticity.force(still, still, 1);
+  if (!yield().is_empty()) initial_force_ -= yield().answer(still, yield().start()).force;
   for (const int material : bodies_.continuum.manifold.body_materials)
     carry_.push_back(settings.velocity_carry_over.of(material));
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(bodies_.unknown_count());
@@ -212,10 +213,11 @@ std::vector<std::pair<ElementIndex, double>> CoverScene::largest_forces(const Ei
   return largest;
 }
 
-double CoverScene::strain_loss(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double weight) const {
-  const Eigen::VectorXd way = to - from;
-  const Eigen::VectorXd force = bodies_.force(from, to, weight);
-  return force.dot(way) - (strain_energy(to) - strain_energy(from));
+CoverScene::StrainLoss CoverScene::strain_loss(const CoverYield::Way& way, const YieldStates& after) const {
+  const double work = bodies_.force(way).dot(way.d1 - way.d0);
+  const double lost = work - (strain_energy(way.d1, after) - strain_energy(way.d0, way.before));
+  const double plastic = yield().is_empty() ? 0 : yield().plastic_work(way.d1, way.before, after);
+  return {plastic, lost - plastic};
 }
 
 double CoverScene::damping_work(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& rate,
@@ -226,16 +228,19 @@ double CoverScene::damping_work(const Eigen::VectorXd& from, const Eigen::Vector
     std::vector<double> shares;
     for (const double b : bodies_.stiffness_damping) shares.push_back(b / dt);
     work = way.dot(bodies_.elasticity.force(from, to, 0, shares) - bodies_.elasticity.force(from, to, 0));
+    if (!yield().is_empty()) work += yield().damping_work(from, to, shares);
   }
   return bodies_.has_mass_damping ? work + way.dot(bodies_.mass_damping.times(rate)) : work;
 }
 
-Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d) const {
-  return bodies_.force(d);
+Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d, const YieldStates& points) const {
+  return bodies_.force(d, points);
 }
 
-Stress CoverScene::stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const {
-  return bodies_.elasticity.stress(d, e.value - first_.value, start);
+Stress CoverScene::stress(ElementIndex e, const Eigen::VectorXd& d, const YieldStates& points, Point start) const {
+  const int element = e.value - first_.value;
+  return bodies_.continuum.material(element).strength ? yield().stress(d, points, element, start)
+                                                      : bodies_.elasticity.stress(d, element, start);
 }
 
 bool CoverScene::has_supports() const {

@@ -45,6 +45,7 @@ class CoverScene {
 
   const Continuum& continuum() const { return bodies_.continuum; }
   const CoverBasis& basis() const { return bodies_.basis(); }
+  const CoverYield& yield() const { return bodies_.yield; }
   /// A turning of a body about a point, 1 rad per time, at positions d; nothing of other bodies.
   Eigen::VectorXd turning(int body, const Eigen::VectorXd& d, Point centre) const;
   /// The bodies at d, with the resultants of `forces`.
@@ -58,17 +59,23 @@ class CoverScene {
   std::vector<std::pair<ElementIndex, double>> largest_forces(const Eigen::VectorXd& forces) const;
 
   double kinetic_energy(const Eigen::VectorXd& v) const { return v.dot(momentum(v)) / 2; }
-  double strain_energy(const Eigen::VectorXd& d) const { return bodies_.energy(d); }
-  /// What the elastic force of a step takes beyond the change of strain energy, (κ − ½) ∫ ΔE : D : ΔE.
-  double strain_loss(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double stiffness_weight) const;
+  double strain_energy(const Eigen::VectorXd& d, const YieldStates& points) const { return bodies_.energy(d, points); }
+  /// What the force of the rock takes in a step beyond the change of strain energy, to points with the memories
+  /// `after`: of plastic flow, and (κ − ½) ∫ ΔE : D : ΔE or what comes with it where rock flows.
+  struct StrainLoss {
+    double plastic = 0;
+    double algorithmic = 0;
+  };
+  StrainLoss strain_loss(const CoverYield::Way& way, const YieldStates& after) const;
   /// Of damping over a step: a M against `rate`, and b against the mean rate of strain.
   double damping_work(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& rate,
                       double dt) const;
-  Eigen::VectorXd elastic_force(const Eigen::VectorXd& d) const;  ///< ∂U/∂d
+  /// Of the rock at rest; ∂U/∂d where it does not flow.
+  Eigen::VectorXd elastic_force(const Eigen::VectorXd& d, const YieldStates& points) const;
   /// Against v at rest from strain: a M v.
   Eigen::VectorXd damping_force(const Eigen::VectorXd& v) const { return bodies_.mass_damping.times(v); }
 
-  Stress stress(ElementIndex e, const Eigen::VectorXd& d, Point start) const;
+  Stress stress(ElementIndex e, const Eigen::VectorXd& d, const YieldStates& points, Point start) const;
   double rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const;  ///< of the polar decomposition, rad
   /// Of the point that lay at `start`, and the turning there, half the curl: length and rad, per time.
   Velocity velocity(ElementIndex e, const Eigen::VectorXd& d, const Eigen::VectorXd& v, Point start) const;

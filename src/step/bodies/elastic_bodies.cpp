@@ -14,24 +14,26 @@
 namespace keyblock {
 namespace {
 
-SparseSystem empty_system(const Continuum& continuum, const CoverBasis& basis) {
-  return {basis.function_count(), coupled_functions(basis, ghost_pairs(continuum.manifold, basis))};
+SparseSystem empty_system(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
+  FunctionGroups groups = coupled_functions(basis, elastic_ghost_pairs(continuum, basis));
+  yield.add_groups(groups);
+  return {basis.function_count(), groups};
 }
 
-SparseSystem mass_of(const Continuum& continuum, const CoverBasis& basis) {
-  SparseSystem mass = empty_system(continuum, basis);
+SparseSystem mass_of(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
+  SparseSystem mass = empty_system(continuum, basis, yield);
   add_cover_mass(continuum, basis, mass);
   return mass;
 }
 
-SparseSystem ghost_of(const Continuum& continuum, const CoverBasis& basis) {
-  SparseSystem ghost = empty_system(continuum, basis);
-  add_ghost_penalty(continuum, basis, ghost_pairs(continuum.manifold, basis), ghost);
+SparseSystem ghost_of(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
+  SparseSystem ghost = empty_system(continuum, basis, yield);
+  add_ghost_penalty(continuum, basis, elastic_ghost_pairs(continuum, basis), ghost);
   return ghost;
 }
 
-SparseSystem supports_of(const Continuum& continuum, const CoverBasis& basis) {
-  SparseSystem supports = empty_system(continuum, basis);
+SparseSystem supports_of(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
+  SparseSystem supports = empty_system(continuum, basis, yield);
   add_supports_and_loads(continuum, basis, supports);
   return supports;
 }
@@ -45,11 +47,12 @@ bool damps(const std::vector<double>& of_bodies) {
 ElasticBodies::ElasticBodies(Continuum with_loads, const CoverDamping& damping)
     : continuum(std::move(with_loads)),
       elasticity(continuum, CoverBasis(continuum.manifold, continuum.functions)),
-      mass(mass_of(continuum, basis())),
+      yield(continuum, basis()),
+      mass(mass_of(continuum, basis(), yield)),
       mass_damping(mass),
       has_mass_damping(damps(damping.mass)),
-      ghost(ghost_of(continuum, basis())),
-      supports(supports_of(continuum, basis())),
+      ghost(ghost_of(continuum, basis(), yield)),
+      supports(supports_of(continuum, basis(), yield)),
       rigid(continuum.manifold, basis(), mass) {
   mass_damping.clear();
   if (has_mass_damping) {
@@ -63,14 +66,21 @@ ElasticBodies::ElasticBodies(Continuum with_loads, const CoverDamping& damping)
       stiffness_damping.push_back(damping.stiffness[static_cast<std::size_t>(element.body)]);
 }
 
-Eigen::VectorXd ElasticBodies::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta,
-                                     std::span<const double> more) const {
-  return elasticity.force(d0, d1, theta, more) + ghost_force(ghost, rigid.functions(), d0, d1, theta) +
-         supports.times(d0 + theta * (d1 - d0));
+Eigen::VectorXd ElasticBodies::force(const CoverYield::Way& way) const {
+  Eigen::VectorXd sum = elasticity.force(way.d0, way.d1, way.theta, way.more) +
+                        ghost_force(ghost, rigid.functions(), way.d0, way.d1, way.theta) +
+                        supports.times(way.d0 + way.theta * (way.d1 - way.d0));
+  if (!yield.is_empty()) sum += yield.force_of_step(way);
+  return sum;
 }
 
-double ElasticBodies::energy(const Eigen::VectorXd& d) const {
-  return elasticity.energy(d) + d.dot(ghost.times(d) + supports.times(d)) / 2;
+Eigen::VectorXd ElasticBodies::force(const Eigen::VectorXd& d, const YieldStates& points) const {
+  return force({d, points, d});
+}
+
+double ElasticBodies::energy(const Eigen::VectorXd& d, const YieldStates& points) const {
+  const double elastic = elasticity.energy(d) + d.dot(ghost.times(d) + supports.times(d)) / 2;
+  return yield.is_empty() ? elastic : elastic + yield.stored(d, points);
 }
 
 }  // namespace keyblock

@@ -6,6 +6,7 @@
 #include "system/sparse_system.hpp"
 #include "terms/cover_elasticity.hpp"
 #include "terms/cover_rigid_motion.hpp"
+#include "terms/cover_yield.hpp"
 
 namespace keyblock {
 
@@ -19,6 +20,7 @@ struct CoverDamping {
 struct ElasticBodies {
   Continuum continuum;
   CoverElasticity elasticity;
+  CoverYield yield;           ///< empty where nothing may yield
   SparseSystem mass;          ///< M; its groups are those of every matrix here
   SparseSystem mass_damping;  ///< a M, with a of each body
   bool has_mass_damping = false;
@@ -36,14 +38,13 @@ struct ElasticBodies {
 
   const CoverBasis& basis() const { return elasticity.basis(); }
   int unknown_count() const { return 2 * basis().function_count(); }
-  /// What resists the way from d0 to d1 at the weight θ: elastic force, with θ + `more`[e] in element e, ghost_force,
-  /// and H (d0 + θ (d1 - d0)).
-  Eigen::VectorXd force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double theta,
-                        std::span<const double> more = {}) const;
-  /// At rest: the gradient of the energy.
-  Eigen::VectorXd force(const Eigen::VectorXd& d) const { return force(d, d, 1); }
-  /// Elastic energy, ½ dᵀ G d and ½ dᵀ H d.
-  double energy(const Eigen::VectorXd& d) const;
+  /// What resists the way from d0, where yielding rock has the memories `before`, to d1 at the weight θ: the force of
+  /// the rock, with θ + `more`[e] in element e, ghost_force, and H (d0 + θ (d1 - d0)).
+  Eigen::VectorXd force(const CoverYield::Way& way) const;
+  /// At rest: the gradient of the energy, as long as rock does not flow.
+  Eigen::VectorXd force(const Eigen::VectorXd& d, const YieldStates& points) const;
+  /// Of elasticity, ½ dᵀ G d and ½ dᵀ H d.
+  double energy(const Eigen::VectorXd& d, const YieldStates& points) const;
 };
 
 }  // namespace keyblock

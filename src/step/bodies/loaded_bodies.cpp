@@ -13,15 +13,6 @@
 namespace keyblock {
 namespace {
 
-/// Those whose elements both stay elastic: a penalty on yielding rock would not flow with it.
-std::vector<GhostPair> elastic_pairs(const Continuum& continuum, const CoverBasis& basis) {
-  std::vector<GhostPair> pairs = ghost_pairs(continuum.manifold, basis);
-  std::erase_if(pairs, [&](const GhostPair& pair) {
-    return continuum.material(pair.first).strength || continuum.material(pair.second).strength;
-  });
-  return pairs;
-}
-
 FunctionGroups groups_of(const CoverBasis& basis, const std::vector<GhostPair>& pairs, const CoverYield& yield) {
   FunctionGroups groups = coupled_functions(basis, pairs);
   yield.add_groups(groups);
@@ -41,7 +32,7 @@ LoadedBodies::LoadedBodies(const Continuum& continuum)
       elasticity_(continuum_, basis_),
       yield_(continuum_, basis_),
       held_(continuum_, basis_),
-      ghost_pairs_(elastic_pairs(continuum_, basis_)),
+      ghost_pairs_(elastic_ghost_pairs(continuum_, basis_)),
       groups_(groups_of(basis_, ghost_pairs_, yield_)),
       loads_(basis_.function_count(), groups_),
       stiffness_(basis_.function_count(), groups_) {
@@ -71,7 +62,7 @@ void LoadedBodies::begin(const LoadedState& start, const LoadedBodies* before) {
 
 LoadedBodies::Balance LoadedBodies::balance(const LoadedState& from, const Eigen::VectorXd& d, double share) const {
   Balance sum;
-  sum.rock = yield_.answer(from.d, from.points, d);
+  sum.rock = yield_.answer(d, from.points);
   const Eigen::VectorXd rock = sum.rock.force + elasticity_.force(d, d, 1);
   const Eigen::VectorXd held = stiffness_.times(d) - held_.pull(share, d.size());
   const Eigen::VectorXd loads = loads_.load() + (1 - share) * unbalanced_;
@@ -88,7 +79,7 @@ WholeSystem LoadedBodies::tangent() const {
 void LoadedBodies::put_tangent(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share,
                                WholeSystem& tangent) const {
   tangent.clear();
-  yield_.add_tangent(from.d, from.points, d, elastic_share, tangent);
+  yield_.add_tangent(d, from.points, elastic_share, tangent);
   SparseSystem symmetric = stiffness_;
   elasticity_.add_static_tangent(d, 1, symmetric);
   tangent.add(symmetric);

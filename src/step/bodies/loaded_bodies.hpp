@@ -47,7 +47,7 @@ class LoadedBodies {
     double scale = 0;  ///< norm of the largest of the forces that make it up, or that were there when the scene began
     CoverYield::Answer rock;
   };
-  /// At d, where the points had the memories of `from` at its d.
+  /// At d, where the points have the memories of `from`.
   Balance balance(const LoadedState& from, const Eigen::VectorXd& d, double share) const;
 
   /// A matrix for tangents, and ∂r/∂d put into it.

@@ -153,7 +153,8 @@ double BlockGroup::kinetic_energy(const UnknownsTable& v) const {
   return energy;
 }
 
-void BlockGroup::add_stored(const UnknownsTable& q, StoredEnergy& stored) const {
+void BlockGroup::add_stored(const BodiesMotion& motion, StoredEnergy& stored) const {
+  const UnknownsTable& q = motion.q;
   for (ElementIndex e : indices(q)) {
     const Body& body = bodies_[e];
     if (body.mass.rows() == 0) continue;
@@ -179,12 +180,12 @@ void BlockGroup::add_flow(const BodiesStep& step, EnergyFlow& flow) const {
   }
 }
 
-void BlockGroup::add_acceleration(const UnknownsTable& loads, const UnknownsTable& q, const UnknownsTable& v,
+void BlockGroup::add_acceleration(const UnknownsTable& loads, const BodiesMotion& motion,
                                   const Flexibility& mass_inverse, UnknownsTable& a) const {
   for (ElementIndex e : indices(a)) {
     const Body& body = bodies_[e];
-    a[e] +=
-        mass_inverse.blocks[e] * (loads[e] + body.initial_stress - body.elastic_force(q[e]) - body.damping_force(v[e]));
+    a[e] += mass_inverse.blocks[e] *
+            (loads[e] + body.initial_stress - body.elastic_force(motion.q[e]) - body.damping_force(motion.v[e]));
   }
 }
 
@@ -292,13 +293,13 @@ ElementState BlockGroup::state_of(const SceneParts& scene, ElementIndex e, const
           placed.moments,
           motion.v[e],
           Unknowns::Zero(q.size()),
-          stress_at(scene, e, motion.q, {}),
+          stress_at(scene, e, motion, {}),
           angle_of(basis, q)};
 }
 
-Stress BlockGroup::stress_at(const SceneParts& scene, ElementIndex e, const UnknownsTable& q, Point) const {
-  const double angle = angle_of(*scene.model.elements[e].basis, q[e]);
-  return turned(block_stress(scene.model, e, scene.reference, scene.settings, q[e]), angle);
+Stress BlockGroup::stress_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion, Point) const {
+  const double angle = angle_of(*scene.model.elements[e].basis, motion.q[e]);
+  return turned(block_stress(scene.model, e, scene.reference, scene.settings, motion.q[e]), angle);
 }
 
 // The velocity is that which the mass of the block has, whose points lie where they would without strain.

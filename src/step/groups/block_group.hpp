@@ -21,6 +21,7 @@ class BlockGroup final : public BodyGroup {
   bool has_supports() const override;
   bool is_supported(ElementIndex) const override { return false; }
   bool is_linear() const override { return true; }
+  bool may_yield() const override { return false; }
   bool resolves_impacts() const override { return false; }
   bool takes_holes() const override { return true; }
   bool has_compatible_start() const override { return true; }
@@ -38,10 +39,10 @@ class BlockGroup final : public BodyGroup {
   void put_mass_inverse(Flexibility& flexibility) const override;
   void put_momentum(const UnknownsTable& v, UnknownsTable& momentum) const override;
   double kinetic_energy(const UnknownsTable& v) const override;
-  void add_stored(const UnknownsTable& q, StoredEnergy& stored) const override;
+  void add_stored(const BodiesMotion& motion, StoredEnergy& stored) const override;
   void add_flow(const BodiesStep& step, EnergyFlow& flow) const override;
-  void add_acceleration(const UnknownsTable& loads, const UnknownsTable& q, const UnknownsTable& v,
-                        const Flexibility& mass_inverse, UnknownsTable& a) const override;
+  void add_acceleration(const UnknownsTable& loads, const BodiesMotion& motion, const Flexibility& mass_inverse,
+                        UnknownsTable& a) const override;
   double largest_momentum(const UnknownsTable& v) const override;
   double largest_load(const UnknownsTable& loads) const override;
   void look_at_forces(const UnknownsTable& a, const SeenForce& seen) const override;
@@ -57,10 +58,11 @@ class BlockGroup final : public BodyGroup {
 
   ElementState state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                         const Placement& placed) const override;
-  Stress stress_at(const SceneParts& scene, ElementIndex e, const UnknownsTable& q, Point start) const override;
+  Stress stress_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion, Point start) const override;
   std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
                                      std::span<const std::vector<Point>> region, int degree,
                                      const BodiesMotion& motion) const override;
+  YieldState memory_at(ElementIndex, const BodiesMotion&, Point) const override { return {}; }
   void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
 
  private:

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/rows/contact_row.hpp"
+#include "material/yield_law.hpp"
 #include "model/state.hpp"
 #include "result/ledger.hpp"
 #include "settings/standard_choices.hpp"
@@ -20,11 +21,18 @@
 
 namespace keyblock {
 
-/// Unknowns of all bodies of a scene, their velocities and accelerations.
+/// What points of rock that may yield remember; empty where nothing may.
+struct PointMemories {
+  std::vector<YieldState> blocks;  ///< one an element
+  std::vector<YieldState> covers;  ///< in the order of CoverYield
+};
+
+/// Unknowns of all bodies of a scene, their velocities and accelerations, and what their points remember.
 struct BodiesMotion {
   UnknownsTable q;
   UnknownsTable v;
   UnknownsTable a;
+  PointMemories points = {};
 };
 
 /// Largest force on a body, and largest acceleration it gives a free one.
@@ -71,11 +79,12 @@ struct BodiesBefore {
 /// An accepted step as its bodies saw it.
 struct BodiesStep {
   const BodiesMotion& start;
-  const UnknownsTable& q;      ///< at the end of the smooth motion
-  const UnknownsTable& v;      ///< of the smooth motion
-  const UnknownsTable& a;      ///< of the smooth motion
-  const UnknownsTable& end;    ///< unknowns after what overlaps were removed
-  const UnknownsTable& loads;  ///< weight included
+  const UnknownsTable& q;       ///< at the end of the smooth motion
+  const UnknownsTable& v;       ///< of the smooth motion
+  const UnknownsTable& a;       ///< of the smooth motion
+  const UnknownsTable& end;     ///< unknowns after what overlaps were removed
+  const PointMemories& points;  ///< at the end
+  const UnknownsTable& loads;   ///< weight included
   const StepRule& rule;
   double dt = 0;
 };
@@ -97,8 +106,9 @@ class EstimatedStep {
   virtual bool linearise(const UnknownsTable& estimate, FreeStep& step) = 0;
   /// Puts the increments about an estimate, with the A⁻¹ of before.
   virtual void evaluate(const UnknownsTable& estimate, FreeStep& step) = 0;
-  /// Velocities and accelerations of increments that solve the equations.
-  virtual void put_end(const UnknownsTable& increments, UnknownsTable& v, UnknownsTable& a) const = 0;
+  /// Velocities, accelerations and memories of points of increments that solve the equations.
+  virtual void put_end(const UnknownsTable& increments, UnknownsTable& v, UnknownsTable& a,
+                       PointMemories& points) const = 0;
 };
 
 /// All bodies of a scene that have unknowns of one kind. A group reads and writes its own part of a table of unknowns;
@@ -119,6 +129,8 @@ class BodyGroup {
   virtual bool is_supported(ElementIndex e) const = 0;
   /// Whether the equations of a step are linear in the increments.
   virtual bool is_linear() const = 0;
+  /// Whether some of the rock may yield: the equations of a step then have kinks.
+  virtual bool may_yield() const = 0;
   /// Whether a step resolves how an impact goes on: the inertia near the contact takes part in it, and the rebound is
   /// that of elasticity. Otherwise bodies jump apart as wholes, by a restitution.
   virtual bool resolves_impacts() const = 0;
@@ -150,11 +162,11 @@ class BodyGroup {
   virtual void put_mass_inverse(Flexibility& flexibility) const = 0;
   virtual void put_momentum(const UnknownsTable& v, UnknownsTable& momentum) const = 0;  ///< M v
   virtual double kinetic_energy(const UnknownsTable& v) const = 0;
-  virtual void add_stored(const UnknownsTable& q, StoredEnergy& stored) const = 0;
+  virtual void add_stored(const BodiesMotion& motion, StoredEnergy& stored) const = 0;
   virtual void add_flow(const BodiesStep& step, EnergyFlow& flow) const = 0;
   /// M⁻¹ times loads less elastic and damping forces.
-  virtual void add_acceleration(const UnknownsTable& loads, const UnknownsTable& q, const UnknownsTable& v,
-                                const Flexibility& mass_inverse, UnknownsTable& a) const = 0;
+  virtual void add_acceleration(const UnknownsTable& loads, const BodiesMotion& motion, const Flexibility& mass_inverse,
+                                UnknownsTable& a) const = 0;
   /// Of a body.
   virtual double largest_momentum(const UnknownsTable& v) const = 0;
   /// Of a body, initial stress included.
@@ -185,13 +197,15 @@ class BodyGroup {
   virtual ElementState state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                                 const Placement& placed) const = 0;
   /// At the point that lay at `start`.
-  virtual Stress stress_at(const SceneParts& scene, ElementIndex e, const UnknownsTable& q, Point start) const = 0;
+  virtual Stress stress_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion, Point start) const = 0;
   /// A motion of the body of an element over a region of the start, by points that integrate the products of its fields
   /// with each other, and with a polynomial of `degree`, to round-off.
   virtual std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
                                              std::span<const std::vector<Point>> region, int degree,
                                              const BodiesMotion& motion) const = 0;
-  /// Puts unknowns and velocities as the bodies before had them.
+  /// What rock remembers at the point that lay at `start`; nothing where it cannot yield.
+  virtual YieldState memory_at(ElementIndex e, const BodiesMotion& motion, Point start) const = 0;
+  /// Puts unknowns, velocities and memories as the bodies before had them.
   virtual void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const = 0;
 };
 

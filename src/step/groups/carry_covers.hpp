@@ -15,6 +15,7 @@ namespace keyblock {
 struct CarriedCovers {
   Eigen::VectorXd d;
   Eigen::VectorXd v;
+  YieldStates points = {};  ///< of rock that may yield, where they are carried by points
 };
 
 /// The fields of the bodies before, projected by mass onto the functions of the bodies after: M d = ∫ ρ Tᵀ u. The

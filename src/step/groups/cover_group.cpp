@@ -31,10 +31,12 @@ class CoverStep final : public EstimatedStep {
     step.increments.shared = equations_.free_increment();
   }
 
-  void put_end(const UnknownsTable& increments, UnknownsTable& v, UnknownsTable& a) const override {
+  void put_end(const UnknownsTable& increments, UnknownsTable& v, UnknownsTable& a,
+               PointMemories& points) const override {
     CoverMotion end = equations_.end(increments.shared);
     v.shared = std::move(end.v);
     a.shared = std::move(end.a);
+    points.covers = std::move(end.points);
   }
 
  private:
@@ -59,6 +61,7 @@ void CoverGroup::add_to(MassRange& range, double) const {
 void CoverGroup::put_start(const SceneParts&, BodiesMotion& motion) const {
   motion.v.shared = bodies_->start_velocity();
   motion.q.shared = motion.a.shared = Eigen::VectorXd::Zero(motion.v.shared.size());
+  motion.points.covers = bodies_->yield().start();
 }
 
 void CoverGroup::carry_over(const SceneParts&, UnknownsTable& v) const {
@@ -89,9 +92,9 @@ void CoverGroup::put_momentum(const UnknownsTable& v, UnknownsTable& momentum) c
   momentum.shared = bodies_->momentum(v.shared);
 }
 
-void CoverGroup::add_stored(const UnknownsTable& q, StoredEnergy& stored) const {
-  stored.strain += bodies_->strain_energy(q.shared);
-  stored.gravity -= bodies_->weight().dot(q.shared);
+void CoverGroup::add_stored(const BodiesMotion& motion, StoredEnergy& stored) const {
+  stored.strain += bodies_->strain_energy(motion.q.shared, motion.points.covers);
+  stored.gravity -= bodies_->weight().dot(motion.q.shared);
 }
 
 // As a block, with the elastic force that large rotations have.
@@ -103,20 +106,24 @@ void CoverGroup::add_flow(const BodiesStep& step, EnergyFlow& flow) const {
   const Eigen::VectorXd lead = rule.velocity_lead * dv + rule.acceleration_lead * da;
   const Eigen::VectorXd way = step.dt / 2 * (step.start.v.shared + step.v.shared) + lead;
   flow.external += (step.loads.shared - bodies_->weight()).dot(dq);
-  flow.projection += bodies_->strain_energy(step.end.shared) - bodies_->strain_energy(step.q.shared) -
+  flow.projection += bodies_->strain_energy(step.end.shared, step.points.covers) -
+                     bodies_->strain_energy(step.q.shared, step.points.covers) -
                      bodies_->weight().dot(step.end.shared - step.q.shared);
   flow.damping += bodies_->damping_work(step.start.q.shared, step.q.shared,
                                         rule.damping.increment * dq + rule.damping.velocity * step.start.v.shared +
                                             rule.damping.acceleration * step.start.a.shared,
                                         step.dt);
-  flow.algorithmic += lead.dot(bodies_->momentum(dv)) / step.dt + rule.inertia_lead * way.dot(bodies_->momentum(da)) +
-                      bodies_->strain_loss(step.start.q.shared, step.q.shared, rule.stiffness);
+  const CoverScene::StrainLoss lost = bodies_->strain_loss(
+      {step.start.q.shared, step.start.points.covers, step.q.shared, rule.stiffness}, step.points.covers);
+  flow.plastic += lost.plastic;
+  flow.algorithmic +=
+      lead.dot(bodies_->momentum(dv)) / step.dt + rule.inertia_lead * way.dot(bodies_->momentum(da)) + lost.algorithmic;
 }
 
-void CoverGroup::add_acceleration(const UnknownsTable& loads, const UnknownsTable& q, const UnknownsTable& v,
+void CoverGroup::add_acceleration(const UnknownsTable& loads, const BodiesMotion& motion,
                                   const Flexibility& mass_inverse, UnknownsTable& a) const {
-  a.shared +=
-      mass_inverse.shared->times(loads.shared - bodies_->elastic_force(q.shared) - bodies_->damping_force(v.shared));
+  a.shared += mass_inverse.shared->times(loads.shared - bodies_->elastic_force(motion.q.shared, motion.points.covers) -
+                                         bodies_->damping_force(motion.v.shared));
 }
 
 double CoverGroup::largest_load(const UnknownsTable& loads) const {
@@ -150,7 +157,7 @@ double CoverGroup::step_error(const BodiesMotion& before, const BodiesMotion& af
 std::unique_ptr<EstimatedStep> CoverGroup::begin(const BodiesMotion& start, const UnknownsTable& loads,
                                                  const StepRule& rule, double dt, FreeStep& step) const {
   CoverEquations& equations = bodies_->equations();
-  equations.begin({start.q.shared, start.v.shared, start.a.shared}, loads.shared, rule, dt);
+  equations.begin({start.q.shared, start.v.shared, start.a.shared, start.points.covers}, loads.shared, rule, dt);
   step.known_velocity.shared = equations.known_velocity();
   step.known_acceleration.shared = equations.known_acceleration();
   return std::make_unique<CoverStep>(*bodies_);
@@ -163,13 +170,13 @@ ElementState CoverGroup::state_of(const SceneParts& scene, ElementIndex e, const
           placed.moments,
           motion.v[e],
           motion.v[e],
-          bodies_->stress(e, motion.q.shared, at_start),
+          bodies_->stress(e, motion.q.shared, motion.points.covers, at_start),
           bodies_->rotation(e, motion.q.shared, at_start),
           bodies_->velocity(e, motion.q.shared, motion.v.shared, at_start)};
 }
 
-Stress CoverGroup::stress_at(const SceneParts&, ElementIndex e, const UnknownsTable& q, Point start) const {
-  return bodies_->stress(e, q.shared, start);
+Stress CoverGroup::stress_at(const SceneParts&, ElementIndex e, const BodiesMotion& motion, Point start) const {
+  return bodies_->stress(e, motion.q.shared, motion.points.covers, start);
 }
 
 std::vector<FieldPoint> CoverGroup::field_over(const SceneParts&, ElementIndex e,
@@ -193,6 +200,8 @@ void CoverGroup::carry(const SceneParts&, const BodiesBefore& before, BodiesMoti
                           is_same_mesh(same->bodies_->continuum().manifold, bodies_->continuum().manifold);
   const CarriedCovers covers =
       keeps_mesh ? carried_by_products(*same->bodies_, own, before) : carried_by_points(own, before);
+  if (may_yield() && keeps_mesh) carried.points.covers = memories_by_elements(*same->bodies_, own, before);
+  if (may_yield() && !keeps_mesh) carried.points.covers = covers.points;
   carried.q.shared = covers.d;
   carried.v.shared = covers.v;
 }
@@ -202,6 +211,15 @@ CarriedCovers CoverGroup::carried_by_products(const CoverScene& same, const std:
   std::vector<int> parents;
   for (const ElementIndex e : own) parents.push_back(same.kinematics()->manifold_element(before.parents[e]));
   return carried_covers(same, before.motion.q.shared, before.motion.v.shared, parents, *bodies_);
+}
+
+YieldStates CoverGroup::memories_by_elements(const CoverScene& same, const std::vector<ElementIndex>& own,
+                                             const BodiesBefore& before) const {
+  YieldStates states = bodies_->yield().start();
+  for (const ElementIndex e : own)
+    bodies_->yield().carry(bodies_->kinematics()->manifold_element(e), same.yield(),
+                           same.kinematics()->manifold_element(before.parents[e]), before.motion.points.covers, states);
+  return states;
 }
 
 CarriedCovers CoverGroup::carried_by_points(const std::vector<ElementIndex>& own, const BodiesBefore& before) const {
@@ -214,7 +232,17 @@ CarriedCovers CoverGroup::carried_by_points(const std::vector<ElementIndex>& own
         manifold.polygon(manifold.elements[static_cast<std::size_t>(bodies_->kinematics()->manifold_element(e))]);
     fields.push_back(before.groups.of(parent).field_over(before.scene, parent, region, degree, before.motion));
   }
-  return carried_covers(fields, *bodies_);
+  CarriedCovers carried = carried_covers(fields, *bodies_);
+  if (!may_yield()) return carried;
+  std::vector<std::vector<CoverYield::Remembered>> remembered(fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const ElementIndex parent = before.parents[own[i]];
+    for (const FieldPoint& point : fields[i])
+      remembered[i].push_back(
+          {point.start, point.area, before.groups.of(parent).memory_at(parent, before.motion, point.start)});
+  }
+  carried.points = bodies_->yield().gathered(remembered);
+  return carried;
 }
 
 }  // namespace keyblock

@@ -22,6 +22,7 @@ class CoverGroup final : public BodyGroup {
   bool has_supports() const override { return bodies_->has_supports(); }
   bool is_supported(ElementIndex) const override { return bodies_->has_supports(); }
   bool is_linear() const override { return false; }
+  bool may_yield() const override { return !bodies_->yield().is_empty(); }
   bool resolves_impacts() const override { return true; }
   bool takes_holes() const override { return false; }
   bool has_compatible_start() const override { return false; }
@@ -39,10 +40,10 @@ class CoverGroup final : public BodyGroup {
   void put_mass_inverse(Flexibility& flexibility) const override { flexibility.shared = bodies_->mass_inverse(); }
   void put_momentum(const UnknownsTable& v, UnknownsTable& momentum) const override;
   double kinetic_energy(const UnknownsTable& v) const override { return bodies_->kinetic_energy(v.shared); }
-  void add_stored(const UnknownsTable& q, StoredEnergy& stored) const override;
+  void add_stored(const BodiesMotion& motion, StoredEnergy& stored) const override;
   void add_flow(const BodiesStep& step, EnergyFlow& flow) const override;
-  void add_acceleration(const UnknownsTable& loads, const UnknownsTable& q, const UnknownsTable& v,
-                        const Flexibility& mass_inverse, UnknownsTable& a) const override;
+  void add_acceleration(const UnknownsTable& loads, const BodiesMotion& motion, const Flexibility& mass_inverse,
+                        UnknownsTable& a) const override;
   double largest_momentum(const UnknownsTable& v) const override { return bodies_->greatest_momentum(v.shared); }
   double largest_load(const UnknownsTable& loads) const override;
   void look_at_forces(const UnknownsTable& a, const SeenForce& seen) const override;
@@ -58,16 +59,21 @@ class CoverGroup final : public BodyGroup {
 
   ElementState state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                         const Placement& placed) const override;
-  Stress stress_at(const SceneParts& scene, ElementIndex e, const UnknownsTable& q, Point start) const override;
+  Stress stress_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion, Point start) const override;
   std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
                                      std::span<const std::vector<Point>> region, int degree,
                                      const BodiesMotion& motion) const override;
+  YieldState memory_at(ElementIndex e, const BodiesMotion& motion, Point start) const override {
+    return bodies_->yield().memory(motion.points.covers, bodies_->kinematics()->manifold_element(e), start);
+  }
   void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
 
  private:
   CarriedCovers carried_by_products(const CoverScene& same, const std::vector<ElementIndex>& own,
                                     const BodiesBefore& before) const;
   CarriedCovers carried_by_points(const std::vector<ElementIndex>& own, const BodiesBefore& before) const;
+  YieldStates memories_by_elements(const CoverScene& same, const std::vector<ElementIndex>& own,
+                                   const BodiesBefore& before) const;
 
   std::shared_ptr<const CoverScene> bodies_;
   std::vector<std::vector<BoxedElement>> elements_;  ///< of every body

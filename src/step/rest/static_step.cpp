@@ -52,7 +52,7 @@ constexpr double kClosedThen = 1e-6;
 class StaticSolve {
  public:
   StaticSolve(const StandardScene& scene, const Motion& start, double time)
-      : scene_(scene), start_(start), time_(time), slip_start_(start), closed_(start.closed) {
+      : scene_(scene), start_(start), time_(time), slip_start_(start), points_(start.points), closed_(start.closed) {
     slip_start_.v.set_zero();
     now_ = slip_start_;
   }
@@ -89,6 +89,7 @@ class StaticSolve {
     result_.halvings = cuts_;
     now_.v.set_zero();
     result_.motion = now_;
+    result_.motion.points = points_;
     result_.motion.closed = closed_;
     return std::move(result_);
   }
@@ -179,6 +180,7 @@ class StaticSolve {
     turned_back_ = !moved_.empty() && work_of_mass(moved, moved_) < 0;
     moved_ = moved;
     now_.q = made.q;
+    points_ = made.points;
     now_.bonds = made.bonds;
     now_.constraints = made.constraints;
     std::vector<ClosedContact> closed;
@@ -222,6 +224,7 @@ class StaticSolve {
   double time_;
   Motion slip_start_;  ///< slip and the stretch of springs are counted from here
   Motion now_;         ///< v is the way since `slip_start_`, a velocity over unit time; springs are stretched as there
+  PointMemories points_;   ///< at the last iteration; each begins with those of the start
   ClosedContacts closed_;  ///< with their present stretch
   double load_ = 0;        ///< the largest, or what drives held points
   double tau_ = 0;

@@ -47,7 +47,7 @@ UnknownsTable balanced_acceleration(const StandardScene& scene, const Motion& mo
   const UnknownsTable loads = loads_at(scene, motion.q, time);
   const Flexibility inverse = mass_flexibility(scene);
   UnknownsTable a = answer(rows, inverse, forces);
-  for (const auto& group : scene.groups) group->add_acceleration(loads, motion.q, motion.v, inverse, a);
+  for (const auto& group : scene.groups) group->add_acceleration(loads, motion, inverse, a);
   return a;
 }
 

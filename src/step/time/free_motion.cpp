@@ -9,8 +9,10 @@ namespace keyblock {
 FreeMotion::FreeMotion(const StandardScene& scene, const Motion& start, const UnknownsTable& loads,
                        const StepRule& rule, double dt)
     : scene_(scene), start_(start), rule_(rule), size_(scene.size()) {
-  for (const auto& group : scene.groups)
+  for (const auto& group : scene.groups) {
+    has_kinks_ = has_kinks_ || group->may_yield();
     if (auto estimated = group->begin(start, loads, rule, dt, step_)) estimated_.push_back(std::move(estimated));
+  }
 }
 
 bool FreeMotion::linearise(const UnknownsTable& estimate) {
@@ -29,13 +31,12 @@ UnknownsTable FreeMotion::steady() const {
   return increments;
 }
 
-void FreeMotion::put_end(const UnknownsTable& increments, bool is_found, UnknownsTable& q, UnknownsTable& v,
-                         UnknownsTable& a) const {
-  q = plus(start_.q, 1, increments);
-  v = plus(step_.known_velocity, rate(), increments);
-  a = plus(step_.known_acceleration, rule_.end_acceleration.increment, increments);
-  if (!is_found) return;
-  for (const auto& of_group : estimated_) of_group->put_end(increments, v, a);
+BodiesMotion FreeMotion::end(const UnknownsTable& increments, bool is_found) const {
+  BodiesMotion end{plus(start_.q, 1, increments), plus(step_.known_velocity, rate(), increments),
+                   plus(step_.known_acceleration, rule_.end_acceleration.increment, increments), start_.points};
+  if (is_found)
+    for (const auto& of_group : estimated_) of_group->put_end(increments, end.v, end.a, end.points);
+  return end;
 }
 
 double FreeMotion::greatest_change(const UnknownsTable& a, const UnknownsTable& b) const {

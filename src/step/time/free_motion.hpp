@@ -39,9 +39,10 @@ class FreeMotion {
   double rate() const { return rule_.end_velocity.increment; }
   /// Increments of a motion that goes on as it is: at rest none.
   UnknownsTable steady() const;
-  /// Positions, velocities and accelerations at the end of the step. `is_found`: the increments solve the equations.
-  void put_end(const UnknownsTable& increments, bool is_found, UnknownsTable& q, UnknownsTable& v,
-               UnknownsTable& a) const;
+  /// The end of the step. `is_found`: the increments solve the equations.
+  BodiesMotion end(const UnknownsTable& increments, bool is_found) const;
+  /// Whether rock may yield.
+  bool has_kinks() const { return has_kinks_; }
 
   /// Relative to block size; rotation and strain are relative as they are.
   double greatest_change(const UnknownsTable& a, const UnknownsTable& b) const;
@@ -52,6 +53,7 @@ class FreeMotion {
   const Motion& start_;
   StepRule rule_;
   double size_ = 0;
+  bool has_kinks_ = false;
   FreeStep step_;
   std::vector<std::unique_ptr<EstimatedStep>> estimated_;
 };

@@ -40,7 +40,8 @@ double ruptured(const StandardScene& scene, const StepTrail& trail) {
 
 EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
   const SmoothMotion& smooth = trail.smooth;
-  const BodiesStep step{trail.start, smooth.q, smooth.v, smooth.a, trail.end.q, trail.loads, trail.rule, trail.dt};
+  const BodiesStep step{trail.start,   smooth.q,    smooth.v,   smooth.a, trail.end.q,
+                        smooth.points, trail.loads, trail.rule, trail.dt};
   EnergyFlow flow;
   for (const auto& group : scene.groups) group->add_flow(step, flow);
   return flow;
@@ -201,7 +202,7 @@ StoredEnergy stored_energy(const StandardScene& scene, const Motion& motion) {
   StoredEnergy stored;
   stored.kinetic = kinetic_energy(scene, motion.v);
   stored.contact = spring_energy(motion) + bolt_energy(scene, motion);
-  for (const auto& group : scene.groups) group->add_stored(motion.q, stored);
+  for (const auto& group : scene.groups) group->add_stored(motion, stored);
   return stored;
 }
 
@@ -225,7 +226,9 @@ LedgerScope ledger_scope(const StandardScene& scene) {
   const bool has_supports =
       std::ranges::any_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_supports(); });
   const bool is_dynamic = scene.settings.standard.motion == MotionRule::dynamic;
-  return {is_dynamic, has_supports || !scene.held.empty(), scene.mass_centre};
+  const bool may_yield =
+      std::ranges::any_of(scene.groups, [](const BodyGroups::Group& group) { return group->may_yield(); });
+  return {is_dynamic, has_supports || !scene.held.empty(), scene.mass_centre, false, may_yield};
 }
 
 }  // namespace keyblock

@@ -22,10 +22,8 @@ struct ForceTolerance {
       0;  ///< residual with which the motion goes on where no forces are acceptable; undecided touches are told
 };
 
-struct SmoothMotion {
-  UnknownsTable q;               ///< at the end of the step
-  UnknownsTable v;               ///< at the end of the step
-  UnknownsTable a;               ///< at the end of the step
+/// Of the bodies at the end of the step, and what it took.
+struct SmoothMotion : BodiesMotion {
   Eigen::VectorXd forces;        ///< of the touches: 2i normal, 2i + 1 tangential
   ContactRows rows;              ///< that the forces act along, at mid-step
   Flexibility flexibility;       ///< A⁻¹

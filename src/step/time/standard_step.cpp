@@ -117,6 +117,7 @@ class Attempt {
     const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
     step_.motion.a = smooth_.a;
+    step_.motion.points = smooth_.points;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.constraints = smooth_.constraints;
     const std::vector<std::size_t> held = to_be_held();
