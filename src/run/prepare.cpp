@@ -324,8 +324,8 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   auto [scene, needs] = scenes_in(asked, geometry, warnings);
   warnings = joined(std::move(warnings), warnings_of_plan(problem, scene));
   warnings = joined(std::move(warnings), without_effect(problem, overrides, scene));
-  if (scene.model.continuum && problem.covers)
-    warnings = joined(std::move(warnings), look_at_strengths(scene, problem.covers->place));
+  const Place place = problem.covers ? problem.covers->place : problem.analysis->place;
+  for (const Scene* each : scenes_of(scene)) warnings = joined(std::move(warnings), look_at_strengths(*each, place));
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(warnings),

@@ -5,50 +5,78 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "material/strength.hpp"
 #include "model/continuum.hpp"
+#include "model/state.hpp"
 #include "terms/cover_yield.hpp"
 
 namespace keyblock {
 
-void require_readable_strengths(const Problem& problem, const Settings& settings) {
-  if (settings.dynamics == Dynamics::standard && problem.covers) return;
-  for (const BlockMaterial& material : problem.analysis->block_materials)
-    if (material.strength)
-      throw InputError(material.place,
-                       "expected a strength in a run of profile standard with bodies on covers; found one in a run "
-                       "where rock stays elastic");
+namespace {
+
+bool softens_by_energy(const BlockMaterial& material) {
+  return material.strength && material.strength->change && material.strength->change->fracture_energy > 0;
 }
 
-Warnings look_at_strengths(const Scene& scene, const Place& place) {
-  const Continuum& continuum = *scene.model.continuum;
+void require_size(const BlockMaterial& material, double largest) {
+  const double allowed = largest_size(*material.strength, material.youngs_modulus);
+  if (largest >= allowed)
+    throw InputError(material.place,
+                     fmt::format("strength: expected points of a size below {:.4g}, where softening by this "
+                                 "fracture_energy does not snap back, found {:.4g}",
+                                 allowed, largest));
+}
+
+Warnings look_at_covers(const Continuum& continuum, const Place& place) {
   Warnings warnings;
-  const bool yields =
-      std::ranges::any_of(continuum.materials, [](const BlockMaterial& m) { return m.strength != nullptr; });
+  const bool yields = std::ranges::any_of(continuum.manifold.body_materials, [&](int material) {
+    return continuum.materials[static_cast<std::size_t>(material)].strength != nullptr;
+  });
   if (!yields) return warnings;
   if (continuum.functions == CoverFunctions::derived)
     warnings.push_back(
         {"functions_lock", place,
          "derived functions lock where rock flows without change of volume: limit loads come out 10 to 20 % "
          "too high; constant ones (the default) do not"});
-  const bool softens = std::ranges::any_of(continuum.materials, [](const BlockMaterial& m) {
-    return m.strength && m.strength->change && m.strength->change->fracture_energy > 0;
-  });
-  if (!softens) return warnings;
+  if (std::ranges::none_of(continuum.materials, softens_by_energy)) return warnings;
   const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
-  for (std::size_t i = 0; i < continuum.materials.size(); ++i) {
-    const BlockMaterial& material = continuum.materials[i];
-    if (!material.strength) continue;
-    const double allowed = largest_size(*material.strength, material.youngs_modulus);
-    const double largest = yield.greatest_size(i);
-    if (largest >= allowed)
-      throw InputError(material.place,
-                       fmt::format("strength: expected points of a size below {:.4g}, where softening by this "
-                                   "fracture_energy does not snap back, found {:.4g}",
-                                   allowed, largest));
-  }
+  for (std::size_t i = 0; i < continuum.materials.size(); ++i)
+    if (continuum.materials[i].strength) require_size(continuum.materials[i], yield.greatest_size(i));
   return warnings;
+}
+
+void look_at_blocks(const Model& model, const Settings& settings) {
+  Table<VertexIndex, Point> start;
+  for (const Point& place : model.start_vertices) start.push_back(place);
+  for (const ElementIndex e : indices(model.elements)) {
+    const Element& element = model.elements[e];
+    const BlockMaterial& material = model.material_of(element);
+    if (element.is_on_covers() || !element.can_move() || !material.strength) continue;
+    if (element.basis == &rigid_basis())
+      throw InputError(material.place,
+                       "expected basis affine of blocks whose material has a strength, found rigid: what does not "
+                       "strain bears any stress");
+    if (softens_by_energy(material))
+      require_size(material, std::sqrt(keyblock::place(model, start, e, settings).moments.area));
+  }
+}
+
+}  // namespace
+
+void require_readable_strengths(const Problem& problem, const Settings& settings) {
+  if (settings.dynamics == Dynamics::standard) return;
+  for (const BlockMaterial& material : problem.analysis->block_materials)
+    if (material.strength)
+      throw InputError(material.place,
+                       "expected a strength in a run of profile standard; found one in a run by the rules of the old "
+                       "programs, where rock stays elastic");
+}
+
+Warnings look_at_strengths(const Scene& scene, const Place& place) {
+  if (!scene.is_untouched) look_at_blocks(scene.model, scene.settings);
+  return scene.model.continuum ? look_at_covers(*scene.model.continuum, place) : Warnings();
 }
 
 }  // namespace keyblock

@@ -35,8 +35,8 @@ CoverYield::CoverYield(const Continuum& continuum, const CoverBasis& basis)
     : basis_(basis), plane_(continuum.plane), averages_(basis.functions() == CoverFunctions::constant) {
   for (const BlockMaterial& material : continuum.materials) elastic_.push_back(modulus_of(material, plane_));
   for (const BlockMaterial& material : continuum.materials)
-    laws_.push_back(
-        {material.youngs_modulus, material.poissons_ratio, material.strength ? *material.strength : Strength{}});
+    laws_.push_back(std::make_shared<const YieldLaw>(YieldLaw{material.youngs_modulus, material.poissons_ratio,
+                                                              material.strength ? *material.strength : Strength{}}));
   of_element_.resize(static_cast<std::size_t>(basis.element_count()));
   averages_ ? add_averaged(continuum, basis) : add_of_elements(continuum, basis);
 }
@@ -71,10 +71,10 @@ void CoverYield::add_averaged(const Continuum& continuum, const CoverBasis& basi
   for (const auto& [cover, sum] : covers) {
     place[cover] = points_.size();
     YieldPoint& point = points_.emplace_back();
-    point.area = sum.area;
     point.law = sum.law;
     point.element = sum.element;
-    point.initial = laws_[point.law].elastic_strain(sum.initial / sum.area);
+    const std::shared_ptr<const YieldLaw>& law = laws_[point.law];
+    point.rock = {law, plane_, sum.area, law->elastic_strain(sum.initial / sum.area)};
     point.gradients.resize(2, static_cast<Eigen::Index>(sum.gradients.size()));
     for (const auto& [function, gradient] : sum.gradients) {
       point.gradients.col(static_cast<Eigen::Index>(point.functions.size())) = gradient / sum.area;
@@ -96,10 +96,10 @@ void CoverYield::add_of_elements(const Continuum& continuum, const CoverBasis& b
     for (const AreaPoint& at : polygon_rule(loops, 2 * (shape.degree - 1))) {
       of_element_[static_cast<std::size_t>(e)].push_back(points_.size());
       YieldPoint& point = points_.emplace_back();
-      point.area = at.weight;
       point.law = static_cast<std::size_t>(&material - continuum.materials.data());
       point.element = e;
-      point.initial = laws_[point.law].elastic_strain(vector_of(continuum.initial_stress_at(e, at.at)));
+      const std::shared_ptr<const YieldLaw>& law = laws_[point.law];
+      point.rock = {law, plane_, at.weight, law->elastic_strain(vector_of(continuum.initial_stress_at(e, at.at)))};
       point.gradients = shape.gradients(at.at);
       point.functions.assign(shape.functions.begin(), shape.functions.end());
     }
@@ -112,7 +112,7 @@ void CoverYield::add_groups(FunctionGroups& groups) const {
 
 YieldStates CoverYield::start() const {
   YieldStates states(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i) states[i].elastic = points_[i].initial;
+  for (std::size_t i = 0; i < points_.size(); ++i) states[i].elastic = points_[i].rock.initial;
   return states;
 }
 
@@ -123,29 +123,9 @@ Eigen::Matrix2d CoverYield::displacement_gradient(const YieldPoint& point, const
   return h;
 }
 
-// Across the plane there is no strain, or no stress.
-YieldState CoverYield::as_at(const YieldPoint& point, const Eigen::Vector3d& log, const YieldState& state) const {
-  YieldState now = state;
-  now.elastic = point.initial - state.plastic;
-  now.elastic.head<3>() += log;
-  if (plane_ == Plane::stress) {
-    const double nu = laws_[point.law].poissons_ratio;
-    now.elastic(3) = -nu / (1 - nu) * (now.elastic(0) + now.elastic(1));
-  }
-  return now;
-}
-
-Response CoverYield::respond_at(const YieldPoint& point, const Eigen::Vector3d& log, const YieldState& before) const {
-  const YieldLaw& law = laws_[point.law];
-  const double size = std::sqrt(point.area);
-  const YieldState trial = as_at(point, log, before);
-  if (plane_ == Plane::stress) return respond_plane_stress(law, Eigen::Vector3d::Zero(), trial, size);
-  return respond(law, Eigen::Vector4d::Zero(), trial, size);
-}
-
 void CoverYield::add_force(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Vector3d& second,
                            Eigen::VectorXd& force) const {
-  const Eigen::Matrix2d flux = point.area * f * stress_tensor(second);
+  const Eigen::Matrix2d flux = point.rock.area * f * stress_tensor(second);
   for (std::size_t a = 0; a < point.functions.size(); ++a)
     force.segment<2>(2 * point.functions[a]) += flux * point.gradients.col(static_cast<Eigen::Index>(a));
 }
@@ -161,7 +141,7 @@ CoverYield::Answer CoverYield::answer(const Eigen::VectorXd& d, const YieldState
       return answer;
     }
     const Eigen::Vector3d green = green_strain(h);
-    const Response r = respond_at(point, log_strain(green), before[i]);
+    const Response r = point.rock.respond(log_strain(green), before[i]);
     answer.after[i] = r.after;
     add_force(point, f, log_strain_rate(green).transpose() * r.stress.head<3>(), answer.force);
   }
@@ -185,7 +165,7 @@ Eigen::MatrixXd CoverYield::tangent_at(const YieldPoint& point, const Eigen::Mat
       tangent(2 * a, 2 * c) += geometric(a, c);
       tangent(2 * a + 1, 2 * c + 1) += geometric(a, c);
     }
-  return point.area * tangent;
+  return point.rock.area * tangent;
 }
 
 // C = Pᵀ D P + ∂Pᵀ T/∂E.
@@ -195,7 +175,7 @@ void CoverYield::add_tangent(const Eigen::VectorXd& d, const YieldStates& before
     const YieldPoint& point = points_[i];
     const Eigen::Matrix2d h = displacement_gradient(point, d);
     const Eigen::Vector3d green = green_strain(h);
-    const Response response = respond_at(point, log_strain(green), before[i]);
+    const Response response = point.rock.respond(log_strain(green), before[i]);
     const Eigen::Vector3d stress = response.stress.head<3>();
     const Eigen::Matrix3d modulus =
         (1 - elastic_share) * response.tangent.topLeftCorner<3, 3>() + elastic_share * elastic_[point.law];
@@ -215,7 +195,7 @@ double CoverYield::weight_of(const YieldPoint& point, const Way& way) const {
 Eigen::Vector3d CoverYield::mean_stress(const YieldPoint& point, const Way& way, const Eigen::Vector3d& log0,
                                         const Eigen::Vector3d& log1, const YieldState& before,
                                         const Response& end) const {
-  const Eigen::Vector3d start = (laws_[point.law].modulus() * as_at(point, log0, before).elastic).head<3>();
+  const Eigen::Vector3d start = point.rock.stress(log0, before).head<3>();
   Eigen::Vector3d stress = (1 - way.theta) * start + way.theta * end.stress.head<3>();
   if (!way.more.empty())
     stress += way.more[static_cast<std::size_t>(point.element)] * (elastic_[point.law] * (log1 - log0));
@@ -231,7 +211,7 @@ Eigen::VectorXd CoverYield::force_of_step(const Way& way) const {
       return Eigen::VectorXd::Constant(way.d1.size(), std::numeric_limits<double>::quiet_NaN());
     const Eigen::Vector3d from = green_strain(h0), to = green_strain(h1);
     const Eigen::Vector3d log0 = log_strain(from), log1 = log_strain(to);
-    const Response end = respond_at(point, log1, way.before[i]);
+    const Response end = point.rock.respond(log1, way.before[i]);
     const Eigen::Vector3d stress = mean_stress(point, way, log0, log1, way.before[i], end);
     add_force(point, Eigen::Matrix2d::Identity() + (h0 + h1) / 2, log_step_stress(from, to, stress), force);
   }
@@ -245,7 +225,7 @@ void CoverYield::add_tangent_of_step(const Way& way, SparseSystem& system) const
     const Eigen::Matrix2d h0 = displacement_gradient(point, way.d0), h1 = displacement_gradient(point, way.d1);
     const Eigen::Vector3d from = green_strain(h0), to = green_strain(h1), mean = (from + to) / 2;
     const Eigen::Vector3d log0 = log_strain(from), log1 = log_strain(to);
-    const Response end = respond_at(point, log1, way.before[i]);
+    const Response end = point.rock.respond(log1, way.before[i]);
     const Eigen::Vector3d stress = mean_stress(point, way, log0, log1, way.before[i], end);
     const Eigen::Matrix3d of_law = end.tangent.topLeftCorner<3, 3>();
     const Eigen::Matrix3d modulus =
@@ -263,7 +243,7 @@ double CoverYield::damping_work(const Eigen::VectorXd& d0, const Eigen::VectorXd
   for (const YieldPoint& point : points_) {
     const Eigen::Vector3d change = log_strain(green_strain(displacement_gradient(point, d1))) -
                                    log_strain(green_strain(displacement_gradient(point, d0)));
-    sum += point.area * more[static_cast<std::size_t>(point.element)] * change.dot(elastic_[point.law] * change);
+    sum += point.rock.area * more[static_cast<std::size_t>(point.element)] * change.dot(elastic_[point.law] * change);
   }
   return sum;
 }
@@ -272,9 +252,7 @@ double CoverYield::stored(const Eigen::VectorXd& d, const YieldStates& states) c
   double sum = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const YieldPoint& point = points_[i];
-    const Eigen::Vector3d log = log_strain(green_strain(displacement_gradient(point, d)));
-    const Eigen::Vector4d change = as_at(point, log, states[i]).elastic - point.initial;
-    sum += point.area * change.dot(laws_[point.law].modulus() * (point.initial + change / 2));
+    sum += point.rock.stored(log_strain(green_strain(displacement_gradient(point, d))), states[i]);
   }
   return sum;
 }
@@ -284,8 +262,7 @@ double CoverYield::plastic_work(const Eigen::VectorXd& d, const YieldStates& bef
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const YieldPoint& point = points_[i];
     const Eigen::Vector3d log = log_strain(green_strain(displacement_gradient(point, d)));
-    const Eigen::Vector4d stress = laws_[point.law].modulus() * as_at(point, log, after[i]).elastic;
-    sum += point.area * stress.dot(after[i].plastic - before[i].plastic);
+    sum += point.rock.plastic_work(log, before[i], after[i]);
   }
   return sum;
 }
@@ -339,8 +316,8 @@ std::vector<CoverYield::Share> CoverYield::shares(int element, Point at_start) c
     return shares;
   }
   double area = 0;
-  for (const std::size_t point : own) area += points_[point].area;
-  for (const std::size_t point : own) shares.push_back({point, points_[point].area / area});
+  for (const std::size_t point : own) area += points_[point].rock.area;
+  for (const std::size_t point : own) shares.push_back({point, points_[point].rock.area / area});
   return shares;
 }
 
@@ -351,7 +328,7 @@ Stress CoverYield::stress(const Eigen::VectorXd& d, const YieldStates& states, i
     const Eigen::Matrix2d h = displacement_gradient(point, d);
     const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + h;
     const Eigen::Vector3d green = green_strain(h);
-    const Eigen::Vector4d t = laws_[point.law].modulus() * as_at(point, log_strain(green), states[share.point]).elastic;
+    const Eigen::Vector4d t = point.rock.stress(log_strain(green), states[share.point]);
     const Eigen::Vector3d second = log_strain_rate(green).transpose() * t.head<3>();
     const Eigen::Matrix2d cauchy = f * stress_tensor(second) * f.transpose() / f.determinant();
     sum += share.weight * Eigen::Vector4d(cauchy(0, 0), cauchy(1, 1), cauchy(0, 1), t(3) / f.determinant());
@@ -362,7 +339,7 @@ Stress CoverYield::stress(const Eigen::VectorXd& d, const YieldStates& states, i
 double CoverYield::greatest_size(std::size_t material) const {
   double area = 0;
   for (const YieldPoint& point : points_)
-    if (point.law == material) area = std::max(area, point.area);
+    if (point.law == material) area = std::max(area, point.rock.area);
   return std::sqrt(area);
 }
 

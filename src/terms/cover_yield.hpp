@@ -6,14 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "material/yield_law.hpp"
+#include "material/rock_point.hpp"
 #include "model/continuum.hpp"
 #include "system/whole_system.hpp"
 
 namespace keyblock {
 
-/// The memories of all points of a CoverYield. Their elastic strain is what the strain at hand leaves of the plastic one
-/// (and of the initial stress), so that unknowns may be moved without them.
+/// The memories of all points of a CoverYield.
 using YieldStates = std::vector<YieldState>;
 
 /// Elements whose material has a strength. With constant functions a point is a physical cover, its gradient of
@@ -98,10 +97,9 @@ class CoverYield {
   struct YieldPoint {
     std::vector<int> functions;
     Eigen::Matrix2Xd gradients;  // of the functions
-    double area = 0;
-    std::size_t law = 0;      // in laws_
-    int element = 0;          // one of its body
-    Eigen::Vector4d initial;  // elastic strain of the initial stress
+    RockPoint rock;
+    std::size_t law = 0;  // number of the material
+    int element = 0;      // one of its body
   };
   /// A point of an element, and what of it goes into its mean at X.
   struct Share {
@@ -113,8 +111,6 @@ class CoverYield {
   void add_of_elements(const Continuum& continuum, const CoverBasis& basis);
   std::vector<Share> shares(int element, Point at_start) const;
   Eigen::Matrix2d displacement_gradient(const YieldPoint& point, const Eigen::VectorXd& d) const;
-  YieldState as_at(const YieldPoint& point, const Eigen::Vector3d& log, const YieldState& state) const;
-  Response respond_at(const YieldPoint& point, const Eigen::Vector3d& log, const YieldState& before) const;
   Eigen::Vector3d mean_stress(const YieldPoint& point, const Way& way, const Eigen::Vector3d& log0,
                               const Eigen::Vector3d& log1, const YieldState& before, const Response& end) const;
   double weight_of(const YieldPoint& point, const Way& way) const;
@@ -127,8 +123,8 @@ class CoverYield {
   CoverBasis basis_;
   Plane plane_;
   bool averages_ = false;
-  std::vector<YieldLaw> laws_;            // one a material
-  std::vector<Eigen::Matrix3d> elastic_;  // its modulus in the plane
+  std::vector<std::shared_ptr<const YieldLaw>> laws_;  // one a material
+  std::vector<Eigen::Matrix3d> elastic_;               // its modulus in the plane
   std::vector<YieldPoint> points_;
   std::vector<std::vector<std::size_t>> of_element_;  // its points, in the order of its functions where averaged
 };

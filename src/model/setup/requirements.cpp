@@ -120,10 +120,11 @@ Reason elastic(const Model& model, const Settings&) {
   return "blocks deform";
 }
 
-Reason plastic(const Model& model, const Settings&) {
-  if (!model.continuum) return std::nullopt;
-  const auto yields = std::ranges::count_if(model.continuum->materials,
-                                            [](const BlockMaterial& rock) { return rock.strength != nullptr; });
+Reason plastic(const Model& model, const Settings& settings) {
+  if (!is_standard(settings)) return std::nullopt;
+  const auto yields = std::ranges::count_if(moving_materials(model), [&](int material) {
+    return model.block_materials[static_cast<std::size_t>(material)].strength != nullptr;
+  });
   if (yields == 0) return std::nullopt;
   return fmt::format("rock of {} may yield", counted(static_cast<std::size_t>(yields), "material"));
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <utility>
 
 namespace keyblock {
 namespace {
@@ -12,11 +13,24 @@ Unknowns known(const StepSum& sum, const BlockMotion& start) {
   return sum.velocity * start.v + sum.acceleration * start.a;
 }
 
-UnknownBlock inverse_of(const UnknownBlock& a) {
-  return a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()));
-}
-
 }  // namespace
+
+StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule& rule) {
+  const auto put_inverse = [](const UnknownBlock& of, UnknownBlock& inverse) {
+    const auto factor = of.llt();
+    inverse = factor.solve(UnknownBlock::Identity(of.rows(), of.cols()));
+    return factor.info() == Eigen::Success;
+  };
+  StepInverses made;
+  const double missing =
+      std::max(0.0, rule.judging_inertia * body.slowest_frequency * body.slowest_frequency - rule.inertia.increment);
+  made.are_definite = put_inverse(a, made.inverse);
+  if (missing > 0)
+    put_inverse(a + missing * body.mass, made.judging);
+  else
+    made.judging = made.inverse;
+  return made;
+}
 
 StepEquations step_equations(const Body& body, const BlockMotion& start, const Unknowns& load, const StepRule& rule) {
   const double inertia = rule.inertia.increment + rule.damping.increment * body.mass_damping;
@@ -26,12 +40,11 @@ StepEquations step_equations(const Body& body, const BlockMotion& start, const U
       start.q + known(rule.strain, start) + body.stiffness_damping * known(rule.strain_rate, start);
   const Unknowns r = load + body.initial_stress - body.elastic_force(strained) -
                      body.mass * (known(rule.inertia, start) + body.mass_damping * known(rule.damping, start));
-  StepEquations equations{a, a, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
+  StepEquations equations{a, {}, {}, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
   if (a.rows() > 0) {
-    const double missing =
-        std::max(0.0, rule.judging_inertia * body.slowest_frequency * body.slowest_frequency - rule.inertia.increment);
-    equations.inverse = inverse_of(a);
-    equations.judging = missing > 0 ? inverse_of(a + missing * body.mass) : equations.inverse;
+    StepInverses inverses = inverses_of(a, body, rule);
+    equations.inverse = std::move(inverses.inverse);
+    equations.judging = std::move(inverses.judging);
   }
   equations.free = equations.inverse * r;
   return equations;

@@ -14,8 +14,17 @@ struct BlockMotion {
   const Unknowns& a;
 };
 
+/// A⁻¹, and the same with the inertia by which forces are judged.
+struct StepInverses {
+  UnknownBlock inverse;
+  UnknownBlock judging;
+  bool are_definite = true;
+};
+StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule& rule);
+
 /// Δq = free + inverse Gᵀ λ. Velocity and acceleration at the end are the known part and the rule's share of Δq.
 struct StepEquations {
+  UnknownBlock matrix;  ///< A
   UnknownBlock inverse;
   UnknownBlock judging;  ///< the same with the inertia by which forces are judged
   Unknowns free;         ///< increment without contact

@@ -69,8 +69,8 @@ std::vector<std::vector<Point>> loops_of(const Model& model, ElementIndex e) {
 
 }  // namespace
 
-BlockGroup::BlockGroup(Bodies bodies, std::vector<bool> of_others)
-    : bodies_(std::move(bodies)), of_others_(std::move(of_others)) {
+BlockGroup::BlockGroup(Bodies bodies, std::vector<bool> of_others, std::vector<std::optional<BlockYield>> yields)
+    : bodies_(std::move(bodies)), of_others_(std::move(of_others)), yields_(std::move(yields)) {
   for (const Body& body : bodies_)
     if (body.mass.rows() > 0) size_ = std::max(size_, body.size);
 }
@@ -106,6 +106,10 @@ void BlockGroup::put_start(const SceneParts& scene, BodiesMotion& motion) const 
     motion.v.push_back(v);
     motion.a.push_back(Unknowns::Zero(count));
   }
+  motion.points.blocks.resize(yields_.size());
+  for (ElementIndex e : indices(bodies_))
+    if (const BlockYield* yield = yield_of(e))
+      motion.points.blocks[static_cast<std::size_t>(e.value)].elastic = yield->rock.initial;
 }
 
 void BlockGroup::carry_over(const SceneParts& scene, UnknownsTable& v) const {
@@ -159,6 +163,8 @@ void BlockGroup::add_stored(const BodiesMotion& motion, StoredEnergy& stored) co
     const Body& body = bodies_[e];
     if (body.mass.rows() == 0) continue;
     stored.strain += strain_energy(body, q[e]);
+    if (const BlockYield* yield = yield_of(e))
+      stored.strain += yield->plastic_energy(q[e], motion.points.blocks[static_cast<std::size_t>(e.value)]);
     stored.gravity -= body.weight.dot(q[e]);
   }
 }
@@ -177,15 +183,42 @@ void BlockGroup::add_flow(const BodiesStep& step, EnergyFlow& flow) const {
     flow.damping += body.mass_damping * dq.dot(body.mass * sum_of(rule.damping, dq, step.start, e)) +
                     body.stiffness_damping * dq.dot(body.elastic_force(rate));
     flow.algorithmic += inertia_loss(body, step, e) + dq.dot(body.elastic_force(beyond));
+    if (yield_of(e)) add_yield_flow(step, e, flow);
   }
+}
+
+// Δεᵖ bears k D Δεᵖ less than elasticity alone would have, of which b/dt is damping that does not come about, and the
+// stored energy is less by its own; the rest of its work is plastic, but for what a step of this size makes of it.
+void BlockGroup::add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFlow& flow) const {
+  const BlockYield& yield = *yield_of(e);
+  const auto i = static_cast<std::size_t>(e.value);
+  const YieldState& before = step.start.points.blocks[i];
+  const YieldState& after = step.points.blocks[i];
+  const Unknowns dq = step.q[e] - step.start.q[e];
+  const Unknowns flowed = yield.plastic_force(after.plastic - before.plastic);
+  const PlasticShare share = plastic_share(bodies_[e], step.rule, step.dt);
+  const double work = -dq.dot(yield.plastic_force(before.plastic) + share.total() * flowed);
+  const double stored = yield.plastic_energy(step.q[e], after) - yield.plastic_energy(step.start.q[e], before);
+  const double plastic = yield.rock.plastic_work(yield.strain_at(step.q[e]), before, after);
+  const double damping = -share.damping * dq.dot(flowed);
+  flow.damping += damping;
+  flow.plastic += plastic;
+  flow.algorithmic += work - stored - plastic - damping;
+}
+
+Unknowns BlockGroup::plastic_force(ElementIndex e, const BodiesMotion& motion) const {
+  const BlockYield* yield = yield_of(e);
+  if (yield == nullptr) return Unknowns::Zero(motion.q[e].size());
+  const YieldState& before = motion.points.blocks[static_cast<std::size_t>(e.value)];
+  return yield->plastic_force(yield->respond(motion.q[e], before).after.plastic);
 }
 
 void BlockGroup::add_acceleration(const UnknownsTable& loads, const BodiesMotion& motion,
                                   const Flexibility& mass_inverse, UnknownsTable& a) const {
   for (ElementIndex e : indices(a)) {
     const Body& body = bodies_[e];
-    a[e] += mass_inverse.blocks[e] *
-            (loads[e] + body.initial_stress - body.elastic_force(motion.q[e]) - body.damping_force(motion.v[e]));
+    a[e] += mass_inverse.blocks[e] * (loads[e] + plastic_force(e, motion) + body.initial_stress -
+                                      body.elastic_force(motion.q[e]) - body.damping_force(motion.v[e]));
   }
 }
 
@@ -266,22 +299,92 @@ double BlockGroup::step_error(const BodiesMotion& before, const BodiesMotion& af
   return largest;
 }
 
+/// The step of those that may yield, linearised about an estimate; all others are known.
+class YieldingBlocks final : public EstimatedStep {
+ public:
+  YieldingBlocks(const BlockGroup& group, const BodiesMotion& start, const StepRule& rule, double dt)
+      : group_(group), start_(start), rule_(rule), dt_(dt), blocks_(group.bodies_.size()) {}
+
+  /// Keeps A and r of the elastic step.
+  void put_elastic(ElementIndex e, const StepEquations& equations) {
+    const BlockYield* yield = group_.yield_of(e);
+    if (yield == nullptr) return;
+    Block& own = blocks_[static_cast<std::size_t>(e.value)];
+    own.yield = yield;
+    own.share = plastic_share(group_.bodies_[e], rule_, dt_).total();
+    own.matrix = equations.matrix;
+    own.right = equations.matrix * equations.free + yield->plastic_force(before(e).plastic);
+  }
+
+  bool linearise(const UnknownsTable& estimate, FreeStep& step) override {
+    bool has_factor = true;
+    for (ElementIndex e : indices(group_.bodies_)) {
+      const Block& block = of(e);
+      if (block.yield == nullptr) continue;
+      const Response response = block.yield->respond(end(e, estimate), before(e));
+      const UnknownBlock a = block.matrix - block.share * block.yield->lost_stiffness(response);
+      StepInverses inverses = inverses_of(a, group_.bodies_[e], rule_);
+      has_factor = has_factor && inverses.are_definite;
+      step.flexibility.blocks[e] = std::move(inverses.inverse);
+      if (!step.judging.blocks.empty()) step.judging.blocks[e] = std::move(inverses.judging);
+    }
+    return has_factor;
+  }
+
+  void evaluate(const UnknownsTable& estimate, FreeStep& step) override {
+    for (ElementIndex e : indices(group_.bodies_)) {
+      const Block& block = of(e);
+      if (block.yield == nullptr) continue;
+      const YieldState after = block.yield->respond(end(e, estimate), before(e)).after;
+      const Unknowns flowed = block.yield->plastic_force(after.plastic - before(e).plastic);
+      const Unknowns residual = block.matrix * estimate[e] - block.right - block.share * flowed;
+      step.increments[e] = estimate[e] - step.flexibility.blocks[e] * residual;
+    }
+  }
+
+  void put_end(const UnknownsTable& increments, UnknownsTable&, UnknownsTable&, PointMemories& points) const override {
+    for (ElementIndex e : indices(group_.bodies_))
+      if (const BlockYield* yield = of(e).yield)
+        points.blocks[static_cast<std::size_t>(e.value)] = yield->respond(end(e, increments), before(e)).after;
+  }
+
+ private:
+  struct Block {
+    const BlockYield* yield = nullptr;
+    double share = 0;     // of Δεᵖ
+    UnknownBlock matrix;  // A of the elastic step
+    Unknowns right;       // what moves it, but for what flows in this step
+  };
+
+  const Block& of(ElementIndex e) const { return blocks_[static_cast<std::size_t>(e.value)]; }
+  Unknowns end(ElementIndex e, const UnknownsTable& increments) const { return start_.q[e] + increments[e]; }
+  const YieldState& before(ElementIndex e) const { return start_.points.blocks[static_cast<std::size_t>(e.value)]; }
+
+  const BlockGroup& group_;
+  const BodiesMotion& start_;
+  StepRule rule_;
+  double dt_;
+  std::vector<Block> blocks_;
+};
+
 std::unique_ptr<EstimatedStep> BlockGroup::begin(const BodiesMotion& start, const UnknownsTable& loads,
-                                                 const StepRule& rule, double, FreeStep& step) const {
+                                                 const StepRule& rule, double dt, FreeStep& step) const {
   const std::size_t count = bodies_.size();
   step.flexibility.blocks.resize(count);
   if (rule.judging_inertia > 0) step.judging.blocks.resize(count);
   for (UnknownsTable* table : {&step.increments, &step.known_velocity, &step.known_acceleration}) table->resize(count);
+  auto yielding = yields_.empty() ? nullptr : std::make_unique<YieldingBlocks>(*this, start, rule, dt);
   for_each_entry(count, [&](std::size_t i) {
     const ElementIndex e{static_cast<int>(i)};
     StepEquations equations = step_equations(bodies_[e], {start.q[e], start.v[e], start.a[e]}, loads[e], rule);
+    if (yielding) yielding->put_elastic(e, equations);
     step.flexibility.blocks[e] = std::move(equations.inverse);
     if (!step.judging.blocks.empty()) step.judging.blocks[e] = std::move(equations.judging);
     step.increments[e] = std::move(equations.free);
     step.known_velocity[e] = std::move(equations.known_velocity);
     step.known_acceleration[e] = std::move(equations.known_acceleration);
   });
-  return nullptr;
+  return yielding;
 }
 
 // The centroid is an unknown; moments are those of the polygon as it lies.
@@ -299,6 +402,11 @@ ElementState BlockGroup::state_of(const SceneParts& scene, ElementIndex e, const
 
 Stress BlockGroup::stress_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion, Point) const {
   const double angle = angle_of(*scene.model.elements[e].basis, motion.q[e]);
+  if (const BlockYield* yield = yield_of(e)) {
+    const YieldState& state = motion.points.blocks[static_cast<std::size_t>(e.value)];
+    const Eigen::Vector4d stress = yield->rock.stress(yield->strain_at(motion.q[e]), state);
+    return turned({stress(0), stress(1), stress(2), stress(3)}, angle);
+  }
   return turned(block_stress(scene.model, e, scene.reference, scene.settings, motion.q[e]), angle);
 }
 
@@ -363,6 +471,23 @@ void BlockGroup::carry_field(const SceneParts& scene, ElementIndex e, const std:
   v.tail<3>() << rate(0, 0), rate(1, 1), rate(0, 1) + rate(1, 0);
 }
 
+// The mean of plastic strain and κ over the block.
+void BlockGroup::carry_memory(ElementIndex e, const std::vector<FieldPoint>& field, const BodiesBefore& before,
+                              BodiesMotion& carried) const {
+  const ElementIndex old = before.parents[e];
+  YieldState mean;
+  double area = 0;
+  for (const FieldPoint& point : field) {
+    const YieldState memory = before.groups.of(old).memory_at(old, before.motion, point.start);
+    area += point.area;
+    mean.plastic += point.area * memory.plastic;
+    mean.kappa += point.area * memory.kappa;
+  }
+  mean.plastic /= area;
+  mean.kappa /= area;
+  carried.points.blocks[static_cast<std::size_t>(e.value)] = mean;
+}
+
 // The affine field of a block about the centroid of its piece; its velocity as the mass of the block has it, whose
 // points lie where they would without strain: kinetic energy is kept to round-off.
 void BlockGroup::carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const {
@@ -372,9 +497,12 @@ void BlockGroup::carry(const SceneParts& scene, const BodiesBefore& before, Bodi
     const BodyGroup& group = before.groups.of(old);
     if (dynamic_cast<const BlockGroup*>(&group) == nullptr) {
       const auto loops = loops_of(scene.model, e);
-      carry_field(scene, e, group.field_over(before.scene, old, loops, 1, before.motion), carried);
+      const std::vector<FieldPoint> field = group.field_over(before.scene, old, loops, 1, before.motion);
+      carry_field(scene, e, field, carried);
+      if (yield_of(e)) carry_memory(e, field, before, carried);
       continue;
     }
+    if (yield_of(e)) carried.points.blocks[static_cast<std::size_t>(e.value)] = group.memory_at(old, before.motion, {});
     const Basis& basis = *before.scene.model.elements[old].basis;
     const Eigen::Index count = std::min(before.motion.q[old].size(), carried.q[e].size());
     if (count == 0) continue;

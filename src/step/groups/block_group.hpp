@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "step/bodies/standard_body.hpp"
+#include "step/bodies/block_yield.hpp"
 #include "step/groups/body_group.hpp"
 
 namespace keyblock {
 
 class BlockGroup final : public BodyGroup {
  public:
-  /// One body an element; those of other groups have no unknowns and are `of_others`.
-  BlockGroup(Bodies bodies, std::vector<bool> of_others);
+  /// One body an element; those of other groups have no unknowns and are `of_others`. `yields`: one an element, or
+  /// none of any.
+  BlockGroup(Bodies bodies, std::vector<bool> of_others, std::vector<std::optional<BlockYield>> yields);
 
   const Bodies& bodies() const { return bodies_; }
 
@@ -20,8 +21,8 @@ class BlockGroup final : public BodyGroup {
   bool are_one_body(ElementIndex a, ElementIndex b) const override { return a == b; }
   bool has_supports() const override;
   bool is_supported(ElementIndex) const override { return false; }
-  bool is_linear() const override { return true; }
-  bool may_yield() const override { return false; }
+  bool is_linear() const override { return yields_.empty(); }
+  bool may_yield() const override { return !yields_.empty(); }
   bool resolves_impacts() const override { return false; }
   bool takes_holes() const override { return true; }
   bool has_compatible_start() const override { return true; }
@@ -62,15 +63,31 @@ class BlockGroup final : public BodyGroup {
   std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
                                      std::span<const std::vector<Point>> region, int degree,
                                      const BodiesMotion& motion) const override;
-  YieldState memory_at(ElementIndex, const BodiesMotion&, Point) const override { return {}; }
+  YieldState memory_at(ElementIndex e, const BodiesMotion& motion, Point) const override {
+    return yield_of(e) ? motion.points.blocks[static_cast<std::size_t>(e.value)] : YieldState();
+  }
   void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
 
  private:
+  void carry_memory(ElementIndex e, const std::vector<FieldPoint>& field, const BodiesBefore& before,
+                    BodiesMotion& carried) const;
   void carry_field(const SceneParts& scene, ElementIndex e, const std::vector<FieldPoint>& field,
                    BodiesMotion& carried) const;
 
+  /// None of a block that stays elastic.
+  const BlockYield* yield_of(ElementIndex e) const {
+    const auto i = static_cast<std::size_t>(e.value);
+    return yields_.empty() || !yields_[i] ? nullptr : &*yields_[i];
+  }
+  /// V Bᵀ D εᵖ at rest, which acts against the elastic force.
+  Unknowns plastic_force(ElementIndex e, const BodiesMotion& motion) const;
+  void add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFlow& flow) const;
+
+  friend class YieldingBlocks;
+
   Bodies bodies_;
   std::vector<bool> of_others_;
+  std::vector<std::optional<BlockYield>> yields_;
   double size_ = 0;
 };
 

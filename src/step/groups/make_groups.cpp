@@ -20,7 +20,10 @@ MadeGroups groups_of(const Model& model, const Settings& settings, Reference& re
       if (model.elements[e].is_on_covers()) bodies[e].size = covers->body_at_start(e).size;
     groups.push_back(std::make_shared<const CoverGroup>(std::move(covers)));
   }
-  auto blocks = std::make_shared<const BlockGroup>(std::move(bodies), std::move(on_covers));
+  std::vector<std::optional<BlockYield>> yields;
+  for (ElementIndex e : indices(bodies)) yields.push_back(block_yield(model, reference, settings, e));
+  if (std::ranges::none_of(yields, [](const auto& yield) { return yield.has_value(); })) yields.clear();
+  auto blocks = std::make_shared<const BlockGroup>(std::move(bodies), std::move(on_covers), std::move(yields));
   groups.insert(groups.begin(), blocks);
   return {BodyGroups(std::move(groups)), std::move(blocks)};
 }

@@ -1,0 +1,38 @@
+// A point of rock that may yield in the plane of a run: its law, and the stress it had before anything moved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "material/yield_law.hpp"
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+/// Strains are those of the plane since the start, (xx, yy, 2xy). What a point remembers is its plastic strain: the
+/// elastic one is what the strain at hand leaves of it and of that of the initial stress, so that a body may be moved
+/// without telling its points. Across the plane there is no strain, or no stress.
+struct RockPoint {
+  std::shared_ptr<const YieldLaw> law;
+  Plane plane = Plane::strain;
+  double area = 0;
+  Eigen::Vector4d initial = Eigen::Vector4d::Zero();  ///< elastic strain of the initial stress: xx, yy, 2xy, zz
+
+  /// The memory with the elastic strain that a strain leaves.
+  YieldState as_at(const Eigen::Vector3d& strain, const YieldState& state) const;
+
+  /// The law's answer at a strain, to a point that remembered `before`.
+  Response respond(const Eigen::Vector3d& strain, const YieldState& before) const;
+
+  /// (xx, yy, xy, zz), by elasticity alone.
+  Eigen::Vector4d stress(const Eigen::Vector3d& strain, const YieldState& state) const;
+
+  /// ∫ ½ εᵉ · D εᵉ over the area, less that of the initial stress.
+  double stored(const Eigen::Vector3d& strain, const YieldState& state) const;
+
+  /// ∫ σ · Δεᵖ over the area, by the stress at the end.
+  double plastic_work(const Eigen::Vector3d& strain, const YieldState& before, const YieldState& after) const;
+};
+
+}  // namespace keyblock

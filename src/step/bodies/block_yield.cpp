@@ -1,0 +1,47 @@
+// Forces of plastic strain; see block_yield.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/bodies/block_yield.hpp"
+
+#include "material/material_stress.hpp"
+
+namespace keyblock {
+
+// Under plane stress the modulus is that of the plane, which the strain across does not enter.
+Unknowns BlockYield::plastic_force(const Eigen::Vector4d& plastic) const {
+  const Eigen::Vector3d stress = rock.plane == Plane::stress
+                                     ? Eigen::Vector3d(modulus * plastic.head<3>())
+                                     : Eigen::Vector3d((rock.law->modulus() * plastic).head<3>());
+  return rock.area * (strain.transpose() * stress);
+}
+
+double BlockYield::plastic_energy(const Unknowns& q, const YieldState& state) const {
+  return rock.stored(strain_at(q), state) - rock.stored(strain_at(q), YieldState());
+}
+
+UnknownBlock BlockYield::lost_stiffness(const Response& response) const {
+  const Eigen::Matrix3d lost = modulus - response.tangent.topLeftCorner<3, 3>();
+  return rock.area / 2 * (strain.transpose() * (lost + lost.transpose()) * strain);
+}
+
+std::optional<BlockYield> block_yield(const Model& model, const Reference& reference, const Settings& settings,
+                                      ElementIndex e) {
+  const Element& element = model.elements[e];
+  const BlockMaterial& material = model.material_of(element);
+  if (!material.strength || element.is_on_covers() || element.basis->unknown_count() <= kRigidUnknowns)
+    return std::nullopt;
+  const YieldLaw law{material.youngs_modulus, material.poissons_ratio, *material.strength};
+  const Stress start = start_stress(material, material.stress_gradient, reference.centroids[e].y, settings.plane);
+  return BlockYield{{std::make_shared<const YieldLaw>(law), settings.plane, reference.moments[e].area,
+                     law.elastic_strain({start.xx, start.yy, start.xy, start.zz})},
+                    element.basis->strain(),
+                    modulus_of(material, settings.plane)};
+}
+
+// A rule whose strain follows the velocity at the end sees the elastic strain of the end in a flow that is steady.
+PlasticShare plastic_share(const Body& body, const StepRule& rule, double dt) {
+  const bool follows_rate = rule.strain.velocity != 0;
+  const bool is_damped = rule.strain_rate.increment != 0;
+  return {follows_rate ? 1 : rule.strain.increment, is_damped ? body.stiffness_damping / dt : 0};
+}
+
+}  // namespace keyblock
