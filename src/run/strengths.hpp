@@ -12,9 +12,9 @@ namespace keyblock {
 /// of the old programs.
 void require_readable_strengths(const Problem& problem, const Settings& settings);
 
-/// What is to be said of the materials and the points of a scene that may yield; `place` of its bodies on covers. Throws
-/// InputError where softening by fracture energy would snap back within a point, and where a block that may yield is
-/// rigid.
+/// What is to be said of the materials and the points of a scene that may yield; `place` of its bodies on covers.
+/// Throws InputError where softening by fracture energy would snap back within a point, and where a block that may
+/// yield is rigid.
 Warnings look_at_strengths(const Scene& scene, const Place& place);
 
 }  // namespace keyblock

@@ -56,8 +56,8 @@ class CoverYield {
     double theta = 1;
     std::span<const double> more = {};
   };
-  /// The force of a step, ∫ ∇N · S F_halfᵀ, whose work is (1 - θ) T0 · Δε + θ T1 · Δε, T0 the stress at d0, T1 that which
-  /// the law returns to at d1 (`step_stress`): the change of ½ εᵉ · D εᵉ, the plastic work, and a rest that vanishes
+  /// The force of a step, ∫ ∇N · S F_halfᵀ, whose work is (1 - θ) T0 · Δε + θ T1 · Δε, T0 the stress at d0, T1 that of
+  /// the law at d1 (`log_step_stress`): the change of ½ εᵉ · D εᵉ, the plastic work, and a rest that vanishes
   /// with the step. Not finite where a point is turned over.
   Eigen::VectorXd force_of_step(const Way& way) const;
   /// A += ∂force_of_step/∂d1, made symmetric, as CoverElasticity::add_tangent.

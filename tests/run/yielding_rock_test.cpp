@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -42,10 +43,12 @@ struct Done {
   std::string folder;
 };
 
-Done run_of(const std::string& name, const std::string& text) {
+Done run_of(const std::string& name, const std::string& text, const std::vector<std::string>& more = {}) {
   const std::string folder = fresh_folder("yielding_" + name);
   write_text(folder + "/in.json", text);
-  const auto run = run_keyblock({"run", folder + "/in.json", "-o", folder + "/out"});
+  std::vector<std::string> arguments = {"run", folder + "/in.json", "-o", folder + "/out"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const auto run = run_keyblock(arguments);
   Done done{run.exit_code, run.messages, {}, folder};
   if (run.exit_code != 3) done.forces = nlohmann::json::parse(read_text(folder + "/out/run.json"))["forces"];
   return done;
@@ -111,11 +114,16 @@ TEST(YieldingRock, what_an_excavation_leaves_without_support_is_named) {
 }
 
 TEST(YieldingRock, a_strength_that_no_run_reads_is_refused) {
-  std::string moving = square(kPressed, "", kCoulomb);
-  moving.replace(moving.find("\"velocity_carry_over\": 0"), 24, "\"velocity_carry_over\": 1");
-  const Done done = run_of("moving", moving);
+  std::string block = square("", "", kCoulomb);
+  const std::size_t covers = block.find("\"covers\"");
+  block.erase(covers, block.find("\"analysis\"") - covers);
+  const Done done = run_of("block", block, {"--profile", "legacy"});
   EXPECT_EQ(done.exit_code, 3);
-  EXPECT_NE(done.messages.find("expected a strength in statics"), std::string::npos) << done.messages;
+  EXPECT_NE(done.messages.find("expected a strength in a run of profile standard"), std::string::npos) << done.messages;
+  const Done rigid = run_of("rigid", block, {"--set", "basis=rigid"});
+  EXPECT_EQ(rigid.exit_code, 3);
+  EXPECT_NE(rigid.messages.find("expected basis affine of blocks whose material has a strength"), std::string::npos)
+      << rigid.messages;
 }
 
 TEST(YieldingRock, softening_too_steep_for_the_mesh_is_refused_with_the_size_allowed) {

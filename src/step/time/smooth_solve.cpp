@@ -22,8 +22,8 @@ constexpr double kSettled = 1e-12;
 constexpr int kMostRounds = 8;
 constexpr int kMostRoundsOfSprings = 30;  // whose law is not linear where they meet or part
 constexpr int kMostRoundsOfYield = 40;    // points change sides of their surface from round to round
-// Rock that yields is stiff for its strength: a change of strain of this size is one of a ten-thousandth of the strength
-// at a strength of a hundred-thousandth of the modulus.
+// Rock that yields is stiff for its strength: a change of strain of this size is a ten-thousandth of the strength where
+// that is a hundred-thousandth of the modulus.
 constexpr double kTolerableOfYield = 1e-9;
 constexpr double kTolerable = 1e-6;
 // Rows and matrix are made anew about the first estimates, and where these moved by more than the second figure:
