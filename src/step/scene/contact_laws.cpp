@@ -92,6 +92,13 @@ ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Tou
   return law;
 }
 
+bool resolves_impact(const StandardScene& scene, const Touch& touch) {
+  const auto resolves = [&](VertexIndex vertex) {
+    return scene.groups.of(scene.model.vertices[vertex].element).resolves_impacts();
+  };
+  return resolves(touch.vertex) || resolves(touch.start);
+}
+
 std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
                                   const Eigen::VectorXd& forces, double tolerance) {
   struct Face {

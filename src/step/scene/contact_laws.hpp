@@ -53,6 +53,9 @@ ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Tou
 std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
                                   const Eigen::VectorXd& forces, double tolerance);
 
+/// Whether a body of a touch resolves by itself how an impact goes on: bodies on covers do.
+bool resolves_impact(const StandardScene& scene, const Touch& touch);
+
 /// Bonds of resting touches whose joint material has strength.
 Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches& resting);
 

@@ -347,13 +347,13 @@ UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, 
 }
 
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                   const Touches& closed, const std::vector<double>& slides, double time, double dt,
+                                   const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
                                    const Flexibility& flexibility) {
   if (closed.empty() && scene.held.empty()) return v;
   const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
-  problem.laws.assign(closed.size(), kBilateral);
+  for (const HeldSlip& slip : slips) problem.laws.push_back(slip.sticks ? kHeld : kBilateral);
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.goal = kImpulseTolerance * largest_momentum(scene, v) / (dt * dt) + kSmallest;
   problem.acceptable = kLooser * problem.goal;
@@ -370,7 +370,8 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
     change = 0;
     for (std::size_t i = 0; i < closed.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      const double before = std::exchange(friction[n + 1], slides[i] * pushes[n]);
+      if (slips[i].sticks) continue;
+      const double before = std::exchange(friction[n + 1], slips[i].friction * pushes[n]);
       change = std::max(change, std::abs(friction[n + 1] - before));
     }
     if (round == 0) first_change = change;

@@ -65,13 +65,19 @@ UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, 
 /// Velocities without the strain rates of blocks.
 UnknownsTable rigid_part(UnknownsTable v);
 
+/// What a touch whose normal velocity is held does along its edge: it slides freely, with friction, or sticks.
+struct HeldSlip {
+  double friction = 0;  ///< over the normal force
+  bool sticks = false;
+};
+
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in
 /// positions, and without this their rates would change sign each step. `flexibility` is that of the step, A⁻¹: what
 /// answers is the inertia that a step reaches, M + θ dt² K up to a factor, so that strains too stiff for the step are
-/// not struck by round-off of gaps. Where a contact slides, `slides` is its friction over its normal force, and so is
-/// that of the impulse: else what the impulses bear of the normal force would be without friction.
+/// not struck by round-off of gaps. Where a contact slides with friction, so does the impulse: else what the
+/// impulses bear of the normal force would be without.
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                   const Touches& closed, const std::vector<double>& slides, double time, double dt,
+                                   const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
                                    const Flexibility& flexibility);
 
 }  // namespace keyblock

@@ -60,6 +60,8 @@ SmoothContacts::SmoothContacts(const StandardScene& scene, const Motion& start, 
       constraints_(scene, start, time, dt, rule.stiffness) {
   memories_.resize(touches_.size());
   for_each_entry(touches_.size(), [&](std::size_t i) { memories_[i] = start_.closed.of(touches_[i]); });
+  for (const Touch& touch : touches_)
+    follows_way_.push_back(may_follow_rates_ && !springs_stop() && resolves_impact(scene, touch));
 }
 
 void SmoothContacts::take_laws() {
@@ -89,10 +91,10 @@ void SmoothContacts::add_laws() {
     const ContactLaw& law = laws_[i];
     problem_.laws.push_back(law.force);
     add_compliance(n, normal_scale(i) * law.normal_compliance);
-    add_compliance(n + 1, of_stretch() * law.tangential_compliance);
+    add_compliance(n + 1, tangential_scale(i) * law.tangential_compliance);
     if (problem_.proximal.size() == 0) continue;
     problem_.proximal[n] = law.normal_weight;
-    problem_.proximal[n + 1] = of_stretch() * law.tangential_weight;
+    problem_.proximal[n + 1] = tangential_scale(i) * law.tangential_weight;
   }
   for (std::size_t i = 0; i < constraints_.count(); ++i) {
     const Eigen::Index n = first_constraint() + static_cast<Eigen::Index>(2 * i);
@@ -120,6 +122,7 @@ void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
   const Eigen::VectorXd from_estimate = rates(*rows_, plus(free_.increments(), -1, estimate));
   Eigen::VectorXd line_compliance = Eigen::VectorXd::Zero(springs_stop() ? first_constraint() : 0);
   problem_.b = rates(*rows_, plus(free_.increments(), 1 / free_.rate(), free_.known_velocity()));
+  const Eigen::VectorXd way = rates(*rows_, free_.increments());
   for_each_entry(touches_.size(), [&](std::size_t i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
     const double before = gap_of(touches_[i], start_vertices_) - laws_[i].rest_gap;
@@ -134,7 +137,8 @@ void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
       line_compliance[n] = line.compliance;
     }
     const ContactMemory* memory = memories_[i];
-    if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += of_stretch() * memory->stretch;
+    if (follows_way_[i]) problem_.b[n + 1] = way[n + 1];
+    if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += tangential_scale(i) * memory->stretch;
   });
   follow_lines(line_compliance);
   const Eigen::Index of_constraints = problem_.b.size() - first_constraint();
@@ -209,6 +213,7 @@ void SmoothContacts::put_end(SmoothMotion& to) && {
   to.bonds = std::move(bonds_);
   to.constraints = constraints_.memory(to.forces.tail(to.forces.size() - first_constraint()), to.q);
   for (std::size_t i = 0; i < touches_.size(); ++i) to.rate_laws.push_back(follows_rate(i));
+  to.way_laws = std::move(follows_way_);
   if (rows_) to.rows = std::move(*rows_);  // the matrix that shares them is not used again
   to.laws = std::move(laws_);
 }

@@ -53,6 +53,7 @@ class SmoothContacts {
   void put_goal();
   bool has_proximal() const;
   bool follows_rate(std::size_t i) const;
+  double tangential_scale(std::size_t i) const { return follows_way_[i] ? 1 : of_stretch(); }
   double normal_scale(std::size_t i) const { return springs_stop() ? 0 : follows_rate(i) ? of_stretch() : 1; }
   /// The tangential spring is stretched by dt times the velocity at the end of the step: a spring too stiff for the
   /// step then brings its point to rest, where the displacement of the step would turn the velocity over in each step.
@@ -66,6 +67,7 @@ class SmoothContacts {
   ForceTolerance tolerance_;
   double dt_;
   bool may_follow_rates_;
+  std::vector<bool> follows_way_;  ///< of each touch: friction is against the slip of the step
   Table<VertexIndex, Point> start_vertices_;
   Bonds bonds_;
   StepConstraints constraints_;

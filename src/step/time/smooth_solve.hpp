@@ -29,6 +29,7 @@ struct SmoothMotion : BodiesMotion {
   Flexibility flexibility;       ///< A⁻¹
   std::vector<ContactLaw> laws;  ///< of the touches
   std::vector<bool> rate_laws;   ///< of the touches: whether the force is that of the rate at the end, not of the gap
+  std::vector<bool> way_laws;    ///< of the touches: whether friction is against the slip of the step, not its end
   double residual = 0;
   Bonds bonds;  ///< that still hold
   ConstraintMemory constraints;

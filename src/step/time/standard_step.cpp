@@ -53,22 +53,15 @@ bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
                                    scene.model.vertices[touch.start].element);
 }
 
-// Bodies on covers resolve by themselves how an impact goes on: their own inertia near the touch takes part in the
-// motion of the step, and nothing else is struck. Their rebound is that of their own elasticity: Newton's law with a
-// restitution is one of whole blocks.
-bool resolves_impact(const StandardScene& scene, const Touch& touch) {
-  const auto resolves = [&](VertexIndex vertex) {
-    return scene.groups.of(scene.model.vertices[vertex].element).resolves_impacts();
-  };
-  return resolves(touch.vertex) || resolves(touch.start);
-}
-
 struct Split {
   Touches smooth;
   Touches impacts;
   std::vector<double> impact_speeds;  ///< normal velocity at the start of the step, negative
 };
 
+// Bodies on covers resolve by themselves how an impact goes on: their own inertia near the touch takes part in the
+// motion of the step, and nothing else is struck. Their rebound is that of their own elasticity: Newton's law with a
+// restitution is one of whole blocks.
 Split split(const StandardScene& scene, const Motion& start, const Touches& touches, double slow) {
   const ContactRows rows = contact_rows(scene.model, scene.reference, start.q, touches);
   const Eigen::VectorXd speeds = rates(rows, rigid_part(start.v));
@@ -122,12 +115,12 @@ class Attempt {
     step_.motion.constraints = smooth_.constraints;
     const std::vector<std::size_t> held = to_be_held();
     Touches held_touches;
-    std::vector<double> slides;
+    std::vector<HeldSlip> slips;
     for (std::size_t i : held) {
       held_touches.push_back(parts_.smooth[i]);
-      slides.push_back(slide(i));
+      slips.push_back(slip_held(i));
     }
-    step_.motion.v = cleaned_up(held_touches, slides, start_.given_up + energy_of_closing(held));
+    step_.motion.v = cleaned_up(held_touches, slips, start_.given_up + energy_of_closing(held));
     if (one_resolves_impact(held_touches))
       step_.motion.given_up = std::max(0.0, kinetic_energy(scene_, smooth_.v) - kinetic_energy(scene_, step_.motion.v));
     const UnknownsTable cleaned = step_.motion.v;
@@ -224,9 +217,9 @@ class Attempt {
   // The inertia that a step reaches is not that of the kinetic energy, which may therefore rise. Where mass alone
   // answers it falls, and contacts have no velocity either: where it would rise by more than contacts took as they
   // closed, and the step before gave up, there is as much of that as keeps it.
-  UnknownsTable cleaned_up(const Touches& held, const std::vector<double>& slides, double at_most) const {
+  UnknownsTable cleaned_up(const Touches& held, const std::vector<HeldSlip>& slips, double at_most) const {
     const auto answered_by = [&](const Flexibility& answer) {
-      return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slides, time_, dt_, answer);
+      return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slips, time_, dt_, answer);
     };
     UnknownsTable cleaned = answered_by(smooth_.flexibility);
     if (!one_resolves_impact(held)) return cleaned;
@@ -242,13 +235,16 @@ class Attempt {
     return plus(calm, (std::sqrt(slope * slope + 2 * curvature * left) - slope) / curvature, change);
   }
 
-  // Friction over normal force where a contact of bodies on covers slides, 0 where it sticks. Blocks, whose strains are
-  // damped, come to rest against each other in a step or two.
-  double slide(std::size_t i) const {
+  // Where friction is one of the way of the step, a contact that sticks keeps no velocity along its edge, which would
+  // turn over in each step, and the impulse on one that slides rubs. Blocks, whose friction is one of the velocity at
+  // the end, come to rest against each other in a step or two.
+  HeldSlip slip_held(std::size_t i) const {
+    if (!smooth_.way_laws[i]) return {};
+    if (smooth_.laws[i].is_bonded) return {.sticks = true};
+    if (normal(i) <= 0) return {};
     const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
-    if (!resolves_impact(scene_, parts_.smooth[i])) return 0;
-    if (smooth_.laws[i].is_bonded || normal(i) <= 0 || sticks(smooth_.laws[i], normal(i), tangential)) return 0;
-    return tangential / normal(i);
+    if (sticks(smooth_.laws[i], normal(i), tangential)) return {.sticks = true};
+    return {.friction = tangential / normal(i)};
   }
 
   void strike(const Touches& closed) {
