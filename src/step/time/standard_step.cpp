@@ -180,8 +180,8 @@ class Attempt {
     return closed;
   }
 
-  // Those whose gap decides what they do in the step: multipliers, and what has just closed on bodies on covers, which
-  // would be thrown back.
+  // Those whose gap decides what they do in the step: multipliers, and what has just closed, or come to stick, on bodies
+  // on covers, which would be thrown back.
   std::vector<std::size_t> to_be_held() const {
     const bool springs_throw_back = scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
     std::vector<std::size_t> held;
@@ -189,8 +189,8 @@ class Attempt {
       if (!is_closed(i)) continue;
       const Touch& touch = parts_.smooth[i];
       const bool has_spring = smooth_.laws[i].normal_compliance > 0;
-      if (!has_spring || (springs_throw_back && !start_.closed.of(touch) && resolves_impact(scene_, touch)))
-        held.push_back(i);
+      const bool has_met = !start_.closed.of(touch) || slip_held(i).sticks;
+      if (!has_spring || (springs_throw_back && has_met && resolves_impact(scene_, touch))) held.push_back(i);
     }
     return held;
   }
