@@ -52,7 +52,13 @@ constexpr double kClosedThen = 1e-6;
 class StaticSolve {
  public:
   StaticSolve(const StandardScene& scene, const Motion& start, double time)
-      : scene_(scene), start_(start), time_(time), slip_start_(start), points_(start.points), closed_(start.closed) {
+      : scene_(scene),
+        start_(start),
+        time_(time),
+        slip_start_(start),
+        points_(start.points),
+        closed_(start.closed),
+        may_yield_(keyblock::may_yield(scene)) {
     slip_start_.v.set_zero();
     now_ = slip_start_;
   }
@@ -181,6 +187,7 @@ class StaticSolve {
     moved_ = moved;
     now_.q = made.q;
     points_ = made.points;
+    if (may_yield_ && made.forces.size() > 0) load_ = std::max(load_, made.forces.cwiseAbs().maxCoeff());
     now_.bonds = made.bonds;
     now_.constraints = made.constraints;
     std::vector<ClosedContact> closed;
@@ -226,7 +233,9 @@ class StaticSolve {
   Motion now_;         ///< v is the way since `slip_start_`, a velocity over unit time; springs are stretched as there
   PointMemories points_;   ///< at the last iteration; each begins with those of the start
   ClosedContacts closed_;  ///< with their present stretch
-  double load_ = 0;        ///< the largest, or what drives held points
+  bool may_yield_;
+  double load_ = 0;  ///< the largest, or what drives held points; of rock that flows also the largest force of contact:
+                     ///< between driven plates the flow is found to a share of that
   double tau_ = 0;
   double used_ = 0;                                         ///< τ of the last iteration that stands
   double bound_ = std::numeric_limits<double>::infinity();  ///< of τ, by what has risen

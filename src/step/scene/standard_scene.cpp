@@ -151,6 +151,10 @@ Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const U
   return scales;
 }
 
+bool may_yield(const StandardScene& scene) {
+  return std::ranges::any_of(scene.groups, [](const BodyGroups::Group& group) { return group->may_yield(); });
+}
+
 double slow_speed(const StandardScene& scene, const Scales& scales, const UnknownsTable& v, double dt) {
   double fastest = 0;
   for (const auto& group : scene.groups) fastest = std::max(fastest, group->fastest_centre(v));

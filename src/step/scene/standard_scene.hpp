@@ -71,6 +71,9 @@ double largest_momentum(const StandardScene& scene, const UnknownsTable& v);
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,
                  const UnknownsTable& v);
 
+/// Whether some of its rock may yield.
+bool may_yield(const StandardScene& scene);
+
 /// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of
 /// free acceleration would give.
 double slow_speed(const StandardScene& scene, const Scales& scales, const UnknownsTable& v, double dt);

@@ -226,9 +226,7 @@ LedgerScope ledger_scope(const StandardScene& scene) {
   const bool has_supports =
       std::ranges::any_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_supports(); });
   const bool is_dynamic = scene.settings.standard.motion == MotionRule::dynamic;
-  const bool may_yield =
-      std::ranges::any_of(scene.groups, [](const BodyGroups::Group& group) { return group->may_yield(); });
-  return {is_dynamic, has_supports || !scene.held.empty(), scene.mass_centre, false, may_yield};
+  return {is_dynamic, has_supports || !scene.held.empty(), scene.mass_centre, false, may_yield(scene)};
 }
 
 }  // namespace keyblock

@@ -25,6 +25,12 @@ constexpr int kMostRoundsOfYield = 40;    // points change sides of their surfac
 // Rock that yields is stiff for its strength: a change of strain of this size is a ten-thousandth of the strength where
 // that is a hundred-thousandth of the modulus.
 constexpr double kTolerableOfYield = 1e-9;
+// Shares of the change of the round before: above the first a round does not lead on, below the second it leads far; of
+// its part p it promises p, and the third of that is enough. The least part that is taken.
+constexpr double kStalls = 0.7;
+constexpr double kLeads = 0.25;
+constexpr double kPromised = 0.9;
+constexpr double kLeastPart = 1.0 / 16;
 constexpr double kTolerable = 1e-6;
 // Rows and matrix are made anew about the first estimates, and where these moved by more than the second figure:
 // directions of forces are then as good as that, and gaps are those of the estimate itself in any case.
@@ -41,6 +47,30 @@ constexpr double kOfLast = 2;
 constexpr double kWorstGain = 0.03;
 // Linear systems that a round may make whatever those before it took.
 constexpr int kFewestSystems = 8;
+
+/// The parts of rounds that are taken where rock may yield: points that change sides of their surface in turn would go
+/// on so. Half as much of a round that changes as much as the one before; twice as much after one that led far, or two
+/// that led as far as their part promised.
+class PartsOfRounds {
+ public:
+  /// `left`: the change of a round over that of the one before.
+  double next(double left) {
+    if (left > kStalls) {
+      kept_ = 0;
+      return part_ = std::max(part_ / 2, kLeastPart);
+    }
+    kept_ = left <= 1 - kPromised * part_ ? kept_ + 1 : 0;
+    if (left < kLeads || kept_ > 1) {
+      kept_ = 0;
+      part_ = std::min(1.0, 2 * part_);
+    }
+    return part_;
+  }
+
+ private:
+  double part_ = 1;
+  int kept_ = 0;  ///< rounds in a row that led as far as promised
+};
 
 class SmoothSolve {
  public:
@@ -70,6 +100,7 @@ class SmoothSolve {
     double change = is_linear() ? 0 : 1;
     double unsolved = std::numeric_limits<double>::infinity();
     double before = change;
+    PartsOfRounds parts;
     for (int round = 0; round < most_rounds() && change > kSettled && result_.converged; ++round) {
       leave_if_stopped();
       const double same = is_coarse() ? kSameRowsOfMany : kSameRows;
@@ -89,7 +120,8 @@ class SmoothSolve {
       if (round > 0 && !rows_moved && is_good_enough(unsolved)) break;
       UnknownsTable next = next_increments(std::move(now));
       change = free_.greatest_change(increments_, next);
-      increments_ = std::move(next);
+      const double part = free_.has_kinks() ? parts.next(change / before) : 1;
+      increments_ = part < 1 ? plus(increments_, part, plus(next, -1, increments_)) : std::move(next);
     }
     // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
     const bool forces_suffice = free_.is_linear() && std::isfinite(change) &&

@@ -20,6 +20,7 @@ namespace keyblock {
 namespace {
 
 constexpr int kMostHalvings = 2;
+constexpr int kMostHalvingsOfYield = 5;  // flow that finds no balance in a long step finds it in a short one
 // Each search adds the corners that the last solution made overlap; what is left after these is for the next step.
 constexpr int kMostSearches = 4;
 // Residual of the contact forces over the largest load on a block: few contacts reach the first, assemblies the second.
@@ -180,8 +181,8 @@ class Attempt {
     return closed;
   }
 
-  // Those whose gap decides what they do in the step: multipliers, and what has just closed, or come to stick, on bodies
-  // on covers, which would be thrown back.
+  // Those whose gap decides what they do in the step: multipliers, and what has just closed, or sticks, on bodies on
+  // covers, which would be thrown back.
   std::vector<std::size_t> to_be_held() const {
     const bool springs_throw_back = scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
     std::vector<std::size_t> held;
@@ -372,7 +373,7 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
 }  // namespace
 
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt) {
-  return in_parts(scene, start, time, dt, kMostHalvings);
+  return in_parts(scene, start, time, dt, may_yield(scene) ? kMostHalvingsOfYield : kMostHalvings);
 }
 
 }  // namespace keyblock
