@@ -230,6 +230,12 @@ void describe(F& f, In<F, Strength>& strength) {
 }
 
 template <class F>
+void describe(F& f, In<F, CrackClosure>& closure) {
+  f.real("initial_modulus", closure.initial_modulus, kNotNegative);
+  f.real("closure_strain", closure.closure_strain, kNotNegative);
+}
+
+template <class F>
 void describe(F& f, In<F, BlockMaterial>& material) {
   f.real("density", material.density, kPositive);
   f.real("unit_weight", material.unit_weight);
@@ -249,6 +255,7 @@ void describe(F& f, In<F, BlockMaterial>& material) {
   std::optional<Strength> strength;
   if (material.strength) strength = *material.strength;
   f.optional_object("strength", strength);
+  f.optional_object("crack_closure", material.crack_closure);
   if constexpr (!F::is_writing) {
     material.gives_zz = zz || gradient_zz;
     material.initial_stress.zz = zz.value_or(0);

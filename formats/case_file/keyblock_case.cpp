@@ -10,6 +10,7 @@
 #include "formats/case_file/case_fields.hpp"
 #include "formats/case_file/case_reading.hpp"
 #include "formats/case_file/case_writing.hpp"
+#include "material/crack_closure.hpp"
 #include "material/strength.hpp"
 
 namespace keyblock::formats {
@@ -180,12 +181,18 @@ void check(const Analysis& analysis) {
   if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
   for (const BlockMaterial& material : analysis.block_materials) {
-    if (!material.strength) continue;
-    if (const std::string why = why_unusable(*material.strength); !why.empty())
-      throw InputError(material.place, "strength: " + why);
+    if (!material.is_nonlinear()) continue;
+    if (material.strength)
+      if (const std::string why = why_unusable(*material.strength); !why.empty())
+        throw InputError(material.place, "strength: " + why);
+    if (material.crack_closure)
+      if (const std::string why = why_unusable(*material.crack_closure, material.youngs_modulus); !why.empty())
+        throw InputError(material.place, "crack_closure: " + why);
     if (!kPoissonPlaneStrain.holds(material.poissons_ratio))
-      throw InputError(material.place, fmt::format("expected poissons_ratio {} of a material with a strength, found {}",
-                                                   kPoissonPlaneStrain.wording, material.poissons_ratio));
+      throw InputError(
+          material.place,
+          fmt::format("expected poissons_ratio {} of a material with a {}, found {}", kPoissonPlaneStrain.wording,
+                      material.strength ? "strength" : "crack_closure", material.poissons_ratio));
   }
   if (!analysis.plane_strain) return;
   for (const BlockMaterial& material : analysis.block_materials)

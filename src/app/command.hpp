@@ -33,6 +33,7 @@ Action configure_sweep(CLI::App& options);     ///< sweep_command.cpp
 Action configure_batch(CLI::App& options);     ///< batch_command.cpp
 Action configure_convert(CLI::App& options);   ///< convert_command.cpp
 Action configure_element(CLI::App& options);   ///< element_command.cpp
+Action configure_fit(CLI::App& options);       ///< fit_command.cpp
 Action configure_formats(CLI::App& options);   ///< formats_command.cpp
 
 }  // namespace keyblock

@@ -30,7 +30,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 12> kCommands{{
+constexpr std::array<Command, 13> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
     {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut},
     {"joints", "draws joint sets from statistics into an outline", configure_joints},
@@ -41,6 +41,8 @@ constexpr std::array<Command, 12> kCommands{{
     {"batch", "checks, runs or converts every case of an archive, and writes a catalogue", configure_batch},
     {"convert", "writes a case in another format and names what that cannot hold", configure_convert},
     {"element", "drives one element of a material along a path of strains and stresses", configure_element},
+    {"fit", "finds parameters of rock from measured curves of stress and strain, or from triaxial tests",
+     configure_fit},
     {"formats", "lists the file formats and how well each is known (also: info)", configure_formats},
     {"info", "the same as formats", configure_formats},
 }};

@@ -2,15 +2,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/rock_point.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keyblock {
+namespace {
+
+// Of the energies at both ends: what their difference may be off by, and no more is to be made up for.
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+bool is_uniform(const CrackedResponse& r) {
+  return r.closed == 0 || r.closed == r.possible;
+}
+
+}  // namespace
+
+CrackedResponse RockPoint::cracked(const Eigen::Vector3d& strain, const YieldState& state) const {
+  Eigen::Vector4d elastic = initial - state.plastic;
+  elastic.head<3>() += strain;
+  return cracked_response(law->cracked(), elastic, plane == Plane::stress);
+}
 
 YieldState RockPoint::as_at(const Eigen::Vector3d& strain, const YieldState& state) const {
   YieldState now = state;
   now.elastic = initial - state.plastic;
   now.elastic.head<3>() += strain;
-  if (plane == Plane::stress) {
+  if (plane != Plane::stress) return now;
+  if (law->closure) {
+    now.elastic = cracked(strain, state).strain;
+  } else {
     const double nu = law->poissons_ratio;
     now.elastic(3) = -nu / (1 - nu) * (now.elastic(0) + now.elastic(1));
   }
@@ -25,12 +46,40 @@ Response RockPoint::respond(const Eigen::Vector3d& strain, const YieldState& bef
 }
 
 Eigen::Vector4d RockPoint::stress(const Eigen::Vector3d& strain, const YieldState& state) const {
+  if (law->closure) return cracked(strain, state).stress;
   return law->modulus() * as_at(strain, state).elastic;
 }
 
 double RockPoint::stored(const Eigen::Vector3d& strain, const YieldState& state) const {
+  if (law->closure) {
+    const double at_start = cracked_response(law->cracked(), initial, plane == Plane::stress).stored;
+    return area * (cracked(strain, state).stored - at_start);
+  }
   const Eigen::Vector4d change = as_at(strain, state).elastic - initial;
   return area * change.dot(law->modulus() * (initial + change / 2));
+}
+
+Eigen::Vector4d RockPoint::inelastic(const Eigen::Vector3d& strain, const YieldState& state) const {
+  if (!law->closure) return state.plastic;
+  const auto cracks = [this](const CrackedResponse& r) {
+    return Eigen::Vector4d(r.strain - law->intact_strain(r.stress));
+  };
+  return state.plastic + cracks(cracked(strain, state)) -
+         cracks(cracked_response(law->cracked(), initial, plane == Plane::stress));
+}
+
+Eigen::Vector3d RockPoint::missing_stress(const Eigen::Vector3d& strain0, const YieldState& before,
+                                          const Eigen::Vector3d& strain1, const YieldState& after) const {
+  if (!law->closure) return Eigen::Vector3d::Zero();
+  const CrackedResponse from = cracked(strain0, before), to = cracked(strain1, after);
+  if (is_uniform(from) && is_uniform(to) && from.closed == to.closed) return Eigen::Vector3d::Zero();
+  Eigen::Vector4d change = to.strain - from.strain;
+  if (plane == Plane::stress) change(3) = 0;
+  Eigen::Vector4d along = change;
+  along(2) /= 2;
+  const double missing = to.stored - from.stored - change.dot(from.stress + to.stress) / 2;
+  if (std::abs(missing) <= kRounding * std::max(from.stored, to.stored)) return Eigen::Vector3d::Zero();
+  return missing / change.dot(along) * along.head<3>();
 }
 
 double RockPoint::plastic_work(const Eigen::Vector3d& strain, const YieldState& before, const YieldState& after) const {

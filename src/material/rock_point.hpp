@@ -1,4 +1,4 @@
-// A point of rock that may yield in the plane of a run: its law, and the stress it had before anything moved.
+// A point of rock that may yield, or has cracks that close, in the plane of a run, and the stress it had at first.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -28,11 +28,24 @@ struct RockPoint {
   /// (xx, yy, xy, zz), by elasticity alone.
   Eigen::Vector4d stress(const Eigen::Vector3d& strain, const YieldState& state) const;
 
-  /// ∫ ½ εᵉ · D εᵉ over the area, less that of the initial stress.
+  /// ∫ ½ εᵉ · D εᵉ, or W of cracks, over the area, less that of the initial stress.
   double stored(const Eigen::Vector3d& strain, const YieldState& state) const;
+
+  /// Strain that intact elastic rock would not have: plastic, and by how much cracks have opened since the start.
+  Eigen::Vector4d inelastic(const Eigen::Vector3d& strain, const YieldState& state) const;
+
+  /// What the mean of the stresses at both ends of a way lacks (xx, yy, xy), so that its work on the change of elastic
+  /// strain is that of the energy stored: (ΔW - σ̄ · Δεᵉ) n / (Δεᵉ · n), n = Δεᵉ with the shear of a tensor (Gonzalez
+  /// 2000). None without cracks, or where all stay closed or open: the energy between is quadratic.
+  Eigen::Vector3d missing_stress(const Eigen::Vector3d& strain0, const YieldState& before,
+                                 const Eigen::Vector3d& strain1, const YieldState& after) const;
 
   /// ∫ σ · Δεᵖ over the area, by the stress at the end.
   double plastic_work(const Eigen::Vector3d& strain, const YieldState& before, const YieldState& after) const;
+
+ private:
+  /// Of a law with a closure.
+  CrackedResponse cracked(const Eigen::Vector3d& strain, const YieldState& state) const;
 };
 
 }  // namespace keyblock

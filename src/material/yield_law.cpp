@@ -7,7 +7,10 @@
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 
+#include "material/crack_return.hpp"
+#include "material/principal_axes.hpp"
 #include "material/strength.hpp"
 
 namespace keyblock {
@@ -21,19 +24,10 @@ constexpr int kMostRounds = 200;
 constexpr double kNoStress = 1e-14;
 
 /// In-plane axes of a stress (xx, yy, xy, zz) and its principal values in falling order.
-struct Axes {
-  double cosine = 1, sine = 0;
-  Eigen::Vector3d values;     // first and second in the plane, zz
-  std::array<int, 3> sorted;  // their indices, greatest first
+struct Axes : PlaneAxes {
+  std::array<int, 3> sorted;  // indices of the values, greatest first
 
-  explicit Axes(const Eigen::Vector4d& stress) {
-    const double half = (stress(0) - stress(1)) / 2;
-    const double radius = std::hypot(half, stress(2));
-    const double centre = (stress(0) + stress(1)) / 2;
-    const double angle = radius > 0 ? std::atan2(stress(2), half) / 2 : 0;
-    cosine = std::cos(angle);
-    sine = std::sin(angle);
-    values = {centre + radius, centre - radius, stress(3)};
+  explicit Axes(const Eigen::Vector4d& stress) : PlaneAxes(stress) {
     // Equal ones in a fixed order: the first axis of the plane, zz, the second.
     sorted = {0, 2, 1};
     std::stable_sort(sorted.begin(), sorted.end(), [&](int a, int b) { return values(a) > values(b); });
@@ -46,19 +40,6 @@ struct Axes {
     Eigen::Vector3d v;
     for (int i = 0; i < 3; ++i) v(sorted[static_cast<std::size_t>(i)]) = principal(i);
     return v;
-  }
-
-  Eigen::Vector4d stress(const Eigen::Vector3d& v) const {
-    const double cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
-    return {cc * v(0) + ss * v(1), ss * v(0) + cc * v(1), cs * (v(0) - v(1)), v(2)};
-  }
-
-  /// Turns strains (xx, yy, 2xy, zz) into the axes.
-  Eigen::Matrix4d turn() const {
-    const double cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
-    Eigen::Matrix4d t = Eigen::Matrix4d::Identity();
-    t.topLeftCorner<3, 3>() << cc, ss, cs, ss, cc, -cs, -2 * cs, 2 * cs, cc - ss;
-    return t;
   }
 };
 
@@ -158,14 +139,32 @@ Eigen::Matrix4d YieldLaw::modulus() const {
   return d;
 }
 
-Eigen::Vector4d YieldLaw::elastic_strain(const Eigen::Vector4d& s) const {
+Eigen::Vector4d YieldLaw::elastic_strain(const Eigen::Vector4d& stress) const {
+  if (!closure) return intact_strain(stress);
+  const PlaneAxes axes(stress);
+  const CrackedElasticity rock = cracked();
+  Eigen::Vector4d cracks = axes.tensor(axes.values.unaryExpr([&](double s) { return rock.crack_strain(s); }));
+  cracks(2) *= 2;
+  return intact_strain(stress) + cracks;
+}
+
+Eigen::Vector4d YieldLaw::intact_strain(const Eigen::Vector4d& s) const {
   const double nu = poissons_ratio;
   return Eigen::Vector4d(s(0) - nu * (s(1) + s(3)), s(1) - nu * (s(0) + s(3)), 2 * (1 + nu) * s(2),
                          s(3) - nu * (s(0) + s(1))) /
          youngs_modulus;
 }
 
+YieldLaw yield_law(const BlockMaterial& material) {
+  Strength none;
+  none.surface = YieldSurface::tresca;
+  none.values.cohesion = std::numeric_limits<double>::infinity();
+  return {material.youngs_modulus, material.poissons_ratio, material.strength ? *material.strength : none,
+          material.crack_closure};
+}
+
 Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size) {
+  if (law.closure) return respond_with_cracks(law, increment, before, size, false);
   const Eigen::Matrix4d modulus = law.modulus();
   const Eigen::Vector4d strain = before.elastic + increment;
   Response r;
@@ -188,7 +187,7 @@ Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const Yi
   if (law.strength.change) by_trial += back.by_kappa * flow.kappa_by_trial(back);
   r.after.kappa = law.strength.change ? kappa : before.kappa + equivalent(compliance * (trial - back.stress));
   const Eigen::Vector3d landed = axes.back(back.stress);
-  r.stress = axes.stress(landed);
+  r.stress = axes.tensor(landed);
   r.tangent = tangent_of(axes, by_trial, landed, principal, modulus(2, 2));
   r.after.elastic = law.elastic_strain(r.stress);
   r.after.region = back.region;
@@ -200,6 +199,7 @@ Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const Yi
 
 Response respond_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increment, const YieldState& before,
                               double size) {
+  if (law.closure) return respond_with_cracks(law, {increment(0), increment(1), increment(2), 0}, before, size, true);
   const Eigen::Matrix4d modulus = law.modulus();
   Eigen::Vector4d all(increment(0), increment(1), increment(2), 0);
   const Eigen::Vector4d elastic = modulus * (before.elastic + all);

@@ -1,4 +1,4 @@
-// What a case says of the strength of a material: the yield surface, its flow, and how both change as it flows.
+// What a case says of a material beyond linear elasticity: its cracks that close, the yield surface, its flow.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -33,6 +33,15 @@ struct StrengthChange {
   double fracture_energy = 0;  ///< force / length; above 0: in place of the strain
 
   bool operator==(const StrengthChange&) const = default;
+};
+
+/// Cracks that soften rock until compression has closed them: under uniaxial stress its modulus is `initial_modulus` up
+/// to the closure strain, then Young's modulus.
+struct CrackClosure {
+  double initial_modulus = 0;  ///< force / length², above 0 and below Young's modulus
+  double closure_strain = 0;   ///< above 0: of uniaxial compression, where the modulus changes
+
+  bool operator==(const CrackClosure&) const = default;
 };
 
 struct Strength {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/element_picture.hpp"
 
-#include "report/drawing/chart.hpp"
-
 namespace keyblock::report {
 namespace {
 
@@ -16,12 +14,14 @@ constexpr double kChartTop = 50;
 
 std::string element_picture(const std::string& title, const std::string& x_label, const std::vector<double>& x,
                             const std::string& y_label, const std::vector<double>& y) {
+  return curves_picture(title, {x_label, y_label}, {{y_label, x, y}});
+}
+
+std::string curves_picture(const std::string& title, const AxisLabels& labels, const std::vector<Curve>& curves) {
   SvgPage page(kPageWidth, kPageHeight);
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
-  const std::vector<Curve> curves{{y_label, x, y}};
   if (has_points(curves))
-    draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kPageHeight - kChartTop - 14}, curves,
-               {x_label, y_label});
+    draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kPageHeight - kChartTop - 14}, curves, labels);
   return page.str();
 }
 

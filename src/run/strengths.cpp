@@ -1,4 +1,4 @@
-// The refusal of strengths that would be dropped in silence, and of elements too large for softening.
+// The refusal of strengths and cracks that would be dropped in silence, and of elements too large for softening.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/strengths.hpp"
 
@@ -24,6 +24,10 @@ constexpr double kSmallPiece = 0.2;
 
 bool softens_by_energy(const BlockMaterial& material) {
   return material.strength && material.strength->change && material.strength->change->fracture_energy > 0;
+}
+
+const char* named_law(const BlockMaterial& material) {
+  return material.strength ? "strength" : "crack_closure";
 }
 
 void require_size(const BlockMaterial& material, double largest) {
@@ -78,11 +82,12 @@ void look_at_blocks(const Model& model, const Settings& settings) {
   for (const ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);
-    if (element.is_on_covers() || !element.can_move() || !material.strength) continue;
+    if (element.is_on_covers() || !element.can_move() || !material.is_nonlinear()) continue;
     if (element.basis == &rigid_basis())
       throw InputError(material.place,
-                       "expected basis affine of blocks whose material has a strength, found rigid: what does not "
-                       "strain bears any stress");
+                       fmt::format("expected basis affine of blocks whose material has a {}, found rigid: what does "
+                                   "not strain bears any stress",
+                                   named_law(material)));
     if (softens_by_energy(material))
       require_size(material, std::sqrt(keyblock::place(model, start, e, settings).moments.area));
   }
@@ -93,10 +98,11 @@ void look_at_blocks(const Model& model, const Settings& settings) {
 void require_readable_strengths(const Problem& problem, const Settings& settings) {
   if (settings.dynamics == Dynamics::standard) return;
   for (const BlockMaterial& material : problem.analysis->block_materials)
-    if (material.strength)
+    if (material.is_nonlinear())
       throw InputError(material.place,
-                       "expected a strength in a run of profile standard; found one in a run by the rules of the old "
-                       "programs, where rock stays elastic");
+                       fmt::format("expected a {} in a run of profile standard; found one in a run by the rules of the "
+                                   "old programs, where rock stays linear elastic",
+                                   named_law(material)));
 }
 
 Warnings look_at_strengths(const Scene& scene, const Place& place) {

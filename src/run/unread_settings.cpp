@@ -49,9 +49,9 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
       {{"elastic_law"}, is_standard && !has_covers, "is read of bodies on covers, and there are none"},
       {{"elastic_law"},
        is_standard && !any_element([&](const Element& element) {
-         return element.is_on_covers() && !first.model.material_of(element).strength;
+         return element.is_on_covers() && !first.model.material_of(element).is_nonlinear();
        }),
-       "is read of rock that stays elastic: strain of rock that may yield is logarithmic"},
+       "is read of rock that stays linear elastic: strain of rock that may yield or whose cracks close is logarithmic"},
       {{"cover_functions"},
        is_standard && !std::holds_alternative<Cover>(problem.geometry),
        "is read of cover files; a case file says `functions` of its own"},

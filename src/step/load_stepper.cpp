@@ -58,7 +58,7 @@ std::unique_ptr<SceneStepper> LoadStepper::in_next(const SceneChange& change) co
 }
 
 Stress LoadStepper::stress_at(ElementIndex e, Point start) const {
-  if (bodies_->continuum().material(e.value).strength)
+  if (bodies_->continuum().material(e.value).is_nonlinear())
     return bodies_->yield().stress(now_.d, now_.points, e.value, start);
   return bodies_->elasticity().stress(now_.d, e.value, start);
 }

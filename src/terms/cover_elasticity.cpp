@@ -52,7 +52,7 @@ CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
     share_across_.push_back(share_across(material, continuum.plane));
     const ElementShape shape = basis_.shape(e);
     const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
-    const bool yields = material.strength != nullptr;  // CoverYield's
+    const bool yields = material.is_nonlinear();  // CoverYield's
     const std::vector<AreaPoint> points = yields ? std::vector<AreaPoint>() : points_of(loops, shape);
     const auto count = static_cast<Eigen::Index>(points.size());
     Element& element = elements_.emplace_back();

@@ -35,8 +35,7 @@ CoverYield::CoverYield(const Continuum& continuum, const CoverBasis& basis)
     : basis_(basis), plane_(continuum.plane), averages_(basis.functions() == CoverFunctions::constant) {
   for (const BlockMaterial& material : continuum.materials) elastic_.push_back(modulus_of(material, plane_));
   for (const BlockMaterial& material : continuum.materials)
-    laws_.push_back(std::make_shared<const YieldLaw>(YieldLaw{material.youngs_modulus, material.poissons_ratio,
-                                                              material.strength ? *material.strength : Strength{}}));
+    laws_.push_back(std::make_shared<const YieldLaw>(yield_law(material)));
   of_element_.resize(static_cast<std::size_t>(basis.element_count()));
   averages_ ? add_averaged(continuum, basis) : add_of_elements(continuum, basis);
 }
@@ -44,7 +43,7 @@ CoverYield::CoverYield(const Continuum& continuum, const CoverBasis& basis)
 void CoverYield::add_averaged(const Continuum& continuum, const CoverBasis& basis) {
   std::map<int, Gathered> covers;
   for (int e = 0; e < basis.element_count(); ++e) {
-    if (!continuum.material(e).strength) continue;
+    if (!continuum.material(e).is_nonlinear()) continue;
     const ElementShape shape = basis.shape(e);
     const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
     for (const AreaPoint& at : polygon_rule(loops, 2)) {
@@ -82,7 +81,7 @@ void CoverYield::add_averaged(const Continuum& continuum, const CoverBasis& basi
     }
   }
   for (int e = 0; e < basis.element_count(); ++e)
-    if (continuum.material(e).strength)
+    if (continuum.material(e).is_nonlinear())
       for (const int function : basis.shape(e).functions)
         of_element_[static_cast<std::size_t>(e)].push_back(place.at(function));
 }
@@ -90,7 +89,7 @@ void CoverYield::add_averaged(const Continuum& continuum, const CoverBasis& basi
 void CoverYield::add_of_elements(const Continuum& continuum, const CoverBasis& basis) {
   for (int e = 0; e < basis.element_count(); ++e) {
     const BlockMaterial& material = continuum.material(e);
-    if (!material.strength) continue;
+    if (!material.is_nonlinear()) continue;
     const ElementShape shape = basis.shape(e);
     const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
     for (const AreaPoint& at : polygon_rule(loops, 2 * (shape.degree - 1))) {
@@ -197,6 +196,7 @@ Eigen::Vector3d CoverYield::mean_stress(const YieldPoint& point, const Way& way,
                                         const Response& end) const {
   const Eigen::Vector3d start = point.rock.stress(log0, before).head<3>();
   Eigen::Vector3d stress = (1 - way.theta) * start + way.theta * end.stress.head<3>();
+  stress += point.rock.missing_stress(log0, before, log1, end.after);
   if (!way.more.empty())
     stress += way.more[static_cast<std::size_t>(point.element)] * (elastic_[point.law] * (log1 - log0));
   return stress;

@@ -1,4 +1,4 @@
-// Rock on covers that may yield: points of integration with a memory, their forces and tangents at rest and in a step.
+// Rock on covers that may yield or has cracks: points of integration, their memories, forces and tangents.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,10 +15,10 @@ namespace keyblock {
 /// The memories of all points of a CoverYield.
 using YieldStates = std::vector<YieldState>;
 
-/// Elements whose material has a strength. With constant functions a point is a physical cover, its gradient of
-/// deformation the mean over the cover's star weighted by λ_i, ∇N̄_a = ∫ λ_i ∇N_a / ∫ λ_i (Dohrmann et al. 2000;
-/// Liu et al. 2009): elements with gradients of their own lock when they flow at constant volume. With other functions
-/// points are those of integration of the elements.
+/// Elements whose material has a strength or cracks that close. With constant functions a point is a physical cover,
+/// its gradient of deformation the mean over the cover's star weighted by λ_i, ∇N̄_a = ∫ λ_i ∇N_a / ∫ λ_i (Dohrmann et
+/// al. 2000; Liu et al. 2009): elements with gradients of their own lock when they flow at constant volume. With other
+/// functions points are those of integration of the elements.
 ///
 /// Strain is ½ ln C in the axes of the undeformed body, additive there (Miehe, Apel & Lambrecht 2002); S = Pᵀ T with
 /// P = ∂(½ ln C)/∂E.
@@ -57,8 +57,9 @@ class CoverYield {
     std::span<const double> more = {};
   };
   /// The force of a step, ∫ ∇N · S F_halfᵀ, whose work is (1 - θ) T0 · Δε + θ T1 · Δε, T0 the stress at d0, T1 that of
-  /// the law at d1 (`log_step_stress`): the change of ½ εᵉ · D εᵉ, the plastic work, and a rest that vanishes
-  /// with the step. Not finite where a point is turned over.
+  /// the law at d1 (`log_step_stress`), with what cracks that close in between lack (`RockPoint::missing_stress`): the
+  /// change of the energy stored, the plastic work, and a rest that vanishes with the step. Not finite where a point is
+  /// turned over.
   Eigen::VectorXd force_of_step(const Way& way) const;
   /// A += ∂force_of_step/∂d1, made symmetric, as CoverElasticity::add_tangent.
   void add_tangent_of_step(const Way& way, SparseSystem& system) const;
@@ -68,7 +69,7 @@ class CoverYield {
 
   /// Memories at d, of points that had those of `before`.
   YieldStates after(const Eigen::VectorXd& d, const YieldStates& before) const { return answer(d, before).after; }
-  /// ∫ ½ εᵉ · D εᵉ less that of the initial stress.
+  /// ∫ ½ εᵉ · D εᵉ, or W of cracks, less that of the initial stress.
   double stored(const Eigen::VectorXd& d, const YieldStates& states) const;
   /// ∫ T1 · Δεᵖ, by the stress at the end, which for associated flow is never negative.
   double plastic_work(const Eigen::VectorXd& d, const YieldStates& before, const YieldStates& after) const;

@@ -62,7 +62,7 @@ std::vector<GhostPair> ghost_pairs(const Manifold& manifold, const CoverBasis& b
 std::vector<GhostPair> elastic_ghost_pairs(const Continuum& continuum, const CoverBasis& basis) {
   std::vector<GhostPair> pairs = ghost_pairs(continuum.manifold, basis);
   std::erase_if(pairs, [&](const GhostPair& pair) {
-    return continuum.material(pair.first).strength || continuum.material(pair.second).strength;
+    return continuum.material(pair.first).is_nonlinear() || continuum.material(pair.second).is_nonlinear();
   });
   return pairs;
 }

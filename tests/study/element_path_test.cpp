@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "base/error.hpp"
 
@@ -42,6 +43,28 @@ TEST(ElementPath, cycles_with_free_sides_in_plane_strain) {
                                            2.30940107676,  2.30940107676,  -6.22393225657};
     ASSERT_EQ(found.size(), kAxial.size());
     for (std::size_t i = 0; i < kAxial.size(); ++i) EXPECT_NEAR(found[i].stress(1), kAxial[i], 1e-9 * 7) << i;
+  }
+}
+
+// pla-12: loaded, unloaded to nothing, reloaded onto the plateau, unloaded from there, reloaded. Unloading has E2 down
+// to the stress at which cracks open, 5, then E1; the plateau leaves what it flowed, 1e-3, behind.
+TEST(ElementPath, cracks_close_and_open_under_uniaxial_stress) {
+  YieldLaw law = rock(30, 0, 80 * (1 - 0.5) / (2 * std::cos(std::numbers::pi / 6)));
+  law.youngs_modulus = 30e3;
+  law.closure = CrackClosure{10e3, 5e-4};
+  const ElementPath path =
+      named_path(NamedPath::uniaxial,
+                 {-5e-4, -1e-3, -2e-3, -5e-4, 0, -2e-3, -3e-3, -4e-3, -1.5e-3, -1e-3, -1.5e-3, -4e-3, -5e-3}, 0);
+  constexpr std::array<double, 13> kAxial{-5, -20, -50, -5, 0, -50, -80, -80, -5, 0, -5, -80, -80};
+  for (const int steps : {1, 20}) {
+    const ElementCurve curve = drive(law, path, steps, 1);
+    ASSERT_EQ(curve.failure, "");
+    const std::vector<ElementPoint> found = ends(curve);
+    ASSERT_EQ(found.size(), kAxial.size());
+    for (std::size_t i = 0; i < kAxial.size(); ++i) EXPECT_NEAR(found[i].stress(1), kAxial[i], 1e-9 * 80) << i;
+    for (const ElementPoint& point : found) EXPECT_NEAR(point.stress(0), 0, 1e-9 * 80);
+    EXPECT_NEAR(found[7].plastic_work, 80 * 1e-3, 1e-9);
+    EXPECT_NEAR(found[2].strain(0), 0.25 * 50 / 30e3, 1e-12);
   }
 }
 

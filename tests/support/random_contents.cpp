@@ -503,6 +503,10 @@ Content anything(Dice& dice) {
   if (content.analysis && dice.happens(0.3))
     for (BlockMaterial& material : content.analysis->block_materials)
       if (material.poissons_ratio < 0.5) material.strength = std::make_shared<const Strength>(strength(dice));
+  if (content.analysis && dice.happens(0.3))
+    for (BlockMaterial& material : content.analysis->block_materials)
+      if (material.poissons_ratio < 0.5 && dice.happens(0.5))
+        material.crack_closure = CrackClosure{dice.between(0.1, 0.9) * material.youngs_modulus, positive_real(dice)};
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }

@@ -35,6 +35,9 @@ struct Plate {
         basis(continuum.manifold, functions),
         yield(continuum, basis) {}
 
+  Plate(Continuum of, CoverFunctions functions)
+      : continuum(std::move(of)), basis(continuum.manifold, functions), yield(continuum, basis) {}
+
   static Continuum made(CoverFunctions functions, const Strength& strength, Plane plane, const Stress& initial) {
     Continuum continuum;
     MeshSetting mesh{0.06};
@@ -60,6 +63,14 @@ struct Plate {
     return d;
   }
 };
+
+/// Of rock without a strength whose cracks close at a thousandth.
+Continuum cracked(CoverFunctions functions, Plane plane, const Stress& initial) {
+  Continuum continuum = Plate::made(functions, {}, plane, initial);
+  continuum.materials[0].strength = nullptr;
+  continuum.materials[0].crack_closure = CrackClosure{3e5, 1e-3};
+  return continuum;
+}
 
 Eigen::VectorXd scattered(Eigen::Index count, double size, double seed) {
   Eigen::VectorXd d(count);
@@ -185,6 +196,37 @@ TEST(CoverYield, the_work_of_a_step_is_what_is_stored_and_what_flows) {
         const double lost = work - stored - plastic;
         EXPECT_LT(std::abs(lost), 0.5 * plastic);
       }
+}
+
+// Cracks that close leave the energy of no quadratic form: without strength all work of a step is what is stored.
+TEST(CoverYield, the_work_of_a_step_in_cracked_rock_is_what_is_stored) {
+  for (const CoverFunctions functions : {CoverFunctions::constant, CoverFunctions::derived, CoverFunctions::linear})
+    for (const Plane plane : {Plane::strain, Plane::stress}) {
+      const Plate plate(cracked(functions, plane, {500, -300, 200}), functions);
+      const Eigen::Index count = 2 * plate.basis.function_count();
+      Eigen::Matrix2d turn;
+      turn << std::cos(0.4) - 1, -std::sin(0.4), std::sin(0.4), std::cos(0.4) - 1;
+      const Eigen::VectorXd d0 = scattered(count, 1e-4, 0.3);
+      Eigen::VectorXd d1 = d0 + scattered(count, 2e-4, 0.9);
+      if (functions == CoverFunctions::constant) d1 += plate.homogeneous(turn);
+      const YieldStates start = plate.yield.start();
+      const double work = plate.yield.force_of_step({d0, start, d1, 0.5}).dot(d1 - d0);
+      const double from = plate.yield.stored(d0, start), to = plate.yield.stored(d1, start);
+      EXPECT_GT(to, from);
+      EXPECT_NEAR(work, to - from, 1e-12 * (std::abs(to) + std::abs(from)));
+      // Cracks have closed on the way: the mean of both ends alone does not do.
+      const double end = plate.yield.force_of_step({d0, start, d1, 1}).dot(d1 - d0);
+      const double first = plate.yield.force_of_step({d0, start, d1, 0}).dot(d1 - d0);
+      EXPECT_GT(std::abs(end - first), 0);
+      // At rest the force is the slope of what is stored.
+      const Eigen::VectorXd way = scattered(count, 1e-9, 2.1);
+      const double slope = plate.yield.stored(d1 + way, start) - plate.yield.stored(d1 - way, start);
+      const double force = plate.yield.answer(d1, start).force.dot(2 * way);
+      EXPECT_NEAR(slope, force, 1e-6 * plate.yield.answer(d1, start).force.norm() * way.norm());
+      const YieldStates after = plate.yield.after(d1, start);
+      EXPECT_EQ(yielding_share(after), 0);
+      EXPECT_EQ(plate.yield.plastic_work(d1, start, after), 0);
+    }
 }
 
 // The rest of the identity vanishes with the step.

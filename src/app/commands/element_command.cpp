@@ -4,7 +4,6 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -46,14 +45,6 @@ const std::map<std::string, study::NamedPath> kPaths{{"uniaxial", study::NamedPa
                                                      {"oedometer", study::NamedPath::oedometer},
                                                      {"shear", study::NamedPath::shear}};
 
-/// Rock without a strength has one that nothing reaches.
-YieldLaw law_of(const BlockMaterial& material) {
-  Strength none;
-  none.surface = YieldSurface::tresca;
-  none.values.cohesion = std::numeric_limits<double>::infinity();
-  return {material.youngs_modulus, material.poissons_ratio, material.strength ? *material.strength : none};
-}
-
 YieldLaw chosen_law(const ElementOptions& options) {
   const formats::Case loaded = formats::load_case({options.input});
   log_warnings(loaded.warnings);
@@ -65,7 +56,7 @@ YieldLaw chosen_law(const ElementOptions& options) {
   if (!(material.poissons_ratio < 0.5))
     throw InputError(material.place, fmt::format("expected poissons_ratio below 0.5 of a single element, found {}",
                                                  material.poissons_ratio));
-  YieldLaw law = law_of(material);
+  YieldLaw law = yield_law(material);
   if (const double allowed = largest_size(law.strength, law.youngs_modulus); options.size >= allowed)
     throw UsageError(fmt::format("--size: expected below {:.4g}, where this softening does not snap back, found {}",
                                  allowed, options.size));

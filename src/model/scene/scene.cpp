@@ -11,7 +11,7 @@ namespace keyblock {
 bool may_yield(const Scene& scene) {
   return scene.model.continuum &&
          std::ranges::any_of(scene.model.continuum->materials,
-                             [](const BlockMaterial& material) { return material.strength != nullptr; });
+                             [](const BlockMaterial& material) { return material.is_nonlinear(); });
 }
 
 std::vector<const Scene*> scenes_of(const Scene& first) {

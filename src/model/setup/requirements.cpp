@@ -125,8 +125,16 @@ Reason plastic(const Model& model, const Settings& settings) {
   const auto yields = std::ranges::count_if(moving_materials(model), [&](int material) {
     return model.block_materials[static_cast<std::size_t>(material)].strength != nullptr;
   });
-  if (yields == 0) return std::nullopt;
-  return fmt::format("rock of {} may yield", counted(static_cast<std::size_t>(yields), "material"));
+  const auto cracked = std::ranges::count_if(moving_materials(model), [&](int material) {
+    return model.block_materials[static_cast<std::size_t>(material)].crack_closure.has_value();
+  });
+  if (yields == 0 && cracked == 0) return std::nullopt;
+  const auto rock_of = [](std::ptrdiff_t count, const char* does) {
+    return fmt::format("rock of {} {}", counted(static_cast<std::size_t>(count), "material"), does);
+  };
+  const char* closing = "has cracks that close";
+  if (yields == 0) return rock_of(cracked, closing);
+  return rock_of(yields, "may yield") + (cracked > 0 ? ", " + rock_of(cracked, closing) : "");
 }
 
 Reason initial_stress(const Model& model, const Settings& settings) {

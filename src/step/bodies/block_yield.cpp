@@ -1,4 +1,4 @@
-// Forces of plastic strain; see block_yield.hpp.
+// Forces of inelastic strain; see block_yield.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/block_yield.hpp"
 
@@ -7,15 +7,17 @@
 namespace keyblock {
 
 // Under plane stress the modulus is that of the plane, which the strain across does not enter.
-Unknowns BlockYield::plastic_force(const Eigen::Vector4d& plastic) const {
+Unknowns BlockYield::inelastic_force(const Eigen::Vector4d& inelastic) const {
   const Eigen::Vector3d stress = rock.plane == Plane::stress
-                                     ? Eigen::Vector3d(modulus * plastic.head<3>())
-                                     : Eigen::Vector3d((rock.law->modulus() * plastic).head<3>());
+                                     ? Eigen::Vector3d(modulus * inelastic.head<3>())
+                                     : Eigen::Vector3d((rock.law->modulus() * inelastic).head<3>());
   return rock.area * (strain.transpose() * stress);
 }
 
-double BlockYield::plastic_energy(const Unknowns& q, const YieldState& state) const {
-  return rock.stored(strain_at(q), state) - rock.stored(strain_at(q), YieldState());
+double BlockYield::inelastic_energy(const Unknowns& q, const YieldState& state) const {
+  const Eigen::Vector3d now = strain_at(q);
+  const Eigen::Vector3d at_start = rock.stress(Eigen::Vector3d::Zero(), YieldState()).head<3>();
+  return rock.stored(now, state) - rock.area * now.dot(at_start + modulus * now / 2);
 }
 
 UnknownBlock BlockYield::lost_stiffness(const Response& response) const {
@@ -27,9 +29,9 @@ std::optional<BlockYield> block_yield(const Model& model, const Reference& refer
                                       ElementIndex e) {
   const Element& element = model.elements[e];
   const BlockMaterial& material = model.material_of(element);
-  if (!material.strength || element.is_on_covers() || element.basis->unknown_count() <= kRigidUnknowns)
+  if (!material.is_nonlinear() || element.is_on_covers() || element.basis->unknown_count() <= kRigidUnknowns)
     return std::nullopt;
-  const YieldLaw law{material.youngs_modulus, material.poissons_ratio, *material.strength};
+  const YieldLaw law = yield_law(material);
   const Stress start = start_stress(material, material.stress_gradient, reference.centroids[e].y, settings.plane);
   return BlockYield{{std::make_shared<const YieldLaw>(law), settings.plane, reference.moments[e].area,
                      law.elastic_strain({start.xx, start.yy, start.xy, start.zz})},
@@ -38,7 +40,7 @@ std::optional<BlockYield> block_yield(const Model& model, const Reference& refer
 }
 
 // A rule whose strain follows the velocity at the end sees the elastic strain of the end in a flow that is steady.
-PlasticShare plastic_share(const Body& body, const StepRule& rule, double dt) {
+InelasticShare inelastic_share(const Body& body, const StepRule& rule, double dt) {
   const bool follows_rate = rule.strain.velocity != 0;
   const bool is_damped = rule.strain_rate.increment != 0;
   return {follows_rate ? 1 : rule.strain.increment, is_damped ? body.stiffness_damping / dt : 0};

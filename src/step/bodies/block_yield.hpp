@@ -1,4 +1,4 @@
-// A block that may yield: one point of rock in the block's own turning frame.
+// A block that may yield or has cracks that close: one point of rock in the block's own turning frame.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,8 @@
 
 namespace keyblock {
 
-/// σ = D (ε0 + B q - εᵖ): the elastic force of the block, and V Bᵀ D εᵖ against it.
+/// σ = D (ε0 + B q - εᵖ - w): the elastic force of the block, and V Bᵀ D (εᵖ + w) against it, w the crack strain since
+/// the start. Both are inelastic strain: what intact elastic rock would not have.
 struct BlockYield {
   RockPoint rock;
   StrainOperator strain;  ///< B
@@ -18,26 +19,29 @@ struct BlockYield {
 
   Eigen::Vector3d strain_at(const Unknowns& q) const { return strain * q; }
   Response respond(const Unknowns& q, const YieldState& before) const { return rock.respond(strain_at(q), before); }
-  /// V Bᵀ D εᵖ.
-  Unknowns plastic_force(const Eigen::Vector4d& plastic) const;
-  /// Of ∫ ½ εᵉ · D εᵉ what there is beside that of no plastic strain.
-  double plastic_energy(const Unknowns& q, const YieldState& state) const;
-  /// V Bᵀ (D - ∂σ/∂ε) B, made symmetric: what flow takes of the stiffness.
+  Eigen::Vector4d inelastic(const Unknowns& q, const YieldState& state) const {
+    return rock.inelastic(strain_at(q), state);
+  }
+  /// V Bᵀ D times an inelastic strain.
+  Unknowns inelastic_force(const Eigen::Vector4d& strain) const;
+  /// Of the energy stored what there is beside that of no inelastic strain.
+  double inelastic_energy(const Unknowns& q, const YieldState& state) const;
+  /// V Bᵀ (D - ∂σ/∂ε) B, made symmetric: what flow and cracks take of the stiffness.
   UnknownBlock lost_stiffness(const Response& response) const;
 };
 
-/// None of a material without a strength, or of a block without strains.
+/// None of a linear elastic material, or of a block without strains.
 std::optional<BlockYield> block_yield(const Model& model, const Reference& reference, const Settings& settings,
                                       ElementIndex e);
 
-/// The share of D Δεᵖ in the stress of a step: what the rule sees of a change of strain, and of its mean rate by
-/// damping, which follows elastic strain alone: a block that flows is not held up by it.
-struct PlasticShare {
+/// The share of D times a change of inelastic strain in the stress of a step: what the rule sees of a change of strain,
+/// and of its mean rate by damping, which follows the strain of intact rock alone: a block that flows is not held up.
+struct InelasticShare {
   double strain = 0;
   double damping = 0;
 
   double total() const { return strain + damping; }
 };
-PlasticShare plastic_share(const Body& body, const StepRule& rule, double dt);
+InelasticShare inelastic_share(const Body& body, const StepRule& rule, double dt);
 
 }  // namespace keyblock

@@ -239,8 +239,8 @@ Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d, const YieldS
 
 Stress CoverScene::stress(ElementIndex e, const Eigen::VectorXd& d, const YieldStates& points, Point start) const {
   const int element = e.value - first_.value;
-  return bodies_.continuum.material(element).strength ? yield().stress(d, points, element, start)
-                                                      : bodies_.elasticity.stress(d, element, start);
+  return bodies_.continuum.material(element).is_nonlinear() ? yield().stress(d, points, element, start)
+                                                            : bodies_.elasticity.stress(d, element, start);
 }
 
 bool CoverScene::has_supports() const {

@@ -164,7 +164,7 @@ void BlockGroup::add_stored(const BodiesMotion& motion, StoredEnergy& stored) co
     if (body.mass.rows() == 0) continue;
     stored.strain += strain_energy(body, q[e]);
     if (const BlockYield* yield = yield_of(e))
-      stored.strain += yield->plastic_energy(q[e], motion.points.blocks[static_cast<std::size_t>(e.value)]);
+      stored.strain += yield->inelastic_energy(q[e], motion.points.blocks[static_cast<std::size_t>(e.value)]);
     stored.gravity -= body.weight.dot(q[e]);
   }
 }
@@ -187,18 +187,20 @@ void BlockGroup::add_flow(const BodiesStep& step, EnergyFlow& flow) const {
   }
 }
 
-// Δεᵖ bears k D Δεᵖ less than elasticity alone would have, of which b/dt is damping that does not come about, and the
-// stored energy is less by its own; the rest of its work is plastic, but for what a step of this size makes of it.
+// A change of inelastic strain bears k D times it less than elasticity alone would have, of which b/dt is damping that
+// does not come about, and the stored energy is less by its own; the rest of its work is plastic, but for what a step
+// of this size makes of it.
 void BlockGroup::add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFlow& flow) const {
   const BlockYield& yield = *yield_of(e);
   const auto i = static_cast<std::size_t>(e.value);
   const YieldState& before = step.start.points.blocks[i];
   const YieldState& after = step.points.blocks[i];
   const Unknowns dq = step.q[e] - step.start.q[e];
-  const Unknowns flowed = yield.plastic_force(after.plastic - before.plastic);
-  const PlasticShare share = plastic_share(bodies_[e], step.rule, step.dt);
-  const double work = -dq.dot(yield.plastic_force(before.plastic) + share.total() * flowed);
-  const double stored = yield.plastic_energy(step.q[e], after) - yield.plastic_energy(step.start.q[e], before);
+  const Eigen::Vector4d at_start = yield.inelastic(step.start.q[e], before);
+  const Unknowns flowed = yield.inelastic_force(yield.inelastic(step.q[e], after) - at_start);
+  const InelasticShare share = inelastic_share(bodies_[e], step.rule, step.dt);
+  const double work = -dq.dot(yield.inelastic_force(at_start) + share.total() * flowed);
+  const double stored = yield.inelastic_energy(step.q[e], after) - yield.inelastic_energy(step.start.q[e], before);
   const double plastic = yield.rock.plastic_work(yield.strain_at(step.q[e]), before, after);
   const double damping = -share.damping * dq.dot(flowed);
   flow.damping += damping;
@@ -206,18 +208,18 @@ void BlockGroup::add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFl
   flow.algorithmic += work - stored - plastic - damping;
 }
 
-Unknowns BlockGroup::plastic_force(ElementIndex e, const BodiesMotion& motion) const {
+Unknowns BlockGroup::inelastic_force(ElementIndex e, const BodiesMotion& motion) const {
   const BlockYield* yield = yield_of(e);
   if (yield == nullptr) return Unknowns::Zero(motion.q[e].size());
   const YieldState& before = motion.points.blocks[static_cast<std::size_t>(e.value)];
-  return yield->plastic_force(yield->respond(motion.q[e], before).after.plastic);
+  return yield->inelastic_force(yield->inelastic(motion.q[e], yield->respond(motion.q[e], before).after));
 }
 
 void BlockGroup::add_acceleration(const UnknownsTable& loads, const BodiesMotion& motion,
                                   const Flexibility& mass_inverse, UnknownsTable& a) const {
   for (ElementIndex e : indices(a)) {
     const Body& body = bodies_[e];
-    a[e] += mass_inverse.blocks[e] * (loads[e] + plastic_force(e, motion) + body.initial_stress -
+    a[e] += mass_inverse.blocks[e] * (loads[e] + inelastic_force(e, motion) + body.initial_stress -
                                       body.elastic_force(motion.q[e]) - body.damping_force(motion.v[e]));
   }
 }
@@ -311,9 +313,9 @@ class YieldingBlocks final : public EstimatedStep {
     if (yield == nullptr) return;
     Block& own = blocks_[static_cast<std::size_t>(e.value)];
     own.yield = yield;
-    own.share = plastic_share(group_.bodies_[e], rule_, dt_).total();
+    own.share = inelastic_share(group_.bodies_[e], rule_, dt_).total();
     own.matrix = equations.matrix;
-    own.right = equations.matrix * equations.free + yield->plastic_force(before(e).plastic);
+    own.right = equations.matrix * equations.free + yield->inelastic_force(yield->inelastic(start_.q[e], before(e)));
   }
 
   bool linearise(const UnknownsTable& estimate, FreeStep& step) override {
@@ -336,7 +338,8 @@ class YieldingBlocks final : public EstimatedStep {
       const Block& block = of(e);
       if (block.yield == nullptr) continue;
       const YieldState after = block.yield->respond(end(e, estimate), before(e)).after;
-      const Unknowns flowed = block.yield->plastic_force(after.plastic - before(e).plastic);
+      const Unknowns flowed = block.yield->inelastic_force(block.yield->inelastic(end(e, estimate), after) -
+                                                           block.yield->inelastic(start_.q[e], before(e)));
       const Unknowns residual = block.matrix * estimate[e] - block.right - block.share * flowed;
       step.increments[e] = estimate[e] - step.flexibility.blocks[e] * residual;
     }
@@ -351,7 +354,7 @@ class YieldingBlocks final : public EstimatedStep {
  private:
   struct Block {
     const BlockYield* yield = nullptr;
-    double share = 0;     // of Δεᵖ
+    double share = 0;     // of a change of inelastic strain
     UnknownBlock matrix;  // A of the elastic step
     Unknowns right;       // what moves it, but for what flows in this step
   };

@@ -79,8 +79,8 @@ class BlockGroup final : public BodyGroup {
     const auto i = static_cast<std::size_t>(e.value);
     return yields_.empty() || !yields_[i] ? nullptr : &*yields_[i];
   }
-  /// V Bᵀ D εᵖ at rest, which acts against the elastic force.
-  Unknowns plastic_force(ElementIndex e, const BodiesMotion& motion) const;
+  /// V Bᵀ D times inelastic strain at rest, which acts against the elastic force.
+  Unknowns inelastic_force(ElementIndex e, const BodiesMotion& motion) const;
   void add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFlow& flow) const;
 
   friend class YieldingBlocks;

@@ -1,0 +1,215 @@
+// `keyblock fit`: parameters of rock from what was measured, with their errors and a picture.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "app/above_zero.hpp"
+#include "app/command.hpp"
+#include "base/printable.hpp"
+#include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
+#include "job/files.hpp"
+#include "report/element_picture.hpp"
+#include "study/fit/curve_fit.hpp"
+#include "study/fit/strength_fit.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct FitOptions {
+  std::string input;
+  bool is_triaxial = false;
+  std::string compression = "auto";
+  double strain_factor = 1;
+  double friction_deg = 0;
+  std::string output;
+  std::string material;
+  std::string picture;
+  bool may_overwrite = false;
+  bool as_json = false;
+};
+
+const std::map<std::string, study::CompressionSign> kSigns{{"auto", study::CompressionSign::found},
+                                                           {"positive", study::CompressionSign::positive},
+                                                           {"negative", study::CompressionSign::negative}};
+
+struct NamedFound {
+  const char* name;
+  const char* unit;
+  study::Found found;
+};
+
+/// What a fit of either kind puts out.
+struct Outcome {
+  std::vector<NamedFound> values;
+  study::Agreement agreement;
+  Json material;
+  std::string title;
+  study::MeasuredPairs measured;
+  report::AxisLabels axes;
+  report::Curve line;
+};
+
+Json json_of(const study::Found& f) {
+  // JSON has no infinity.
+  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+  return {
+      {"value", f.value}, {"standard_error", number(f.standard_error)}, {"interval", {number(f.low), number(f.high)}}};
+}
+
+/// The strength that a plateau is: with an angle of friction that of Mohr and Coulomb.
+Json strength_json(double compressive, double friction_deg) {
+  if (friction_deg == 0) return {{"surface", "tresca"}, {"cohesion", compressive / 2}};
+  const double phi = friction_deg * std::numbers::pi / 180;
+  return {{"surface", "mohr_coulomb"},
+          {"cohesion", compressive * (1 - std::sin(phi)) / (2 * std::cos(phi))},
+          {"friction_deg", friction_deg}};
+}
+
+Outcome curve_outcome(const FitOptions& options, study::MeasuredPairs pairs) {
+  for (double& strain : pairs.x) strain *= options.strain_factor;
+  const study::CurveFit fit = study::fit_curve(pairs, kSigns.at(options.compression));
+  Outcome out;
+  if (fit.is_turned)
+    for (std::vector<double>* values : {&pairs.x, &pairs.y})
+      for (double& value : *values) value = -value;
+  const study::BilinearCurve curve{fit.initial_modulus.value_or(fit.youngs_modulus).value, fit.youngs_modulus.value,
+                                   fit.closure_strain.value_or(study::Found{}).value,
+                                   fit.strength ? fit.strength->value : std::numeric_limits<double>::infinity()};
+  out.material["youngs_modulus"] = fit.youngs_modulus.value;
+  out.values.push_back({"youngs_modulus", "F/L²", fit.youngs_modulus});
+  if (fit.initial_modulus) {
+    out.values.push_back({"initial_modulus", "F/L²", *fit.initial_modulus});
+    out.values.push_back({"closure_strain", "1", *fit.closure_strain});
+    out.material["crack_closure"] = {{"initial_modulus", curve.initial_modulus},
+                                     {"closure_strain", curve.closure_strain}};
+  }
+  if (fit.strength) {
+    out.values.push_back({"strength", "F/L²", *fit.strength});
+    out.material["strength"] = strength_json(curve.strength, options.friction_deg);
+  }
+  // The corners of the curve.
+  std::vector<double> corners{std::min(0.0, pairs.x.front()), curve.closure_strain, pairs.x.back()};
+  if (fit.strength)
+    corners.push_back(curve.closure_strain +
+                      (curve.strength - curve.initial_modulus * curve.closure_strain) / curve.youngs_modulus);
+  std::ranges::sort(corners);
+  out.line.label = "fitted";
+  for (const double strain : corners) {
+    out.line.x.push_back(strain);
+    out.line.y.push_back(curve.stress(strain));
+  }
+  out.agreement = fit.agreement;
+  out.title = "uniaxial compression, measured and fitted";
+  out.axes = {"strain", "stress [F/L²]"};
+  out.measured = std::move(pairs);
+  return out;
+}
+
+Outcome triaxial_outcome(study::MeasuredPairs tests) {
+  const study::StrengthFit fit = study::fit_strength(tests);
+  Outcome out;
+  out.values = {{"cohesion", "F/L²", fit.cohesion},
+                {"friction_deg", "degrees", fit.friction_deg},
+                {"ratio", "1", fit.ratio},
+                {"compressive_strength", "F/L²", fit.compressive_strength}};
+  out.material["strength"] = {
+      {"surface", "mohr_coulomb"}, {"cohesion", fit.cohesion.value}, {"friction_deg", fit.friction_deg.value}};
+  const auto [least, greatest] = std::ranges::minmax_element(tests.x);
+  out.line.label = "fitted";
+  for (const double s3 : {std::min(0.0, *least), *greatest}) {
+    out.line.x.push_back(s3);
+    out.line.y.push_back(fit.ratio.value * s3 + fit.compressive_strength.value);
+  }
+  out.agreement = fit.agreement;
+  out.title = "strength in triaxial tests, measured and fitted";
+  out.axes = {"s3 [F/L²]", "s1 [F/L²]"};
+  out.measured = std::move(tests);
+  return out;
+}
+
+std::string residuals_csv(const Outcome& out, bool is_triaxial) {
+  std::string text = is_triaxial ? "s3,s1,fitted,residual\n" : "strain,stress,fitted,residual\n";
+  for (std::size_t i = 0; i < out.measured.x.size(); ++i) {
+    const double fitted = out.agreement.fitted[i];
+    text += fmt::format("{},{},{},{}\n", out.measured.x[i], out.measured.y[i], fitted, out.measured.y[i] - fitted);
+  }
+  return text;
+}
+
+void print(const Outcome& out, bool as_json) {
+  const std::size_t count = out.measured.x.size();
+  if (as_json) {
+    Json json{{"points", count}};
+    for (const NamedFound& value : out.values) json["parameters"][value.name] = json_of(value.found);
+    json["residual"] = {
+        {"rms", out.agreement.rms}, {"largest", out.agreement.largest}, {"r_squared", out.agreement.r_squared}};
+    json["material"] = out.material;
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{:<22}{:>14}{:>16}{:>16}{:>16}  unit\n", "", "value", "standard error", "95 % from", "to");
+  for (const NamedFound& v : out.values)
+    fmt::print("{:<22}{:>14.6g}{:>16.3g}{:>16.6g}{:>16.6g}  {}\n", v.name, v.found.value, v.found.standard_error,
+               v.found.low, v.found.high, v.unit);
+  fmt::print("{} points, residual rms {:.4g}, largest {:.4g}, R² {:.6f}\n", count, out.agreement.rms,
+             out.agreement.largest, out.agreement.r_squared);
+}
+
+ExitCode run_fit(const FitOptions& options) {
+  const Overwrite overwrite = overwrite_if(options.may_overwrite);
+  require_writable({options.output, options.material, options.picture}, {options.input}, overwrite);
+  const formats::CsvTable table = formats::read_csv(formats::load(options.input));
+  const Outcome out = options.is_triaxial ? triaxial_outcome(study::read_pairs(table, "s3", "s1"))
+                                          : curve_outcome(options, study::read_pairs(table, "strain", "stress"));
+  print(out, options.as_json);
+  if (!options.output.empty()) write_output(options.output, residuals_csv(out, options.is_triaxial), overwrite);
+  if (!options.material.empty()) write_output(options.material, out.material.dump(2) + "\n", overwrite);
+  if (!options.picture.empty()) {
+    const report::Curve measured{"measured", out.measured.x, out.measured.y, report::Curve::Style::points};
+    write_output(options.picture, report::curves_picture(out.title, out.axes, {measured, out.line}), overwrite);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Action configure_fit(CLI::App& app) {
+  auto options = std::make_shared<FitOptions>();
+  app.add_option(
+         "CURVE", options->input,
+         "a file .csv with columns strain and stress of one loading under uniaxial compression; with --triaxial "
+         "s3 and s1 of tests at failure, compression positive")
+      ->required();
+  CLI::Option* triaxial = app.add_flag("--triaxial", options->is_triaxial, "fit cohesion and friction to s1 over s3");
+  app.add_option("--compression", options->compression, "its sign in the file: positive, negative, auto")
+      ->check(CLI::IsMember(kSigns))
+      ->excludes(triaxial);
+  app.add_option("--strain-factor", options->strain_factor, "what 1 in the column of strain is: 0.01 for per cent")
+      ->check(above_zero())
+      ->excludes(triaxial);
+  app.add_option("--friction", options->friction_deg,
+                 "angle of friction in degrees, from other tests, with which the strength becomes one of mohr_coulomb")
+      ->check(CLI::Range(0.0, 89.0))
+      ->excludes(triaxial);
+  app.add_option("-o,--output", options->output, "measured, fitted and residual of each point to write (CSV)");
+  app.add_option("--material", options->material, "keys of a block material of a case file to write (JSON)");
+  app.add_option("--svg", options->picture, "a picture of both curves to write");
+  app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
+  app.add_flag("--json", options->as_json, "print values, errors and residuals as JSON");
+  return [options] { return run_fit(*options); };
+}
+
+}  // namespace keyblock

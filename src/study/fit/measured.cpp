@@ -1,0 +1,96 @@
+// Headings or none, and Student's t; see measured.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/fit/measured.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/error.hpp"
+
+namespace keyblock::study {
+namespace {
+
+constexpr double kConfidence = 0.95;
+
+bool is_number(const std::string& cell) {
+  double value = 0;
+  const std::size_t from = cell.find_first_not_of(' ');
+  if (from == std::string::npos) return false;
+  const char* end = cell.data() + cell.size();
+  return std::from_chars(cell.data() + from, end, value).ec == std::errc();
+}
+
+bool begins_with(const std::string& heading, std::string_view word) {
+  const std::size_t from = std::min(heading.find_first_not_of(" \""), heading.size());
+  if (heading.size() - from < word.size()) return false;
+  return std::equal(word.begin(), word.end(), heading.begin() + static_cast<std::ptrdiff_t>(from),
+                    [](char a, char b) { return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b))); });
+}
+
+std::size_t column_of(const formats::CsvTable& table, std::string_view word) {
+  const auto has_word = [&](const std::string& heading) { return begins_with(heading, word); };
+  const auto count = std::ranges::count_if(table.header, has_word);
+  if (count != 1)
+    throw InputError({table.name, 1, 1}, fmt::format("expected one column whose heading begins with \"{}\", found {}",
+                                                     word, count == 0 ? "none" : fmt::format("{}", count)));
+  return static_cast<std::size_t>(std::ranges::find_if(table.header, has_word) - table.header.begin());
+}
+
+}  // namespace
+
+MeasuredPairs read_pairs(const formats::CsvTable& table, std::string_view x, std::string_view y) {
+  formats::CsvTable rows = table;
+  std::size_t x_column = 0, y_column = 1;
+  if (!table.header.empty() && std::ranges::all_of(table.header, is_number)) {
+    if (table.header.size() != 2)
+      throw InputError({table.name, 1, 1}, fmt::format("expected two columns, {} and {}, or headings; found {} columns",
+                                                       x, y, table.header.size()));
+    std::vector<int> columns{1, static_cast<int>(table.header[0].size()) + 2};
+    rows.rows.insert(rows.rows.begin(), {table.header, 1, std::move(columns)});
+  } else {
+    x_column = column_of(table, x);
+    y_column = column_of(table, y);
+  }
+  MeasuredPairs pairs{table.name, {}, {}, {}};
+  for (const formats::CsvRow& row : rows.rows) {
+    pairs.x.push_back(formats::csv_real(rows, row, x_column));
+    pairs.y.push_back(formats::csv_real(rows, row, y_column));
+    pairs.lines.push_back(row.line);
+  }
+  return pairs;
+}
+
+Found found(double value, double standard_error, int degrees_of_freedom) {
+  if (degrees_of_freedom < 1) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    return {value, infinite, -infinite, infinite};
+  }
+  const double reach = gsl_cdf_tdist_Pinv((1 + kConfidence) / 2, degrees_of_freedom) * standard_error;
+  return {value, standard_error, value - reach, value + reach};
+}
+
+Agreement agreement(const std::vector<double>& measured, std::vector<double> fitted) {
+  Agreement a;
+  const auto count = static_cast<double>(measured.size());
+  const double mean = std::accumulate(measured.begin(), measured.end(), 0.0) / count;
+  double left = 0, all = 0;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const double residual = measured[i] - fitted[i];
+    left += residual * residual;
+    all += (measured[i] - mean) * (measured[i] - mean);
+    a.largest = std::max(a.largest, std::abs(residual));
+  }
+  a.rms = std::sqrt(left / count);
+  a.r_squared = 1 - left / all;
+  a.fitted = std::move(fitted);
+  return a;
+}
+
+}  // namespace keyblock::study

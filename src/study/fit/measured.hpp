@@ -1,0 +1,44 @@
+// Measurements of rock in a table: two columns of numbers, and what a fit says of one number found from them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/text/csv.hpp"
+
+namespace keyblock::study {
+
+/// Two columns of equal length, and the line of the file of each row.
+struct MeasuredPairs {
+  std::string file;
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<int> lines;
+};
+
+/// Columns whose headings begin with these words, upper or lower case; of a table without headings the two there are.
+/// Throws InputError for other columns, or for what is not a finite number.
+MeasuredPairs read_pairs(const formats::CsvTable& table, std::string_view x, std::string_view y);
+
+/// A number found by least squares. The interval holds it with a confidence of 95 % (Student's t), if the model is
+/// right and errors are independent; it is infinite where as many numbers are sought as measured.
+struct Found {
+  double value = 0;
+  double standard_error = 0;
+  double low = 0;
+  double high = 0;
+};
+Found found(double value, double standard_error, int degrees_of_freedom);
+
+/// How well a fit agrees.
+struct Agreement {
+  std::vector<double> fitted;  ///< y of each pair
+  double rms = 0;              ///< √(Σ r² / n)
+  double largest = 0;          ///< |r|
+  double r_squared = 0;        ///< 1 - Σ r² / Σ (y - mean)²
+};
+Agreement agreement(const std::vector<double>& measured, std::vector<double> fitted);
+
+}  // namespace keyblock::study

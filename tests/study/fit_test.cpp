@@ -1,0 +1,167 @@
+// Fits of measured curves: exact ones, with noise, the kinds of curve, tests under pressure, and what is refused.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "base/error.hpp"
+#include "study/fit/curve_fit.hpp"
+#include "study/fit/strength_fit.hpp"
+
+namespace keyblock::study {
+namespace {
+
+constexpr BilinearCurve kBench{10e3, 30e3, 5e-4, 80};  // pla-12, MPa
+
+MeasuredPairs measured(const BilinearCurve& curve, int count, double last, double noise = 0, unsigned seed = 1) {
+  std::mt19937_64 dice(seed);
+  std::normal_distribution<double> normal;
+  MeasuredPairs m{"curve.csv", {}, {}, {}};
+  for (int i = 0; i < count; ++i) {
+    m.x.push_back(last * i / (count - 1));
+    m.y.push_back(curve.stress(m.x.back()) + noise * normal(dice));
+    m.lines.push_back(i + 2);
+  }
+  return m;
+}
+
+MeasuredPairs table(const std::string& text, const char* x = "strain", const char* y = "stress") {
+  return read_pairs(formats::read_csv({"curve.csv", text}), x, y);
+}
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool holds(const Found& found, double value) {
+  return found.low <= value && value <= found.high;
+}
+
+}  // namespace
+
+TEST(Fit, an_exact_curve_gives_its_values) {
+  for (const double sign : {1.0, -1.0}) {
+    MeasuredPairs m = measured(kBench, 57, 4e-3);
+    for (double& x : m.x) x *= sign;
+    for (double& y : m.y) y *= sign;
+    const CurveFit fit = fit_curve(m, CompressionSign::found);
+    EXPECT_EQ(fit.is_turned, sign < 0);
+    ASSERT_TRUE(fit.initial_modulus && fit.strength);
+    EXPECT_NEAR(fit.initial_modulus->value, 10e3, 1e-6 * 10e3);
+    EXPECT_NEAR(fit.youngs_modulus.value, 30e3, 1e-6 * 30e3);
+    EXPECT_NEAR(fit.closure_strain->value, 5e-4, 1e-6 * 5e-4);
+    EXPECT_NEAR(fit.strength->value, 80, 1e-6 * 80);
+    EXPECT_GT(fit.agreement.r_squared, 1 - 1e-10);
+  }
+}
+
+TEST(Fit, what_a_curve_does_not_show_is_not_found) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const CurveFit line = fit_curve(measured({30e3, 30e3, 0, infinite}, 20, 1e-3), CompressionSign::positive);
+  EXPECT_FALSE(line.initial_modulus || line.closure_strain || line.strength);
+  EXPECT_NEAR(line.youngs_modulus.value, 30e3, 1e-3);
+  const CurveFit closing = fit_curve(measured(kBench, 40, 2e-3), CompressionSign::positive);
+  EXPECT_TRUE(closing.initial_modulus && !closing.strength);
+  EXPECT_NEAR(closing.closure_strain->value, 5e-4, 1e-9);
+  // Noise is seldom taken for closure.
+  int closures = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const CurveFit yielding = fit_curve(measured({30e3, 30e3, 0, 40}, 40, 2e-3, 0.2, seed), CompressionSign::positive);
+    closures += yielding.initial_modulus ? 1 : 0;
+    ASSERT_TRUE(yielding.strength);
+    EXPECT_NEAR(yielding.strength->value, 40, 0.5);
+  }
+  EXPECT_LE(closures, 10);
+}
+
+// Noise of 1 MPa, 400 curves: each interval of 95 % holds its value in about 95 of 100. Four standard deviations of
+// that share are 0.044.
+TEST(Fit, intervals_hold_the_values_as_often_as_they_say) {
+  constexpr int kCurves = 400;
+  std::array<int, 4> held{};
+  for (unsigned seed = 1; seed <= kCurves; ++seed) {
+    const CurveFit fit = fit_curve(measured(kBench, 120, 4e-3, 1, seed), CompressionSign::positive);
+    ASSERT_TRUE(fit.initial_modulus && fit.strength) << seed;
+    held[0] += holds(fit.youngs_modulus, 30e3) ? 1 : 0;
+    held[1] += holds(*fit.initial_modulus, 10e3) ? 1 : 0;
+    held[2] += holds(*fit.closure_strain, 5e-4) ? 1 : 0;
+    held[3] += holds(*fit.strength, 80) ? 1 : 0;
+    EXPECT_NEAR(fit.agreement.rms, 1, 0.3);
+  }
+  for (const int times : held) {
+    EXPECT_GT(times, 0.95 * kCurves - 0.044 * kCurves);
+    EXPECT_LT(times, 0.95 * kCurves + 0.044 * kCurves);
+  }
+}
+
+TEST(Fit, tests_under_pressure_give_cohesion_and_friction) {
+  const double ratio = 3, q = 2 * 2 * std::sqrt(3.0);  // φ 30°, c 2
+  MeasuredPairs tests{"tests.csv", {0, 5, 10, 20}, {}, {2, 3, 4, 5}};
+  for (const double s3 : tests.x) tests.y.push_back(ratio * s3 + q);
+  const StrengthFit exact = fit_strength(tests);
+  EXPECT_NEAR(exact.friction_deg.value, 30, 1e-10);
+  EXPECT_NEAR(exact.cohesion.value, 2, 1e-10);
+  tests.x.resize(2);
+  tests.y.resize(2);
+  EXPECT_TRUE(std::isinf(fit_strength(tests).cohesion.high));  // no more measured than sought
+  constexpr int kSeries = 400;
+  std::array<int, 2> held{};
+  std::mt19937_64 dice(11);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < kSeries; ++i) {
+    MeasuredPairs m{"tests.csv", {}, {}, {}};
+    for (int k = 0; k < 12; ++k) {
+      m.x.push_back(2.0 * k);
+      m.y.push_back(ratio * m.x.back() + q + normal(dice));
+      m.lines.push_back(k + 2);
+    }
+    const StrengthFit fit = fit_strength(m);
+    held[0] += holds(fit.cohesion, 2) ? 1 : 0;
+    held[1] += holds(fit.friction_deg, 30) ? 1 : 0;
+  }
+  for (const int times : held) EXPECT_NEAR(times, 0.95 * kSeries, 0.044 * kSeries);
+}
+
+TEST(Fit, tables_may_have_headings_or_none) {
+  EXPECT_EQ(table("Stress [MPa],strain,time\n5,0.1,1\n6,0.2,2\n").x, (std::vector<double>{0.1, 0.2}));
+  const MeasuredPairs bare = table("0.1,5\n0.2,6\n");
+  EXPECT_EQ(bare.y, (std::vector<double>{5, 6}));
+  EXPECT_EQ(bare.lines, (std::vector<int>{1, 2}));
+  EXPECT_EQ(table("s3,s1\n1,4\n", "s3", "s1").y, (std::vector<double>{4}));
+}
+
+TEST(Fit, what_cannot_be_fitted_is_refused_where_it_stands) {
+  const auto fit = [](MeasuredPairs m) { fit_curve(std::move(m), CompressionSign::found); };
+  EXPECT_NE(refusal([] { table("strain,load\n1,2\n"); }).find("\"stress\", found none"), std::string::npos);
+  EXPECT_NE(refusal([] { table("1,2,3\n1,2,3\n"); }).find("found 3 columns"), std::string::npos);
+  EXPECT_NE(refusal([] { table("strain,stress\n1,nan\n"); }).find("curve.csv:2:3"), std::string::npos);
+  EXPECT_NE(refusal([&] { fit(measured(kBench, 7, 4e-3)); }).find("at least 8 points, found 7"), std::string::npos);
+  MeasuredPairs back = measured(kBench, 30, 4e-3);
+  back.x[12] = back.x[11];
+  EXPECT_NE(refusal([&] { fit(back); }).find("curve.csv:14:1"), std::string::npos);
+  MeasuredPairs opposite = measured(kBench, 30, 4e-3);
+  for (double& y : opposite.y) y = -y;
+  EXPECT_NE(refusal([&] { fit(opposite); }).find("of one sign"), std::string::npos);
+  EXPECT_NE(refusal([] { fit_curve(measured(kBench, 30, 4e-3), CompressionSign::negative); }).find("sign given"),
+            std::string::npos);
+  MeasuredPairs falling = measured(kBench, 30, 4e-3);
+  for (std::size_t i = 0; i < 30; ++i) falling.y[i] = 100.0 - 50.0 * static_cast<double>(i);
+  EXPECT_NE(refusal([&] { fit(falling); }), "");
+  const auto strengths = [](std::vector<double> x, std::vector<double> y) {
+    return refusal([&] { fit_strength({"t.csv", x, y, {2, 3, 4}}); });
+  };
+  EXPECT_NE(strengths({1}, {4}).find("at least 2 tests"), std::string::npos);
+  EXPECT_NE(strengths({1, 1}, {4, 5}).find("two values of s3"), std::string::npos);
+  EXPECT_NE(strengths({1, 2}, {4, 1}).find("t.csv:3:1"), std::string::npos);
+  EXPECT_NE(strengths({1, 2}, {9, 9.5}).find("N = 0.5"), std::string::npos);
+}
+
+}  // namespace keyblock::study
