@@ -10,6 +10,7 @@
 
 #include "formats/text/numbers.hpp"
 #include "formats/text/tokens.hpp"
+#include "material/stress_invariants.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -90,51 +91,99 @@ class CsvScanner {
   int line_ = 1;
 };
 
+constexpr std::string_view kPlasticColumns =
+    ",plastic_strain_xx,plastic_strain_yy,plastic_strain_xy,plastic_strain_zz,equivalent_plastic_strain,yield_state,"
+    "has_yielded,mean_stress,von_mises_stress,lode_angle [degree]";
+
+void append_plastic(std::string& text, const std::optional<PlasticState>& plastic, const Stress& stress) {
+  if (plastic) {
+    append(text, {plastic->xx, plastic->yy, plastic->xy, plastic->zz, plastic->equivalent});
+    text += fmt::format(",{},{:d}", static_cast<int>(plastic->region), plastic->has_yielded);
+  } else {
+    text += ",,,,,,,";
+  }
+  const StressInvariants invariants = invariants_of(stress);
+  append(text, {invariants.mean, invariants.von_mises, invariants.lode_deg});
+}
+
+void append_number_or_nothing(std::string& text, std::span<const double> values, std::size_t index) {
+  text += ',';
+  if (index < values.size() && !std::isnan(values[index])) text += format_real(values[index]);
+}
+
+void append_totals(std::string& text, const std::optional<PlasticTotals>& plastic) {
+  if (!plastic) {
+    text += ",,,";
+    return;
+  }
+  append(text, {plastic->yielded_fraction(), plastic->yielding_fraction()});
+  text += ',';
+  if (plastic->work) text += format_real(*plastic->work);
+}
+
+/// How many columns of each kind the rows of a history have.
+struct HistoryColumns {
+  std::size_t points = 0;
+  std::size_t bolts = 0;
+  std::size_t reactions = 0;
+  std::size_t driven = 0;
+  bool has_plastic = false;
+
+  explicit HistoryColumns(const History& history) {
+    for (const HistoryRow& row : history.rows) {
+      points = std::max(points, row.points.size());
+      bolts = std::max(bolts, row.bolt_forces.size());
+      reactions = std::max(reactions, row.reactions.size());
+      driven = std::max(driven, row.driven.size());
+      has_plastic = has_plastic || row.plastic.has_value();
+    }
+  }
+
+  std::string header() const {
+    std::string text = "step,time [T]";
+    for (std::size_t i = 1; i <= points; ++i) text += fmt::format(",x{0} [L],y{0} [L],dx{0} [L],dy{0} [L]", i);
+    for (std::size_t i = 1; i <= bolts; ++i) text += fmt::format(",bolt{} [F]", i);
+    for (std::size_t i = 1; i <= reactions; ++i) text += fmt::format(",reaction{0}_x [F],reaction{0}_y [F]", i);
+    for (std::size_t i = 1; i <= driven; ++i) text += fmt::format(",driven{} [L]", i);
+    if (has_plastic) text += ",yielded_fraction,yielding_fraction,plastic_work [F L]";
+    return text + '\n';
+  }
+};
+
 }  // namespace
 
 std::string history_csv(const History& history) {
-  std::string text = "step,time [T]";
-  std::size_t count = 0;
-  std::size_t bolts = 0;
-  std::size_t reactions = 0;
-  for (const HistoryRow& row : history.rows) {
-    count = std::max(count, row.points.size());
-    bolts = std::max(bolts, row.bolt_forces.size());
-    reactions = std::max(reactions, row.reactions.size());
-  }
-  for (std::size_t i = 1; i <= count; ++i) text += fmt::format(",x{0} [L],y{0} [L],dx{0} [L],dy{0} [L]", i);
-  for (std::size_t i = 1; i <= bolts; ++i) text += fmt::format(",bolt{} [F]", i);
-  for (std::size_t i = 1; i <= reactions; ++i) text += fmt::format(",reaction{0}_x [F],reaction{0}_y [F]", i);
-  text += '\n';
+  const HistoryColumns columns(history);
+  std::string text = columns.header();
   for (const HistoryRow& row : history.rows) {
     text += fmt::format("{}", row.step);
     append(text, {row.time});
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < columns.points; ++i) {
       if (i < row.points.size() && is_there(row.points[i]))
         append(text, {row.points[i].position.x, row.points[i].position.y, row.points[i].displacement.x,
                       row.points[i].displacement.y});
       else
         text += ",,,,";
     }
-    for (std::size_t i = 0; i < bolts; ++i) {
-      if (i < row.bolt_forces.size() && !std::isnan(row.bolt_forces[i]))
-        append(text, {row.bolt_forces[i]});
-      else
-        text += ',';
-    }
-    for (std::size_t i = 0; i < reactions; ++i) {
+    for (std::size_t i = 0; i < columns.bolts; ++i) append_number_or_nothing(text, row.bolt_forces, i);
+    for (std::size_t i = 0; i < columns.reactions; ++i) {
       if (i < row.reactions.size())
         append(text, {row.reactions[i].x, row.reactions[i].y});
       else
         text += ",,";
     }
+    for (std::size_t i = 0; i < columns.driven; ++i) append_number_or_nothing(text, row.driven, i);
+    if (columns.has_plastic) append_totals(text, row.plastic);
     text += '\n';
   }
   return text;
 }
 
 std::string points_csv(const History& history) {
-  std::string text = "step,time [T],point,x [L],y [L],dx [L],dy [L],sxx,syy,sxy,szz\n";
+  const bool has_plastic = HistoryColumns(history).has_plastic;
+  std::string text = "step,time [T],point,x [L],y [L],dx [L],dy [L],sxx,syy,sxy,szz";
+  if (has_plastic) text += kPlasticColumns;
+  text += '\n';
   for (const HistoryRow& row : history.rows) {
     for (std::size_t i = 0; i < row.points.size(); ++i) {
       const PointFrame& p = row.points[i];
@@ -144,6 +193,7 @@ std::string points_csv(const History& history) {
       text += fmt::format(",{}", i + 1);
       append(text, {p.position.x, p.position.y, p.displacement.x, p.displacement.y, p.stress.xx, p.stress.yy,
                     p.stress.xy, p.stress.zz});
+      if (has_plastic) append_plastic(text, p.plastic, p.stress);
       text += '\n';
     }
   }
@@ -162,8 +212,22 @@ std::string steps_csv(std::span<const StepReport> steps) {
   return text;
 }
 
+std::string rounds_csv(std::span<const StepReport> steps) {
+  std::string text = "step,round,residual\n";
+  for (const StepReport& step : steps)
+    for (std::size_t i = 0; i < step.residuals.size(); ++i) {
+      text += fmt::format("{},{}", step.step, i);
+      append(text, {step.residuals[i]});
+      text += '\n';
+    }
+  return text;
+}
+
 std::string blocks_csv(std::span<const Frame> frames) {
-  std::string text = "step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area,szz\n";
+  const bool has_plastic = std::ranges::any_of(frames, [](const Frame& frame) { return frame.plastic.has_value(); });
+  std::string text = "step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area,szz";
+  if (has_plastic) text += kPlasticColumns;
+  text += '\n';
   for (const Frame& frame : frames) {
     for (std::size_t i = 0; i < frame.elements.size(); ++i) {
       const ElementFrame& block = frame.elements[i];
@@ -172,6 +236,7 @@ std::string blocks_csv(std::span<const Frame> frames) {
       text += fmt::format(",{},{}", number_of(frame, i) + 1, block.material + 1);
       append(text, {block.centroid.x, block.centroid.y, block.rotation, block.displacement.x, block.displacement.y,
                     block.stress.xx, block.stress.yy, block.stress.xy, block.area, block.stress.zz});
+      if (has_plastic) append_plastic(text, block.plastic, block.stress);
       text += '\n';
     }
   }

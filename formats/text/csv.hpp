@@ -7,16 +7,27 @@
 // is in the units of the input. Headers name the dimension where it helps: [T] time, [L] length.
 //   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start;
 //            then the force of every bolt, tension positive: bolti [F]; then, where load steps sum it, what every
-//            prescribed displacement exerts on the bodies: reactioni_x,reactioni_y [F]
+//            prescribed displacement exerts on the bodies: reactioni_x,reactioni_y [F]; where rock may yield also
+//            driveni [L], the mean length of that displacement, where load steps follow it, and of all such rock
+//            yielded_fraction, the share of its area that has yielded since the start, yielding_fraction, that which
+//            ended the step on its surface, and plastic_work [F L], stress times plastic strain summed, per unit
+//            thickness (empty where it is not summed: in time without a ledger)
 //   points   step,time,point,x,y,dx,dy,sxx,syy,sxy,szz: one line a measured point and instant; points from 1, stress
-//            tension positive
+//            tension positive; where rock may yield then its plastic strain since the start (components of the tensor,
+//            xy half of the shear angle), the equivalent one, κ = ∫ √(2/3) ‖dev dεᵖ‖, yield_state at the end of the
+//            step (0 elastic, 1 smooth part of the surface, 2 edge, 3 apex, 4 tension), has_yielded since the start
+//            (0, 1), mean stress, von Mises stress and Lode angle (material/stress_invariants.hpp); of rock that
+//            cannot yield all but these three are empty
 //   steps    step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration: one line an accepted step;
 //            oci counts the open-close passes, k_blocks the elements and the pairs of elements with a contact (the
 //            Berkeley program counts fill-in of its factor too), disp_ratio is the greatest displacement over the
 //            allowed
 //   blocks   step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area,szz: one line a block and frame; block and
-//            material from 1, rot in radians, stress tension positive, szz across the plane
-// The last two begin with the columns of legacy_cases/reference_traces, which have no szz.
+//            material from 1, rot in radians, stress tension positive, szz across the plane; where rock may yield the
+//            columns that points has of it, at the centroid
+//   rounds   step,round,residual: of load steps of rock that may yield the rounds of Newton's method in the last part
+//            of each, 0 before the first; residual is what is out of balance over the largest of the forces
+// steps and blocks begin with the columns of legacy_cases/reference_traces, which have no szz.
 #pragma once
 
 #include <cstddef>
@@ -35,6 +46,7 @@ namespace keyblock::formats {
 std::string history_csv(const History& history);
 std::string points_csv(const History& history);
 std::string steps_csv(std::span<const StepReport> steps);
+std::string rounds_csv(std::span<const StepReport> steps);
 std::string blocks_csv(std::span<const Frame> frames);
 
 /// One row of cells, the line of the file it began on, and the column at which each cell begins.

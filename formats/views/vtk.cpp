@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string_view>
 
 #include "formats/text/numbers.hpp"
+#include "material/stress_invariants.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -88,6 +90,39 @@ void append_polygons(std::string& text, const std::vector<Chain>& chains) {
   text += "</DataArray>\n</Cells>\n";
 }
 
+/// What is shown of rock where some may yield; of that which cannot, no plastic strain.
+struct PlasticArray {
+  std::string_view name;
+  double (*value)(const PlasticState&, const StressInvariants&);
+};
+
+constexpr std::array<PlasticArray, 8> kPlasticArrays{{
+    {"plastic_strain_xx", [](const PlasticState& s, const StressInvariants&) { return s.xx; }},
+    {"plastic_strain_yy", [](const PlasticState& s, const StressInvariants&) { return s.yy; }},
+    {"plastic_strain_xy", [](const PlasticState& s, const StressInvariants&) { return s.xy; }},
+    {"plastic_strain_zz", [](const PlasticState& s, const StressInvariants&) { return s.zz; }},
+    {"equivalent_plastic_strain", [](const PlasticState& s, const StressInvariants&) { return s.equivalent; }},
+    {"mean_stress", [](const PlasticState&, const StressInvariants& i) { return i.mean; }},
+    {"von_mises_stress", [](const PlasticState&, const StressInvariants& i) { return i.von_mises; }},
+    {"lode_angle_degree", [](const PlasticState&, const StressInvariants& i) { return i.lode_deg; }},
+}};
+
+template <class Of>
+std::string plastic_text(const PlasticArray& array, const Of& of) {
+  return format_real(array.value(of.plastic.value_or(PlasticState{}), invariants_of(of.stress)));
+}
+
+void append_plastic_cells(std::string& text, const Frame& frame) {
+  using E = const ElementFrame&;
+  for (const PlasticArray& array : kPlasticArrays)
+    append_cells(text, frame, "Float64", array.name, 1, [&](std::size_t, E e) { return plastic_text(array, e); });
+  append_cells(text, frame, "Int32", "yield_state", 1, [](std::size_t, E e) {
+    return fmt::format("{}", static_cast<int>(e.plastic.value_or(PlasticState{}).region));
+  });
+  append_cells(text, frame, "Int32", "has_yielded", 1,
+               [](std::size_t, E e) { return fmt::format("{:d}", e.plastic.value_or(PlasticState{}).has_yielded); });
+}
+
 void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& field) {
   using E = const ElementFrame&;
   const auto real = [&](std::string_view name, auto member) {
@@ -115,6 +150,7 @@ void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& f
   real("rotation", [](E e) { return e.rotation; });
   real("rotation_rate", [](E e) { return e.velocity.rotation; });
   real("area", [](E e) { return e.area; });
+  if (frame.plastic) append_plastic_cells(text, frame);
   text += "</CellData>\n";
 }
 
@@ -151,6 +187,8 @@ void append_field(std::string& text, const FieldFrame& field, const std::vector<
   append("stress_yy", 1, [](C c) { return format_real(c.stress.yy); });
   append("stress_xy", 1, [](C c) { return format_real(c.stress.xy); });
   append("stress_zz", 1, [](C c) { return format_real(c.stress.zz); });
+  if (field.plastic)
+    for (const PlasticArray& array : kPlasticArrays) append(array.name, 1, [&](C c) { return plastic_text(array, c); });
   text += "</PointData>\n";
 }
 

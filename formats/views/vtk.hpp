@@ -9,6 +9,11 @@
 // The time stands in the field TimeValue. Units are those of the input.
 // Where stress varies within elements (bodies on covers) also point data, of every corner, each element its own:
 // displacement, stress_xx stress_yy stress_xy stress_zz; and body (from 1) among the cell data.
+// Where rock may yield (frame.plastic) also cell data, at the centroid, and with stress at corners but for the last two
+// point data: plastic_strain_xx _yy _xy _zz since the start (components of the tensor, xy half of the shear angle),
+// equivalent_plastic_strain (κ = ∫ √(2/3) ‖dev dεᵖ‖), mean_stress, von_mises_stress, lode_angle_degree
+// (material/stress_invariants.hpp), yield_state at the end of the step (0 elastic, 1 smooth part of the surface,
+// 2 edge, 3 apex, 4 tension), has_yielded since the start (0, 1); rock that cannot yield has no plastic strain.
 // .pvd: VTK XML Collection; 17 significant digits of time, so that each double is told from its neighbours.
 #pragma once
 

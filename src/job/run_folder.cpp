@@ -16,8 +16,11 @@
 #include "formats/views/vtk.hpp"
 #include "report/energy_picture.hpp"
 #include "report/field_picture.hpp"
+#include "report/plastic_picture.hpp"
+#include "report/reaction_picture.hpp"
 #include "report/run_picture.hpp"
 #include "result/describe.hpp"
+#include "result/reaction_curve.hpp"
 
 namespace keyblock {
 
@@ -30,10 +33,12 @@ constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
 
 // The files that a run may leave in its folder, and all that it may leave.
-constexpr std::array<std::string_view, 10> kFiles{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg",
-                                                  "field.svg", "steps.csv",   "blocks.csv", "points.csv",  kCheckpoint};
-constexpr std::array kNames{kRecord,     "history.csv", "fields.pvd", "picture.svg", "energy.svg", "field.svg",
-                            "steps.csv", "blocks.csv",  "points.csv", kFrameFolder,  kCheckpoint};
+constexpr std::array<std::string_view, 13> kFiles{
+    kRecord,     "history.csv",   "fields.pvd", "picture.svg", "energy.svg", "field.svg", "plastic.svg",
+    "steps.csv", "reactions.svg", "blocks.csv", "points.csv",  "rounds.csv", kCheckpoint};
+constexpr std::array kNames{kRecord,      "history.csv", "fields.pvd",    "picture.svg", "energy.svg",
+                            "field.svg",  "plastic.svg", "reactions.svg", "steps.csv",   "blocks.csv",
+                            "points.csv", "rounds.csv",  kFrameFolder,    kCheckpoint};
 
 constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
 
@@ -270,8 +275,15 @@ void RunFolder::finish(const RunResults& results) {
   if (history.of_measured_points) write("points.csv", formats::points_csv(history));
   write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,
                                             frames_.back().measured_points, report::most_varied(field), is_of_motion}));
+  if (field.plastic)
+    write("plastic.svg",
+          report::plastic_picture({fmt::format("{}, time {:g}", title, field.time), field, frames_.back().outlines}));
+  if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
+    write("reactions.svg", report::reaction_picture(title + ", reactions", curves));
   if (trace_ == Trace::no) return;
   write("steps.csv", formats::steps_csv(steps));
+  if (std::ranges::any_of(steps, [](const StepReport& step) { return !step.residuals.empty(); }))
+    write("rounds.csv", formats::rounds_csv(steps));
   write("blocks.csv", formats::blocks_csv(frames_));
 }
 

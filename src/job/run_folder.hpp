@@ -68,7 +68,8 @@ class RunFolder {
   void add(const Frame& frame, const FieldFrame& field = {});
 
   /// history.csv, fields.pvd, picture.svg, field.svg; points.csv where points are measured, energy.svg if there is a
-  /// ledger and, for a trace, steps.csv and blocks.csv.
+  /// ledger, plastic.svg where rock may yield, reactions.svg where load steps of such rock drive an edge and, for a
+  /// trace, steps.csv, blocks.csv and, where there are rounds of Newton's method, rounds.csv.
   void finish(const RunResults& results);
 
   /// run.json, last: where it stands, everything else does.

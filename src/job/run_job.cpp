@@ -91,6 +91,8 @@ void RunJob::judge() {
   const Place& place = options_.place;
   record_.warnings = joined(record_.warnings, watch_.warnings(place));
   record_.extremes = folder_.extremes();
+  record_.plastic = plastic_extremes_of(folder_.last_frame());
+  record_.reactions = reaction_curves(history_);
   record_.warnings = joined(record_.warnings, outcome_warnings(prepared_, record_.outcome, place));
   record_.is_static = watch_.is_static();
   const Judgement judgement = judged(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);

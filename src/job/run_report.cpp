@@ -77,17 +77,43 @@ Json counts_json(const Prepared& prepared, const StepTotals& totals) {
   return counts;
 }
 
-// One array a step under one list of column names: the table may be long.
+// One array a step under one list of column names: the table may be long. Passes of load steps of rock that may yield
+// are rounds of Newton's method, redos are cuts, and their parts are said.
 Json steps_json(const StepRows& steps) {
   Json rows = Json::array();
-  for (const StepReport& s : steps.rows())
-    rows.push_back({s.step, s.time, s.dt, s.passes, s.redos, s.fallbacks, s.contacts, s.closed, s.penalty,
-                    s.greatest_penetration, s.displacement_ratio, s.residual, s.unsettled_contacts});
-  return {{"columns",
-           {"step", "time", "dt", "passes", "redos", "fallbacks", "contacts", "closed", "penalty",
-            "greatest_penetration", "displacement_ratio", "residual", "unsettled_contacts"}},
-          {"kept_every", steps.stride()},
-          {"rows", rows}};
+  Json columns = {"step",
+                  "time",
+                  "dt",
+                  "passes",
+                  "redos",
+                  "fallbacks",
+                  "contacts",
+                  "closed",
+                  "penalty",
+                  "greatest_penetration",
+                  "displacement_ratio",
+                  "residual",
+                  "unsettled_contacts"};
+  const bool has_parts = std::ranges::any_of(steps.rows(), [](const StepReport& s) { return !s.residuals.empty(); });
+  if (has_parts) columns.push_back("parts");
+  for (const StepReport& s : steps.rows()) {
+    Json row = {s.step,
+                s.time,
+                s.dt,
+                s.passes,
+                s.redos,
+                s.fallbacks,
+                s.contacts,
+                s.closed,
+                s.penalty,
+                s.greatest_penetration,
+                s.displacement_ratio,
+                s.residual,
+                s.unsettled_contacts};
+    if (has_parts) row.push_back(s.parts);
+    rows.push_back(std::move(row));
+  }
+  return {{"columns", columns}, {"kept_every", steps.stride()}, {"rows", rows}};
 }
 
 Json start_json(const StartReport& start) {
@@ -118,6 +144,29 @@ Json json_of(const Extremes& found) {
           {"least_principal_stress", {{"value", found.least_stress}, {"element", found.compressed_element + 1}}},
           {"greatest_principal_stress", {{"value", found.greatest_stress}, {"element", found.stretched_element + 1}}},
           {"least_area_share", {{"value", found.area_share}, {"element", found.crushed_element + 1}}}};
+}
+
+Json json_of(const PlasticExtremes& found) {
+  const PlasticTotals& totals = found.totals;
+  return {{"yielded_fraction", totals.yielded_fraction()},
+          {"yielding_fraction", totals.yielding_fraction()},
+          {"area", totals.area},
+          {"plastic_work", totals.work ? Json(*totals.work) : Json()},
+          {"greatest_equivalent_plastic_strain",
+           {{"value", found.equivalent}, {"element", found.element + 1}, {"x", found.place.x}, {"y", found.place.y}}}};
+}
+
+Json json_of(const ReactionCurve& curve) {
+  Json json = {{"displacement", curve.number + 1},
+               {"component", std::string(1, curve.component)},
+               {"driven", curve.driven.back()},
+               {"reaction", curve.reaction.back()},
+               {"slope", Json()},
+               {"plateau", Json()}};
+  if (const std::optional<double> slope = end_slope(curve)) json["slope"] = *slope;
+  if (const std::optional<std::size_t> first = plateau_of(curve))
+    json["plateau"] = {{"since_step", curve.steps[*first]}, {"since_driven", curve.driven[*first]}};
+  return json;
 }
 
 Json json_of(const Resultant& r) {
@@ -243,6 +292,11 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"steps", steps_json(record.steps)}};
   json["is_static"] = record.is_static;
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
+  if (record.plastic) json["plastic"] = json_of(*record.plastic);
+  if (!record.reactions.empty()) {
+    json["reactions"] = Json::array();
+    for (const ReactionCurve& curve : record.reactions) json["reactions"].push_back(json_of(curve));
+  }
   if (!record.outcome.scenes.empty()) json["stages"] = stages_json(record.outcome.scenes);
   if (record.equilibrium_way) json["equilibrium"] = json_of(*record.equilibrium_way);
   const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};

@@ -10,6 +10,7 @@
 #include "base/counted.hpp"
 #include "formats/case.hpp"
 #include "result/extremes.hpp"
+#include "result/reaction_curve.hpp"
 #include "result/step_record.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
@@ -46,7 +47,9 @@ struct RunRecord {
   LedgerSums ledger_sums;
   LedgerRows ledger;
   RunOutcome outcome;
-  Extremes extremes;  ///< of the last frame
+  Extremes extremes;                            ///< of the last frame
+  std::optional<PlasticExtremes> plastic = {};  ///< of the last frame, where rock may yield
+  std::vector<ReactionCurve> reactions = {};    ///< of edges that load steps of such rock drive
   bool is_static = false;
   std::optional<EquilibriumWay> equilibrium_way;  ///< of static runs that came to their end
   Timings timings;

@@ -22,6 +22,9 @@ constexpr double kLargeResidual = 1e-9;
 constexpr double kLargeImbalance = 1e-6;
 // A start that leaves more of its gaps than this is not the one asked for.
 constexpr double kLargeMisfit = 1e-6;
+// A load step that finds equilibrium only in as many parts is where little more load is borne, or where rock that bore
+// it lets go.
+constexpr int kManyParts = 4;
 // A static run that has come this far is said to be in equilibrium.
 constexpr double kNearEquilibrium = 0.99;
 // A step that is this share of the way before it is round-off: it need not shrink any more.
@@ -133,6 +136,11 @@ std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
                     ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
                     : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only", s.step,
                                   s.residual);
+       }},
+      {"step_in_parts", [](const StepReport& s) { return s.parts >= kManyParts; },
+       [](const StepReport& s, int concerned, int steps) {
+         return fmt::format("step {} was made in {} parts: near a limit load; as in {} of {} steps", s.step, s.parts,
+                            concerned, steps);
        }},
       {"overlaps_locked", [](const StepReport& s) { return s.locked_overlaps > 0; },
        [](const StepReport& s, int concerned, int steps) {

@@ -14,6 +14,35 @@ void describe(Archive& a, const char* name, Point& point) {
   a.group(name, [&] { describe(a, point); });
 }
 
+void describe(Archive& a, std::optional<PlasticState>& state) {
+  bool may_yield = state.has_value();
+  a.value("may_yield", may_yield);
+  if (!may_yield) return;
+  PlasticState& s = state ? *state : state.emplace();
+  a.value("plastic_xx", s.xx);
+  a.value("plastic_yy", s.yy);
+  a.value("plastic_xy", s.xy);
+  a.value("plastic_zz", s.zz);
+  a.value("equivalent", s.equivalent);
+  a.choice("region", s.region, YieldRegion::tension);
+  a.value("has_yielded", s.has_yielded);
+}
+
+void describe(Archive& a, const char* name, std::optional<PlasticTotals>& totals) {
+  a.group(name, [&] {
+    bool may_yield = totals.has_value();
+    a.value("may_yield", may_yield);
+    if (!may_yield) return;
+    PlasticTotals& t = totals ? *totals : totals.emplace();
+    a.value("area", t.area);
+    a.value("yielded", t.yielded);
+    a.value("yielding", t.yielding);
+    bool has_work = t.work.has_value();
+    a.value("has_work", has_work);
+    if (has_work) a.value("work", t.work ? *t.work : t.work.emplace());
+  });
+}
+
 void describe(Archive& a, PointFrame& point) {
   describe(a, "position", point.position);
   describe(a, "displacement", point.displacement);
@@ -23,6 +52,7 @@ void describe(Archive& a, PointFrame& point) {
   a.value("stress_xy", point.stress.xy);
   a.value("stress_zz", point.stress.zz);
   a.value("number", point.number);
+  describe(a, point.plastic);
 }
 
 void describe(Archive& a, const char* name, std::vector<PointFrame>& points) {
@@ -60,6 +90,7 @@ void describe(Archive& a, ElementFrame& element) {
   a.value("moment_of_inertia", element.moment_of_inertia);
   a.value("number", element.number);
   a.value("origin", element.origin);
+  describe(a, element.plastic);
 }
 
 void describe(Archive& a, const char* name, Momentum& momentum) {
@@ -81,6 +112,7 @@ void describe(Archive& a, Frame& frame) {
   a.list("bolts", frame.bolts, [&](BoltFrame& bolt) { describe(a, bolt); });
   describe(a, "outlines", frame.outlines);
   a.list("reactions", frame.reactions, [&](Point& force) { describe(a, force); });
+  describe(a, "plastic", frame.plastic);
 }
 
 void describe(Archive& a, HistoryRow& row) {
@@ -89,6 +121,8 @@ void describe(Archive& a, HistoryRow& row) {
   describe(a, "points", row.points);
   a.numbers("bolt_forces", row.bolt_forces);
   a.list("reactions", row.reactions, [&](Point& force) { describe(a, force); });
+  a.numbers("driven", row.driven);
+  describe(a, "plastic", row.plastic);
 }
 
 void describe(Archive& a, LedgerRow& row) {
@@ -171,6 +205,8 @@ void describe(Archive& a, StepReport& report) {
   a.value("area_share", report.area_share);
   a.value("crushed_element", report.crushed_element);
   a.value("residual", report.residual);
+  a.value("parts", report.parts);
+  a.numbers("residuals", report.residuals);
   a.value("unresolved_parts", report.unresolved_parts);
   a.value("locked_overlaps", report.locked_overlaps);
   a.value("unsettled_contacts", report.unsettled_contacts);

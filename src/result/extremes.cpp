@@ -64,4 +64,17 @@ Extremes extremes_of(const Frame& start, const Frame& end) {
   return found;
 }
 
+std::optional<PlasticExtremes> plastic_extremes_of(const Frame& end) {
+  if (!end.plastic) return std::nullopt;
+  PlasticExtremes found{*end.plastic};
+  for (std::size_t i = 0; i < end.elements.size(); ++i) {
+    const ElementFrame& element = end.elements[i];
+    if (!element.plastic || element.plastic->equivalent <= found.equivalent) continue;
+    found.equivalent = element.plastic->equivalent;
+    found.element = number_of(end, i);
+    found.place = element.centroid;
+  }
+  return found;
+}
+
 }  // namespace keyblock

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "result/frame.hpp"
@@ -21,6 +22,17 @@ struct Extremes {
   double area_share = 1;  ///< least area of an element over that at the start
   int crushed_element = 0;
 };
+
+/// Where the rock has flowed most, and how much of it has.
+struct PlasticExtremes {
+  PlasticTotals totals;
+  double equivalent = 0;  ///< greatest equivalent plastic strain at the centroid of an element
+  int element = 0;        ///< its number from 0
+  Point place = {};       ///< of the centroid
+};
+
+/// None where no rock may yield.
+std::optional<PlasticExtremes> plastic_extremes_of(const Frame& end);
 
 /// Of the instant `end` of a run that began with `start`; elements are known by their numbers. Without any, all zero
 /// and the share of area 1.

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/point.hpp"
 #include "problem/analysis.hpp"
+#include "result/plastic_state.hpp"
 
 namespace keyblock {
 
@@ -13,7 +15,8 @@ namespace keyblock {
 struct FieldCorner {
   Point position;
   Point displacement;
-  Stress stress;  ///< as the element has it: neighbours need not agree
+  Stress stress;                             ///< as the element has it: neighbours need not agree
+  std::optional<PlasticState> plastic = {};  ///< none of rock that cannot yield
 };
 
 /// One element; loops as in `ElementFrame`.
@@ -28,6 +31,7 @@ struct FieldFrame {
   int step = 0;  ///< 0 is the state before the first load step
   double time = 0;
   std::vector<FieldElement> elements;
+  std::optional<PlasticTotals> plastic = {};  ///< none where no rock may yield
 };
 
 /// As many as elements where each is a block.

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "geometry/point.hpp"
 #include "problem/analysis.hpp"
+#include "result/plastic_state.hpp"
 
 namespace keyblock {
 
@@ -24,6 +26,7 @@ struct ElementFrame {
   double moment_of_inertia = 0;  ///< about the centroid, at the start
   int number = -1;               ///< of the element for the whole run, from 0; below 0: its index in the frame
   int origin = -1;               ///< number of the element of the first scene that it is a piece of; below 0: its own
+  std::optional<PlasticState> plastic = {};  ///< at the centroid; none of rock that cannot yield
 };
 
 /// A point that travels with an element.
@@ -33,6 +36,7 @@ struct PointFrame {
   int element = 0;     ///< its number, from 0
   int number = -1;     ///< of a measured point for the whole run, from 0; below 0: its index in the frame
   Stress stress = {};  ///< of the element, on covers that at the point
+  std::optional<PlasticState> plastic = {};  ///< likewise; none of rock that cannot yield
 };
 
 /// Whether the point was there at that instant: what a change of the scene took away has no place.
@@ -59,7 +63,8 @@ struct Frame {
   std::vector<PointFrame> measured_points;
   std::vector<BoltFrame> bolts;
   std::vector<std::vector<Point>> outlines = {};  ///< around bodies of many elements; none where each element is one
-  std::vector<Point> reactions = {};  ///< force of each prescribed displacement on the bodies it holds
+  std::vector<Point> reactions = {};              ///< force of each prescribed displacement on the bodies it holds
+  std::optional<PlasticTotals> plastic = {};      ///< none where no rock may yield
 };
 
 /// What the element at an index of the frame is called for the whole run, and what it is a piece of.

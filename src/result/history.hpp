@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "result/frame.hpp"
@@ -17,6 +18,8 @@ struct HistoryRow {
   std::vector<PointFrame> points;
   std::vector<double> bolt_forces;    ///< by number, tension positive; NaN of one that is not there
   std::vector<Point> reactions = {};  ///< as Frame has them
+  std::vector<double> driven = {};  ///< of each prescribed displacement the mean of its length; none where not followed
+  std::optional<PlasticTotals> plastic = {};  ///< none where no rock may yield
 };
 
 struct History {

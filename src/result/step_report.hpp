@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 namespace keyblock {
 
 struct StepReport {
@@ -23,9 +25,12 @@ struct StepReport {
   /// Dynamics `shi`: largest relative residual of the step's linear solves; `standard`: forces out of balance over the
   /// largest load on a block.
   double residual = 0;
-  int unresolved_parts = 0;    ///< made at the least size, with a greater error or displacement than wanted
-  int locked_overlaps = 0;     ///< of impacts, left because other touches are in the way (dynamics `standard`)
-  int unsettled_contacts = 0;  ///< contacts that still opened or closed in the last pass (accepted by choice)
+  int parts = 1;                       ///< that a load step of rock that may yield was made in
+  std::vector<double> residuals = {};  ///< of such a step: out of balance over the largest force, before each round of
+                                       ///< Newton's method of its last part and after the last
+  int unresolved_parts = 0;            ///< made at the least size, with a greater error or displacement than wanted
+  int locked_overlaps = 0;             ///< of impacts, left because other touches are in the way (dynamics `standard`)
+  int unsettled_contacts = 0;          ///< contacts that still opened or closed in the last pass (accepted by choice)
 };
 
 }  // namespace keyblock

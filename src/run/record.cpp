@@ -146,10 +146,36 @@ void put_point_stress(HistoryRow& row, const Model& model, const Stepper& steppe
         stepper.stress_at(model.measured_points[i].element, model.measured_points[i].start);
 }
 
+void put_plastic(Frame& frame, const Stepper& stepper) {
+  frame.plastic = stepper.plastic_totals();
+  if (!frame.plastic) return;
+  const Model& model = stepper.model();
+  for (const ElementIndex e : indices(model.elements))
+    frame.elements[static_cast<std::size_t>(e.value)].plastic =
+        stepper.plastic_at(e, stepper.unloaded().elements[e].centroid);
+  for (std::size_t i = 0; i < model.measured_points.size(); ++i)
+    frame.measured_points[i].plastic =
+        stepper.plastic_at(model.measured_points[i].element, model.measured_points[i].start);
+}
+
+void put_plastic(HistoryRow& row, const Stepper& stepper, bool of_measured_points) {
+  row.driven = stepper.driven();
+  row.plastic = stepper.plastic_totals();
+  if (!row.plastic || !of_measured_points) return;
+  const Model& model = stepper.model();
+  for (std::size_t i = 0; i < model.measured_points.size(); ++i)
+    row.points[static_cast<std::size_t>(model.identities.of_measured_point(i))].plastic =
+        stepper.plastic_at(model.measured_points[i].element, model.measured_points[i].start);
+}
+
 FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const State& state = stepper.state();
   const StartPlaces& start = stepper.unloaded();
-  FieldFrame field{state.step, state.time, {}};
+  FieldFrame field{state.step, state.time, {}, stepper.plastic_totals()};
+  const auto corner = [&](ElementIndex e, Point at, Point now) {
+    return FieldCorner{at, now - at, stepper.stress_at(e, at),
+                       field.plastic ? stepper.plastic_at(e, at) : std::nullopt};
+  };
   const std::vector<int> bodies = body_numbers(model);
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
@@ -157,13 +183,11 @@ FieldFrame field_of(const Model& model, const Stepper& stepper) {
     FieldElement& out = field.elements.emplace_back();
     out.body = bodies[static_cast<std::size_t>(e.value)];
     out.material = element.material;
-    out.middle = {centroid, state.elements[e].centroid - centroid, stepper.stress_at(e, centroid)};
+    out.middle = corner(e, centroid, state.elements[e].centroid);
     VertexIndex v = element.first_vertex;
     for (const int size : element.loop_sizes) {
       auto& loop = out.loops.emplace_back();
-      for (int i = 0; i < size; ++i, ++v.value)
-        loop.push_back(
-            {start.vertices[v], state.vertices[v] - start.vertices[v], stepper.stress_at(e, start.vertices[v])});
+      for (int i = 0; i < size; ++i, ++v.value) loop.push_back(corner(e, start.vertices[v], state.vertices[v]));
     }
   }
   return field;

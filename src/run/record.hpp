@@ -22,6 +22,10 @@ HistoryRow history_row(const Model& model, const State& state, const StartPlaces
 void put_point_stress(Frame& frame, const Model& model, const Stepper& stepper);
 void put_point_stress(HistoryRow& row, const Model& model, const Stepper& stepper);
 
+/// Plastic state of elements and measured points, and the totals, where rock may yield; how far edges were driven.
+void put_plastic(Frame& frame, const Stepper& stepper);
+void put_plastic(HistoryRow& row, const Stepper& stepper, bool of_measured_points);
+
 /// What each prescribed displacement exerts, where the stepper sums it.
 std::vector<Point> reactions_of(const Stepper& stepper);
 

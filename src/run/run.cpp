@@ -74,6 +74,7 @@ class Loop {
     Frame frame = frame_of(stepper_.model(), state(), stepper_.unloaded(), stepper_.settings());
     put_point_stress(frame, stepper_.model(), stepper_);
     frame.reactions = reactions_of(stepper_);
+    put_plastic(frame, stepper_);
     if (observer_.on_field && !stepper_.model().nodes.empty()) observer_.on_field(field_of(stepper_.model(), stepper_));
     observer_.on_frame(frame);
   }
@@ -84,6 +85,7 @@ class Loop {
     HistoryRow row = history_row(stepper_.model(), state(), stepper_.unloaded(), measures_);
     if (measures_) put_point_stress(row, stepper_.model(), stepper_);
     row.reactions = reactions_of(stepper_);
+    put_plastic(row, stepper_, measures_);
     observer_.on_row(row);
   }
 

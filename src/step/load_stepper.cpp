@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "model/continuum.hpp"
@@ -53,6 +54,7 @@ std::unique_ptr<SceneStepper> LoadStepper::in_next(const SceneChange& change) co
   next->bodies_->begin(next->now_, bodies_.get());
   next->continue_from(*this);
   next->first_step_ = state_.step;
+  next->plastic_work_ = plastic_work_;
   next->put_places();
   return next;
 }
@@ -61,6 +63,21 @@ Stress LoadStepper::stress_at(ElementIndex e, Point start) const {
   if (bodies_->continuum().material(e.value).is_nonlinear())
     return bodies_->yield().stress(now_.d, now_.points, e.value, start);
   return bodies_->elasticity().stress(now_.d, e.value, start);
+}
+
+std::optional<PlasticState> LoadStepper::plastic_at(ElementIndex e, Point start) const {
+  if (!bodies_->continuum().material(e.value).strength) return std::nullopt;
+  const Eigen::Matrix2d f = bodies_->elasticity().deformation(now_.d, e.value, start);
+  const double angle = std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));  // of the polar decomposition
+  return bodies_->yield().plastic_state(now_.points, e.value, start, angle);
+}
+
+std::optional<PlasticTotals> LoadStepper::plastic_totals() const {
+  PlasticTotals totals;
+  bodies_->yield().add_totals(now_.points, totals);
+  if (totals.area == 0) return std::nullopt;
+  totals.work = plastic_work_;
+  return totals;
 }
 
 Point LoadStepper::place_of(ElementIndex e, Point start) const {
@@ -87,10 +104,12 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     work.rounds += rounds.count();
     if (found) {
       speed = (found->d - at.d) / (to - reached);
+      work.plastic += bodies_->yield().plastic_work(found->d, at.points, found->points);
+      ++work.parts;
       at = std::move(*found);
       reached = to;
       part = std::min(whole, 2 * part);
-      work.residual = rounds.residuals.back();
+      work.residuals = std::move(rounds.residuals);
       continue;
     }
     ++work.cuts;
@@ -104,6 +123,7 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
   now_ = std::move(at);
   speed_ = std::move(speed);
   share_ = share;
+  plastic_work_ += work.plastic;
   return std::nullopt;
 }
 
@@ -115,7 +135,10 @@ std::variant<StepReport, StepFailure> LoadStepper::advance() {
   const double share = std::min(1.0, static_cast<double>(made + 1) / steps_of_scene());
   if (const std::optional<std::string> why = advance_to(share, work)) return failure(*why);
   put_places();
-  return end_step(work.rounds, work.cuts, work.residual);
+  StepReport report = end_step(work.rounds, work.cuts, work.residuals.empty() ? 0 : work.residuals.back());
+  report.parts = work.parts;
+  report.residuals = std::move(work.residuals);
+  return report;
 }
 
 void LoadStepper::describe(Archive& archive) {
@@ -125,6 +148,7 @@ void LoadStepper::describe(Archive& archive) {
   bodies_->describe(archive);
   archive.value("share", share_);
   archive.value("first_step", first_step_);
+  archive.value("plastic_work", plastic_work_);
   describe_time(archive);
   if (archive.is_restoring()) put_places();
 }

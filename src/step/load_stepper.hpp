@@ -21,6 +21,9 @@ class LoadStepper : public StaticStepper {
   LoadStepper(Scene scene, Archive& saved);
 
   Stress stress_at(ElementIndex e, Point start) const override;
+  std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override;
+  std::optional<PlasticTotals> plastic_totals() const override;
+  std::vector<double> driven() const override { return bodies_->driven(share_); }
   std::variant<StepReport, StepFailure> advance() override;
   std::optional<ForceBalance> forces() const override { return bodies_->forces(now_.d, share_); }
   std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
@@ -31,7 +34,9 @@ class LoadStepper : public StaticStepper {
   struct Work {
     int rounds = 0;
     int cuts = 0;
-    double residual = 0;
+    int parts = 0;                       ///< of those that found an equilibrium
+    std::vector<double> residuals = {};  ///< of the rounds of the last of them
+    double plastic = 0;
   };
 
   /// The state of the bodies in the next scene, which stand on the same mesh.
@@ -45,9 +50,10 @@ class LoadStepper : public StaticStepper {
   NewtonStatic newton_;
   LoadedState now_;
   Eigen::VectorXd
-      speed_;           ///< displacement per share of the loads in the last part of a step: the next is guessed by it
-  double share_ = 0;    ///< of the scene's loads
-  int first_step_ = 0;  ///< after which the scene began
+      speed_;         ///< displacement per share of the loads in the last part of a step: the next is guessed by it
+  double share_ = 0;  ///< of the scene's loads
+  double plastic_work_ = 0;  ///< since the start, by the stress at the end of each part of a step
+  int first_step_ = 0;       ///< after which the scene began
 };
 
 }  // namespace keyblock

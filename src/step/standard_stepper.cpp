@@ -237,7 +237,8 @@ StandardStepper::StandardStepper(const StandardStepper& before, const SceneChang
       next_part_(before.next_part_),
       begins_scene_(true),
       start_report_(before.start_report_),
-      start_failure_(before.start_failure_) {
+      start_failure_(before.start_failure_),
+      plastic_work_(before.plastic_work_) {
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
   scene_.mass_centre = before.scene_.mass_centre;
@@ -277,6 +278,7 @@ void StandardStepper::describe(Archive& archive) {
     archive.value("unsolved_steps", start_report_.unsolved_steps);
   });
   archive.group("ledger", [&] { keyblock::describe(archive, ledger_); });
+  archive.value("plastic_work", plastic_work_);
 }
 
 // What only the motion of the scene before knew.
@@ -324,6 +326,21 @@ Stress StandardStepper::stress_at(ElementIndex e, Point start) const {
   return scene_.groups.of(e).stress_at(scene_.parts(), e, motion_, start);
 }
 
+std::optional<PlasticState> StandardStepper::plastic_at(ElementIndex e, Point start) const {
+  return scene_.groups.of(e).plastic_at(scene_.parts(), e, motion_, start);
+}
+
+std::optional<PlasticTotals> StandardStepper::plastic_totals() const {
+  PlasticTotals totals;
+  for (const auto& group : scene_.groups) group->add_plastic(motion_, totals);
+  if (totals.area == 0) return std::nullopt;
+  if (scene_.settings.standard.motion != MotionRule::dynamic)
+    totals.work = plastic_work_;
+  else if (scene_.settings.ledger == Bookkeeping::on)
+    totals.work = ledger_.flow.plastic;
+  return totals;
+}
+
 std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   const double load_share = scene_.load_share;
@@ -343,6 +360,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   end.step = state_.step + 1;
   end.time = state_.time + scene_.settings.time_step;
   end.dt = scene_.settings.time_step;
+  for (const auto& group : scene_.groups) plastic_work_ += group->plastic_work(motion_, made.step.motion);
   motion_ = made.step.motion;
   next_part_ = made.next;
   begins_scene_ = false;

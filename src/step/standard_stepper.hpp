@@ -21,6 +21,8 @@ class StandardStepper : public SceneStepper {
   const State& state() const override { return state_; }
   const StartPlaces& unloaded() const override { return unloaded_; }
   Stress stress_at(ElementIndex e, Point start) const override;
+  std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override;
+  std::optional<PlasticTotals> plastic_totals() const override;
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return ledger_; }
   StartReport start_report() const override { return start_report_; }
@@ -54,6 +56,7 @@ class StandardStepper : public SceneStepper {
   StartPlaces unloaded_;
   State state_;
   LedgerRow ledger_;
+  double plastic_work_ = 0;  ///< at rest, where there is no ledger of flows
 };
 
 /// The scene's state at a motion: vertices, carried points, stress turned into the plane, velocities.

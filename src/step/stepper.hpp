@@ -13,6 +13,7 @@
 #include "model/state.hpp"
 #include "result/force_balance.hpp"
 #include "result/ledger.hpp"
+#include "result/plastic_state.hpp"
 #include "result/start_report.hpp"
 #include "result/step_report.hpp"
 
@@ -55,6 +56,10 @@ class Stepper {
   virtual const StartPlaces& unloaded() const = 0;
   /// At the point of an element that lay at `start` before any load: on covers there, else that of the element.
   virtual Stress stress_at(ElementIndex e, Point) const { return state().elements[e].stress; }
+  /// Likewise; none of rock that cannot yield.
+  virtual std::optional<PlasticState> plastic_at(ElementIndex, Point) const { return std::nullopt; }
+  /// Of all rock that may yield; none where none may.
+  virtual std::optional<PlasticTotals> plastic_totals() const { return std::nullopt; }
   virtual StartReport start_report() const { return {}; }
   /// On failure the state is unchanged, and where it throws StopRequested in the middle of a step.
   virtual std::variant<StepReport, StepFailure> advance() = 0;
@@ -65,6 +70,8 @@ class Stepper {
 
   /// Loads and supports of bodies on covers after the last accepted step, where the stepper sums them.
   virtual std::optional<ForceBalance> forces() const { return std::nullopt; }
+  /// Of each prescribed displacement: the mean of its length along the edge, where steps follow it.
+  virtual std::vector<double> driven() const { return {}; }
 
   /// Everything that the coming steps depend on. Saving changes nothing.
   virtual void save(Archive& archive) = 0;

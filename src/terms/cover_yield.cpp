@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -28,6 +29,19 @@ struct Gathered {
   std::size_t law = 0;
   int element = 0;
 };
+
+using RegionWeights = std::array<double, static_cast<std::size_t>(YieldRegion::tension) + 1>;
+
+constexpr double kRounding = 1e-9;  // of weights, which sum to 1
+
+// Those that differ by rounding alone are equal, and the first of them is taken.
+YieldRegion region_of_most(const RegionWeights& weights) {
+  if (weights.front() > 0.5 + kRounding) return YieldRegion::elastic;
+  std::size_t most = 0;
+  for (std::size_t i = 1; i < weights.size(); ++i)
+    if (weights[i] > (most == 0 ? 0 : weights[most]) + kRounding) most = i;
+  return static_cast<YieldRegion>(most);
+}
 
 }  // namespace
 
@@ -295,16 +309,29 @@ YieldStates CoverYield::gathered(std::span<const std::vector<Remembered>> of_ele
 
 YieldState CoverYield::memory(const YieldStates& states, int element, Point at_start) const {
   YieldState mean;
-  double most = 0;
+  RegionWeights regions{};
   for (const Share& share : shares(element, at_start)) {
     const YieldState& state = states[share.point];
     mean.elastic += share.weight * state.elastic;
     mean.plastic += share.weight * state.plastic;
     mean.kappa += share.weight * state.kappa;
-    if (share.weight > most) mean.region = state.region;
-    most = std::max(most, share.weight);
+    regions[static_cast<std::size_t>(state.region)] += share.weight;
   }
+  mean.region = region_of_most(regions);
   return mean;
+}
+
+PlasticState CoverYield::plastic_state(const YieldStates& states, int element, Point at_start, double angle) const {
+  PlasticState found = keyblock::plastic_state(memory(states, element, at_start), angle);
+  double yielded = 0;
+  for (const Share& share : shares(element, at_start))
+    if (has_yielded(states[share.point])) yielded += share.weight;
+  found.has_yielded = yielded > 0.5 - kRounding;
+  return found;
+}
+
+void CoverYield::add_totals(const YieldStates& states, PlasticTotals& totals) const {
+  for (std::size_t i = 0; i < points_.size(); ++i) totals.add(points_[i].rock.area, states[i]);
 }
 
 std::vector<CoverYield::Share> CoverYield::shares(int element, Point at_start) const {

@@ -8,6 +8,7 @@
 
 #include "material/rock_point.hpp"
 #include "model/continuum.hpp"
+#include "result/plastic_state.hpp"
 #include "system/whole_system.hpp"
 
 namespace keyblock {
@@ -86,8 +87,14 @@ class CoverYield {
   /// The means of plastic strain and κ over points of every element, as a point's function weighs them: of the mesh
   /// before, whatever it was.
   YieldStates gathered(std::span<const std::vector<Remembered>> of_elements) const;
-  /// The mean at X, as `stress` has it; nothing of an element that cannot yield.
+  /// The mean at X, as `stress` has it; nothing of an element that cannot yield. Its region is elastic where points of
+  /// more than half of the weight are, else that of most of the weight of the others.
   YieldState memory(const YieldStates& states, int element, Point at_start) const;
+
+  /// The same in the axes of the plane, for an element turned by `angle` (rad).
+  PlasticState plastic_state(const YieldStates& states, int element, Point at_start, double angle) const;
+  /// The areas of all points.
+  void add_totals(const YieldStates& states, PlasticTotals& totals) const;
 
   /// Cauchy stress of an element at X: the mean of the covers' points, weighted by λ; else of the element's points.
   Stress stress(const Eigen::VectorXd& d, const YieldStates& states, int element, Point at_start) const;

@@ -102,6 +102,17 @@ Eigen::VectorXd HeldEdges::pull(double share, Eigen::Index size) const {
   return force;
 }
 
+std::vector<double> HeldEdges::driven(double share) const {
+  std::vector<double> ways(parts_), weights(parts_);
+  for (const HeldPoint& point : points_) {
+    ways[point.part] += point.stiffness * (point.projector * point.value(share)).norm();
+    weights[point.part] += point.stiffness;
+  }
+  for (std::size_t i = 0; i < parts_; ++i)
+    if (weights[i] > 0) ways[i] /= weights[i];
+  return ways;
+}
+
 std::vector<Resultant> HeldEdges::reactions(const Eigen::VectorXd& d, double share) const {
   std::vector<Resultant> sums(parts_);
   for (const HeldPoint& point : points_) {

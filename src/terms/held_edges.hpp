@@ -30,6 +30,8 @@ class HeldEdges {
   void add_stiffness(SparseSystem& system) const;
   /// ∫ k Tᵀ P g at this share of the way.
   Eigen::VectorXd pull(double share, Eigen::Index size) const;
+  /// The mean of |P g| over the springs of each prescribed displacement, by their stiffness: length.
+  std::vector<double> driven(double share) const;
   /// What each prescribed displacement exerts on the bodies, moments about the origin at undeformed places.
   std::vector<Resultant> reactions(const Eigen::VectorXd& d, double share) const;
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "geometry/polygon.hpp"
 #include "geometry/quadrature.hpp"
 #include "step/bodies/elastic_bodies.hpp"
 #include "terms/cover_elasticity.hpp"
@@ -310,6 +311,41 @@ TEST(CoverYield, memories_gathered_from_points_keep_their_mean) {
       sum += part.area * plate.yield.memory(after, e, part.at).plastic;
   EXPECT_GT(before.norm(), 0);
   EXPECT_LT((sum - before).norm(), 1e-12 * before.norm());
+}
+
+// κ of 1 in one point is its weight in the mean of an element. Points have the whole area between them.
+TEST(CoverYield, an_element_yields_where_half_of_its_weight_does) {
+  const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
+  YieldStates states = plate.yield.start();
+  int yielding = 0;
+  for (YieldState& state : states) {
+    state.region = YieldRegion::edge;
+    state.plastic(2) = 1e-3;
+    state.kappa = 1;
+    for (int e = 0; e < plate.basis.element_count(); ++e) {
+      const auto loops =
+          plate.continuum.manifold.polygon(plate.continuum.manifold.elements[static_cast<std::size_t>(e)]);
+      const Point middle = centroid(loops.front());
+      const YieldState mean = plate.yield.memory(states, e, middle);
+      const PlasticState shown = plate.yield.plastic_state(states, e, middle, 0);
+      const bool is_half = mean.kappa >= 0.5;
+      yielding += is_half ? 1 : 0;
+      EXPECT_EQ(mean.region, is_half ? YieldRegion::edge : YieldRegion::elastic) << mean.kappa;
+      EXPECT_EQ(shown.has_yielded, is_half) << mean.kappa;
+      EXPECT_EQ(shown.xy, mean.plastic(2) / 2);
+    }
+    state = {};
+  }
+  EXPECT_GT(yielding, 0);
+  PlasticTotals totals;
+  plate.yield.add_totals(states, totals);
+  EXPECT_NEAR(totals.area, kWidth * kHeight, 1e-12 * totals.area);
+  EXPECT_EQ(totals.yielded, 0);
+  for (YieldState& state : states) state.plastic(0) = 1e-3;
+  totals = {};
+  plate.yield.add_totals(states, totals);
+  EXPECT_EQ(totals.yielded_fraction(), 1);
+  EXPECT_EQ(totals.yielding, 0);
 }
 
 TEST(CoverYield, rock_without_a_strength_is_left_to_its_elasticity) {

@@ -137,6 +137,20 @@ void print_stages(const std::vector<SceneReport>& stages) {
   }
 }
 
+// How much rock has yielded, and reactions that stand.
+void print_yielding(const RunRecord& record) {
+  if (record.plastic && record.plastic->totals.yielded == 0)
+    spdlog::info("no rock has yielded");
+  else if (record.plastic)
+    spdlog::info("yielded: {:.3g} % of the rock that may; equivalent plastic strain up to {:.3g}, in element {}",
+                 100 * record.plastic->totals.yielded_fraction(), record.plastic->equivalent,
+                 record.plastic->element + 1);
+  for (const ReactionCurve& curve : record.reactions)
+    if (const std::optional<std::size_t> first = plateau_of(curve))
+      spdlog::info("limit load: reaction {} of displacement {} stands at {:.6g} since step {}, driven by {:.4g}",
+                   curve.component, curve.number + 1, curve.reaction.back(), curve.steps[*first], curve.driven[*first]);
+}
+
 /// `told`: how many of the warnings were printed at the start.
 void print_summary(const Prepared& prepared, const RunRecord& record, std::size_t told, const std::string& folder) {
   log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
@@ -151,6 +165,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   print_stages(record.outcome.scenes);
   if (record.outcome.forces)
     spdlog::info("loads and supports balance to {:.1e} of the largest", record.outcome.forces->unbalanced());
+  print_yielding(record);
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
   if (record.outcome.end == RunEnd::finished && !record.doubts.empty())

@@ -24,6 +24,10 @@ class ChainStepper : public Stepper {
   const State& state() const override { return now_->state(); }
   const StartPlaces& unloaded() const override { return now_->unloaded(); }
   Stress stress_at(ElementIndex e, Point start) const override { return now_->stress_at(e, start); }
+  std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override {
+    return now_->plastic_at(e, start);
+  }
+  std::optional<PlasticTotals> plastic_totals() const override { return now_->plastic_totals(); }
   StartReport start_report() const override { return now_->start_report(); }
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return now_->ledger(); }
@@ -31,6 +35,7 @@ class ChainStepper : public Stepper {
   void save(Archive& archive) override;
 
   std::optional<ForceBalance> forces() const override { return now_->forces(); }
+  std::vector<double> driven() const override { return now_->driven(); }
 
  private:
   void describe_chain(Archive& archive);

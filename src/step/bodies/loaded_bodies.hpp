@@ -60,6 +60,8 @@ class LoadedBodies {
   /// Loads as far as they are on, supports, springs.
   ForceBalance forces(const Eigen::VectorXd& d, double share) const;
 
+  std::vector<double> driven(double share) const { return held_.driven(share); }
+
   /// What a scene that goes on depends on beside its model.
   void describe(Archive& archive);
 

@@ -413,6 +413,27 @@ Stress BlockGroup::stress_at(const SceneParts& scene, ElementIndex e, const Bodi
   return turned(block_stress(scene.model, e, scene.reference, scene.settings, motion.q[e]), angle);
 }
 
+std::optional<PlasticState> BlockGroup::plastic_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
+                                                   Point start) const {
+  if (!yield_of(e)) return std::nullopt;
+  return plastic_state(memory_at(e, motion, start), angle_of(*scene.model.elements[e].basis, motion.q[e]));
+}
+
+void BlockGroup::add_plastic(const BodiesMotion& motion, PlasticTotals& totals) const {
+  for (std::size_t i = 0; i < yields_.size(); ++i)
+    if (yields_[i]) totals.add(yields_[i]->rock.area, motion.points.blocks[i]);
+}
+
+double BlockGroup::plastic_work(const BodiesMotion& before, const BodiesMotion& after) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < yields_.size(); ++i) {
+    if (!yields_[i]) continue;
+    const Eigen::Vector3d strain = yields_[i]->strain_at(after.q[ElementIndex{static_cast<int>(i)}]);
+    sum += yields_[i]->rock.plastic_work(strain, before.points.blocks[i], after.points.blocks[i]);
+  }
+  return sum;
+}
+
 // The velocity is that which the mass of the block has, whose points lie where they would without strain.
 std::vector<FieldPoint> BlockGroup::field_over(const SceneParts& scene, ElementIndex e,
                                                std::span<const std::vector<Point>> region, int degree,

@@ -15,6 +15,7 @@
 #include "material/yield_law.hpp"
 #include "model/state.hpp"
 #include "result/ledger.hpp"
+#include "result/plastic_state.hpp"
 #include "settings/standard_choices.hpp"
 #include "step/bodies/integrator.hpp"
 #include "step/bodies/whole_body.hpp"
@@ -198,6 +199,13 @@ class BodyGroup {
                                 const Placement& placed) const = 0;
   /// At the point that lay at `start`.
   virtual Stress stress_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion, Point start) const = 0;
+  /// Likewise, in the axes of the plane; none of rock that cannot yield.
+  virtual std::optional<PlasticState> plastic_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
+                                                 Point start) const = 0;
+  /// Areas alone.
+  virtual void add_plastic(const BodiesMotion& motion, PlasticTotals& totals) const = 0;
+  /// ∫ σ · Δεᵖ of a step, by the stress at its end.
+  virtual double plastic_work(const BodiesMotion& before, const BodiesMotion& after) const = 0;
   /// A motion of the body of an element over a region of the start, by points that integrate the products of its fields
   /// with each other, and with a polynomial of `degree`, to round-off.
   virtual std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,

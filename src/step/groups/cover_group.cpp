@@ -180,6 +180,23 @@ Stress CoverGroup::stress_at(const SceneParts&, ElementIndex e, const BodiesMoti
   return bodies_->stress(e, motion.q.shared, motion.points.covers, start);
 }
 
+std::optional<PlasticState> CoverGroup::plastic_at(const SceneParts&, ElementIndex e, const BodiesMotion& motion,
+                                                   Point start) const {
+  const int element = bodies_->kinematics()->manifold_element(e);
+  if (!bodies_->continuum().material(element).strength) return std::nullopt;
+  return bodies_->yield().plastic_state(motion.points.covers, element, start,
+                                        bodies_->rotation(e, motion.q.shared, start));
+}
+
+void CoverGroup::add_plastic(const BodiesMotion& motion, PlasticTotals& totals) const {
+  bodies_->yield().add_totals(motion.points.covers, totals);
+}
+
+double CoverGroup::plastic_work(const BodiesMotion& before, const BodiesMotion& after) const {
+  if (!may_yield()) return 0;
+  return bodies_->yield().plastic_work(after.q.shared, before.points.covers, after.points.covers);
+}
+
 std::vector<FieldPoint> CoverGroup::field_over(const SceneParts&, ElementIndex e,
                                                std::span<const std::vector<Point>> region, int degree,
                                                const BodiesMotion& motion) const {

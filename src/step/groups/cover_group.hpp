@@ -60,6 +60,10 @@ class CoverGroup final : public BodyGroup {
   ElementState state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                         const Placement& placed) const override;
   Stress stress_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion, Point start) const override;
+  std::optional<PlasticState> plastic_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
+                                         Point start) const override;
+  void add_plastic(const BodiesMotion& motion, PlasticTotals& totals) const override;
+  double plastic_work(const BodiesMotion& before, const BodiesMotion& after) const override;
   std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
                                      std::span<const std::vector<Point>> region, int degree,
                                      const BodiesMotion& motion) const override;

@@ -61,6 +61,17 @@ double greatest_speed(const RunSoFar& run) {
   return greatest;
 }
 
+// None of rock that cannot yield.
+template <class Of>
+PlasticState plastic(const Of& of) {
+  return of.plastic.value_or(PlasticState{});
+}
+
+double plastic_work(const Frame& frame) {
+  if (!frame.plastic) return 0;
+  return frame.plastic->work.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
 const std::map<std::string, Quantity>& table() {
   static const std::map<std::string, Quantity> quantities{
       {"displacement", OfBlock([](const Block& b) { return length(b.now.displacement); })},
@@ -78,6 +89,11 @@ const std::map<std::string, Quantity>& table() {
       {"syy", OfBlock([](const Block& b) { return b.now.stress.yy; })},
       {"sxy", OfBlock([](const Block& b) { return b.now.stress.xy; })},
       {"szz", OfBlock([](const Block& b) { return b.now.stress.zz; })},
+      {"plastic_strain_xx", OfBlock([](const Block& b) { return plastic(b.now).xx; })},
+      {"plastic_strain_yy", OfBlock([](const Block& b) { return plastic(b.now).yy; })},
+      {"plastic_strain_xy", OfBlock([](const Block& b) { return plastic(b.now).xy; })},
+      {"plastic_strain_zz", OfBlock([](const Block& b) { return plastic(b.now).zz; })},
+      {"equivalent_plastic_strain", OfBlock([](const Block& b) { return plastic(b.now).equivalent; })},
       {"area", OfBlock([](const Block& b) { return b.now.area; })},
 
       {"px", OfPoint([](const PointFrame& p) { return p.position.x; })},
@@ -89,6 +105,12 @@ const std::map<std::string, Quantity>& table() {
       {"point_syy", OfPoint([](const PointFrame& p) { return p.stress.yy; })},
       {"point_sxy", OfPoint([](const PointFrame& p) { return p.stress.xy; })},
       {"point_szz", OfPoint([](const PointFrame& p) { return p.stress.zz; })},
+
+      {"point_plastic_strain_xx", OfPoint([](const PointFrame& p) { return plastic(p).xx; })},
+      {"point_plastic_strain_yy", OfPoint([](const PointFrame& p) { return plastic(p).yy; })},
+      {"point_plastic_strain_xy", OfPoint([](const PointFrame& p) { return plastic(p).xy; })},
+      {"point_plastic_strain_zz", OfPoint([](const PointFrame& p) { return plastic(p).zz; })},
+      {"point_equivalent_plastic_strain", OfPoint([](const PointFrame& p) { return plastic(p).equivalent; })},
 
       {"reaction_x", OfSupport([](Point reaction) { return reaction.x; })},
       {"reaction_y", OfSupport([](Point reaction) { return reaction.y; })},
@@ -111,6 +133,9 @@ const std::map<std::string, Quantity>& table() {
       {"area_change", OfScene([](const RunSoFar& r) { return area_change(r.start(), r.now()); })},
       {"greatest_area_change", OfScene([](const RunSoFar& r) { return r.greatest_area_change(); })},
       {"greatest_speed", OfScene(greatest_speed)},
+      {"yielded_fraction",
+       OfScene([](const RunSoFar& r) { return r.now().plastic ? r.now().plastic->yielded_fraction() : 0; })},
+      {"plastic_work", OfScene([](const RunSoFar& r) { return plastic_work(r.now()); })},
       {"converged_share", OfScene([](const RunSoFar& r) { return r.converged_share(); })},
   };
   return quantities;

@@ -1,0 +1,144 @@
+// Triangles about the middles of elements, and colours between stops; see field_patches.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/field_patches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "geometry/polygon.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr double kExtreme = 0.005;  // share of patches, or of their area, beyond either end of the colours
+
+using Stops = std::array<std::array<double, 3>, 5>;
+constexpr Stops kDiverging{{{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
+// OrRd of ColorBrewer (Brewer 2003): told apart by eyes that miss red or green, and in grey.
+constexpr Stops kRising{{{247, 247, 247}, {253, 212, 158}, {252, 141, 89}, {215, 48, 31}, {127, 0, 0}}};
+
+bool is_uniform(const FieldElement& element) {
+  return std::ranges::all_of(element.loops.front(), [&](const FieldCorner& corner) {
+    return corner.stress == element.middle.stress && corner.plastic == element.middle.plastic;
+  });
+}
+
+/// The values that all patches lie between but for those of an extreme share of the area at either end.
+std::pair<double, double> ends_by_area(const std::vector<Patch>& patches) {
+  std::vector<std::pair<double, double>> values;  // with areas
+  double whole = 0;
+  for (const Patch& patch : patches) {
+    double sum = 0;
+    for (const std::vector<Point>& loop : patch.loops) sum += area(loop);  // of holes below 0
+    values.emplace_back(patch.value, std::abs(sum));
+    whole += std::abs(sum);
+  }
+  std::ranges::sort(values);
+  const auto end = [&](auto value) {
+    for (double sum = value->second; sum < kExtreme * whole; sum += value->second) ++value;
+    return value->first;
+  };
+  return {end(values.begin()), end(values.rbegin())};
+}
+
+}  // namespace
+
+Box bounds(const FieldFrame& field, const CornerPlace& place) {
+  Box box;
+  visit_corners(field, [&](const FieldCorner& corner) { box.include(place(corner)); });
+  return box;
+}
+
+std::vector<std::vector<Point>> loops_of(const FieldElement& element, const CornerPlace& place) {
+  std::vector<std::vector<Point>> loops;
+  for (const auto& loop : element.loops) {
+    loops.emplace_back();
+    for (const FieldCorner& corner : loop) loops.back().push_back(place(corner));
+  }
+  return loops;
+}
+
+std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place) {
+  std::vector<Patch> patches;
+  for (const FieldElement& element : field.elements) {
+    const double middle = value(element.middle);
+    if (element.loops.size() > 1 || is_uniform(element)) {
+      patches.push_back({loops_of(element, place), middle});
+      continue;
+    }
+    const auto& loop = element.loops.front();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const FieldCorner& a = loop[i];
+      const FieldCorner& b = loop[(i + 1) % loop.size()];
+      patches.push_back({{{place(element.middle), place(a), place(b)}}, (middle + value(a) + value(b)) / 3});
+    }
+  }
+  return patches;
+}
+
+std::string ColourScale::colour(double value) const {
+  const Stops& stops = map == Map::rising ? kRising : kDiverging;
+  const double most = std::max(-low, high);
+  const double from = map == Map::about_zero ? -most : low;
+  const double to = map == Map::about_zero ? most : high;
+  const double share = to > from ? std::clamp((value - from) / (to - from), 0.0, 1.0) : map == Map::rising ? 0 : 0.5;
+  const double at = share * (stops.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+  const double part = at - static_cast<double>(below);
+  const auto mix = [&](std::size_t channel) {
+    return static_cast<int>(std::lround(std::lerp(stops[below][channel], stops[below + 1][channel], part)));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
+}
+
+ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map) {
+  if (patches.empty()) return {};
+  if (map == ColourScale::Map::rising) {
+    std::vector<Patch> risen;
+    std::ranges::copy_if(patches, std::back_inserter(risen), [](const Patch& patch) { return patch.value > 0; });
+    return {0, risen.empty() ? 0 : ends_by_area(risen).second, map};
+  }
+  if (map == ColourScale::Map::about_zero) {
+    const auto [low, high] = ends_by_area(patches);
+    return {std::min(low, 0.0), std::max(high, 0.0), map};
+  }
+  std::vector<double> values;
+  for (const Patch& patch : patches) values.push_back(patch.value);
+  std::ranges::sort(values);
+  const auto left_out = static_cast<std::size_t>(kExtreme * static_cast<double>(values.size()));
+  ColourScale scale{values[left_out], values[values.size() - 1 - left_out]};
+  if (scale.low < 0 && scale.high > 0) {
+    const double most = std::max(-scale.low, scale.high);
+    scale.low = -most;
+    scale.high = most;
+  }
+  return scale;
+}
+
+void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& patches, const ColourScale& scale,
+                  double seam) {
+  for (const Patch& patch : patches) {
+    const std::string colour = scale.colour(patch.value);
+    page.polygon(map(patch.loops), {.fill = colour, .stroke = colour, .stroke_width = seam});
+  }
+}
+
+void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, std::string_view name) {
+  constexpr int kSteps = 48;
+  for (int i = 0; i < kSteps; ++i) {
+    const double share = (i + 0.5) / kSteps;
+    const std::string colour = scale.colour(std::lerp(scale.high, scale.low, share));
+    page.rectangle({corner.x, corner.y + height * i / kSteps}, 14, height / kSteps + 0.4, {.fill = colour});
+  }
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+    page.text({corner.x + 20, corner.y + share * height + 4},
+              fmt::format("{:.3g}", std::lerp(scale.high, scale.low, share)), {.size = 11});
+  page.text({corner.x, corner.y - 8}, name, {.size = 12, .bold = true});
+}
+
+}  // namespace keyblock::report

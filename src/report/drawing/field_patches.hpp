@@ -1,0 +1,69 @@
+// A value over the elements in colour, and its colour bar: what pictures of fields have in common.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/drawing/svg.hpp"
+#include "result/field_frame.hpp"
+
+namespace keyblock::report {
+
+using CornerPlace = std::function<Point(const FieldCorner&)>;
+using CornerValue = std::function<double(const FieldCorner&)>;
+
+inline Point as_drawn(const FieldCorner& corner) {
+  return corner.position;
+}
+
+inline Point as_moved(const FieldCorner& corner) {
+  return corner.position + corner.displacement;
+}
+
+/// Calls `visit(corner)` with every corner.
+template <class Visit>
+void visit_corners(const FieldFrame& field, Visit visit) {
+  for (const FieldElement& element : field.elements)
+    for (const auto& loop : element.loops)
+      for (const FieldCorner& corner : loop) visit(corner);
+}
+
+Box bounds(const FieldFrame& field, const CornerPlace& place);
+std::vector<std::vector<Point>> loops_of(const FieldElement& element, const CornerPlace& place);
+
+/// One triangle of the middle and an edge; an element with holes, or of one state, is one piece of its middle's value.
+struct Patch {
+  std::vector<std::vector<Point>> loops;
+  double value = 0;
+};
+
+std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place);
+
+/// Colours of the values from `low` to `high`.
+struct ColourScale {
+  enum class Map {
+    diverging,   ///< from blue through white in the middle to red
+    about_zero,  ///< the same, white at 0 and as strong on either side; a side without values is left out
+    rising       ///< from pale at `low` to dark red
+  };
+  double low = 0;
+  double high = 1;
+  Map map = Map::diverging;
+
+  std::string colour(double value) const;
+};
+
+/// Between the values of patches but for the most extreme at either end, by their number or, but for `diverging`, by
+/// their area: meshes are fine where values peak. `diverging` is centred where values of both signs are there;
+/// `about_zero` has zero at an end where they are not; `rising` begins at zero and counts the area above.
+ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map = ColourScale::Map::diverging);
+
+/// `seam`: width of the line round each patch that hides the gap to the next.
+void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& patches, const ColourScale& scale,
+                  double seam = 0.3);
+void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, std::string_view name);
+
+}  // namespace keyblock::report

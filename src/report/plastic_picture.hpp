@@ -1,0 +1,23 @@
+// A picture of rock that yields: how far it has flowed, the mean stress, and where it lies on its surface.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "result/field_frame.hpp"
+
+namespace keyblock::report {
+
+struct PlasticPicture {
+  std::string title;
+  FieldFrame end;
+  std::vector<std::vector<Point>> outlines;  ///< of bodies on covers, as they lie at the end
+};
+
+/// An SVG document: three panels of the bodies as they lie at the end, placed so that they are large. Equivalent
+/// plastic strain from none upwards; mean stress, tension positive, white at zero; and of each element whether it
+/// yields, and on which part of its surface, has yielded before, or has not.
+std::string plastic_picture(const PlasticPicture& picture);
+
+}  // namespace keyblock::report

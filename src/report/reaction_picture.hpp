@@ -1,0 +1,15 @@
+// A picture of what driven edges push back over how far they are driven.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "result/reaction_curve.hpp"
+
+namespace keyblock::report {
+
+/// An SVG document: the amount of each reaction over the displacement; a plateau is said below the curves.
+std::string reaction_picture(const std::string& title, const std::vector<ReactionCurve>& curves);
+
+}  // namespace keyblock::report

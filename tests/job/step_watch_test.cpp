@@ -1,0 +1,50 @@
+// What is said of steps as they are told: once, with the first that it concerns.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "formats/case.hpp"
+#include "job/run_warnings.hpp"
+#include "run/prepare.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::step_watch_test {
+namespace {
+
+Prepared square_that_yields() {
+  const std::string file = support::fresh_folder("step_watch") + "/in.json";
+  support::write_text(file, R"({"keyblock": 1, "blocks": {"blocks": [
+    {"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]}]}, "covers": {"mesh": {"side": 0.5},
+    "displacements": [{"along": [[0, 0], [1, 0]]}]}, "analysis": {"step_count": 8, "time_step": 1,
+    "allowed_displacement_ratio": 0.1, "plane_strain": true, "velocity_carry_over": 0, "joint_materials": [{}],
+    "block_materials": [{"density": 1, "unit_weight": 0, "youngs_modulus": 1e4, "poissons_ratio": 0.3,
+    "strength": {"cohesion": 10}}]}})");
+  return prepare(formats::load_case({file}).problem, "standard", {});
+}
+
+Warnings told(const Prepared& prepared, const std::vector<int>& parts) {
+  StepWatch watch(prepared);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    StepReport report;
+    report.step = static_cast<int>(i) + 1;
+    report.parts = parts[i];
+    watch.add(report);
+  }
+  Warnings found = watch.warnings({});
+  std::erase_if(found, [](const Warning& warning) { return warning.name != "step_in_parts"; });
+  return found;
+}
+
+}  // namespace
+
+TEST(StepWatch, a_load_step_of_many_parts_is_warned_of_once) {
+  const Prepared prepared = square_that_yields();
+  EXPECT_TRUE(told(prepared, {1, 1, 2, 3}).empty());
+  const Warnings found = told(prepared, {1, 3, 7, 1, 9});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].sentence, "step 3 was made in 7 parts: near a limit load; as in 2 of 5 steps");
+}
+
+}  // namespace keyblock::step_watch_test
