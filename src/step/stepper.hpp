@@ -18,10 +18,16 @@
 
 namespace keyblock {
 
+/// Whether a step that could not be made says something of the scene: that rock finds no equilibrium under its loads,
+/// or that something accelerates. Otherwise the calculation did not come to an end.
+enum class FailureKind { undecided, no_equilibrium, accelerates };
+
 /// A step that could not be made: the state is that of the last accepted step.
 struct StepFailure {
   std::string reason;                 ///< one sentence
   std::vector<std::size_t> contacts;  ///< numbers (from 0) of the contacts that would not settle
+  FailureKind kind = FailureKind::undecided;
+  int passes = 0;  ///< as in StepReport
 };
 
 /// One scene of several: which steps were made on it.
@@ -55,6 +61,10 @@ class Stepper {
   virtual const StartPlaces& unloaded() const = 0;
   /// At the point of an element that lay at `start` before any load: on covers there, else that of the element.
   virtual Stress stress_at(ElementIndex e, Point) const { return state().elements[e].stress; }
+  /// κ where the point of an element lay before any load; 0 where its rock cannot yield.
+  virtual double plastic_strain(ElementIndex, Point) const { return 0; }
+  /// Where the step that failed last had come to, out of balance: what moves. None where nothing is known of it.
+  virtual std::optional<State> attempted() const { return std::nullopt; }
   virtual StartReport start_report() const { return {}; }
   /// On failure the state is unchanged, and where it throws StopRequested in the middle of a step.
   virtual std::variant<StepReport, StepFailure> advance() = 0;

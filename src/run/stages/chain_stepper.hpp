@@ -24,6 +24,8 @@ class ChainStepper : public Stepper {
   const State& state() const override { return now_->state(); }
   const StartPlaces& unloaded() const override { return now_->unloaded(); }
   Stress stress_at(ElementIndex e, Point start) const override { return now_->stress_at(e, start); }
+  double plastic_strain(ElementIndex e, Point start) const override { return now_->plastic_strain(e, start); }
+  std::optional<State> attempted() const override { return now_->attempted(); }
   StartReport start_report() const override { return now_->start_report(); }
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return now_->ledger(); }

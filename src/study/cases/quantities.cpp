@@ -112,6 +112,7 @@ const std::map<std::string, Quantity>& table() {
       {"greatest_area_change", OfScene([](const RunSoFar& r) { return r.greatest_area_change(); })},
       {"greatest_speed", OfScene(greatest_speed)},
       {"converged_share", OfScene([](const RunSoFar& r) { return r.converged_share(); })},
+      {"factor_of_safety", OfScene([](const RunSoFar& r) { return r.factor_of_safety(); })},
   };
   return quantities;
 }
