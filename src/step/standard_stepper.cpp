@@ -339,7 +339,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
     throw;
   }
   if (!made.step.converged || !made.step.failure.empty()) {
-    attempted_ = state_of(scene_, made.step.motion);
+    if (made.step.accelerates) attempted_ = state_of(scene_, made.step.motion);
     return failure_of(made.step);
   }
   State end = state_of(scene_, made.step.motion);
