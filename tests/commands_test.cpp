@@ -43,8 +43,8 @@ std::vector<double> last_row(const std::string& table) {
 TEST(Commands, every_command_explains_itself) {
   const ProgramRun help = run_keyblock({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"check", "cut", "joints", "run", "compare", "tradeoff", "sweep", "batch", "convert",
-                              "element", "fit", "formats", "info"}) {
+  for (const char* command : {"check", "cut", "joints", "run", "fos", "compare", "tradeoff", "sweep", "batch",
+                              "convert", "element", "fit", "formats", "info"}) {
     EXPECT_TRUE(contains(help.output, command)) << command;
     const ProgramRun own = run_keyblock({command, "--help"});
     EXPECT_EQ(own.exit_code, 0) << command;

@@ -24,7 +24,7 @@ set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages .)
 set(inner_step stepper bodies groups scene time rest .)
 set(inner_report drawing .)
-set(inner_study cases trade,batch,convert,element,fit)
+set(inner_study strength cases trade,batch,convert,element,fit)
 set(inner_app . commands,batch)
 
 # Shi's rules are fenced off: the standard step does not see them, and they see of it the stepper that both are, and the size of a step.

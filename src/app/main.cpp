@@ -35,6 +35,7 @@ constexpr std::array<Command, 13> kCommands{{
     {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut},
     {"joints", "draws joint sets from statistics into an outline", configure_joints},
     {"run", "reruns a case and writes its results into a folder", configure_run},
+    {"fos", "divides the strength of joints or rock until a case no longer stands", configure_fos},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
     {"tradeoff", "runs a case in many ways: what each digit of accuracy costs", configure_tradeoff},
     {"sweep", "runs a case over contact stiffness and step: where it is accurate, where it fails", configure_sweep},

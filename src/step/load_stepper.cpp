@@ -12,13 +12,6 @@
 #include "step/describe_memory.hpp"
 
 namespace keyblock {
-namespace {
-
-// Of a step: parts below it are not tried. What a limit load is known to, in steps.
-constexpr double kLeastPart = 1.0 / 64;
-
-}  // namespace
-
 LoadStepper::LoadStepper(Scene scene)
     : StaticStepper(std::move(scene)),
       bodies_(std::make_unique<LoadedBodies>(*scene_.model.continuum)),
@@ -80,6 +73,16 @@ std::optional<PlasticTotals> LoadStepper::plastic_totals() const {
   return totals;
 }
 
+// Places are put of the unknowns at hand.
+void LoadStepper::keep_attempt() {
+  if (!newton_.last().allFinite() || newton_.last().size() != now_.d.size()) return;
+  const State before = state_;
+  const Eigen::VectorXd d = std::exchange(now_.d, newton_.last());
+  put_places();
+  attempted_ = std::exchange(state_, before);
+  now_.d = d;
+}
+
 Point LoadStepper::place_of(ElementIndex e, Point start) const {
   return bodies_->elasticity().position(now_.d, e.value, start);
 }
@@ -92,6 +95,7 @@ int LoadStepper::steps_of_scene() const {
 // does. Nothing of a step that fails is kept.
 std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
   const double whole = share - share_;
+  const double least = std::ldexp(whole, -scene_.load_cuts);  // what a limit load is known to
   LoadedState at = now_;
   double reached = share_;
   double part = whole;
@@ -114,7 +118,7 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     }
     ++work.cuts;
     part = (to - reached) / 2;
-    if (part < kLeastPart * whole)
+    if (part < least)
       return fmt::format(
           "no equilibrium beyond {:.4g} of the loads of this scene was found ({} rounds of Newton's method, "
           "{} cuts of the step): a limit load, or an element that is turned over",
@@ -130,10 +134,19 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
 std::variant<StepReport, StepFailure> LoadStepper::advance() {
   const int made = state_.step - first_step_;
   if (made == 0)
-    if (std::optional<StepFailure> unheld = unheld_pieces()) return *unheld;
+    if (std::optional<StepFailure> unheld = unheld_pieces()) {
+      unheld->kind = FailureKind::accelerates;
+      return *unheld;
+    }
   Work work;
   const double share = std::min(1.0, static_cast<double>(made + 1) / steps_of_scene());
-  if (const std::optional<std::string> why = advance_to(share, work)) return failure(*why);
+  if (const std::optional<std::string> why = advance_to(share, work)) {
+    keep_attempt();
+    StepFailure found = failure(*why);
+    found.kind = FailureKind::no_equilibrium;
+    found.passes = work.rounds;
+    return found;
+  }
   put_places();
   StepReport report = end_step(work.rounds, work.cuts, work.residuals.empty() ? 0 : work.residuals.back());
   report.parts = work.parts;

@@ -24,6 +24,7 @@ class LoadStepper : public StaticStepper {
   std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override;
   std::optional<PlasticTotals> plastic_totals() const override;
   std::vector<double> driven() const override { return bodies_->driven(share_); }
+  std::optional<State> attempted() const override { return attempted_; }
   std::variant<StepReport, StepFailure> advance() override;
   std::optional<ForceBalance> forces() const override { return bodies_->forces(now_.d, share_); }
   std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
@@ -43,6 +44,8 @@ class LoadStepper : public StaticStepper {
   LoadedState carried(const LoadedBodies& next, const SceneChange& change) const;
   int steps_of_scene() const;
   std::optional<std::string> advance_to(double share, Work& work);
+  /// Puts where the last search for an equilibrium ended, without finding one.
+  void keep_attempt();
   Point place_of(ElementIndex e, Point start) const override;
   void describe(Archive& archive) override;
 
@@ -52,8 +55,9 @@ class LoadStepper : public StaticStepper {
   Eigen::VectorXd
       speed_;         ///< displacement per share of the loads in the last part of a step: the next is guessed by it
   double share_ = 0;  ///< of the scene's loads
-  double plastic_work_ = 0;  ///< since the start, by the stress at the end of each part of a step
-  int first_step_ = 0;       ///< after which the scene began
+  double plastic_work_ = 0;         ///< since the start, by the stress at the end of each part of a step
+  int first_step_ = 0;              ///< after which the scene began
+  std::optional<State> attempted_;  ///< of a step that failed
 };
 
 }  // namespace keyblock

@@ -351,7 +351,10 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
     scene_.load_share = load_share;
     throw;
   }
-  if (!made.step.converged || !made.step.failure.empty()) return failure_of(made.step);
+  if (!made.step.converged || !made.step.failure.empty()) {
+    if (made.step.accelerates) attempted_ = state_of(scene_, made.step.motion);
+    return failure_of(made.step);
+  }
   State end = state_of(scene_, made.step.motion);
   made.step.failure = impossible(end);
   if (!made.step.failure.empty()) made.step.failure += crushed_before(scene_, state_, end);
@@ -470,7 +473,10 @@ StepReport StandardStepper::report_of(const ControlledStep& made) const {
 
 StepFailure StandardStepper::failure_of(const StandardStep& step) const {
   if (!step.failure.empty())
-    return {fmt::format("step {} (time {}): {}", state_.step + 1, state_.time, step.failure), {}};
+    return {fmt::format("step {} (time {}): {}", state_.step + 1, state_.time, step.failure),
+            {},
+            step.accelerates ? FailureKind::accelerates : FailureKind::undecided,
+            step.solves};
   std::string names;
   std::size_t named = 0;
   for (std::size_t i : step.undecided) {
@@ -483,7 +489,7 @@ StepFailure StandardStepper::failure_of(const StandardStep& step) const {
   return {fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
                       state_.step + 1, state_.time, step.residual, names.empty() ? "" : "; undecided contacts: ",
                       named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names),
-          step.undecided};
+          step.undecided, FailureKind::undecided, step.solves};
 }
 
 }  // namespace keyblock

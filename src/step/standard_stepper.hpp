@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "step/stepper.hpp"
 #include "step/time/controlled_step.hpp"
 
@@ -26,6 +28,7 @@ class StandardStepper : public SceneStepper {
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return ledger_; }
   StartReport start_report() const override { return start_report_; }
+  std::optional<State> attempted() const override { return attempted_; }
   LedgerScope ledger_scope() const override { return keyblock::ledger_scope(scene_); }
   void save(Archive& archive) override { describe(archive); }
 
@@ -56,7 +59,8 @@ class StandardStepper : public SceneStepper {
   StartPlaces unloaded_;
   State state_;
   LedgerRow ledger_;
-  double plastic_work_ = 0;  ///< at rest, where there is no ledger of flows
+  double plastic_work_ = 0;         ///< at rest, where there is no ledger of flows
+  std::optional<State> attempted_;  ///< of a step that failed
 };
 
 /// The scene's state at a motion: vertices, carried points, stress turned into the plane, velocities.

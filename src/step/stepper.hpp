@@ -19,10 +19,16 @@
 
 namespace keyblock {
 
+/// Whether a step that could not be made says something of the scene: that rock finds no equilibrium under its loads,
+/// or that something accelerates. Otherwise the calculation did not come to an end.
+enum class FailureKind { undecided, no_equilibrium, accelerates };
+
 /// A step that could not be made: the state is that of the last accepted step.
 struct StepFailure {
   std::string reason;                 ///< one sentence
   std::vector<std::size_t> contacts;  ///< numbers (from 0) of the contacts that would not settle
+  FailureKind kind = FailureKind::undecided;
+  int passes = 0;  ///< as in StepReport
 };
 
 /// One scene of several: which steps were made on it.
@@ -60,6 +66,8 @@ class Stepper {
   virtual std::optional<PlasticState> plastic_at(ElementIndex, Point) const { return std::nullopt; }
   /// Of all rock that may yield; none where none may.
   virtual std::optional<PlasticTotals> plastic_totals() const { return std::nullopt; }
+  /// Where the step that failed last had come to, out of balance: what moves. None where nothing is known of it.
+  virtual std::optional<State> attempted() const { return std::nullopt; }
   virtual StartReport start_report() const { return {}; }
   /// On failure the state is unchanged, and where it throws StopRequested in the middle of a step.
   virtual std::variant<StepReport, StepFailure> advance() = 0;

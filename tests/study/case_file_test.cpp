@@ -77,6 +77,18 @@ TEST(CaseFile, says_which_profile_is_not_run_and_why) {
   EXPECT_FALSE(file.not_run.contains("standard"));
 }
 
+TEST(CaseFile, says_whose_strength_is_reduced_and_between_which_factors) {
+  const CaseFile file = read_case_file(folder_with(R"({"reduce_strength": {"what": "rock", "from": 0.5, "to": 2}})"));
+  ASSERT_TRUE(file.reduction);
+  EXPECT_EQ(file.reduction->what, Reduced::rock);
+  EXPECT_EQ(file.reduction->from, 0.5);
+  EXPECT_EQ(file.reduction->to, 2);
+  EXPECT_EQ(file.reduction->within, 0.01);
+  EXPECT_TRUE(contains(complaint(R"({"reduce_strength": {}})"), "the key \"what\" in it"));
+  EXPECT_TRUE(contains(complaint(R"({"reduce_strength": {"what": "bolts"}})"), "joints, rock or both"));
+  EXPECT_TRUE(contains(complaint(R"({"reduce_strength": {"what": "rock", "to": 0.5}})"), "greater than that of"));
+}
+
 TEST(CaseFile, keys_and_values_that_are_none_are_refused_by_name) {
   for (const auto& [json, part] :
        {std::pair{R"({"sett": {}})", "\"sett\""},

@@ -11,6 +11,7 @@
 
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
+#include "app/commands/strength_reduction.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/progress.hpp"
 #include "app/stop_request.hpp"
@@ -47,6 +48,7 @@ struct RunOptions {
   bool trace = false;
   bool force = false;
   bool list_settings = false;
+  ReductionOptions reduction;
 };
 
 class Stopwatch {
@@ -335,10 +337,28 @@ RunOptions with_settings_file(RunOptions options) {
   return options;
 }
 
+// Files that settings name were taken from beside the case already.
+ExitCode run_reduced(const RunOptions& options) {
+  ReductionOptions reduction = options.reduction;
+  reduction.folder = options.folder;
+  reduction.as_json = options.as_json;
+  reduction.force = options.force;
+  formats::Case input = formats::load_case(options.files);
+  const std::string profile = profile_of(input.problem, options.profile);
+  return reduce_strength({std::filesystem::path(options.files.front()).stem().string(),
+                          options.files,
+                          std::move(input),
+                          {},
+                          profile,
+                          overrides_of(options.sets)},
+                         reduction);
+}
+
 ExitCode run_files(const RunOptions& options) {
   if (options.list_settings) return list_settings();
   if (!options.resume.empty()) return resume_run(options);
   if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file, or a case folder");
+  if (!options.reduction.what.empty()) return run_reduced(with_case_folder(with_settings_file(options)));
   if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
   return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr);
 }
@@ -379,7 +399,15 @@ Action configure_run(CLI::App& options) {
   CLI::Option* resume = options.add_option(
       "--resume", chosen->resume,
       "folder of an interrupted run, which goes on from its checkpoint, or begins again before its first");
-  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force}) resume->excludes(other);
+  CLI::Option* reduced =
+      options
+          .add_option("--reduce-strength", chosen->reduction.what,
+                      "joints, rock or both: divide their strength until the case no longer stands, as `fos` does")
+          ->check(CLI::IsMember({"joints", "rock", "both"}));
+  for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
+  for (CLI::Option* of_run : {every, trace}) reduced->excludes(of_run);
+  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced})
+    resume->excludes(other);
   add_thread_option(options);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");
   return [chosen] { return run_files(*chosen); };

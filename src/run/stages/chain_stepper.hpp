@@ -28,6 +28,7 @@ class ChainStepper : public Stepper {
     return now_->plastic_at(e, start);
   }
   std::optional<PlasticTotals> plastic_totals() const override { return now_->plastic_totals(); }
+  std::optional<State> attempted() const override { return now_->attempted(); }
   StartReport start_report() const override { return now_->start_report(); }
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return now_->ledger(); }

@@ -65,6 +65,7 @@ std::optional<LoadedState> NewtonStatic::attempt(const LoadedState& from, const 
       next = bodies_->balance(from, d + part * increment, share);
     }
     d += part * increment;
+    last_ = d;
     now = std::move(next);
     rounds.residuals.push_back(left(now));
   }

@@ -31,6 +31,9 @@ class NewtonStatic {
   std::optional<LoadedState> solve(const LoadedState& from, const Eigen::VectorXd& guess, double share,
                                    NewtonRounds& rounds);
 
+  /// The unknowns where the last search ended, found or not; empty before the first.
+  const Eigen::VectorXd& last() const { return last_; }
+
  private:
   std::optional<LoadedState> attempt(const LoadedState& from, const Eigen::VectorXd& guess, double share,
                                      double elastic_share, NewtonRounds& rounds);
@@ -38,6 +41,7 @@ class NewtonStatic {
   const LoadedBodies* bodies_;
   WholeSystem tangent_;
   std::optional<SparseLu> factor_;
+  Eigen::VectorXd last_;
 };
 
 }  // namespace keyblock

@@ -81,6 +81,7 @@ class StaticSolve {
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
       result_.failure = why_far(balance);
+      result_.accelerates = !result_.failure.empty();
     }
     if (result_.converged && result_.failure.empty())
       result_.failure =

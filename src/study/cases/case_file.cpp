@@ -113,6 +113,22 @@ Variant variant_of(const Node& node) {
   return variant;
 }
 
+ReductionAsked reduction_of(const Node& node) {
+  node.require_keys({"what", "from", "to", "to_within"});
+  if (!node.json.contains("what")) node.refuse("the key \"what\" in it");
+  ReductionAsked asked;
+  try {
+    asked.what = reduced_of(node.at("what").text());
+  } catch (const std::invalid_argument&) {
+    node.at("what").refuse("joints, rock or both");
+  }
+  if (node.json.contains("from")) asked.from = positive(node.at("from"));
+  if (node.json.contains("to")) asked.to = positive(node.at("to"));
+  if (asked.to && *asked.to <= asked.from.value_or(1)) node.at("to").refuse("a number greater than that of \"from\"");
+  if (node.json.contains("to_within")) asked.within = positive(node.at("to_within"));
+  return asked;
+}
+
 Json parsed(const std::string& path) {
   try {
     return Json::parse(formats::load(path).text);
@@ -163,12 +179,13 @@ CaseFile read_case_file(const CaseFolder& folder) {
   if (!std::filesystem::exists(file.path)) return file;
   const Json json = parsed(file.path);
   const Node top{folder, file.path, "", json};
-  std::vector<std::string> known{"about", "slow", "set", "variants"};
+  std::vector<std::string> known{"about", "slow", "set", "variants", "reduce_strength"};
   for (const std::string& profile : rule_names()) known.push_back(profile);
   top.require_keys(known);
   if (json.contains("about")) file.about = top.at("about").text();
   if (json.contains("slow")) file.is_slow = top.at("slow").flag();
   if (json.contains("set")) file.set = sets_of(top.at("set"));
+  if (json.contains("reduce_strength")) file.reduction = reduction_of(top.at("reduce_strength"));
   if (json.contains("variants")) file.variants = variants_of(top.at("variants"));
   for (const std::string& profile : rule_names())
     if (json.contains(profile)) file.not_run[profile] = reason_of(top.at(profile));

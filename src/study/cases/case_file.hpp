@@ -3,6 +3,7 @@
 //
 // Layout, every key optional:
 //   {"about": "one sentence", "slow": false,
+//    "reduce_strength": {"what": "joints", "from": 1, "to": 2, "to_within": 0.01},     in place of a run: `fos`
 //    "set": {"both": {"SETTING": "VALUE"}, "legacy": {…}, "standard": {…}},      as by `run --set`
 //    "variants": [{"name": "10 ms, rigid", "profile": "standard", "set": {"SETTING": "VALUE"},
 //                  "tolerance": 2e-3, "reason": "why this tolerance"}],
@@ -18,6 +19,7 @@
 
 #include "run/prepare.hpp"
 #include "study/cases/cases.hpp"
+#include "study/strength/reduced_problem.hpp"
 
 namespace keyblock::study {
 
@@ -30,6 +32,14 @@ struct Variant {
   std::string reason;               ///< of that tolerance
 };
 
+/// Strength reduction in place of a run.
+struct ReductionAsked {
+  Reduced what = Reduced::joints;
+  std::optional<double> from;
+  std::optional<double> to;
+  double within = 0.01;
+};
+
 struct CaseFile {
   std::string path;  ///< for messages; set whether or not the file is there
   std::string about;
@@ -37,6 +47,7 @@ struct CaseFile {
   std::map<std::string, std::vector<Override>> set;  ///< by profile; those of both profiles come first
   std::map<std::string, std::string> not_run;        ///< by profile: why it is not
   std::vector<Variant> variants;
+  std::optional<ReductionAsked> reduction;
 
   /// The settings of the plain run under `profile`: what the file sets for legacy or standard, whichever it varies.
   std::vector<Override> overrides(const std::string& profile) const;

@@ -14,6 +14,7 @@
 #include "run/prepare.hpp"
 #include "settings/profile.hpp"
 #include "study/cases/named_files.hpp"
+#include "study/strength/factor_of_safety.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -70,8 +71,44 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   return compared;
 }
 
+// The last state that stands, at the instant 0: a factor belongs to none.
+ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
+  const ReductionAsked& asked = *loaded.file.reduction;
+  Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
+  std::vector<Override> left = set_plan(problem, overrides);
+  const StrengthTrials trials(std::move(problem), compared.profile, std::move(left), asked.what);
+  compared.warnings = joined(loaded.input.warnings, trials.prepared().warnings);
+  FactorOfSafety found = factor_of_safety(trials, {asked.from, asked.to, asked.within});
+  if (found.end != SearchEnd::bracketed) {
+    compared.outcome.end = RunEnd::failed;
+    compared.outcome.reason = fmt::format("no bracket of the factor of safety: {}", name_of(found.end));
+    return compared;
+  }
+  Frame frame = std::move(found.standing->frame);
+  frame.time = 0;
+  RunSoFar so_far;
+  so_far.add_factor_of_safety(found.bracket.middle());
+  pick(compared.values, so_far, frame, kSameInstant);
+  compared.start = frame;
+  compared.end = std::move(frame);
+  return compared;
+}
+
+ComparedCase compared_by_reduction(const Loaded& loaded, ComparedCase compared,
+                                   const std::vector<Override>& overrides) {
+  try {
+    return reduced_and_picked(loaded, compared, overrides);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({loaded.file.path, 0, 0}, error.what());
+  } catch (const InputError& error) {
+    compared.not_run = error.what();
+    return compared;
+  }
+}
+
 ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
   compared.name = loaded.folder.name;
+  if (loaded.file.reduction) return compared_by_reduction(loaded, std::move(compared), overrides);
   const auto made = prepared_or_refused(loaded, compared.profile, overrides);
   if (const auto* why = std::get_if<std::string>(&made)) {
     compared.not_run = *why;

@@ -137,6 +137,7 @@ const std::map<std::string, Quantity>& table() {
        OfScene([](const RunSoFar& r) { return r.now().plastic ? r.now().plastic->yielded_fraction() : 0; })},
       {"plastic_work", OfScene([](const RunSoFar& r) { return plastic_work(r.now()); })},
       {"converged_share", OfScene([](const RunSoFar& r) { return r.converged_share(); })},
+      {"factor_of_safety", OfScene([](const RunSoFar& r) { return r.factor_of_safety(); })},
   };
   return quantities;
 }

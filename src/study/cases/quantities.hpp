@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,9 @@ class RunSoFar {
   /// Takes in the next frame, the first of them the start; every step should have one.
   void add(const Frame& frame);
 
+  /// Takes in what a strength reduction found.
+  void add_factor_of_safety(double factor) { factor_of_safety_ = factor; }
+
   const Frame& start() const { return start_; }
   const Frame& now() const { return now_; }
   /// Share of the steps that needed no shorter one and left no contact undecided; 1 before the first.
@@ -32,6 +36,8 @@ class RunSoFar {
   double greatest_height() const { return greatest_height_; }
   /// Greatest |A/A0 - 1| of any block until now.
   double greatest_area_change() const { return greatest_area_change_; }
+  /// NaN where none was asked for or found.
+  double factor_of_safety() const { return factor_of_safety_; }
 
  private:
   Frame start_;
@@ -41,6 +47,7 @@ class RunSoFar {
   int converged_ = 0;
   double greatest_height_ = 0;
   double greatest_area_change_ = 0;
+  double factor_of_safety_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The value of a quantity now; `number` (from 1) says which block, measured point or support. It must exist.

@@ -1,0 +1,223 @@
+// Checks before the first trial, a table as trials come, files at the end.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/strength_reduction.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/above_zero.hpp"
+#include "app/stop_request.hpp"
+#include "base/error.hpp"
+#include "job/files.hpp"
+#include "job/run_report.hpp"
+#include "report/strength_picture.hpp"
+#include "run/cover_settings.hpp"
+#include "study/cases/named_files.hpp"
+#include "study/strength/factor_of_safety.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using study::Bracket;
+using study::FactorOfSafety;
+using study::SearchEnd;
+using study::StrengthTrial;
+using study::Verdict;
+
+constexpr std::array<const char*, 4> kFiles{"fos.json", "trials.csv", "picture.svg", "fos.svg"};
+
+Json number_or_none(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json bracket_json(const Bracket& bracket) {
+  return {{"stands", number_or_none(bracket.stands)}, {"falls", number_or_none(bracket.falls)}};
+}
+
+std::string kind_of(const StrengthTrial& trial) {
+  return trial.is_past_knee ? "past the knee" : study::name_of(trial.verdict);
+}
+
+Json trial_json(const StrengthTrial& trial) {
+  return {{"factor", trial.factor},
+          {"verdict", study::name_of(trial.verdict)},
+          {"balanced", trial.is_balanced},
+          {"past_knee", trial.is_past_knee},
+          {"why", trial.why},
+          {"largest_displacement", trial.displacement},
+          {"rounds", trial.rounds}};
+}
+
+Json json_of(const ReducedCase& chosen, const FactorOfSafety& found) {
+  Json trials = Json::array();
+  for (const StrengthTrial& trial : found.trials) trials.push_back(trial_json(trial));
+  return {{"program", "keyblock"},
+          {"version", KEYBLOCK_VERSION},
+          {"case", chosen.name},
+          {"profile", chosen.profile},
+          {"reduced", study::name_of(found.what)},
+          {"end", study::name_of(found.end)},
+          {"factor_of_safety", found.end == SearchEnd::bracketed ? Json(found.bracket.middle()) : Json()},
+          {"bracket", bracket_json(found.bracket)},
+          {"to_within", found.within},
+          {"equilibrium", bracket_json(found.equilibrium)},
+          {"knee_times", study::kKnee},
+          {"lower_estimate", found.is_lower_estimate},
+          {"notes", found.notes},
+          {"trials", trials}};
+}
+
+std::string quoted(std::string text) {
+  for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) text.insert(at, 1, '"');
+  return '"' + text + '"';
+}
+
+std::string csv_of(const FactorOfSafety& found) {
+  std::string csv = "factor,verdict,balanced,past_knee,largest_displacement,rounds,why\n";
+  for (const StrengthTrial& t : found.trials)
+    csv += fmt::format("{},{},{},{},{},{},{}\n", t.factor, study::name_of(t.verdict), t.is_balanced, t.is_past_knee,
+                       t.displacement, t.rounds, quoted(t.why));
+  return csv;
+}
+
+std::string sentence_of(const FactorOfSafety& found) {
+  const Bracket& at = found.bracket;
+  const char* kind = found.is_lower_estimate ? " (a lower estimate)" : "";
+  switch (found.end) {
+    case SearchEnd::bracketed:
+      return fmt::format("factor of safety{} {:.4g}: stands at {:.6g}, falls at {:.6g}", kind, at.middle(), *at.stands,
+                         *at.falls);
+    case SearchEnd::falls:
+      return fmt::format("no bracket: it falls at {:.6g}, the least factor tried", *at.falls);
+    case SearchEnd::stands:
+      return fmt::format("no bracket: it stands at {:.6g}, the largest factor tried", *at.stands);
+    case SearchEnd::undecided:
+    case SearchEnd::stopped:
+      break;
+  }
+  return fmt::format("no bracket to {:g}{}{}", found.within,
+                     at.stands ? fmt::format(": stands at {:.6g}", *at.stands) : "",
+                     at.falls ? fmt::format("; falls at {:.6g}", *at.falls) : "");
+}
+
+std::string table_of(const ReducedCase& chosen, const FactorOfSafety& found) {
+  std::string table = fmt::format("{}: strength of {} divided by F\n{:>10}  {:<14}{:>14}{:>8}  {}\n", chosen.name,
+                                  found.what == study::Reduced::both ? "joints and rock" : study::name_of(found.what),
+                                  "F", "", "displacement", "rounds", "why");
+  std::vector<StrengthTrial> trials = found.trials;
+  std::ranges::sort(trials, {}, &StrengthTrial::factor);
+  for (const StrengthTrial& t : trials)
+    table +=
+        fmt::format("{:>10.6g}  {:<14}{:>14.4g}{:>8}  {}\n", t.factor, kind_of(t), t.displacement, t.rounds, t.why);
+  table += sentence_of(found) + "\n";
+  for (const std::string& note : found.notes) table += fmt::format("note: {}\n", note);
+  return table;
+}
+
+report::StrengthPicture picture_of(const ReducedCase& chosen, const FactorOfSafety& found) {
+  report::StrengthPicture picture;
+  picture.title = fmt::format("{}: {}", chosen.name, sentence_of(found));
+  picture.falling_words =
+      found.bracket.falls ? fmt::format("falls at F = {:.6g}", *found.bracket.falls) : "nothing falls";
+  picture.falling = found.falling;
+  if (found.standing) {
+    picture.standing = found.standing->field;
+    picture.plastic_strains = found.standing->plastic_strains;
+    picture.standing_words = fmt::format("stands at F = {:.6g}", *found.bracket.stands);
+    picture.before = found.standing->field;
+  } else {
+    picture.standing_words = "stands at no factor that was tried";
+  }
+  return picture;
+}
+
+report::StrengthChart chart_of(const ReducedCase& chosen, const FactorOfSafety& found) {
+  report::StrengthChart chart{
+      fmt::format("{}: largest displacement over F", chosen.name), {}, found.bracket.stands, found.bracket.falls};
+  for (const StrengthTrial& trial : found.trials)
+    chart.points.push_back({trial.factor, trial.displacement, trial.verdict == Verdict::stands});
+  return chart;
+}
+
+void write_files(const ReducedCase& chosen, const ReductionOptions& options, const FactorOfSafety& found,
+                 const std::string& json) {
+  const std::filesystem::path folder = options.folder;
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, const std::string& text) {
+    write_output(folder / name, text, overwrite_if(options.force));
+  };
+  write(kFiles[0], json + "\n");
+  write(kFiles[1], csv_of(found));
+  write(kFiles[2], report::strength_picture(picture_of(chosen, found)));
+  write(kFiles[3], report::strength_chart(chart_of(chosen, found)));
+}
+
+void require_options(const ReducedCase& chosen, const ReductionOptions& options) {
+  if (options.from && options.to && !(*options.to > *options.from))
+    throw UsageError(fmt::format("--to: expected more than --from {}, found {}", *options.from, *options.to));
+  if (!options.from && options.to && !(*options.to > 1))
+    throw UsageError(fmt::format("--to: expected more than 1, where no --from is given, found {}", *options.to));
+  if (options.folder.empty()) return;
+  if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder))
+    throw UsageError(fmt::format("{}: expected a folder, found a file", options.folder));
+  for (const char* name : kFiles)
+    require_free(std::filesystem::path(options.folder) / name, overwrite_if(options.force));
+  for (const std::string& file : chosen.files) require_not_below(file, options.folder);
+}
+
+study::StrengthTrials trials_of(const ReducedCase& chosen, const ReductionOptions& options) {
+  try {
+    Problem problem = study::with_named_files(chosen.input.problem, chosen.overrides, chosen.folder);
+    std::vector<Override> left = set_plan(problem, chosen.overrides);
+    return {std::move(problem), chosen.profile, std::move(left), study::reduced_of(options.what)};
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+ExitCode exit_code(const FactorOfSafety& found) {
+  if (found.end != SearchEnd::stopped) return found.is_safe() ? ExitCode::ok : ExitCode::check_failed;
+  return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
+}
+
+}  // namespace
+
+std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen) {
+  return {
+      options
+          .add_option("--from", chosen.from,
+                      "first factor, at which the case must stand (default: 1, and less where that falls)")
+          ->check(above_zero()),
+      options.add_option("--to", chosen.to, "largest factor (default: 16 times the first)")->check(above_zero()),
+      options.add_option("--to-within", chosen.within, "width of the bracket (default: 0.01)")->check(above_zero())};
+}
+
+ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& options) {
+  require_options(chosen, options);
+  const study::StrengthTrials trials = trials_of(chosen, options);
+  log_warnings(joined(chosen.input.warnings, trials.prepared().warnings));
+  listen_for_stops();
+  study::SearchOptions search{options.from, options.to, options.within.value_or(0.01)};
+  search.wants_stop = [] { return stop_signal() != 0; };
+  search.on_trial = [](const StrengthTrial& trial) {
+    spdlog::info("F = {:.6g}: {}{}{}", trial.factor, kind_of(trial), trial.why.empty() ? "" : ": ", trial.why);
+  };
+  const FactorOfSafety found = study::factor_of_safety(trials, search);
+  const std::string json = json_of(chosen, found).dump(1, ' ', false, Json::error_handler_t::replace);
+  if (options.as_json)
+    fmt::print("{}\n", json);
+  else
+    fmt::print("{}", table_of(chosen, found));
+  if (!options.folder.empty()) write_files(chosen, options, found, json);
+  if (found.end == SearchEnd::stopped)
+    spdlog::warn("stopped {}", is_at_time_limit() ? "at the limit of processor time" : "by request");
+  return exit_code(found);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,236 @@
+// Two panels and a chart; see strength_picture.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/strength_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "report/drawing/chart.hpp"
+#include "report/drawing/colours.hpp"
+#include "report/drawing/plot.hpp"
+#include "report/drawing/scene.hpp"
+#include "report/drawing/svg.hpp"
+#include "report/page.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr double kCaptionRoom = 26;
+constexpr double kPanelHeight = 330;
+constexpr std::size_t kMostArrows = 240;
+constexpr double kArrow = 34;        // page units, of the largest increment
+constexpr double kShownSlip = 0.02;  // of the largest increment: less is not drawn
+constexpr double kSameLine = 1e-6;   // of the extent
+constexpr double kShownRise = 1.25;  // of the largest displacement that stands: what falls is drawn no higher
+constexpr std::size_t kMostEdges = 6'000;
+constexpr std::string_view kSlipColour = "#b2182b";
+constexpr std::string_view kArrowColour = "#222222";
+
+std::vector<std::vector<Point>> outline(const FieldElement& element, double factor) {
+  std::vector<std::vector<Point>> loops;
+  for (const auto& loop : element.loops) {
+    auto& out = loops.emplace_back();
+    for (const FieldCorner& corner : loop) out.push_back(corner.position + factor * corner.displacement);
+  }
+  return loops;
+}
+
+Box box_of(const FieldFrame& field) {
+  Box box;
+  for (const FieldElement& element : field.elements)
+    for (const FieldCorner& corner : element.loops.front()) box.include(corner.position);
+  return box;
+}
+
+// From pale to dark red; its lightness alone tells the order.
+std::string heat(double share) {
+  constexpr std::array<std::array<double, 3>, 4> kStops{
+      {{247, 244, 238}, {253, 212, 158}, {239, 101, 72}, {127, 0, 0}}};
+  const double at = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+  const auto mix = [&](std::size_t channel) {
+    return std::lround(
+        std::lerp(kStops[below].at(channel), kStops[below + 1].at(channel), at - static_cast<double>(below)));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
+}
+
+void draw_heat_bar(SvgPage& page, Point corner, const std::string& words) {
+  constexpr int kParts = 30;
+  for (int i = 0; i < kParts; ++i)
+    page.rectangle(corner + Point{4.0 * i, 0}, 4.4, 10, {.fill = heat((i + 0.5) / kParts)});
+  page.text(corner + Point{4.0 * kParts + 8, 10}, words, {.size = 12});
+}
+
+/// An edge of an element as it lay at the start.
+struct Side {
+  const FieldElement* element;
+  const FieldElement* now;
+  std::size_t loop;
+  std::size_t corner;
+
+  const FieldCorner& begin(const FieldElement& of) const { return of.loops[loop][corner]; }
+  const FieldCorner& end(const FieldElement& of) const { return of.loops[loop][(corner + 1) % of.loops[loop].size()]; }
+  Point increment(double share) const {
+    const Point first = begin(*now).displacement - begin(*element).displacement;
+    const Point last = end(*now).displacement - end(*element).displacement;
+    return first + share * (last - first);
+  }
+};
+
+std::vector<Side> sides_of(const FieldFrame& before, const FieldFrame& after) {
+  std::vector<Side> sides;
+  for (std::size_t e = 0; e < before.elements.size(); ++e)
+    for (std::size_t l = 0; l < before.elements[e].loops.size(); ++l)
+      for (std::size_t c = 0; c < before.elements[e].loops[l].size(); ++c)
+        sides.push_back({&before.elements[e], &after.elements[e], l, c});
+  return sides;
+}
+
+// The stretch that two sides share, if they lie along each other in opposite senses.
+std::optional<SlipLine> shared(const Side& one, const Side& other, double near) {
+  const Point a = one.begin(*one.element).position, b = one.end(*one.element).position;
+  const Point c = other.begin(*other.element).position, d = other.end(*other.element).position;
+  const Point way = b - a;
+  const double size = length(way);
+  if (!(size > near)) return std::nullopt;
+  const Point along = (1 / size) * way;
+  const Point normal{-along.y, along.x};  // into the element on the left
+  if (std::abs(dot(c - a, normal)) > near || std::abs(dot(d - a, normal)) > near) return std::nullopt;
+  const double from = std::max(0.0, dot(d - a, along)), to = std::min(size, dot(c - a, along));
+  if (!(to - from > near)) return std::nullopt;
+  const double middle = (from + to) / 2;
+  const double whole = dot(c - a, along) - dot(d - a, along);
+  const Point apart = one.increment(middle / size) - other.increment((dot(c - a, along) - middle) / whole);
+  return SlipLine{a + from * along, a + to * along, dot(apart, along), dot(apart, normal)};
+}
+
+double largest_increment(const FieldFrame& before, const FieldFrame& after) {
+  double most = 0;
+  for (std::size_t e = 0; e < before.elements.size(); ++e)
+    for (std::size_t l = 0; l < before.elements[e].loops.size(); ++l)
+      for (std::size_t c = 0; c < before.elements[e].loops[l].size(); ++c)
+        most = std::max(
+            most, length(after.elements[e].loops[l][c].displacement - before.elements[e].loops[l][c].displacement));
+  return most;
+}
+
+void draw_arrow(SvgPage& page, Point from, Point way) {
+  const double size = length(way);
+  if (size < 2) return;
+  const Point along = (1 / size) * way, across{-along.y, along.x};
+  const Point tip = from + way;
+  const double head = std::min(6.0, size / 2);
+  page.line(from, tip, {.stroke = kArrowColour, .stroke_width = 1});
+  page.polygon({{tip, tip - head * along + 0.4 * head * across, tip - head * along - 0.4 * head * across}},
+               {.fill = kArrowColour});
+}
+
+void draw_standing(SvgPage& page, const PageMap& map, const StrengthPicture& picture, Point caption) {
+  double most = 0;
+  for (const double strain : picture.plastic_strains) most = std::max(most, strain);
+  const bool has_flow = most > 0;
+  const double width = std::min(0.6, edge_width(map.size(), picture.standing.elements.size()));
+  for (std::size_t e = 0; e < picture.standing.elements.size(); ++e) {
+    const FieldElement& element = picture.standing.elements[e];
+    const std::string colour =
+        has_flow ? heat(picture.plastic_strains.at(e) / most) : std::string(area_colour(element.material));
+    page.polygon(map(outline(element, 0)), {.fill = colour, .stroke = "#777777", .stroke_width = width});
+  }
+  page.text(caption, picture.standing_words, {.size = 13, .bold = true});
+  if (has_flow) draw_heat_bar(page, caption + Point{230, -10}, fmt::format("plastic strain, 0 to {:.2g}", most));
+}
+
+void draw_falling(SvgPage& page, const PageMap& map, const StrengthPicture& picture, Point caption) {
+  page.text(caption, picture.falling_words, {.size = 13, .bold = true});
+  if (!picture.falling || picture.falling->elements.size() != picture.before.elements.size()) return;
+  const FieldFrame& before = picture.before;
+  const FieldFrame& after = *picture.falling;
+  const double most = largest_increment(before, after);
+  if (!(most > 0)) return;
+  const double width = std::min(0.6, edge_width(map.size(), before.elements.size()));
+  const auto increment = [&](std::size_t e) {
+    return after.elements[e].middle.displacement - before.elements[e].middle.displacement;
+  };
+  for (std::size_t e = 0; e < before.elements.size(); ++e)
+    page.polygon(map(outline(before.elements[e], 0)),
+                 {.fill = heat(length(increment(e)) / most), .stroke = "#999999", .stroke_width = width});
+  for (const SlipLine& line : slip_lines(before, after)) {
+    const double share = std::hypot(line.slip, line.opening) / most;
+    if (share < kShownSlip) continue;
+    page.begin_group(fmt::format("slip {:.3g}, opening {:.3g}", line.slip, line.opening));
+    page.line(map(line.from), map(line.to), {.stroke = kSlipColour, .stroke_width = 1.5 + 3 * std::min(1.0, share)});
+    page.end_group();
+  }
+  const std::size_t every = before.elements.size() / kMostArrows + 1;
+  for (std::size_t e = 0; e < before.elements.size(); e += every) {
+    const Point way = (kArrow / most) * increment(e);
+    draw_arrow(page, map(before.elements[e].middle.position), {way.x, -way.y});
+  }
+  draw_heat_bar(page, caption + Point{230, -10},
+                "increment over the largest; red lines: joints that slip or open");
+}
+
+}  // namespace
+
+std::vector<SlipLine> slip_lines(const FieldFrame& before, const FieldFrame& after) {
+  std::vector<SlipLine> lines;
+  if (before.elements.size() != after.elements.size()) return lines;
+  const std::vector<Side> sides = sides_of(before, after);
+  if (sides.size() > kMostEdges) return lines;
+  const Box box = box_of(before);
+  const double near = kSameLine * std::hypot(box.width(), box.height());
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = i + 1; j < sides.size(); ++j) {
+      if (sides[i].element->body == sides[j].element->body) continue;
+      if (const auto line = shared(sides[i], sides[j], near)) lines.push_back(*line);
+    }
+  return lines;
+}
+
+std::string strength_picture(const StrengthPicture& picture) {
+  const Box box = box_of(picture.standing.elements.empty() ? picture.before : picture.standing);
+  const PageMap first(box, {kMargin, kTitleHeight + kCaptionRoom}, {kRoom, kPanelHeight});
+  const double below = kTitleHeight + 2 * kCaptionRoom + first.size().y + 14;
+  const PageMap second(box, {kMargin, below}, {kRoom, kPanelHeight});
+  SvgPage page(kPageWidth, below + first.size().y + 50);
+  page.text({kMargin, 28}, picture.title, {.size = 17, .bold = true});
+  if (box.empty()) return page.str();
+  draw_standing(page, first, picture, {kMargin, kTitleHeight + kCaptionRoom - 10});
+  draw_falling(page, second, picture, {kMargin, below - 10});
+  draw_scale_bar(page, {kMargin, below + first.size().y + 22}, kRoom, first);
+  return page.str();
+}
+
+std::string strength_chart(const StrengthChart& chart) {
+  constexpr double kWidth = 700, kHeight = 460, kTop = 50;
+  SvgPage page(kWidth, kHeight);
+  page.text({kMargin, 28}, chart.title, {.size = 17, .bold = true});
+  std::vector<StrengthPoint> points = chart.points;
+  std::ranges::sort(points, {}, &StrengthPoint::factor);
+  Curve line{"equilibrium", {}, {}}, stands{"stands", {}, {}, Curve::Style::points},
+      falls{"falls", {}, {}, Curve::Style::points};
+  double most = 0;
+  for (const StrengthPoint& point : points) {
+    if (point.stands) line.x.push_back(point.factor), line.y.push_back(point.displacement);
+    if (point.stands) most = std::max(most, point.displacement);
+  }
+  for (const StrengthPoint& point : points) {
+    Curve& of = point.stands ? stands : falls;
+    of.x.push_back(point.factor);
+    of.y.push_back(point.stands ? point.displacement : std::min(point.displacement, kShownRise * most));
+  }
+  std::vector<Curve> curves{line, stands, falls};
+  for (const auto& [end, words] : {std::pair{chart.stands, "stands up to"}, std::pair{chart.falls, "falls from"}})
+    if (end) curves.push_back({fmt::format("{} {:.4g}", words, *end), {*end, *end}, {0, kShownRise * most}});
+  if (has_points(curves))
+    draw_chart(page, {kMargin, kTop}, {kWidth - 2 * kMargin, kHeight - kTop - 14}, curves,
+               {"factor that strength is divided by", "largest displacement"});
+  return page.str();
+}
+
+}  // namespace keyblock::report

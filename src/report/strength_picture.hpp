@@ -1,0 +1,56 @@
+// Pictures of a strength reduction: displacement over the factor, and what moves when the scene falls.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "result/field_frame.hpp"
+
+namespace keyblock::report {
+
+/// A run at one factor.
+struct StrengthPoint {
+  double factor = 1;
+  double displacement = 0;
+  bool stands = true;
+};
+
+struct StrengthChart {
+  std::string title;
+  std::vector<StrengthPoint> points;
+  std::optional<double> stands;  ///< the bracket
+  std::optional<double> falls;
+};
+
+/// An SVG document: the largest displacement over the factor, and the bracket as a band.
+std::string strength_chart(const StrengthChart& chart);
+
+/// A stretch of a joint whose sides move against each other between two states.
+struct SlipLine {
+  Point from;  ///< where it lay at the start
+  Point to;
+  double slip = 0;     ///< along the joint, of the side on the left over that on the right
+  double opening = 0;  ///< across it
+};
+
+/// Of elements of different bodies that lie along each other at the start, what moved from `before` to `after`, which
+/// have the same elements. Ends are told apart to 1e-6 of the extent.
+std::vector<SlipLine> slip_lines(const FieldFrame& before, const FieldFrame& after);
+
+struct StrengthPicture {
+  std::string title;
+  FieldFrame standing;
+  std::vector<double> plastic_strains;  ///< of its elements
+  std::string standing_words;           ///< "stands at 1.39"
+  FieldFrame before;                    ///< what increments are counted from; the standing state, or one before it
+  std::optional<FieldFrame> falling;    ///< with the same elements
+  std::string falling_words;            ///< "falls at 1.4"
+};
+
+/// An SVG document of two panels: the last state that stands, coloured by plastic strain where there is any; and the
+/// displacement increments of what moves, coloured by their size over the largest, with arrows, and joints that slip.
+std::string strength_picture(const StrengthPicture& picture);
+
+}  // namespace keyblock::report

@@ -1,0 +1,197 @@
+// Which factor is tried next, and what the trials so far say.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/strength/factor_of_safety.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/stop.hpp"
+
+namespace keyblock::study {
+namespace {
+
+constexpr double kUp = 1.25;
+constexpr double kDown = 0.8;
+constexpr double kFarthest = 16;  // times the first factor, or its part
+// Of half the scene's extent: displacements below it are none, as those of rigid blocks are.
+constexpr double kNoDisplacement = 1e-5;
+
+using Trials = std::map<double, TrialOutcome>;  // by factor
+
+class FactorSearch {
+ public:
+  FactorSearch(const StrengthTrials& trials, const SearchOptions& options) : trials_(trials), options_(options) {
+    first_ = options.from.value_or(1);
+    most_ = options.to.value_or(std::max(1.0, first_) * kFarthest);
+  }
+
+  FactorOfSafety run() {
+    try {
+      result_.end = search();
+    } catch (const StopRequested&) {
+      result_.end = SearchEnd::stopped;
+    }
+    put_trials();
+    put_states();
+    return std::move(result_);
+  }
+
+ private:
+  SearchEnd search() {
+    Verdict verdict = made_at(first_);
+    double factor = first_;
+    if (verdict == Verdict::falls && options_.from) return SearchEnd::falls;
+    while (verdict == Verdict::stands && factor < most_)
+      verdict = made_at(factor = std::min(most_, options_.to && options_.from ? most_ : factor * kUp));
+    if (verdict == Verdict::stands) return SearchEnd::stands;
+    while (verdict == Verdict::falls && !bracket_of(verdict_).stands && factor > first_ / kFarthest)
+      verdict = made_at(factor *= kDown);
+    if (verdict == Verdict::falls && !bracket_of(verdict_).stands) return SearchEnd::falls;
+    if (verdict == Verdict::undecided || !bisect(verdict_)) return SearchEnd::undecided;
+    // What is past the knee may stand well beyond it.
+    while (bracket_of(balance_).stands && !bracket_of(balance_).falls && bracket_of(balance_).stands < most_) {
+      if (made_at(std::min(most_, *bracket_of(balance_).stands * kUp)) == Verdict::undecided)
+        return SearchEnd::bracketed;
+    }
+    if (bracket_of(balance_).is_closed()) bisect(balance_);
+    return SearchEnd::bracketed;
+  }
+
+  using Sign = std::function<Verdict(const StrengthTrial&)>;
+
+  // False where a trial is undecided.
+  bool bisect(const Sign& sign) {
+    for (Bracket at = bracket_of(sign); at.width() > options_.within * (1 + 1e-9); at = bracket_of(sign))
+      if (made_at(at.middle()) == Verdict::undecided) return false;
+    return true;
+  }
+
+  Bracket bracket_of(const Sign& sign) const {
+    Bracket bracket;
+    for (const auto& [factor, made] : made_)
+      if (sign(made.told) == Verdict::falls) {
+        bracket.falls = factor;
+        break;
+      }
+    for (const auto& [factor, made] : made_)
+      if (sign(made.told) == Verdict::stands && (!bracket.falls || factor < *bracket.falls)) bracket.stands = factor;
+    return bracket;
+  }
+
+  Verdict made_at(double factor) {
+    TrialOutcome outcome = trials_.run(factor, options_.wants_stop);
+    order_.push_back(factor);
+    made_[factor] = std::move(outcome);
+    judge();
+    forget();
+    options_.on_trial(made_.at(factor).told);
+    return made_.at(factor).told.verdict;
+  }
+
+  void judge() {
+    const double none = kNoDisplacement * trials_.prepared().scene.model.scale;
+    const auto first = std::ranges::find_if(made_, [](const auto& entry) { return entry.second.told.is_balanced; });
+    if (first == made_.end()) return;
+    const double allowed = kKnee * std::max(none, first->second.told.displacement);
+    for (auto& [factor, made] : made_) {
+      StrengthTrial& told = made.told;
+      if (!told.is_balanced) continue;
+      told.is_past_knee = told.displacement > allowed;
+      told.verdict = told.is_past_knee ? Verdict::falls : Verdict::stands;
+      told.why = told.is_past_knee
+                     ? fmt::format("in equilibrium, but {:.3g} times as far from the start as at {:.4g}",
+                                   told.displacement / std::max(none, first->second.told.displacement), first->first)
+                     : std::string();
+    }
+  }
+
+  // The states of trials that nothing will ask for again are large.
+  void forget() {
+    const Bracket at = bracket_of(verdict_);
+    for (auto& [factor, made] : made_) {
+      const bool is_near = !at.stands || !at.falls || (factor >= *at.stands && factor <= *at.falls);
+      if (is_near || (previous_ && factor == *previous_)) continue;
+      made.state = {};
+      made.attempt.reset();
+    }
+    if (at.stands && (!last_ || *last_ != *at.stands)) {
+      previous_ = last_;
+      last_ = at.stands;
+    }
+  }
+
+  void put_trials() {
+    for (const double factor : order_) result_.trials.push_back(made_.at(factor).told);
+    result_.bracket = bracket_of(verdict_);
+    result_.equilibrium = bracket_of(balance_);
+    result_.what = trials_.what();
+    result_.within = options_.within;
+    result_.is_lower_estimate = flows_below_friction(trials_.problem(), trials_.what());
+    result_.notes = trials_.notes();
+  }
+
+  void put_states() {
+    const Bracket& at = result_.bracket;
+    if (at.stands) result_.standing = std::move(made_.at(*at.stands).state);
+    if (previous_ && previous_ != at.stands) result_.standing_before = std::move(made_.at(*previous_).state);
+    if (!at.falls) return;
+    TrialOutcome& fallen = made_.at(*at.falls);
+    if (fallen.told.is_past_knee)
+      result_.falling = std::move(fallen.state.field);
+    else
+      result_.falling = std::move(fallen.attempt);
+  }
+
+  const StrengthTrials& trials_;
+  const SearchOptions& options_;
+  double first_ = 1;
+  double most_ = 1;
+  Trials made_;
+  std::vector<double> order_;
+  std::optional<double> last_;      ///< largest factor that stands
+  std::optional<double> previous_;  ///< and the one before it was found
+  FactorOfSafety result_;
+  Sign verdict_ = [](const StrengthTrial& told) { return told.verdict; };
+  Sign balance_ = [](const StrengthTrial& told) {
+    if (told.is_balanced) return Verdict::stands;
+    return told.verdict;
+  };
+};
+
+void add_notes(FactorOfSafety& result) {
+  std::vector<std::string>& notes = result.notes;
+  if (result.is_lower_estimate)
+    notes.emplace_back(
+        "a lower estimate: rock flows with a dilation angle below its friction angle, so that no theorem bounds the "
+        "factor, and equilibrium may be lost by the search before it is by the rock");
+  const Bracket& knee = result.bracket;
+  const Bracket& balance = result.equilibrium;
+  if (knee.is_closed() && balance.stands && *balance.stands >= *knee.falls)
+    notes.push_back(fmt::format(
+        "displacement passes its knee ({:g} times that of the first trial) between {:.4g} and {:.4g}, but equilibrium "
+        "is found up to {:.4g}: the factor is that of the knee",
+        kKnee, *knee.stands, *knee.falls, *balance.stands));
+  if (result.end == SearchEnd::undecided)
+    notes.emplace_back(
+        "statics does not decide: it finds neither an equilibrium nor a block that accelerates where it had to");
+}
+
+}  // namespace
+
+std::string name_of(SearchEnd end) {
+  constexpr std::array<const char*, 5> kNames{"bracketed", "falls", "stands", "undecided", "stopped"};
+  return kNames.at(static_cast<std::size_t>(end));
+}
+
+FactorOfSafety factor_of_safety(const StrengthTrials& trials, const SearchOptions& options) {
+  FactorOfSafety result = FactorSearch(trials, options).run();
+  add_notes(result);
+  return result;
+}
+
+}  // namespace keyblock::study

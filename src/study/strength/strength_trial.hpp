@@ -1,0 +1,79 @@
+// One run of statics at a factor of strength reduction: whether it stands, and what moves where it does not.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "result/field_frame.hpp"
+#include "result/frame.hpp"
+#include "run/prepare.hpp"
+#include "study/strength/reduced_problem.hpp"
+
+namespace keyblock::study {
+
+/// undecided: statics came to no end, so that nothing is known of the scene at this factor.
+enum class Verdict { stands, falls, undecided };
+
+/// A word for tables: "stands".
+std::string name_of(Verdict verdict);
+
+/// What a table of trials says of one.
+struct StrengthTrial {
+  double factor = 1;
+  Verdict verdict = Verdict::undecided;
+  bool is_balanced = false;   ///< an equilibrium with all loads on was found
+  bool is_past_knee = false;  ///< it was, but too far away: see factor_of_safety.hpp
+  std::string why;            ///< in a sentence, where it does not stand
+  /// Largest of a corner since the start; where there is no equilibrium, at the point where the search was given up.
+  double displacement = 0;
+  int rounds = 0;  ///< solves of contact forces or rounds of Newton's method
+};
+
+/// A state as pictures show it.
+struct StrengthState {
+  Frame frame;
+  FieldFrame field;
+  std::vector<double> plastic_strains;  ///< κ in the middle of each element of the field
+};
+
+struct TrialOutcome {
+  StrengthTrial told;
+  StrengthState state;                ///< the last equilibrium
+  std::optional<FieldFrame> attempt;  ///< where a trial that falls had come to, out of balance
+};
+
+/// Makes trials of one problem. Statics of profile `standard`, whatever the case asks for: a case of motion in time
+/// becomes one of equilibrium under its loads, in one step where they do not change (10 on covers).
+class StrengthTrials {
+ public:
+  /// Throws InputError for a problem that cannot be prepared, or has nothing to reduce; std::invalid_argument for a
+  /// profile or an override that is none.
+  StrengthTrials(Problem problem, std::string profile, std::vector<Override> overrides, Reduced what);
+
+  const Problem& problem() const { return problem_; }
+  Reduced what() const { return what_; }
+  /// As at the factor 1.
+  const Prepared& prepared() const { return prepared_; }
+  /// Sentences on how the case was changed to be one of statics.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+  /// From no load. Beginning at the equilibrium of another trial was tried on rock: what stands takes twice as many
+  /// rounds, what falls three times, and where ψ < φ the factor becomes another. Throws StopRequested.
+  TrialOutcome run(double factor, const std::function<bool()>& wants_stop) const;
+
+ private:
+  Prepared prepared_at(double factor) const;
+  bool may_yield() const;
+
+  Problem problem_;
+  std::string profile_;
+  std::vector<Override> overrides_;
+  Reduced what_;
+  std::vector<std::string> notes_;
+  Prepared prepared_;
+};
+
+}  // namespace keyblock::study

@@ -1,0 +1,177 @@
+// `fos` and `run --reduce-strength` as a user meets them: brackets, files, exit codes, bad input.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::fos_command_test {
+namespace {
+
+using support::fresh_folder;
+using support::ProgramRun;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
+using Json = nlohmann::json;
+
+const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
+const std::string kBlock = kCases + "strength_reduction/block_on_plane";
+
+double tangent(double degrees) {
+  return std::tan(degrees * std::numbers::pi / 180);
+}
+
+/// A square of rock under its weight on a smooth floor.
+std::string square(const std::string& strength) {
+  return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]}]},
+    "covers": {"mesh": {"kind": "unstructured", "placement": "aligned", "side": 0.4},
+    "displacements": [{"along": [[0, 0], [1, 0]], "held": "y"}, {"along": [[0, 0], [0, 1]], "held": "x"}],
+    "tractions": [{"along": [[0, 1], [1, 1]], "y": -10}]}, "analysis": {"step_count": 4, "time_step": 1,
+    "allowed_displacement_ratio": 0.1, "plane_strain": true, "velocity_carry_over": 0, "joint_materials": [{}],
+    "block_materials": [{"density": 1, "unit_weight": 0, "youngs_modulus": 1e6, "poissons_ratio": 0.3)" +
+         strength + "}]}}";
+}
+
+std::string written(const std::string& name, const std::string& text) {
+  const std::string file = fresh_folder("fos_" + name) + "/in.json";
+  write_text(file, text);
+  return file;
+}
+
+}  // namespace
+
+TEST(FosCommand, brackets_a_block_on_a_plane) {
+  const ProgramRun run = run_keyblock({"fos", kBlock, "--json", "--to-within", "1e-3"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const Json found = Json::parse(run.output);
+  const double exact = tangent(40) / tangent(30);
+  EXPECT_LE(found["bracket"]["stands"], exact);
+  EXPECT_GE(found["bracket"]["falls"], exact);
+  EXPECT_NEAR(found["factor_of_safety"].get<double>(), exact, 1e-3 * exact);
+  EXPECT_EQ(found["reduced"], "joints");
+  EXPECT_FALSE(found["lower_estimate"]);
+  EXPECT_EQ(run_keyblock({"fos", kBlock, "--json", "--to-within", "1e-3"}).output, run.output);
+}
+
+TEST(FosCommand, writes_its_trials_and_pictures_and_overwrites_nothing) {
+  const std::string out = fresh_folder("fos_files") + "/out";
+  const std::vector<std::string> command{"fos", kBlock, "-o", out, "--json"};
+  const ProgramRun run = run_keyblock(command);
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const Json record = Json::parse(read_text(out + "/fos.json"));
+  EXPECT_EQ(record, Json::parse(run.output));
+  EXPECT_EQ(formats::read_csv(formats::load(out + "/trials.csv")).rows.size(), record["trials"].size());
+  EXPECT_NE(read_text(out + "/picture.svg").find("falls at F"), std::string::npos);
+  EXPECT_NE(read_text(out + "/picture.svg").find("<title>slip"), std::string::npos);
+  EXPECT_NE(read_text(out + "/fos.svg").find("falls from"), std::string::npos);
+  EXPECT_EQ(run_keyblock(command).exit_code, 2);
+}
+
+TEST(FosCommand, run_reduces_strength_too) {
+  const std::string out = fresh_folder("fos_run") + "/out";
+  const ProgramRun run = run_keyblock({"run", kBlock, "--reduce-strength", "joints", "-o", out, "--to-within", "0.05"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_NE(run.output.find("factor of safety"), std::string::npos) << run.output;
+  EXPECT_TRUE(std::filesystem::exists(out + "/fos.json"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/run.json"));
+}
+
+// Friction of 20 degrees on a plane of 30.
+TEST(FosCommand, what_falls_at_1_is_exit_1_and_is_told_how_strong_it_would_have_to_be) {
+  const std::string slope = kCases + "sliding_block/a30_p20/a30_p20";
+  const ProgramRun run = run_keyblock({"fos", slope + ".geo", slope + ".ana", "--json"});
+  EXPECT_EQ(run.exit_code, 1);
+  const double exact = tangent(20) / tangent(30);
+  const Json found = Json::parse(run.output);
+  EXPECT_NEAR(found["factor_of_safety"].get<double>(), exact, 0.01);
+  const ProgramRun from = run_keyblock({"fos", slope + ".geo", slope + ".ana", "--from", "1"});
+  EXPECT_EQ(from.exit_code, 1);
+  EXPECT_NE(from.output.find("no bracket: it falls at 1"), std::string::npos) << from.output;
+}
+
+TEST(FosCommand, no_bracket_up_to_the_limit_is_exit_1) {
+  const ProgramRun run = run_keyblock({"fos", kBlock, "--to", "1.2"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("it stands at 1.2"), std::string::npos) << run.output;
+}
+
+// Uniaxial strength 2 c tan(45 + φ/2) over the traction 10, under a factor on c and tan φ:
+// 2 (c/F) (tan φ/F + √(1 + tan² φ/F²)) = 10.
+TEST(FosCommand, rock_is_reduced_in_cohesion_and_friction) {
+  const std::string file =
+      written("rock", square(R"(, "strength": {"cohesion": 10, "friction_deg": 20, "dilation_deg": 20})"));
+  double low = 1, high = 10;
+  for (int i = 0; i < 60; ++i) {
+    const double f = (low + high) / 2, t = tangent(20) / f;
+    (2 * 10 / f * (t + std::sqrt(1 + t * t)) > 10 ? low : high) = f;
+  }
+  const ProgramRun run = run_keyblock({"fos", file, "--reduce", "rock", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_NEAR(Json::parse(run.output)["factor_of_safety"].get<double>(), low, 0.01 * low);
+  EXPECT_FALSE(Json::parse(run.output)["lower_estimate"]);
+}
+
+TEST(FosCommand, flow_below_friction_makes_a_lower_estimate) {
+  const std::string file =
+      written("lower", square(R"(, "strength": {"cohesion": 10, "friction_deg": 20, "dilation_deg": 5})"));
+  const ProgramRun json = run_keyblock({"fos", file, "--reduce", "rock", "--to-within", "0.2", "--json"});
+  EXPECT_TRUE(Json::parse(json.output)["lower_estimate"]);
+  const ProgramRun words = run_keyblock({"fos", file, "--reduce", "rock", "--to-within", "0.2"});
+  EXPECT_NE(words.output.find("a lower estimate"), std::string::npos) << words.output;
+}
+
+TEST(FosCommand, what_cannot_be_reduced_is_exit_3_and_writes_nothing) {
+  const std::string out = fresh_folder("fos_refused") + "/out";
+  const std::string elastic = written("elastic", square(""));
+  for (const char* what : {"rock", "joints", "both"}) {
+    const ProgramRun run = run_keyblock({"fos", elastic, "--reduce", what, "-o", out});
+    EXPECT_EQ(run.exit_code, 3) << what;
+    EXPECT_NE(run.messages.find("which is to be reduced, found none"), std::string::npos) << run.messages;
+  }
+  const std::string rock = written("untouched", square(R"(, "strength": {"surface": "tresca", "cohesion": 10})"));
+  std::string with_joints = read_text(rock);
+  with_joints.replace(with_joints.find("[{}]"), 4, R"([{"friction_angle_deg": 30}])");
+  const ProgramRun untouched = run_keyblock({"fos", written("friction", with_joints), "-o", out});
+  EXPECT_EQ(untouched.exit_code, 3);
+  EXPECT_NE(untouched.messages.find("expected bodies that touch"), std::string::npos) << untouched.messages;
+  const ProgramRun legacy = run_keyblock({"fos", kCases + "plane_failure/no_crack_stands", "--profile", "legacy"});
+  EXPECT_EQ(legacy.exit_code, 3);
+  EXPECT_NE(legacy.messages.find("rules of the old programs"), std::string::npos) << legacy.messages;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(FosCommand, wrong_options_are_exit_2) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--reduce", "bolts"},
+                                                {"--from", "0"},
+                                                {"--from", "2", "--to", "1.5"},
+                                                {"--to", "0.5"},
+                                                {"--to-within", "-1"},
+                                                {"--set", "no_such=1"}}) {
+    std::vector<std::string> command{"fos", kBlock};
+    command.insert(command.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(run_keyblock(command).exit_code, 2) << wrong.back();
+  }
+  EXPECT_EQ(run_keyblock({"run", kBlock, "--to", "2"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"fos"}).exit_code, 2);
+}
+
+// Rigid columns on a stepped base (Goodman & Bray 1976): tan φ over the critical 0.78554. The recursion takes friction
+// as fully used everywhere; 5 % is what legacy_cases/goodman_bray allows in angles.
+TEST(FosCommand, columns_that_topple_keep_to_their_recursion) {
+  const ProgramRun run = run_keyblock({"fos", kCases + "goodman_bray/stands", "--json", "--to-within", "0.005"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const double exact = tangent(39.6512) / 0.78554;
+  EXPECT_NEAR(Json::parse(run.output)["factor_of_safety"].get<double>(), exact, 0.05 * exact);
+}
+
+}  // namespace keyblock::fos_command_test

@@ -1,0 +1,110 @@
+// The search for a factor of safety: what it tries, what it calls standing, and what it says where it cannot tell.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/strength/factor_of_safety.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "formats/case.hpp"
+#include "run/cover_settings.hpp"
+
+namespace keyblock::study::factor_of_safety_test {
+namespace {
+
+const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
+
+double tangent(double degrees) {
+  return std::tan(degrees * std::numbers::pi / 180);
+}
+
+StrengthTrials block_on_plane(const std::vector<Override>& overrides = {}) {
+  const std::string name = kCases + "strength_reduction/block_on_plane/block_on_plane";
+  return {formats::load_case({name + ".blk", name + ".ana"}).problem, "standard", overrides, Reduced::joints};
+}
+
+StrengthTrials slope(double dilation_deg) {
+  const std::string name = kCases + "strength_reduction/two_to_one/two_to_one.json";
+  Problem problem = formats::load_case({name}).problem;
+  Strength strength = *problem.analysis->block_materials[0].strength;
+  strength.values.dilation_deg = dilation_deg;
+  problem.analysis->block_materials[0].strength = std::make_shared<const Strength>(strength);
+  set_plan(problem, {{"mesh.side", "2"}});
+  return {std::move(problem), "standard", {}, Reduced::rock};
+}
+
+}  // namespace
+
+TEST(FactorOfSafety, goes_up_by_quarters_and_bisects) {
+  const FactorOfSafety found = factor_of_safety(block_on_plane(), {});
+  ASSERT_EQ(found.end, SearchEnd::bracketed);
+  ASSERT_GE(found.trials.size(), 4U);
+  EXPECT_EQ(found.trials[0].factor, 1);
+  EXPECT_EQ(found.trials[1].factor, 1.25);
+  EXPECT_EQ(found.trials[2].factor, 1.5625);
+  EXPECT_EQ(found.trials[3].factor, (1.25 + 1.5625) / 2);
+  EXPECT_LE(found.bracket.width(), 0.01);
+  EXPECT_LE(*found.bracket.stands, tangent(40) / tangent(30));
+  EXPECT_GE(*found.bracket.falls, tangent(40) / tangent(30));
+  EXPECT_TRUE(found.is_safe());
+}
+
+TEST(FactorOfSafety, keeps_to_the_bracket_that_was_asked_for) {
+  const FactorOfSafety found = factor_of_safety(block_on_plane(), {1.2, 1.6, 0.1});
+  ASSERT_EQ(found.end, SearchEnd::bracketed);
+  EXPECT_EQ(found.trials[0].factor, 1.2);
+  EXPECT_EQ(found.trials[1].factor, 1.6);
+  EXPECT_EQ(factor_of_safety(block_on_plane(), {1.5, 1.6, 0.1}).end, SearchEnd::falls);
+  EXPECT_EQ(factor_of_safety(block_on_plane(), {1.2, 1.3, 0.1}).end, SearchEnd::stands);
+}
+
+TEST(FactorOfSafety, what_falls_shows_the_block_that_moves) {
+  const FactorOfSafety found = factor_of_safety(block_on_plane(), {});
+  ASSERT_TRUE(found.standing && found.falling);
+  const auto moved = [&](std::size_t e) {
+    return length(found.falling->elements[e].middle.displacement -
+                  found.standing->field.elements[e].middle.displacement);
+  };
+  ASSERT_EQ(found.falling->elements.size(), 2U);
+  EXPECT_GT(moved(0), 0.5);  // of 1 m
+  EXPECT_EQ(moved(1), 0);
+}
+
+// Above 1 the block falls as well with rigid blocks, which do not displace at all while they stand.
+TEST(FactorOfSafety, rigid_blocks_have_no_knee) {
+  const FactorOfSafety found = factor_of_safety(block_on_plane({{"basis", "rigid"}}), {});
+  ASSERT_EQ(found.end, SearchEnd::bracketed);
+  EXPECT_NEAR(found.bracket.middle(), tangent(40) / tangent(30), 0.01);
+  for (const StrengthTrial& trial : found.trials) EXPECT_FALSE(trial.is_past_knee) << trial.factor;
+}
+
+TEST(FactorOfSafety, a_stop_keeps_the_trials_made) {
+  SearchOptions options;
+  int asked = 0;
+  options.wants_stop = [&] { return ++asked > 2; };
+  const FactorOfSafety found = factor_of_safety(block_on_plane(), options);
+  EXPECT_EQ(found.end, SearchEnd::stopped);
+  EXPECT_EQ(found.trials.size(), 2U);
+  EXPECT_FALSE(found.is_safe());
+}
+
+// A coarse mesh, whose slope slides far before it finds no equilibrium (tests/run/yielding_rock_test.cpp).
+TEST(FactorOfSafety, the_knee_and_the_loss_of_equilibrium_are_both_told) {
+  const FactorOfSafety found = factor_of_safety(slope(20), {});
+  ASSERT_EQ(found.end, SearchEnd::bracketed);
+  ASSERT_TRUE(found.equilibrium.is_closed());
+  EXPECT_GE(*found.equilibrium.stands, *found.bracket.stands);
+  EXPECT_LE(found.equilibrium.width(), 0.01 + 1e-9);
+  const bool differ = *found.equilibrium.stands >= *found.bracket.falls;
+  bool is_said = false;
+  for (const std::string& note : found.notes) is_said |= note.find("passes its knee") != std::string::npos;
+  EXPECT_EQ(is_said, differ);
+  EXPECT_FALSE(found.is_lower_estimate);
+  EXPECT_TRUE(found.standing->plastic_strains.size() == found.standing->field.elements.size());
+  double most = 0;
+  for (const double strain : found.standing->plastic_strains) most = std::max(most, strain);
+  EXPECT_GT(most, 0);
+}
+
+}  // namespace keyblock::study::factor_of_safety_test
