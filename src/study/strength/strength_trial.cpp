@@ -65,9 +65,10 @@ StrengthState state_of(const Stepper& stepper) {
   StrengthState state{frame_of(stepper.model(), stepper.state(), stepper.unloaded(), stepper.settings()),
                       field_of(stepper.model(), stepper),
                       {}};
-  for (const ElementIndex e : indices(stepper.model().elements))
+  for (const ElementIndex e : indices(stepper.model().elements)) {
     const std::optional<PlasticState> plastic = stepper.plastic_at(e, stepper.unloaded().elements[e].centroid);
-  state.plastic_strains.push_back(plastic ? plastic->kappa : 0);
+    state.plastic_strains.push_back(plastic ? plastic->equivalent : 0);
+  }
   return state;
 }
 
