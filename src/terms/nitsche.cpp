@@ -48,9 +48,10 @@ void visit_points(const Continuum& continuum, const ElementShape& shape, const P
 }
 
 double penalty(const Continuum& continuum, CoverFunctions functions, const ElementShape& shape, int element) {
-  const double stiffness = continuum.modulus(element)(0, 0) / shape.frame.size;
-  if (continuum.material(element).is_nonlinear()) return kHeldSprings * stiffness;
-  return stabilisation(functions).nitsche * shape.degree * shape.degree * stiffness;
+  if (continuum.material(element).is_nonlinear())
+    return kHeldSprings * continuum.modulus(element)(0, 0) / shape.frame.size;
+  return stabilisation(functions).nitsche * shape.degree * shape.degree * continuum.modulus(element)(0, 0) /
+         shape.frame.size;
 }
 
 }  // namespace
