@@ -68,18 +68,40 @@ Eigen::Vector4d RockPoint::inelastic(const Eigen::Vector3d& strain, const YieldS
          cracks(cracked_response(law->cracked(), initial, plane == Plane::stress));
 }
 
+RockPoint::Missing RockPoint::missing(const Eigen::Vector3d& strain0, const YieldState& before,
+                                      const Eigen::Vector3d& strain1, const YieldState& after) const {
+  Missing m;
+  if (!law->closure) return m;
+  m.from = cracked(strain0, before);
+  m.to = cracked(strain1, after);
+  if (is_uniform(m.from) && is_uniform(m.to) && m.from.closed == m.to.closed) return m;
+  m.change = m.to.strain - m.from.strain;
+  if (plane == Plane::stress) m.change(3) = 0;
+  m.along = m.change;
+  m.along(2) /= 2;
+  const double work = m.to.stored - m.from.stored - m.change.dot(m.from.stress + m.to.stress) / 2;
+  if (std::abs(work) > kRounding * std::max(m.from.stored, m.to.stored)) m.work = work;
+  return m;
+}
+
 Eigen::Vector3d RockPoint::missing_stress(const Eigen::Vector3d& strain0, const YieldState& before,
                                           const Eigen::Vector3d& strain1, const YieldState& after) const {
-  if (!law->closure) return Eigen::Vector3d::Zero();
-  const CrackedResponse from = cracked(strain0, before), to = cracked(strain1, after);
-  if (is_uniform(from) && is_uniform(to) && from.closed == to.closed) return Eigen::Vector3d::Zero();
-  Eigen::Vector4d change = to.strain - from.strain;
-  if (plane == Plane::stress) change(3) = 0;
-  Eigen::Vector4d along = change;
-  along(2) /= 2;
-  const double missing = to.stored - from.stored - change.dot(from.stress + to.stress) / 2;
-  if (std::abs(missing) <= kRounding * std::max(from.stored, to.stored)) return Eigen::Vector3d::Zero();
-  return missing / change.dot(along) * along.head<3>();
+  const Missing m = missing(strain0, before, strain1, after);
+  if (m.work == 0) return Eigen::Vector3d::Zero();
+  return m.work / m.change.dot(m.along) * m.along.head<3>();
+}
+
+Eigen::Matrix3d RockPoint::missing_stiffness(const Eigen::Vector3d& strain0, const YieldState& before,
+                                             const Eigen::Vector3d& strain1, const YieldState& after) const {
+  const Missing m = missing(strain0, before, strain1, after);
+  if (m.work == 0) return Eigen::Matrix3d::Zero();
+  const double square = m.change.dot(m.along);
+  const Eigen::Vector3d along = m.along.head<3>();
+  const Eigen::Vector3d by_end = (m.to.stress - m.from.stress - m.to.tangent * m.change).head<3>() / 2;
+  const Eigen::Matrix3d one_sided = along * by_end.transpose() / square;
+  const Eigen::Vector3d tensor(1, 1, 0.5);
+  return (one_sided + one_sided.transpose()) / 2 + m.work / square * Eigen::Matrix3d(tensor.asDiagonal()) -
+         2 * m.work / (square * square) * along * along.transpose();
 }
 
 double RockPoint::plastic_work(const Eigen::Vector3d& strain, const YieldState& before, const YieldState& after) const {

@@ -39,11 +39,24 @@ struct RockPoint {
   /// 2000). None without cracks, or where all stay closed or open: the energy between is quadratic.
   Eigen::Vector3d missing_stress(const Eigen::Vector3d& strain0, const YieldState& before,
                                  const Eigen::Vector3d& strain1, const YieldState& after) const;
+  /// The symmetric part of its derivative by the strain at the end, of a way on which nothing flows.
+  Eigen::Matrix3d missing_stiffness(const Eigen::Vector3d& strain0, const YieldState& before,
+                                    const Eigen::Vector3d& strain1, const YieldState& after) const;
 
   /// ∫ σ · Δεᵖ over the area, by the stress at the end.
   double plastic_work(const Eigen::Vector3d& strain, const YieldState& before, const YieldState& after) const;
 
  private:
+  /// What the mean of the stresses of a way lacks: share times direction (xx, yy, 2xy as a tensor's, zz).
+  struct Missing {
+    CrackedResponse from, to;
+    Eigen::Vector4d change = Eigen::Vector4d::Zero();  ///< Δεᵉ
+    Eigen::Vector4d along = Eigen::Vector4d::Zero();   ///< n
+    double work = 0;                                   ///< ΔW - σ̄ · Δεᵉ; 0: it lacks nothing
+  };
+  Missing missing(const Eigen::Vector3d& strain0, const YieldState& before, const Eigen::Vector3d& strain1,
+                  const YieldState& after) const;
+
   /// Of a law with a closure.
   CrackedResponse cracked(const Eigen::Vector3d& strain, const YieldState& state) const;
 };

@@ -242,8 +242,9 @@ void CoverYield::add_tangent_of_step(const Way& way, SparseSystem& system) const
     const Response end = point.rock.respond(log1, way.before[i]);
     const Eigen::Vector3d stress = mean_stress(point, way, log0, log1, way.before[i], end);
     const Eigen::Matrix3d of_law = end.tangent.topLeftCorner<3, 3>();
-    const Eigen::Matrix3d modulus =
-        way.theta / 2 * (of_law + of_law.transpose()) + (weight_of(point, way) - way.theta) * elastic_[point.law];
+    const Eigen::Matrix3d modulus = way.theta / 2 * (of_law + of_law.transpose()) +
+                                    (weight_of(point, way) - way.theta) * elastic_[point.law] +
+                                    point.rock.missing_stiffness(log0, way.before[i], log1, end.after);
     const Eigen::Matrix3d rate = log_strain_rate(mean);
     const Eigen::Matrix3d stiffness = rate.transpose() * modulus * rate + log_strain_curvature(mean, stress) / 2;
     system.add_matrix(point.functions, tangent_at(point, Eigen::Matrix2d::Identity() + (h0 + h1) / 2, stiffness,

@@ -34,7 +34,9 @@ void visit_points(const Continuum& continuum, const ElementShape& shape, const P
                   const ElementSide& side, Visit visit) {
   const Point n = side.normal();
   const Eigen::Matrix2d p = held_projector(prescribed.held, n);
-  const Eigen::Matrix3d modulus = continuum.modulus(side.element);
+  const bool is_linear = !continuum.material(side.element).is_nonlinear();
+  const Eigen::Matrix3d modulus =
+      is_linear ? continuum.modulus(side.element) : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
   const double all = length(side.edge.end - side.edge.start);
   for (const GaussPoint& g : gauss_rule(shape.degree + 2)) {
     const Point x = point_at(side.edge, g.at);
@@ -46,6 +48,8 @@ void visit_points(const Continuum& continuum, const ElementShape& shape, const P
 }
 
 double penalty(const Continuum& continuum, CoverFunctions functions, const ElementShape& shape, int element) {
+  if (continuum.material(element).is_nonlinear())
+    return kHeldSprings * continuum.modulus(element)(0, 0) / shape.frame.size;
   return stabilisation(functions).nitsche * shape.degree * shape.degree * continuum.modulus(element)(0, 0) /
          shape.frame.size;
 }

@@ -28,7 +28,7 @@ MeasuredPairs measured(const BilinearCurve& curve, int count, double last, doubl
   return m;
 }
 
-MeasuredPairs measured_table(const std::string& text, const char* x = "strain", const char* y = "stress") {
+MeasuredPairs pairs_of(const std::string& text, const char* x = "strain", const char* y = "stress") {
   return read_pairs(formats::read_csv({"curve.csv", text}), x, y);
 }
 
@@ -131,18 +131,18 @@ TEST(Fit, tests_under_pressure_give_cohesion_and_friction) {
 }
 
 TEST(Fit, tables_may_have_headings_or_none) {
-  EXPECT_EQ(measured_table("Stress [MPa],strain,time\n5,0.1,1\n6,0.2,2\n").x, (std::vector<double>{0.1, 0.2}));
-  const MeasuredPairs bare = measured_table("0.1,5\n0.2,6\n");
+  EXPECT_EQ(pairs_of("Stress [MPa],strain,time\n5,0.1,1\n6,0.2,2\n").x, (std::vector<double>{0.1, 0.2}));
+  const MeasuredPairs bare = pairs_of("0.1,5\n0.2,6\n");
   EXPECT_EQ(bare.y, (std::vector<double>{5, 6}));
   EXPECT_EQ(bare.lines, (std::vector<int>{1, 2}));
-  EXPECT_EQ(measured_table("s3,s1\n1,4\n", "s3", "s1").y, (std::vector<double>{4}));
+  EXPECT_EQ(pairs_of("s3,s1\n1,4\n", "s3", "s1").y, (std::vector<double>{4}));
 }
 
 TEST(Fit, what_cannot_be_fitted_is_refused_where_it_stands) {
   const auto fit = [](MeasuredPairs m) { fit_curve(std::move(m), CompressionSign::found); };
-  EXPECT_NE(refusal([] { measured_table("strain,load\n1,2\n"); }).find("\"stress\", found none"), std::string::npos);
-  EXPECT_NE(refusal([] { measured_table("1,2,3\n1,2,3\n"); }).find("found 3 columns"), std::string::npos);
-  EXPECT_NE(refusal([] { measured_table("strain,stress\n1,nan\n"); }).find("curve.csv:2:3"), std::string::npos);
+  EXPECT_NE(refusal([] { pairs_of("strain,load\n1,2\n"); }).find("\"stress\", found none"), std::string::npos);
+  EXPECT_NE(refusal([] { pairs_of("1,2,3\n1,2,3\n"); }).find("found 3 columns"), std::string::npos);
+  EXPECT_NE(refusal([] { pairs_of("strain,stress\n1,nan\n"); }).find("curve.csv:2:3"), std::string::npos);
   EXPECT_NE(refusal([&] { fit(measured(kBench, 7, 4e-3)); }).find("at least 8 points, found 7"), std::string::npos);
   MeasuredPairs back = measured(kBench, 30, 4e-3);
   back.x[12] = back.x[11];

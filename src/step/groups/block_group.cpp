@@ -199,7 +199,8 @@ void BlockGroup::add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFl
   const Eigen::Vector4d at_start = yield.inelastic(step.start.q[e], before);
   const Unknowns flowed = yield.inelastic_force(yield.inelastic(step.q[e], after) - at_start);
   const InelasticShare share = inelastic_share(bodies_[e], step.rule, step.dt);
-  const double work = -dq.dot(yield.inelastic_force(at_start) + share.total() * flowed);
+  const Unknowns missing = yield.missing_force(step.start.q[e], before, step.q[e], after);
+  const double work = dq.dot(missing - yield.inelastic_force(at_start) - share.total() * flowed);
   const double stored = yield.inelastic_energy(step.q[e], after) - yield.inelastic_energy(step.start.q[e], before);
   const double plastic = yield.rock.plastic_work(yield.strain_at(step.q[e]), before, after);
   const double damping = -share.damping * dq.dot(flowed);
@@ -324,7 +325,8 @@ class YieldingBlocks final : public EstimatedStep {
       const Block& block = of(e);
       if (block.yield == nullptr) continue;
       const Response response = block.yield->respond(end(e, estimate), before(e));
-      const UnknownBlock a = block.matrix - block.share * block.yield->lost_stiffness(response);
+      const UnknownBlock a = block.matrix - block.share * block.yield->lost_stiffness(response) +
+                             block.yield->missing_stiffness(start_.q[e], before(e), end(e, estimate), response.after);
       StepInverses inverses = inverses_of(a, group_.bodies_[e], rule_);
       has_factor = has_factor && inverses.are_definite;
       step.flexibility.blocks[e] = std::move(inverses.inverse);
@@ -340,7 +342,8 @@ class YieldingBlocks final : public EstimatedStep {
       const YieldState after = block.yield->respond(end(e, estimate), before(e)).after;
       const Unknowns flowed = block.yield->inelastic_force(block.yield->inelastic(end(e, estimate), after) -
                                                            block.yield->inelastic(start_.q[e], before(e)));
-      const Unknowns residual = block.matrix * estimate[e] - block.right - block.share * flowed;
+      const Unknowns missing = block.yield->missing_force(start_.q[e], before(e), end(e, estimate), after);
+      const Unknowns residual = block.matrix * estimate[e] - block.right - block.share * flowed + missing;
       step.increments[e] = estimate[e] - step.flexibility.blocks[e] * residual;
     }
   }

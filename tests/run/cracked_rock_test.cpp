@@ -1,0 +1,81 @@
+// Runs of rock whose cracks close: a block and a body on covers that swing without loss, and what is refused.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::cracked_rock_test {
+namespace {
+
+using support::fresh_folder;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
+
+/// A unit square under an initial stress that nothing balances, in time. `more`: of the case; `closure`: of its rock.
+std::string square(const std::string& more, const std::string& closure) {
+  return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]}]})" + more +
+         R"(, "analysis": {"step_count": 50, "time_step": 0.001, "allowed_displacement_ratio": 1, "plane_strain": true,
+    "velocity_carry_over": 1, "joint_materials": [{}], "block_materials": [{"density": 1, "unit_weight": 0,
+    "youngs_modulus": 30000, "poissons_ratio": 0.25, "initial_stress": [-30, -45, 3], "crack_closure": )" +
+         closure + R"(}]}, "run": {"set": {"start": "sudden", "strain_damping": "none"}}})";
+}
+
+const std::string kClosure = R"({"initial_modulus": 10000, "closure_strain": 5e-4})";
+
+struct Done {
+  int exit_code = 0;
+  std::string messages;
+  nlohmann::json ledger;
+};
+
+Done run_of(const std::string& name, const std::string& text, const std::vector<std::string>& more = {}) {
+  const std::string folder = fresh_folder("cracked_" + name);
+  write_text(folder + "/in.json", text);
+  std::vector<std::string> arguments = {"run", folder + "/in.json", "-o", folder + "/out"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const auto run = run_keyblock(arguments);
+  Done done{run.exit_code, run.messages, {}};
+  if (run.exit_code != 3) done.ledger = nlohmann::json::parse(read_text(folder + "/out/run.json"))["ledger"];
+  return done;
+}
+
+}  // namespace
+
+// The energy of the start swings between motion and strain while cracks open and close: none is lost or made.
+TEST(CrackedRock, what_swings_keeps_its_energy) {
+  for (const auto& [name, covers] :
+       {std::pair{"block", ""}, {"covers", R"(, "covers": {"mesh": {"side": 0.5, "angle": 10}})"}}) {
+    const Done done = run_of(name, square(covers, kClosure));
+    ASSERT_EQ(done.exit_code, 0) << name << done.messages;
+    const double largest = done.ledger["largest_energy"].get<double>();
+    EXPECT_GT(largest, 1e-3);
+    EXPECT_LT(std::abs(done.ledger["end"]["algorithmic"].get<double>()), 1e-9 * largest) << name;
+    EXPECT_LT(done.ledger["closure"]["energy"].get<double>(), 1e-8) << name;
+    EXPECT_EQ(done.ledger["end"]["plastic"].get<double>(), 0);
+  }
+}
+
+TEST(CrackedRock, what_cannot_be_run_is_refused) {
+  const Done legacy = run_of("legacy", square("", kClosure), {"--profile", "legacy"});
+  EXPECT_EQ(legacy.exit_code, 3);
+  EXPECT_NE(legacy.messages.find("expected a crack_closure in a run of profile standard"), std::string::npos)
+      << legacy.messages;
+  const Done rigid = run_of("rigid", square("", kClosure), {"--set", "basis=rigid"});
+  EXPECT_EQ(rigid.exit_code, 3);
+  EXPECT_NE(rigid.messages.find("whose material has a crack_closure, found rigid"), std::string::npos)
+      << rigid.messages;
+  const Done stiff = run_of("stiff", square("", R"({"initial_modulus": 40000, "closure_strain": 5e-4})"));
+  EXPECT_EQ(stiff.exit_code, 3);
+  EXPECT_NE(stiff.messages.find("initial_modulus: expected a number above 0 and below youngs_modulus 30000"),
+            std::string::npos)
+      << stiff.messages;
+}
+
+}  // namespace keyblock::cracked_rock_test
