@@ -255,11 +255,13 @@ void describe(F& f, In<F, BlockMaterial>& material) {
   std::optional<Strength> strength;
   if (material.strength) strength = *material.strength;
   f.optional_object("strength", strength);
-  f.optional_object("crack_closure", material.crack_closure);
+  std::optional<CrackClosure> crack_closure = material.crack_closure;
+  f.optional_object("crack_closure", crack_closure);
   if constexpr (!F::is_writing) {
     material.gives_zz = zz || gradient_zz;
     material.initial_stress.zz = zz.value_or(0);
     if (strength) material.strength = std::make_shared<const Strength>(*strength);
+    material.crack_closure = crack_closure;
     material.stress_gradient.zz = gradient_zz.value_or(0);
   }
 }

@@ -91,6 +91,8 @@ class CaseReading {
   void pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>& pairs);
 
  private:
+  static constexpr std::size_t kMostRoom = 12;  // over the size of the file, that is made for a list at once
+
   /// The value of the next field into `value_`; false where the object lacks it.
   bool take(std::string_view name);
   const JsonValue& of_kind(JsonKind kind, std::string_view name) const;
@@ -113,6 +115,8 @@ class CaseReading {
   template <class T>
   void fill_list(const JsonValue& from, std::string_view name, JsonKind kind, std::vector<T>& values) {
     if (from.kind() != JsonKind::array) from.fail(fmt::format("{}: an array", name));
+    // Items whose text is about as long as they are large: a vector that doubles would hold three times as much.
+    if (const std::size_t size = size_of(from); size * sizeof(T) <= kMostRoom * from.file_size()) values.reserve(size);
     for (const JsonValue item : from) {
       if (item.kind() != kind)
         item.fail(fmt::format("{}: an array of {}", name, kind == JsonKind::array ? "arrays" : "objects"));

@@ -98,7 +98,9 @@ Warnings next_contact_stiffness(Cursor& cursor, Analysis& analysis) {
 
 std::vector<BlockMaterial> next_block_materials(Cursor& cursor, int count,
                                                 void (*next_head)(Cursor& cursor, BlockMaterial& material)) {
+  constexpr std::size_t kFewestNumbers = 13;  // of a record: four at its head, stress, its gradient and the velocity
   std::vector<BlockMaterial> materials;
+  materials.reserve(std::min(static_cast<std::size_t>(std::max(0, count)), cursor.numbers_left() / kFewestNumbers));
   for (int i = 0; i < count; ++i) {
     cursor.enter({"block material", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(count)});
     BlockMaterial material;

@@ -14,7 +14,7 @@ void describe(Archive& a, const char* name, Point& point) {
   a.group(name, [&] { describe(a, point); });
 }
 
-void describe(Archive& a, std::optional<PlasticState>& state) {
+void describe(Archive& a, Rare<PlasticState>& state) {
   bool may_yield = state.has_value();
   a.value("may_yield", may_yield);
   if (!may_yield) return;

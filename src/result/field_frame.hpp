@@ -16,7 +16,7 @@ struct FieldCorner {
   Point position;
   Point displacement;
   Stress stress;                             ///< as the element has it: neighbours need not agree
-  std::optional<PlasticState> plastic = {};  ///< none of rock that cannot yield
+  Rare<PlasticState> plastic = {};  ///< none of rock that cannot yield
 };
 
 /// One element; loops as in `ElementFrame`.

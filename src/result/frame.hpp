@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/rare.hpp"
 #include "geometry/point.hpp"
 #include "problem/analysis.hpp"
 #include "result/plastic_state.hpp"
@@ -26,7 +27,7 @@ struct ElementFrame {
   double moment_of_inertia = 0;  ///< about the centroid, at the start
   int number = -1;               ///< of the element for the whole run, from 0; below 0: its index in the frame
   int origin = -1;               ///< number of the element of the first scene that it is a piece of; below 0: its own
-  std::optional<PlasticState> plastic = {};  ///< at the centroid; none of rock that cannot yield
+  Rare<PlasticState> plastic = {};  ///< at the centroid; none of rock that cannot yield
 };
 
 /// A point that travels with an element.
@@ -36,7 +37,7 @@ struct PointFrame {
   int element = 0;     ///< its number, from 0
   int number = -1;     ///< of a measured point for the whole run, from 0; below 0: its index in the frame
   Stress stress = {};  ///< of the element, on covers that at the point
-  std::optional<PlasticState> plastic = {};  ///< likewise; none of rock that cannot yield
+  Rare<PlasticState> plastic = {};  ///< likewise; none of rock that cannot yield
 };
 
 /// Whether the point was there at that instant: what a change of the scene took away has no place.

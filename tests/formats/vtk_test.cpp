@@ -131,7 +131,7 @@ TEST(Vtk, what_rock_that_yields_remembers_is_told_of_cells_where_some_may) {
   Frame frame = square_with_hole_and_triangle();
   EXPECT_TRUE(Parsed(frame).array("CellData", "yield_state").empty());
   frame.plastic = PlasticTotals{};
-  frame.elements[1].plastic = {0.25, -0.125, 1.0 / 3, -0.125, 0.5, YieldRegion::apex, true};
+  frame.elements[1].plastic = PlasticState{0.25, -0.125, 1.0 / 3, -0.125, 0.5, YieldRegion::apex, true};
   const Parsed parsed(frame);
   EXPECT_EQ(parsed.array("CellData", "plastic_strain_xx"), (std::vector<double>{0, 0.25}));
   EXPECT_EQ(parsed.array("CellData", "plastic_strain_xy"), (std::vector<double>{0, 1.0 / 3}));
