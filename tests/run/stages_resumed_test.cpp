@@ -41,7 +41,7 @@ Scene eventful_on_covers() {
 }
 
 /// Blocks that are given covers, other ones, dug, bolted and blocks again.
-Scene eventful_mixed() {
+Problem eventful_mixed_problem() {
   Problem problem = column(3);
   problem.analysis->block_materials.push_back(problem.analysis->block_materials.front());
   std::get<Blocks>(problem.geometry).blocks[2].material = 1;
@@ -57,6 +57,20 @@ Scene eventful_mixed() {
   problem.stages[4].mesh = problem.stages[1].mesh;
   problem.stages[4].mesh->materials = {{0}};
   problem.stages[4].mesh->side = 1.2;
+  return problem;
+}
+
+Scene eventful_mixed() {
+  return prepare(eventful_mixed_problem(), "standard", {}).scene;
+}
+
+/// The same of rock so weak that it yields under its weight: what points remember goes from blocks to covers and back.
+Scene eventful_in_yielding_rock() {
+  Problem problem = eventful_mixed_problem();
+  Strength strength;
+  strength.values = {.cohesion = 2000, .friction_deg = 20, .dilation_deg = 10};
+  for (BlockMaterial& material : problem.analysis->block_materials)
+    material.strength = std::make_shared<const Strength>(strength);
   return prepare(problem, "standard", {}).scene;
 }
 
@@ -98,7 +112,7 @@ std::string bytes_of(Stepper& stepper) {
 
 }  // namespace
 
-constexpr std::array kNames{"blocks", "covers", "linear", "mixed", "yielding"};
+constexpr std::array kNames{"blocks", "covers", "linear", "mixed", "yielding", "yielding_mixed"};
 
 class ResumedStages : public testing::TestWithParam<Scene (*)()> {};
 
@@ -122,9 +136,21 @@ TEST_P(ResumedStages, left_before_any_step_they_go_on_to_the_same_bytes) {
   }
 }
 
+TEST(YieldingStages, rock_has_yielded_as_blocks_and_on_covers) {
+  const std::unique_ptr<Stepper> stepper = stepper_for(eventful_in_yielding_rock());
+  while (!stepper->is_done()) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+    const int step = stepper->state().step;
+    if (step != 3 && step != 12) continue;  // the last of blocks alone, and with the finer mesh
+    const std::optional<PlasticTotals> totals = stepper->plastic_totals();
+    ASSERT_TRUE(totals.has_value());
+    EXPECT_GT(totals->yielded, 0) << step;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, ResumedStages,
                          testing::Values(eventful, eventful_on_covers, dug_at_once, eventful_mixed,
-                                         dug_in_yielding_rock),
+                                         dug_in_yielding_rock, eventful_in_yielding_rock),
                          [](const auto& one) { return std::string(kNames.at(one.index)); });
 
 }  // namespace keyblock::stages_resumed_test
