@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/rare.hpp"
+#include "problem/rare.hpp"
 #include "problem/time_curve.hpp"
 #include "problem/yield.hpp"
 
@@ -49,8 +49,8 @@ struct BlockMaterial {
   double horizontal_force = 0;             ///< force / area in x; manifold files only
   Place place;
   bool gives_zz = false;  ///< else the law says what goes with the stress in the plane; case files only
-  std::shared_ptr<const Strength> strength = {};   ///< none: the material stays elastic; case files only
-  Rare<CrackClosure> crack_closure = {};  ///< none: it has no cracks; case files only
+  std::shared_ptr<const Strength> strength = {};  ///< none: the material stays elastic; case files only
+  Rare<CrackClosure> crack_closure = {};          ///< none: it has no cracks; case files only
 
   /// Whether its stress is not a linear function of strain alone: it may yield, or has cracks that close.
   bool is_nonlinear() const { return strength || crack_closure; }

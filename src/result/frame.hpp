@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "base/rare.hpp"
 #include "geometry/point.hpp"
 #include "problem/analysis.hpp"
+#include "problem/rare.hpp"
 #include "result/plastic_state.hpp"
 
 namespace keyblock {
@@ -33,10 +33,10 @@ struct ElementFrame {
 /// A point that travels with an element.
 struct PointFrame {
   Point position;
-  Point displacement;  ///< since the start
-  int element = 0;     ///< its number, from 0
-  int number = -1;     ///< of a measured point for the whole run, from 0; below 0: its index in the frame
-  Stress stress = {};  ///< of the element, on covers that at the point
+  Point displacement;               ///< since the start
+  int element = 0;                  ///< its number, from 0
+  int number = -1;                  ///< of a measured point for the whole run, from 0; below 0: its index in the frame
+  Stress stress = {};               ///< of the element, on covers that at the point
   Rare<PlasticState> plastic = {};  ///< likewise; none of rock that cannot yield
 };
 
