@@ -47,7 +47,7 @@ class CoverStep final : public EstimatedStep {
 }  // namespace
 
 std::optional<ElasticLaw> CoverGroup::law_of_large_strain(const SceneParts& scene, ElementIndex e) const {
-  if (scene.model.material_of(scene.model.elements[e]).strength) return ElasticLaw::logarithmic;  // CoverYield's
+  if (scene.model.material_of(scene.model.elements[e]).is_nonlinear()) return ElasticLaw::logarithmic;  // CoverYield's
   return scene.settings.standard.elastic_law.of(scene.model.elements[e].material);
 }
 

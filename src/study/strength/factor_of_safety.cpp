@@ -66,8 +66,11 @@ class FactorSearch {
 
   // False where a trial is undecided.
   bool bisect(const Sign& sign) {
-    for (Bracket at = bracket_of(sign); at.width() > options_.within * (1 + 1e-9); at = bracket_of(sign))
-      if (made_at(at.middle()) == Verdict::undecided) return false;
+    for (Bracket at = bracket_of(sign); at.width() > options_.within * (1 + 1e-9); at = bracket_of(sign)) {
+      const double middle = at.middle();
+      if (middle <= *at.stands || middle >= *at.falls) return true;  // no number lies between
+      if (made_at(middle) == Verdict::undecided) return false;
+    }
     return true;
   }
 

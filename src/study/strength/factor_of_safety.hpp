@@ -61,8 +61,8 @@ struct FactorOfSafety {
   /// Of the first that falls: where it had come to, or the far equilibrium past the knee.
   std::optional<FieldFrame> falling;
 
-  /// Whether a bracket was found, and it lies above 1.
-  bool is_safe() const { return end == SearchEnd::bracketed && *bracket.falls > 1; }
+  /// Whether a bracket was found, and the case stands at its lower end, which is 1 or more.
+  bool is_safe() const { return end == SearchEnd::bracketed && *bracket.stands >= 1; }
 };
 
 /// Begins at `from`, or 1, goes up by quarters, or down by fifths, to the first that ends differently, and bisects.
