@@ -105,6 +105,7 @@ class StaticSolve {
   bool choose_scales() {
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
     load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, scene_.settings.time_step));
+    first_load_ = load_;
     if (load_ == 0) return false;
     const Scales scales = scales_of(scene_, loads, now_.q, now_.v);
     MassRange range;
@@ -188,7 +189,9 @@ class StaticSolve {
     moved_ = moved;
     now_.q = made.q;
     points_ = made.points;
-    if (may_yield_ && made.forces.size() > 0) load_ = std::max(load_, made.forces.cwiseAbs().maxCoeff());
+    if (may_yield_ && !touches.empty())
+      load_ =
+          std::max(first_load_, made.forces.head(static_cast<Eigen::Index>(2 * touches.size())).cwiseAbs().maxCoeff());
     now_.bonds = made.bonds;
     now_.constraints = made.constraints;
     std::vector<ClosedContact> closed;
@@ -235,8 +238,9 @@ class StaticSolve {
   PointMemories points_;   ///< at the last iteration; each begins with those of the start
   ClosedContacts closed_;  ///< with their present stretch
   bool may_yield_;
-  double load_ = 0;  ///< the largest, or what drives held points; of rock that flows also the largest force of contact:
-                     ///< between driven plates the flow is found to a share of that
+  double first_load_ = 0;  ///< the largest, or what drives held points
+  double load_ = 0;  ///< by which balance is judged: of rock that flows the largest force of contact at hand, where
+                     ///< that is more; between driven plates the flow is found to a share of that
   double tau_ = 0;
   double used_ = 0;                                         ///< τ of the last iteration that stands
   double bound_ = std::numeric_limits<double>::infinity();  ///< of τ, by what has risen
