@@ -182,7 +182,7 @@ class Attempt {
   }
 
   // Those whose gap decides what they do in the step: multipliers, and what has just closed, or sticks, on bodies on
-  // covers, which would be thrown back.
+  // covers, which would be thrown back. A bond is a spring that swings: it loses nothing to the clean-up once it holds.
   std::vector<std::size_t> to_be_held() const {
     const bool springs_throw_back = scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
     std::vector<std::size_t> held;
@@ -190,7 +190,7 @@ class Attempt {
       if (!is_closed(i)) continue;
       const Touch& touch = parts_.smooth[i];
       const bool has_spring = smooth_.laws[i].normal_compliance > 0;
-      const bool has_met = !start_.closed.of(touch) || slip_held(i).sticks;
+      const bool has_met = !start_.closed.of(touch) || (slip_held(i).sticks && !smooth_.laws[i].is_bonded);
       if (!has_spring || (springs_throw_back && has_met && resolves_impact(scene_, touch))) held.push_back(i);
     }
     return held;
