@@ -21,10 +21,10 @@ set(inner_model . scene setup)
 set(inner_formats format knowledge text shi,dxf,case_file,views berkeley .)
 set(inner_contact find rows solve)
 set(inner_legacy contact,terms step)
-set(inner_run settings_of bodies stages .)
+set(inner_run settings_of bodies stages,growth .)
 set(inner_step stepper bodies groups scene time rest .)
 set(inner_report drawing .)
-set(inner_study strength cases trade,batch,convert,element,fit)
+set(inner_study strength cases trade,batch,convert,element,fit,fracture)
 set(inner_app . commands,batch)
 
 # Shi's rules are fenced off: the standard step does not see them, and they see of it the stepper that both are, and the size of a step.

@@ -39,6 +39,7 @@ inline constexpr std::array<std::string_view, 2> kMeshPlacements{"free", "aligne
 inline constexpr std::array<std::string_view, 4> kYieldSurfaces{"tresca", "von_mises", "mohr_coulomb",
                                                                 "drucker_prager"};
 inline constexpr std::array<std::string_view, 3> kConeMatchings{"compression", "extension", "plane_strain"};
+inline constexpr std::array<std::string_view, 3> kGrowthCriteria{"hoop_stress", "strain_energy", "energy_release"};
 inline constexpr std::array<std::string_view, 2> kRotations{"first_order", "exact"};
 
 // Names only: a misspelt one would stand in every later file.
@@ -236,6 +237,12 @@ void describe(F& f, In<F, CrackClosure>& closure) {
 }
 
 template <class F>
+void describe(F& f, In<F, Toughness>& toughness) {
+  f.real("mode_1", toughness.mode_1, kPositive);
+  f.optional_real("mode_2", toughness.mode_2, kPositive);
+}
+
+template <class F>
 void describe(F& f, In<F, BlockMaterial>& material) {
   f.real("density", material.density, kPositive);
   f.real("unit_weight", material.unit_weight);
@@ -257,11 +264,14 @@ void describe(F& f, In<F, BlockMaterial>& material) {
   f.optional_object("strength", strength);
   std::optional<CrackClosure> crack_closure = material.crack_closure;
   f.optional_object("crack_closure", crack_closure);
+  std::optional<Toughness> toughness = material.toughness;
+  f.optional_object("toughness", toughness);
   if constexpr (!F::is_writing) {
     material.gives_zz = zz || gradient_zz;
     material.initial_stress.zz = zz.value_or(0);
     if (strength) material.strength = std::make_shared<const Strength>(*strength);
     material.crack_closure = crack_closure;
+    material.toughness = toughness;
     material.stress_gradient.zz = gradient_zz.value_or(0);
   }
 }
@@ -338,6 +348,7 @@ void describe(F& f, In<F, MeshPlan>& mesh) {
   f.optional_real("through_x", mesh.through_x, kAny);
   f.optional_real("through_y", mesh.through_y, kAny);
   f.rows("refined", mesh.refined);
+  f.real("tip_side", mesh.tip_side, kNotNegative);
   f.real("snap_ratio", mesh.snap_ratio, kNotNegative);
   f.rows("materials", mesh.materials);
 }
@@ -395,6 +406,19 @@ void describe(F& f, In<F, ExcavationPlan>& excavation) {
 }
 
 template <class F>
+void describe(F& f, In<F, CrackPlan>& crack) {
+  f.rows("along", crack.along);
+  f.index("joint_material", crack.joint_material);
+}
+
+template <class F>
+void describe(F& f, In<F, GrowthPlan>& growth) {
+  f.word("criterion", growth.criterion, kGrowthCriteria);
+  f.real("increment", growth.increment, kPositive);
+  f.flag("corrector", growth.has_corrector);
+}
+
+template <class F>
 void describe(F& f, In<F, CoverPlan>& covers) {
   f.optional_word("functions", covers.functions, kCoverFunctions);
   f.word("contact", covers.contact, kCoverContacts);
@@ -406,6 +430,8 @@ void describe(F& f, In<F, CoverPlan>& covers) {
   f.object("body_force", covers.body_force);
   f.object("initial_stress_field", covers.initial_stress);
   f.objects("excavations", covers.excavations);
+  f.objects("cracks", covers.cracks);
+  f.optional_object("growth", covers.growth);
 }
 
 template <class F>

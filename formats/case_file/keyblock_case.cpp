@@ -125,8 +125,6 @@ void check(const MeshPlan& mesh, const Place& covers) {
     throw InputError(place, "expected the side of an unstructured mesh, found half_rows");
   if (mesh.kind == MeshKind::unstructured && mesh.angle_deg != 0)
     throw InputError(place, fmt::format("expected no angle of an unstructured mesh, found {}", mesh.angle_deg));
-  if (mesh.kind == MeshKind::regular && !mesh.refined.empty())
-    throw InputError(place, "expected kind unstructured where a mesh is refined, found a regular one");
   if (!(std::abs(mesh.angle_deg) <= kHalfTurn))
     throw InputError(place, fmt::format("expected an angle from -180 to 180, found {}", mesh.angle_deg));
   if (!(mesh.snap_ratio <= kMostSnapping))
@@ -161,6 +159,7 @@ void check(const CoverPlan& covers) {
   if (covers.initial_stress.zz) check(*covers.initial_stress.zz, kInBody);
   for (const ExcavationPlan& excavation : covers.excavations)
     require_points(excavation.outline, kFewestCorners, "about what is dug out", excavation.place);
+  for (const CrackPlan& crack : covers.cracks) require_points(crack.along, 2, "along a crack", crack.place);
 }
 
 void check(const std::vector<Stage>& stages) {

@@ -35,6 +35,7 @@ Action configure_batch(CLI::App& options);     ///< batch_command.cpp
 Action configure_convert(CLI::App& options);   ///< convert_command.cpp
 Action configure_element(CLI::App& options);   ///< element_command.cpp
 Action configure_fit(CLI::App& options);       ///< fit_command.cpp
+Action configure_sif(CLI::App& options);       ///< sif_command.cpp
 Action configure_formats(CLI::App& options);   ///< formats_command.cpp
 
 }  // namespace keyblock

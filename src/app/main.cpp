@@ -30,12 +30,13 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 14> kCommands{{
+constexpr std::array<Command, 15> kCommands{{
     {"check", "says what files are, what they hold and what is odd about them", configure_check},
     {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut},
     {"joints", "draws joint sets from statistics into an outline", configure_joints},
     {"run", "reruns a case and writes its results into a folder", configure_run},
     {"fos", "divides the strength of joints or rock until a case no longer stands", configure_fos},
+    {"sif", "stress intensity factors and J of the crack tips of a case", configure_sif},
     {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
     {"tradeoff", "runs a case in many ways: what each digit of accuracy costs", configure_tradeoff},
     {"sweep", "runs a case over contact stiffness and step: where it is accurate, where it fails", configure_sweep},

@@ -13,7 +13,9 @@
 #include "base/sha256.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
+#include "formats/text/tips_csv.hpp"
 #include "formats/views/vtk.hpp"
+#include "report/crack_picture.hpp"
 #include "report/energy_picture.hpp"
 #include "report/field_picture.hpp"
 #include "report/plastic_picture.hpp"
@@ -33,12 +35,12 @@ constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
 
 // The files that a run may leave in its folder, and all that it may leave.
-constexpr std::array<std::string_view, 13> kFiles{
-    kRecord,     "history.csv",   "fields.pvd", "picture.svg", "energy.svg", "field.svg", "plastic.svg",
-    "steps.csv", "reactions.svg", "blocks.csv", "points.csv",  "rounds.csv", kCheckpoint};
-constexpr std::array kNames{kRecord,      "history.csv", "fields.pvd",    "picture.svg", "energy.svg",
-                            "field.svg",  "plastic.svg", "reactions.svg", "steps.csv",   "blocks.csv",
-                            "points.csv", "rounds.csv",  kFrameFolder,    kCheckpoint};
+constexpr std::array<std::string_view, 15> kFiles{
+    kRecord,         "history.csv", "fields.pvd", "picture.svg", "energy.svg", "field.svg",  "plastic.svg", "steps.csv",
+    "reactions.svg", "blocks.csv",  "points.csv", "rounds.csv",  "tips.csv",   "cracks.svg", kCheckpoint};
+constexpr std::array kNames{kRecord,       "history.csv",   "fields.pvd", "picture.svg", "energy.svg", "field.svg",
+                            "plastic.svg", "reactions.svg", "steps.csv",  "blocks.csv",  "points.csv", "rounds.csv",
+                            "tips.csv",    "cracks.svg",    kFrameFolder, kCheckpoint};
 
 constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
 
@@ -280,6 +282,10 @@ void RunFolder::finish(const RunResults& results) {
           report::plastic_picture({fmt::format("{}, time {:g}", title, field.time), field, frames_.back().outlines}));
   if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
     write("reactions.svg", report::reaction_picture(title + ", reactions", curves));
+  if (const std::string tips = formats::tips_csv(history); !tips.empty()) {
+    write("tips.csv", tips);
+    write("cracks.svg", report::crack_picture(title + ", cracks", frames_.front(), history));
+  }
   if (trace_ == Trace::no) return;
   write("steps.csv", formats::steps_csv(steps));
   if (std::ranges::any_of(steps, [](const StepReport& step) { return !step.residuals.empty(); }))

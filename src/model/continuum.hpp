@@ -58,6 +58,7 @@ struct Continuum {
   std::vector<PrescribedDisplacement> prescribed;
   std::vector<PointForce> point_forces;
   std::vector<PointSpring> point_springs;
+  std::vector<CrackPlan> cracks = {};  ///< of the case file: a run then reports the stress intensity of all tips
 
   const BlockMaterial& material(int element) const;
   ElasticLaw law(int element) const;

@@ -51,6 +51,7 @@ struct BlockMaterial {
   bool gives_zz = false;  ///< else the law says what goes with the stress in the plane; case files only
   std::shared_ptr<const Strength> strength = {};  ///< none: the material stays elastic; case files only
   Rare<CrackClosure> crack_closure = {};          ///< none: it has no cracks; case files only
+  Rare<Toughness> toughness = {};                 ///< none: cracks in it do not grow; case files only
 
   /// Whether its stress is not a linear function of strain alone: it may yield, or has cracks that close.
   bool is_nonlinear() const { return strength || crack_closure; }

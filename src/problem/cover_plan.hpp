@@ -63,6 +63,7 @@ struct MeshPlan {
   std::optional<double> through_x;  ///< where a node of a regular mesh stands; else the placement decides
   std::optional<double> through_y;
   std::vector<RefinedPoint> refined;
+  double tip_side = 0;    ///< at the tips of cracks; 0: as elsewhere
   double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale are moved onto them
   std::vector<MeshedMaterial>
       materials;  ///< of the blocks that are given covers, the others stay blocks; none: all are
@@ -115,6 +116,29 @@ struct ExcavationPlan {
   int joint_material = 0;  ///< of the edges that it makes, index from 0
 };
 
+/// A crack, drawn in the undeformed bodies: both of its faces are of this joint material, index from 0. An end on a
+/// boundary, a joint or another crack is no tip.
+struct CrackPlan {
+  std::vector<Point> along;
+  Place place;
+  int joint_material = 0;
+};
+
+/// In which direction a tip goes on.
+enum class GrowthCriterion {
+  hoop_stress,     ///< of the greatest hoop stress (Erdogan & Sih 1963)
+  strain_energy,   ///< of the least strain energy density (Sih 1974)
+  energy_release,  ///< of the greatest energy release rate (Amestoy & Leblond 1992)
+};
+
+/// Tips go on by `increment` in each load step, under the load at which one of them reaches its toughness.
+struct GrowthPlan {
+  GrowthCriterion criterion = GrowthCriterion::hoop_stress;
+  double increment = 0;
+  bool has_corrector = true;  ///< the kink is the mean of those before and after a trial of the step
+  Place place;
+};
+
 struct CoverPlan {
   std::optional<CoverFunctions> functions;  ///< none: `functions_of`
   CoverContact contact = CoverContact::felt;
@@ -126,6 +150,8 @@ struct CoverPlan {
   BodyForcePlan body_force;   ///< beside the weight of the materials
   StressPlan initial_stress;  ///< beside that of the materials
   std::vector<ExcavationPlan> excavations;
+  std::vector<CrackPlan> cracks = {};
+  std::optional<GrowthPlan> growth = {};
   Place place;
 };
 

@@ -56,6 +56,14 @@ struct ElementPoints {
   std::vector<CoverPoint> measured;
 };
 
+/// The end of a crack, or of a joint, inside a body.
+struct CrackTip {
+  Point at;
+  Point ahead;               ///< of length 1: along the crack, into the rock
+  double room = 0;           ///< distance to whatever is nearest but the straight end of the crack itself
+  const char* nearest = "";  ///< what that is, in words
+};
+
 /// Elements and covers. All indices from 0. Elements share no corners; neighbours and the two sides of a joint repeat
 /// positions to the bit.
 struct Manifold {
@@ -68,6 +76,7 @@ struct Manifold {
   std::vector<int> cover_elements;
   std::vector<SlotRange> boundary_loops;  ///< in `boundary_edges`; the connected piece lies to the left of every edge
   std::vector<BoundaryEdge> boundary_edges;  ///< each ends where the next of its loop begins
+  std::vector<CrackTip> tips = {};
 
   std::span<const ElementCorner> loop(const SlotRange& range) const {
     return std::span(corners).subspan(static_cast<std::size_t>(range.first), static_cast<std::size_t>(range.size));

@@ -1,4 +1,4 @@
-// What a case says of a material beyond linear elasticity: its cracks that close, the yield surface, its flow.
+// What a case says of a material beyond linear elasticity: its cracks, the yield surface, its flow, its toughness.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -42,6 +42,14 @@ struct CrackClosure {
   double closure_strain = 0;   ///< above 0: of uniaxial compression, where the modulus changes
 
   bool operator==(const CrackClosure&) const = default;
+};
+
+/// Stress intensity at which a crack goes on, force / length^1.5.
+struct Toughness {
+  double mode_1 = 0;                  ///< K_Ic, above 0
+  std::optional<double> mode_2 = {};  ///< K_IIc; none: that of the criterion of growth
+
+  bool operator==(const Toughness&) const = default;
 };
 
 struct Strength {

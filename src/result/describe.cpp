@@ -113,6 +113,8 @@ void describe(Archive& a, Frame& frame) {
   describe(a, "outlines", frame.outlines);
   a.list("reactions", frame.reactions, [&](Point& force) { describe(a, force); });
   describe(a, "plastic", frame.plastic);
+  a.list("tips", frame.tips, [&](TipState& tip) { describe(a, tip); });
+  a.value("load_factor", frame.load_factor);
 }
 
 void describe(Archive& a, HistoryRow& row) {
@@ -123,6 +125,23 @@ void describe(Archive& a, HistoryRow& row) {
   a.list("reactions", row.reactions, [&](Point& force) { describe(a, force); });
   a.numbers("driven", row.driven);
   describe(a, "plastic", row.plastic);
+  a.list("tips", row.tips, [&](TipState& tip) { describe(a, tip); });
+  a.value("load_factor", row.load_factor);
+}
+
+void describe(Archive& a, TipState& tip) {
+  a.value("crack", tip.crack);
+  a.value("at_end", tip.at_end);
+  describe(a, tip.at);
+  a.value("length", tip.length);
+  a.value("mode_1", tip.mode_1);
+  a.value("mode_2", tip.mode_2);
+  a.value("energy_release", tip.energy_release);
+  a.value("equivalent", tip.equivalent);
+  a.value("kink", tip.kink);
+  a.value("toughness", tip.toughness);
+  a.value("has_room", tip.has_room);
+  a.value("goes_on", tip.goes_on);
 }
 
 void describe(Archive& a, LedgerRow& row) {

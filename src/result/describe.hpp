@@ -13,6 +13,7 @@ namespace keyblock {
 
 void describe(Archive& archive, Frame& frame);
 void describe(Archive& archive, HistoryRow& row);
+void describe(Archive& archive, TipState& tip);
 void describe(Archive& archive, LedgerRow& row);
 void describe(Archive& archive, LedgerSums& sums);
 void describe(Archive& archive, StepTotals& totals);

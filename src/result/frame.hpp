@@ -10,6 +10,7 @@
 #include "problem/analysis.hpp"
 #include "problem/rare.hpp"
 #include "result/plastic_state.hpp"
+#include "result/tip_state.hpp"
 
 namespace keyblock {
 
@@ -66,6 +67,8 @@ struct Frame {
   std::vector<std::vector<Point>> outlines = {};  ///< around bodies of many elements; none where each element is one
   std::vector<Point> reactions = {};              ///< force of each prescribed displacement on the bodies it holds
   std::optional<PlasticTotals> plastic = {};      ///< none where no rock may yield
+  std::vector<TipState> tips = {};                ///< of cracks of the case file, and of those that grow
+  double load_factor = 1;  ///< by which growth multiplied all loads of the file, so that a tip is about to go on
 };
 
 /// What the element at an index of the frame is called for the whole run, and what it is a piece of.

@@ -20,6 +20,8 @@ struct HistoryRow {
   std::vector<Point> reactions = {};  ///< as Frame has them
   std::vector<double> driven = {};  ///< of each prescribed displacement the mean of its length; none where not followed
   std::optional<PlasticTotals> plastic = {};  ///< none where no rock may yield
+  std::vector<TipState> tips = {};            ///< as Frame has them
+  double load_factor = 1;                     ///< likewise
 };
 
 struct History {

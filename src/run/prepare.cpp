@@ -19,6 +19,7 @@
 #include "run/bodies/cover_model.hpp"
 #include "run/bodies/cover_plan_parts.hpp"
 #include "run/bodies/linear_case.hpp"
+#include "run/growth/growth_of.hpp"
 #include "run/stages/chain.hpp"
 #include "run/stages/cover_stages.hpp"
 #include "run/stages/mixed_stages.hpp"
@@ -326,6 +327,8 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   warnings = joined(std::move(warnings), without_effect(problem, overrides, scene));
   const Place place = problem.covers ? problem.covers->place : problem.analysis->place;
   for (const Scene* each : scenes_of(scene)) warnings = joined(std::move(warnings), look_at_strengths(*each, place));
+  scene.growth = growth_of(
+      problem, scene, [profile, overrides](const Problem& other) { return prepare(other, profile, overrides).scene; });
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
   return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
           std::move(cut.snaps),  std::move(warnings),

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "fracture/growth.hpp"
+#include "model/continuum.hpp"
 #include "model/shared_covers.hpp"
 
 namespace keyblock {
@@ -166,6 +168,18 @@ void put_plastic(HistoryRow& row, const Stepper& stepper, bool of_measured_point
   for (std::size_t i = 0; i < model.measured_points.size(); ++i)
     row.points[static_cast<std::size_t>(model.identities.of_measured_point(i))].plastic =
         stepper.plastic_at(model.measured_points[i].element, model.measured_points[i].start);
+}
+
+std::vector<TipState> tips_of(const Stepper& stepper) {
+  const Model& model = stepper.model();
+  std::vector<TipState> tips = stepper.tips();
+  if (!tips.empty() || !model.continuum || model.continuum->cracks.empty()) return tips;
+  const std::optional<CoverDisplacement> moved = stepper.on_covers();
+  if (!moved) return tips;
+  const CoverSolution solution{*model.continuum, moved->basis, moved->d, moved->is_large};
+  tips = followed_tips(model.continuum->manifold, model.continuum->cracks);
+  for (TipState& tip : tips) put_factors(tip, solution, GrowthCriterion::hoop_stress);
+  return tips;
 }
 
 FieldFrame field_of(const Model& model, const Stepper& stepper) {

@@ -26,6 +26,9 @@ void put_point_stress(HistoryRow& row, const Model& model, const Stepper& steppe
 void put_plastic(Frame& frame, const Stepper& stepper);
 void put_plastic(HistoryRow& row, const Stepper& stepper, bool of_measured_points);
 
+/// Crack tips, where the case file has cracks or they grow.
+std::vector<TipState> tips_of(const Stepper& stepper);
+
 /// What each prescribed displacement exerts, where the stepper sums it.
 std::vector<Point> reactions_of(const Stepper& stepper);
 

@@ -75,6 +75,8 @@ class Loop {
     put_point_stress(frame, stepper_.model(), stepper_);
     frame.reactions = reactions_of(stepper_);
     put_plastic(frame, stepper_);
+    frame.tips = tips_of(stepper_);
+    frame.load_factor = stepper_.load_factor();
     if (observer_.on_field && !stepper_.model().nodes.empty()) observer_.on_field(field_of(stepper_.model(), stepper_));
     observer_.on_frame(frame);
   }
@@ -86,6 +88,8 @@ class Loop {
     if (measures_) put_point_stress(row, stepper_.model(), stepper_);
     row.reactions = reactions_of(stepper_);
     put_plastic(row, stepper_, measures_);
+    row.tips = tips_of(stepper_);
+    row.load_factor = stepper_.load_factor();
     observer_.on_row(row);
   }
 

@@ -1,22 +1,25 @@
-// Shi's rules, the standard step, or a chain of scenes of it.
+// Shi's rules, the standard step, a chain of scenes of it, or cracks that grow.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/steppers.hpp"
 
 #include <utility>
 
 #include "legacy/step/shi_stepper.hpp"
+#include "run/growth/growth_stepper.hpp"
 #include "run/stages/chain_stepper.hpp"
 #include "step/scene_steppers.hpp"
 
 namespace keyblock {
 
 std::unique_ptr<Stepper> stepper_for(Scene scene) {
+  if (scene.growth) return std::make_unique<GrowthStepper>(std::move(scene));
   if (scene.next || scene.end.steps > 0) return std::make_unique<ChainStepper>(std::move(scene));
   if (scene.settings.dynamics == Dynamics::standard) return scene_stepper(std::move(scene));
   return std::make_unique<ShiStepper>(std::move(scene));
 }
 
 std::unique_ptr<Stepper> restored_stepper(Scene scene, Archive& archive) {
+  if (scene.growth) return std::make_unique<GrowthStepper>(std::move(scene), archive);
   if (scene.next || scene.end.steps > 0) return std::make_unique<ChainStepper>(std::move(scene), archive);
   if (scene.settings.dynamics == Dynamics::standard) return restored_scene_stepper(std::move(scene), archive);
   return std::make_unique<ShiStepper>(std::move(scene), archive);

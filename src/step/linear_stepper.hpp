@@ -22,6 +22,10 @@ class LinearStepper : public StaticStepper {
   /// the motion. Throws InputError where a load has no finite value.
   std::variant<StepReport, StepFailure> advance() override;
   std::optional<ForceBalance> forces() const override;
+  std::optional<CoverDisplacement> on_covers() const override {
+    if (!solution_) return std::nullopt;
+    return CoverDisplacement{solution_->basis, solution_->solution.x, false};
+  }
   std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
   bool is_at_rest(double) const override { return true; }
 

@@ -27,6 +27,7 @@ class LoadStepper : public StaticStepper {
   std::optional<State> attempted() const override { return attempted_; }
   std::variant<StepReport, StepFailure> advance() override;
   std::optional<ForceBalance> forces() const override { return bodies_->forces(now_.d, share_); }
+  std::optional<CoverDisplacement> on_covers() const override { return CoverDisplacement{bodies_->basis(), now_.d}; }
   std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
   bool is_at_rest(double) const override { return share_ >= 1; }
 

@@ -322,6 +322,12 @@ bool StandardStepper::is_at_rest(double share) const {
   });
 }
 
+std::optional<CoverDisplacement> StandardStepper::on_covers() const {
+  for (const auto& group : scene_.groups)
+    if (const CoverBasis* basis = group->shared_basis()) return CoverDisplacement{*basis, motion_.q.shared};
+  return std::nullopt;
+}
+
 Stress StandardStepper::stress_at(ElementIndex e, Point start) const {
   return scene_.groups.of(e).stress_at(scene_.parts(), e, motion_, start);
 }

@@ -22,6 +22,7 @@ class StandardStepper : public SceneStepper {
   const Settings& settings() const override { return scene_.settings; }
   const State& state() const override { return state_; }
   const StartPlaces& unloaded() const override { return unloaded_; }
+  std::optional<CoverDisplacement> on_covers() const override;
   Stress stress_at(ElementIndex e, Point start) const override;
   std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override;
   std::optional<PlasticTotals> plastic_totals() const override;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "model/cover_basis.hpp"
 #include "model/scene/scene.hpp"
 #include "model/state.hpp"
 #include "result/force_balance.hpp"
@@ -16,6 +17,7 @@
 #include "result/plastic_state.hpp"
 #include "result/start_report.hpp"
 #include "result/step_report.hpp"
+#include "result/tip_state.hpp"
 
 namespace keyblock {
 
@@ -40,6 +42,13 @@ struct SceneReport {
   bool asks_equilibrium = false;
   bool is_balanced = false;                 ///< it ended because its forces were balanced
   std::optional<ForceBalance> forces = {};  ///< at its end, where its steps sum them
+};
+
+/// Where bodies on covers have moved: x = X + Σ N_a(X) d_a.
+struct CoverDisplacement {
+  const CoverBasis& basis;
+  const Eigen::VectorXd& d;
+  bool is_large = true;  ///< false: the solution of linear elasticity
 };
 
 class Stepper {
@@ -78,6 +87,11 @@ class Stepper {
 
   /// Loads and supports of bodies on covers after the last accepted step, where the stepper sums them.
   virtual std::optional<ForceBalance> forces() const { return std::nullopt; }
+  /// Of the bodies on covers after the last accepted step; none without them, or before anything was solved.
+  virtual std::optional<CoverDisplacement> on_covers() const { return std::nullopt; }
+  /// Crack tips after the last accepted step, where the run follows them, and the factor of all loads there.
+  virtual std::vector<TipState> tips() const { return {}; }
+  virtual double load_factor() const { return 1; }
   /// Of each prescribed displacement: the mean of its length along the edge, where steps follow it.
   virtual std::vector<double> driven() const { return {}; }
 

@@ -120,8 +120,6 @@ TEST(KeyblockCase, faults_of_covers_are_named_where_they_stand) {
   const auto fault_of_mesh = [](const std::string& mesh) {
     return error_of(on_covers(fmt::format(R"({{"mesh": {{"side": 1, {}}}}})", mesh))).substr(15);
   };
-  EXPECT_EQ(fault_of_mesh(R"("refined": [[0, 0, 0.1]])"),
-            "expected kind unstructured where a mesh is refined, found a regular one");
   EXPECT_EQ(fault_of_mesh(R"("kind": "unstructured", "angle": 7)"),
             "expected no angle of an unstructured mesh, found 7");
   EXPECT_EQ(fault_of_mesh(R"("angle": 700)"), "expected an angle from -180 to 180, found 700");

@@ -75,6 +75,7 @@ class Lister {
     line("mesh {} {} {:a} {} {:a} {} {} {} {:a}", static_cast<int>(m.kind), m.half_rows, m.side,
          static_cast<int>(m.shape), m.angle_deg, static_cast<int>(m.placement), text(m.through_x), text(m.through_y),
          m.snap_ratio);
+    if (m.tip_side > 0) line("at tips {:a}", m.tip_side);
     for (const auto& meshed : m.materials) line("meshed {}", meshed.material);
     for (const auto& r : m.refined) line("refined {} {:a}", text(r.at), r.side);
   }
@@ -100,6 +101,13 @@ class Lister {
       line("excavation {}", e.step);
       for (const Point p : e.outline) line("outline {}", text(p));
     }
+    for (const auto& c : plan.cracks) {
+      line("crack {}", c.joint_material);
+      for (const Point p : c.along) line("along {}", text(p));
+    }
+    if (plan.growth)
+      line("growth {} {:a} {}", static_cast<int>(plan.growth->criterion), plan.growth->increment,
+           plan.growth->has_corrector);
   }
 
   void list(const Units& units) { line("units {} {} {}", units.length, units.mass, units.time); }
@@ -185,6 +193,7 @@ class Lister {
     line("{:a} {:a} {:a}", m.initial_stress.xx, m.initial_stress.yy, m.initial_stress.xy);
     line("{} {:a} {:a}", m.gives_zz, m.initial_stress.zz, m.stress_gradient.zz);
     if (m.strength) list(*m.strength);
+    if (m.toughness) line("toughness {:a} {}", m.toughness->mode_1, text(m.toughness->mode_2));
     if (m.crack_closure) line("cracks {:a} {:a}", m.crack_closure->initial_modulus, m.crack_closure->closure_strain);
     line("{:a} {:a} {:a}", m.stress_gradient.xx, m.stress_gradient.yy, m.stress_gradient.xy);
     line("{:a} {:a} {:a}", m.initial_velocity.x, m.initial_velocity.y, m.initial_velocity.rotation);

@@ -324,11 +324,11 @@ MeshPlan mesh(Dice& dice) {
   plan.placement = dice.happens(0.5) ? MeshPlacement::aligned : MeshPlacement::free;
   if (dice.happens(0.5)) plan.through_x = coordinate(dice);
   if (dice.happens(0.5)) plan.through_y = coordinate(dice);
-  auto refined = some(dice, 3, [](Dice& one) {
+  plan.refined = some(dice, 3, [](Dice& one) {
     const Point at = any_point(one);
     return RefinedPoint{at, positive_real(one)};
   });
-  if (!is_regular) plan.refined = std::move(refined);
+  if (dice.happens(0.5)) plan.tip_side = positive_real(dice);
   return plan;
 }
 
@@ -368,6 +368,9 @@ CoverPlan covers(Dice& dice) {
     const int step = 1 + one.below(9);
     return ExcavationPlan{step, polygon(one), {}, 0};
   });
+  plan.cracks = some(dice, 2, [](Dice& one) { return CrackPlan{polygon(one), {}, one.below(4)}; });
+  if (dice.happens(0.3))
+    plan.growth = GrowthPlan{static_cast<GrowthCriterion>(dice.below(3)), positive_real(dice), dice.happens(0.5), {}};
   return plan;
 }
 
@@ -507,6 +510,9 @@ Content anything(Dice& dice) {
     for (BlockMaterial& material : content.analysis->block_materials)
       if (material.poissons_ratio < 0.5 && dice.happens(0.5))
         material.crack_closure = CrackClosure{dice.between(0.1, 0.9) * material.youngs_modulus, positive_real(dice)};
+  if (content.analysis && dice.happens(0.3))
+    for (BlockMaterial& material : content.analysis->block_materials)
+      material.toughness = Toughness{positive_real(dice)};
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }

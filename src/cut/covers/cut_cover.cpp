@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cut/bodies/cracks.hpp"
 #include "cut/covers/cover_faces.hpp"
 #include "cut/covers/physical_covers.hpp"
 
@@ -102,6 +103,7 @@ Manifold cut_cover(const BodyGraph& graph, TriangleMesh mesh) {
   elements.add_all();
   elements.add_boundary();
   set_covers(manifold);
+  manifold.tips = tips_of(graph);
   return manifold;
 }
 

@@ -28,6 +28,7 @@ void join(Manifold& to, const Manifold& more) {
   }
   for (const int element : more.cover_elements) to.cover_elements.push_back(element + elements);
   for (SlotRange loop : more.boundary_loops) to.boundary_loops.push_back({loop.first + boundary_edges, loop.size});
+  to.tips.insert(to.tips.end(), more.tips.begin(), more.tips.end());
   for (BoundaryEdge edge : more.boundary_edges)
     to.boundary_edges.push_back({edge.element + elements, edge.corner + corners});
 }

@@ -6,16 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "cut/mesh/bisect_mesh.hpp"
 #include "cut/mesh/snap_nodes.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr double kLeastSide = 1e-12;    // of the farthest coordinate: some thousand of its last digits
-constexpr double kMostTriangles = 4e6;  // of any mesh: minutes and gigabytes
+constexpr double kLeastSide = 1e-12;  // of the farthest coordinate: some thousand of its last digits
+constexpr double kTipGrowth = 0.5;    // of sides per length from a tip: a quarter costs twice the triangles
 
 void require_fewer(double triangles, double side) {
   if (!(triangles <= kMostTriangles))
@@ -54,20 +56,37 @@ void require_resolved(double side, const Box& box, const char* what) {
         fmt::format("expected {} of at least {:.3g}, which coordinates still resolve, found {}", what, least, side));
 }
 
-TriangleMesh unstructured(const MeshPlan& plan, const BodyGraph& graph, const Box& box) {
-  require_length(plan.side, "the side of the mesh");
-  require_resolved(plan.side, box, "the side of the mesh");
-  MeshSize size;
-  size.side = plan.side;
-  size.refined = plan.refined;
-  double triangles = (box.size().x / plan.side + 1) * (box.size().y / plan.side + 1);
-  for (const RefinedPoint& point : size.refined) {
+/// The refined points of the plan, and the tips.
+std::vector<RefinedPoint> refined_points(const MeshPlan& plan, const Box& box, std::span<const Point> tips) {
+  std::vector<RefinedPoint> points = plan.refined;
+  if (plan.tip_side > 0)
+    for (const Point tip : tips) points.push_back({tip, plan.tip_side});
+  for (const RefinedPoint& point : points) {
     require_length(point.side, "the side at a refined point of the mesh");
     require_resolved(point.side, box, "the side at a refined point of the mesh");
     if (!std::isfinite(point.at.x) || !std::isfinite(point.at.y))
       throw std::invalid_argument("a refined point of the mesh: expected finite coordinates");
-    triangles += std::log(std::max(1.0, plan.side / point.side)) / (size.growth * size.growth);
   }
+  return points;
+}
+
+TriangleMesh bisected(TriangleMesh mesh, const MeshPlan& plan, std::vector<RefinedPoint> refined) {
+  if (refined.empty()) return mesh;
+  const double angle = plan.angle_deg * std::numbers::pi / 180;
+  bisect(mesh, {std::numeric_limits<double>::infinity(), std::move(refined), kTipGrowth},
+         {std::cos(angle), std::sin(angle)});
+  return mesh;
+}
+
+TriangleMesh unstructured(const MeshPlan& plan, const BodyGraph& graph, const Box& box, std::span<const Point> tips) {
+  require_length(plan.side, "the side of the mesh");
+  require_resolved(plan.side, box, "the side of the mesh");
+  MeshSize size;
+  size.side = plan.side;
+  size.refined = refined_points(plan, box, tips);
+  double triangles = (box.size().x / plan.side + 1) * (box.size().y / plan.side + 1);
+  for (const RefinedPoint& point : size.refined)
+    triangles += std::log(std::max(1.0, plan.side / point.side)) / (size.growth * size.growth);
   require_fewer(triangles, plan.side);
   std::vector<Segment> along;
   if (plan.placement == MeshPlacement::aligned) {
@@ -90,11 +109,13 @@ Box box_of(const BodyGraph& graph) {
   return box;
 }
 
-FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph) {
+FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph, std::span<const Point> tips) {
   const Box box = box_of(graph);
   FittedMesh fitted;
-  fitted.mesh = plan.kind == MeshKind::regular ? regular(plan, box) : unstructured(plan, graph, box);
+  fitted.mesh = plan.kind == MeshKind::regular ? bisected(regular(plan, box), plan, refined_points(plan, box, tips))
+                                               : unstructured(plan, graph, box, tips);
   if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box));
+  place_nodes(fitted.mesh, tips);
   return fitted;
 }
 

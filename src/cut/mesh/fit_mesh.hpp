@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "cut/bodies/body_graph.hpp"
 #include "cut/mesh/background_mesh.hpp"
 #include "cut/mesh/unstructured_mesh.hpp"
@@ -19,8 +21,9 @@ struct FittedMesh {
 /// The box about all bodies.
 Box box_of(const BodyGraph& graph);
 
-/// The mesh over all bodies. Throws std::invalid_argument where a length of the plan is none, or the mesh would be too
-/// large.
-FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph);
+/// The mesh over all bodies: refined as the plan says at its points and at the tips of cracks, each of which gets a node
+/// where that leaves sound triangles. Throws std::invalid_argument where a length of the plan is none, or the mesh would
+/// be too large.
+FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph, std::span<const Point> tips = {});
 
 }  // namespace keyblock

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,11 +10,13 @@
 
 #include "model/model.hpp"
 #include "model/scene/scene_map.hpp"
+#include "problem/cover_plan.hpp"
 #include "settings/settings.hpp"
 
 namespace keyblock {
 
 struct SceneChange;
+struct CrackGrowth;
 
 /// When a scene gives way to the next, or the run ends.
 struct SceneEnd {
@@ -32,6 +35,14 @@ struct Scene {
   bool is_untouched = false;
   /// Of a load step of such rock that may yield: how often it is halved before no equilibrium is said to be there.
   int load_cuts = 6;
+  std::shared_ptr<const CrackGrowth> growth = {};  ///< of cracks during the run; none: they stay
+};
+
+/// How the cracks of a scene go on, and the same scene with other cracks.
+struct CrackGrowth {
+  GrowthPlan plan;
+  std::vector<CrackPlan> cracks;
+  std::function<Scene(const std::vector<CrackPlan>&)> remade;  ///< throws InputError as `prepare`
 };
 
 /// A scene, and what it was before.

@@ -36,6 +36,7 @@ Continuum planned(Manifold manifold, const Problem& problem, const Settings& set
                                      functions_of(*problem.covers, problem.analysis->block_materials));
   put_loads(continuum, *problem.covers);
   put_points(continuum, *problem.covers);
+  continuum.cracks = problem.covers->cracks;
   return continuum;
 }
 

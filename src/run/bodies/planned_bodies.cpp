@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cut/bodies/cracks.hpp"
 #include "cut/bodies/excavate.hpp"
 #include "cut/covers/cut_cover.hpp"
 #include "cut/covers/join_manifolds.hpp"
@@ -30,9 +31,18 @@ BodyGraph together(const std::vector<BodyGraph>& graphs) {
   return all;
 }
 
+// The last kink is one increment behind a tip, and its domain has to lie between them.
+constexpr double kSidesOfIncrement = 16;
+
 }  // namespace
 
+double tip_side_of(const CoverPlan& plan) {
+  if (plan.mesh.tip_side > 0 || !plan.growth) return plan.mesh.tip_side;
+  return plan.growth->increment / kSidesOfIncrement;
+}
+
 bool bodies_touch(const Problem& problem) {
+  if (!problem.covers->cracks.empty()) return true;
   if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->blocks.size() > 1;
   const auto* drawing = std::get_if<Drawing>(&problem.geometry);
   if (drawing == nullptr) throw InputError(problem.covers->place, kNoBodies);
@@ -53,8 +63,14 @@ PlannedBodies::PlannedBodies(const Problem& problem) : problem_(problem) {
     throw InputError(problem.covers->place, kNoBodies);
   }
   if (graphs_.empty()) throw InputError(problem.covers->place, "expected at least one body, found none");
+  add_cracks(graphs_, problem.covers->cracks, CracksOutside::are_refused);
+  std::vector<Point> tips;
+  for (const BodyGraph& graph : graphs_)
+    for (const CrackTip& tip : tips_of(graph)) tips.push_back(tip.at);
   try {
-    mesh_ = fitted_mesh(problem.covers->mesh, together(graphs_)).mesh;
+    MeshPlan plan = problem.covers->mesh;
+    plan.tip_side = tip_side_of(*problem.covers);
+    mesh_ = fitted_mesh(plan, together(graphs_), tips).mesh;
   } catch (const std::invalid_argument& error) {
     const Place& mesh = problem.covers->mesh.place;
     throw InputError(mesh.line > 0 ? mesh : problem.covers->place, error.what());
@@ -72,7 +88,9 @@ Manifold PlannedBodies::at(int step) const {
   if (!regions.empty()) {
     const auto* blocks = std::get_if<Blocks>(&problem_.geometry);
     const Drawing drawing = blocks != nullptr ? lines_of(*blocks) : std::get<Drawing>(problem_.geometry);
-    return cut_cover(excavated(drawing, regions, NodeMerging::nearest_first, blocks), mesh_);
+    BodyGraph left = excavated(drawing, regions, NodeMerging::nearest_first, blocks);
+    add_cracks({&left, 1}, problem_.covers->cracks, CracksOutside::are_gone);
+    return cut_cover(left, mesh_);
   }
   Manifold all = cut_cover(graphs_.front(), mesh_);
   for (std::size_t g = 1; g < graphs_.size(); ++g) join(all, cut_cover(graphs_[g], mesh_));

@@ -36,6 +36,7 @@ class ChainStepper : public Stepper {
   void save(Archive& archive) override;
 
   std::optional<ForceBalance> forces() const override { return now_->forces(); }
+  std::optional<CoverDisplacement> on_covers() const override { return now_->on_covers(); }
   std::vector<double> driven() const override { return now_->driven(); }
 
  private:

@@ -82,6 +82,7 @@ Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const S
                                      functions_of(*problem_.covers, rock.analysis.block_materials));
   put_loads(continuum, plan);
   put_points(continuum, plan);
+  continuum.cracks = plan.cracks;
   return continuum;
 }
 

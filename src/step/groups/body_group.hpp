@@ -141,6 +141,8 @@ class BodyGroup {
   virtual bool has_compatible_start() const = 0;
   /// The law of stress under large strain; none where strain stays small.
   virtual std::optional<ElasticLaw> law_of_large_strain(const SceneParts& scene, ElementIndex e) const = 0;
+  /// The functions of displacement that its bodies share; none where each has unknowns of its own.
+  virtual const CoverBasis* shared_basis() const { return nullptr; }
   /// What to add where a body finds no equilibrium.
   virtual std::string_view why_unheld() const = 0;
   /// `contact_stiffness`: of the springs that may hold bodies; 0 without.

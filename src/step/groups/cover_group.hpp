@@ -27,6 +27,7 @@ class CoverGroup final : public BodyGroup {
   bool takes_holes() const override { return false; }
   bool has_compatible_start() const override { return false; }
   std::optional<ElasticLaw> law_of_large_strain(const SceneParts& scene, ElementIndex e) const override;
+  const CoverBasis* shared_basis() const override { return &bodies_->basis(); }
   std::string_view why_unheld() const override { return "; its body is held at fewer than two fixed points"; }
   void add_to(MassRange& range, double contact_stiffness) const override;
 

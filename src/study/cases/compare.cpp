@@ -117,8 +117,7 @@ ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const st
   const Prepared& prepared = std::get<Prepared>(made);
   compared.warnings = joined(loaded.input.warnings, prepared.warnings);
   const Model& model = prepared.scene.model;
-  require_numbers(compared.values, model.measured_points.size(), model.elements.size(),
-                  model.continuum ? model.continuum->prescribed.size() : 0, loaded.table);
+  require_numbers(compared.values, model, loaded.table);
   return run_and_pick(prepared.scene, std::move(compared));
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "model/continuum.hpp"
 #include "settings/profile.hpp"
 
 namespace keyblock::study {
@@ -16,6 +17,7 @@ namespace {
 const char* noun_of(const ComparedValue& value) {
   const std::optional<Owner> owner = owner_of(value.quantity);
   if (owner == Owner::point) return "measured point";
+  if (owner == Owner::tip) return "crack tip";
   return owner == Owner::support ? "prescribed displacement" : "block";
 }
 
@@ -45,11 +47,16 @@ std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expe
   return values;
 }
 
-void require_numbers(const std::vector<ComparedValue>& values, std::size_t points, std::size_t elements,
-                     std::size_t supports, const std::string& file) {
+void require_numbers(const std::vector<ComparedValue>& values, const Model& model, const std::string& file) {
+  const Continuum* bodies = model.continuum.get();
+  const auto count_of = [&](std::optional<Owner> owner) {
+    if (owner == Owner::point) return model.measured_points.size();
+    if (owner == Owner::support) return bodies ? bodies->prescribed.size() : 0;
+    if (owner == Owner::tip) return bodies ? bodies->manifold.tips.size() : 0;
+    return model.elements.size();
+  };
   for (const ComparedValue& v : values) {
-    const std::optional<Owner> owner = owner_of(v.quantity);
-    const std::size_t count = owner == Owner::point ? points : owner == Owner::support ? supports : elements;
+    const std::size_t count = count_of(owner_of(v.quantity));
     if (v.block && (*v.block < 1 || *v.block > static_cast<int>(count)))
       throw InputError({file, 0, 0}, fmt::format("expected a {} from 1 to {}, found {}", noun_of(v), count, *v.block));
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
 #include "result/frame.hpp"
 #include "study/cases/expected.hpp"
 #include "study/cases/quantities.hpp"
@@ -42,8 +43,7 @@ std::vector<ComparedValue> values_to_find(const std::vector<ExpectedValue>& expe
 
 /// Throws InputError naming `file` where a value asks for a measured point or a block that is not there.
 /// `supports`: prescribed displacements.
-void require_numbers(const std::vector<ComparedValue>& values, std::size_t points, std::size_t elements,
-                     std::size_t supports, const std::string& file);
+void require_numbers(const std::vector<ComparedValue>& values, const Model& model, const std::string& file);
 
 /// Takes in a frame and picks the values of its time, which instants within `same` of it have; between two frames, as
 /// automatic steps have them, values are linear.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <variant>
 
 namespace keyblock::study {
@@ -21,7 +22,8 @@ using OfBlock = double (*)(const Block&);
 using OfPoint = double (*)(const PointFrame&);
 using OfScene = double (*)(const RunSoFar&);
 using OfSupport = double (*)(Point reaction);
-using Quantity = std::variant<OfBlock, OfPoint, OfSupport, OfScene>;  // in the order of Owner
+using OfTip = double (*)(const TipState&);
+using Quantity = std::variant<OfBlock, OfPoint, OfSupport, OfTip, OfScene>;  // in the order of Owner
 
 double speed(const ElementFrame& e) {
   return std::hypot(e.velocity.x, e.velocity.y);
@@ -115,6 +117,16 @@ const std::map<std::string, Quantity>& table() {
       {"reaction_x", OfSupport([](Point reaction) { return reaction.x; })},
       {"reaction_y", OfSupport([](Point reaction) { return reaction.y; })},
 
+      {"K_I", OfTip([](const TipState& t) { return t.mode_1; })},
+      {"K_II", OfTip([](const TipState& t) { return t.mode_2; })},
+      {"J", OfTip([](const TipState& t) { return t.energy_release; })},
+      {"K_eq", OfTip([](const TipState& t) { return t.equivalent; })},
+      {"kink_deg", OfTip([](const TipState& t) { return t.kink * 180 / std::numbers::pi; })},
+      {"tip_x", OfTip([](const TipState& t) { return t.at.x; })},
+      {"tip_y", OfTip([](const TipState& t) { return t.at.y; })},
+      {"crack_length", OfTip([](const TipState& t) { return t.length; })},
+
+      {"load_factor", OfScene([](const RunSoFar& r) { return r.now().load_factor; })},
       {"total_area",
        OfScene([](const RunSoFar& r) { return sum(r.now(), [](const ElementFrame& e) { return e.area; }); })},
       {"block_count", OfScene([](const RunSoFar& r) { return static_cast<double>(r.now().elements.size()); })},
@@ -183,6 +195,10 @@ double quantity_of(const RunSoFar& run, const std::string& quantity, std::option
   if (const auto* of_support = std::get_if<OfSupport>(&found)) {
     const auto place = static_cast<std::size_t>(index);
     return place < run.now().reactions.size() ? (*of_support)(run.now().reactions[place]) : kGone;
+  }
+  if (const auto* of_tip = std::get_if<OfTip>(&found)) {
+    const auto place = static_cast<std::size_t>(index);
+    return place < run.now().tips.size() ? (*of_tip)(run.now().tips[place]) : kGone;
   }
   return std::get<OfScene>(found)(run);
 }

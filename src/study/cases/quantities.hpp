@@ -11,8 +11,9 @@
 
 namespace keyblock::study {
 
-/// Whose quantity it is: that of a block, of a measured point, of a prescribed displacement, or of the whole scene.
-enum class Owner { block, point, support, scene };
+/// Whose quantity it is: that of a block, of a measured point, of a prescribed displacement, of a crack tip, or of the
+/// whole scene.
+enum class Owner { block, point, support, tip, scene };
 
 /// The owner of a quantity that expected.csv may ask for; nothing for a name that is none.
 std::optional<Owner> owner_of(const std::string& quantity);
@@ -50,7 +51,7 @@ class RunSoFar {
   double factor_of_safety_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The value of a quantity now; `number` (from 1) says which block, measured point or support. It must exist.
+/// The value of a quantity now; `number` (from 1) says which block, measured point, support or tip. It must exist.
 double quantity_of(const RunSoFar& run, const std::string& quantity, std::optional<int> number);
 
 }  // namespace keyblock::study

@@ -136,8 +136,7 @@ void best_of(const RunLimits& limits, MeasuredRun& measured, const Run& run) {
 }
 
 void require_there(const StudyCase& chosen, const Model& model) {
-  require_numbers(values_to_find(chosen.expected, "standard"), model.measured_points.size(), model.elements.size(),
-                  model.continuum ? model.continuum->prescribed.size() : 0, (chosen.folder / "expected.csv").string());
+  require_numbers(values_to_find(chosen.expected, "standard"), model, (chosen.folder / "expected.csv").string());
 }
 
 // Meshes differ in their elements: what can be compared are points.

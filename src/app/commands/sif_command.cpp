@@ -1,0 +1,125 @@
+// `keyblock sif`: stress intensity factors and J of every crack tip of a case, by every choice of domain.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "app/command.hpp"
+#include "app/commands/study_options.hpp"
+#include "base/stop.hpp"
+#include "job/run_report.hpp"
+#include "run/settings_of.hpp"
+#include "settings/profile.hpp"
+#include "study/fracture/intensity.hpp"
+#include "study/trade/measured_run.hpp"
+
+namespace keyblock {
+namespace {
+
+struct SifOptions {
+  std::vector<std::string> paths;
+  std::string profile;
+  std::vector<std::string> sets;
+  bool as_json = false;
+};
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+nlohmann::ordered_json json_of(const TipFactors& f) {
+  return {{"K_I", f.k.mode_1}, {"K_II", f.k.mode_2}, {"J", f.j}};
+}
+
+nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
+  const TipReport& report = tip.report;
+  nlohmann::ordered_json json{{"at", {report.tip.at.x, report.tip.at.y}},
+                              {"ahead", {report.tip.ahead.x, report.tip.ahead.y}},
+                              {"side", report.side},
+                              {"room", report.tip.room},
+                              {"nearest", report.tip.nearest}};
+  if (report.factors) {
+    json.update(json_of(*report.factors));
+    json["spread_K_I"] = report.spread_1;
+    json["spread_K_II"] = report.spread_2;
+    json["kink_deg"] = tip.kink.angle * kDegrees;
+    json["K_eq"] = tip.kink.equivalent;
+  }
+  if (tip.toughness) json["toughness"] = *tip.toughness;
+  json["domains"] = nlohmann::ordered_json::array();
+  for (const DomainResult& domain : report.domains) {
+    nlohmann::ordered_json row{{"domain", name_of(domain.choice)}};
+    if (domain.factors)
+      row.update(json_of(*domain.factors));
+    else
+      row["refused"] = domain.refusal;
+    json["domains"].push_back(std::move(row));
+  }
+  return json;
+}
+
+void print(const study::TipAtEnd& tip, std::size_t number) {
+  const TipReport& report = tip.report;
+  fmt::print("tip {} at ({:.6g}, {:.6g}), ahead ({:.4f}, {:.4f}); sides of {:.3g} there, {} {:.4g} away\n", number,
+             report.tip.at.x, report.tip.at.y, report.tip.ahead.x, report.tip.ahead.y, report.side, report.tip.nearest,
+             report.tip.room);
+  fmt::print("  {:34} {:>13} {:>13} {:>13} {:>13}\n", "domain", "K_I", "K_II", "J", "(K²)/E'");
+  for (const DomainResult& domain : report.domains) {
+    if (!domain.factors) {
+      fmt::print("  {:34} refused: {}\n", name_of(domain.choice), domain.refusal);
+      continue;
+    }
+    const StressIntensity& k = domain.factors->k;
+    fmt::print("  {:34} {:13.6g} {:13.6g} {:13.6g} {:13.6g}\n", name_of(domain.choice), k.mode_1, k.mode_2,
+               domain.factors->j, (k.mode_1 * k.mode_1 + k.mode_2 * k.mode_2) / report.rock.effective_modulus());
+  }
+  if (!report.factors) return;
+  fmt::print("  K_I {:.6g}, K_II {:.6g} [F/L^1.5], J {:.6g} [F/L]; circles differ by {:.2f} % and {:.2f} % of K\n",
+             report.factors->k.mode_1, report.factors->k.mode_2, report.factors->j, 100 * report.spread_1,
+             100 * report.spread_2);
+  fmt::print("  would go on by {:.2f} degrees, K_eq {:.6g}", tip.kink.angle * kDegrees, tip.kink.equivalent);
+  if (tip.toughness)
+    fmt::print(", {:.4g} of the toughness {:.6g}", tip.kink.equivalent / *tip.toughness, *tip.toughness);
+  fmt::print("\n");
+}
+
+ExitCode print_intensity(const SifOptions& options) {
+  study::StudyCase chosen = study::study_case(options.paths);
+  chosen.common = overrides_of(options.sets);
+  const std::string profile = profile_of(chosen.input.problem, options.profile);
+  const study::CaseIntensity found = study::intensity_at_end(chosen.input.problem, profile, chosen.overrides(profile),
+                                                             [] { return is_stop_requested(); });
+  log_warnings(found.warnings);
+  if (!found.failure.empty()) {
+    spdlog::error("keyblock: error: {}", found.failure);
+    return ExitCode::numerical_failure;
+  }
+  bool all_have_factors = true;
+  for (const study::TipAtEnd& tip : found.tips) all_have_factors = all_have_factors && tip.report.factors;
+  if (options.as_json) {
+    nlohmann::ordered_json json{{"unknowns", found.unknowns}, {"tips", nlohmann::ordered_json::array()}};
+    for (const study::TipAtEnd& tip : found.tips) json["tips"].push_back(json_of(tip));
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{} unknowns\n", found.unknowns);
+    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1);
+  }
+  return all_have_factors ? ExitCode::ok : ExitCode::check_failed;
+}
+
+}  // namespace
+
+Action configure_sif(CLI::App& app) {
+  const auto options = std::make_shared<SifOptions>();
+  app.add_option("case", options->paths, "one case folder (legacy_cases/…), or the files of a case")->required();
+  app.add_option("--profile", options->profile, "preset of all choices (default: standard, or what a case file says)")
+      ->check(CLI::IsMember(profile_names()));
+  app.add_option("--set", options->sets, "key=value: a setting of the run; may be repeated")->take_all();
+  app.add_flag("--json", options->as_json, "print JSON in place of the table");
+  return [options] { return print_intensity(*options); };
+}
+
+}  // namespace keyblock

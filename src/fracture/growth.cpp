@@ -1,0 +1,133 @@
+// Ratios to toughness, directions, and the nearest line ahead; see growth.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "fracture/tip_report.hpp"
+#include "geometry/segment.hpp"
+
+namespace keyblock {
+namespace {
+
+// Of the greatest K_eq over toughness: tips that go on together.
+constexpr double kTies = 0.01;
+// Of an increment: what would be left before a line is cut through (fracture recipes, several authors: a tip so near to
+// a boundary has no field of its own).
+constexpr double kLeftBefore = 0.25;
+// Of an increment: a line nearer to the tip is its own crack.
+constexpr double kOwn = 1e-6;
+
+double length_of(const std::vector<Point>& chain) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) sum += distance(chain[i], chain[i + 1]);
+  return sum;
+}
+
+/// Where a ray from `from` meets a segment, as a distance along it; infinity: nowhere.
+double station_on(Point from, Point direction, const Segment& line) {
+  const Point along = line.end - line.start;
+  const double parallel = cross(direction, along);
+  if (parallel == 0) return std::numeric_limits<double>::infinity();
+  const Point to = line.start - from;
+  const double t = cross(to, along) / parallel;
+  const double s = cross(to, direction) / parallel;
+  return t > 0 && s >= 0 && s <= 1 ? t : std::numeric_limits<double>::infinity();
+}
+
+double nearness(const TipState& tip) {
+  return tip.toughness > 0 ? tip.equivalent / tip.toughness : 0;
+}
+
+}  // namespace
+
+std::vector<TipState> followed_tips(const Manifold& manifold, const std::vector<CrackPlan>& cracks) {
+  std::vector<TipState> followed;
+  int others = 0;
+  for (const CrackTip& tip : manifold.tips) {
+    TipState state;
+    state.at = tip.at;
+    state.crack = -1;
+    for (std::size_t c = 0; c < cracks.size(); ++c) {
+      const std::vector<Point>& along = cracks[c].along;
+      if (along.front() != tip.at && along.back() != tip.at) continue;
+      state.crack = static_cast<int>(c);
+      state.at_end = along.back() == tip.at;
+      state.length = length_of(along);
+    }
+    if (state.crack < 0) state.crack = static_cast<int>(cracks.size()) + others++;
+    followed.push_back(state);
+  }
+  return followed;
+}
+
+const CrackTip& tip_of(const Manifold& manifold, const TipState& state) {
+  const auto found = std::ranges::find(manifold.tips, state.at, &CrackTip::at);
+  if (found == manifold.tips.end()) throw std::logic_error("a tip that its bodies do not have");
+  return *found;
+}
+
+void put_factors(TipState& state, const CoverSolution& solution, GrowthCriterion criterion) {
+  const CrackTip& tip = tip_of(solution.continuum.manifold, state);
+  const BlockMaterial& material =
+      solution.continuum.material(std::max(0, element_of(solution.continuum.manifold, tip)));
+  if (material.toughness) state.toughness = material.toughness->mode_1;
+  const std::optional<TipFactors> factors = tip_factors(solution, tip);
+  state.has_room = factors.has_value();
+  if (!factors) return;
+  state.mode_1 = factors->k.mode_1;
+  state.mode_2 = factors->k.mode_2;
+  state.energy_release = factors->j;
+  const Kink next = kink(criterion, rock_at(solution.continuum, tip), factors->k);
+  state.kink = next.angle;
+  state.equivalent = next.equivalent;
+  if (material.toughness && material.toughness->mode_2)
+    state.equivalent =
+        std::hypot(std::max(state.mode_1, 0.0), state.mode_2 * state.toughness / *material.toughness->mode_2);
+}
+
+std::vector<std::size_t> next_to_go_on(const std::vector<TipState>& tips) {
+  double greatest = 0;
+  for (const TipState& tip : tips) greatest = std::max(greatest, nearness(tip));
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < tips.size(); ++i)
+    if (greatest > 0 && nearness(tips[i]) >= (1 - kTies) * greatest) chosen.push_back(i);
+  return chosen;
+}
+
+Advance advance_of(const Manifold& manifold, Point tip, Point direction, double increment) {
+  double nearest = (1 + kLeftBefore) * increment;
+  bool meets = false;
+  for (const BoundaryEdge& edge : manifold.boundary_edges) {
+    const auto loop = manifold.loop(manifold.elements[static_cast<std::size_t>(edge.element)].outer);
+    const int first = manifold.elements[static_cast<std::size_t>(edge.element)].outer.first;
+    const auto i = static_cast<std::size_t>(edge.corner - first);
+    if (i >= loop.size()) continue;  // of a hole within an element
+    const Segment line{loop[i].position, loop[(i + 1) % loop.size()].position};
+    if (distance(line, tip) <= kOwn * increment) continue;
+    const double t = station_on(tip, direction, line);
+    if (t >= nearest) continue;
+    nearest = t;
+    meets = true;
+  }
+  return {tip + (meets ? nearest : increment) * direction, meets};
+}
+
+Point turned_to_left(Point direction, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
+}
+
+void prolong(std::vector<CrackPlan>& cracks, const TipState& tip, Point to) {
+  if (tip.crack >= static_cast<int>(cracks.size())) {
+    cracks.push_back({{tip.at, to}, {}, 0});
+    return;
+  }
+  std::vector<Point>& along = cracks[static_cast<std::size_t>(tip.crack)].along;
+  along.insert(tip.at_end ? along.end() : along.begin(), to);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,49 @@
+// Stress intensity factors and J of a crack tip from the displacement of a body on covers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "fracture/crack_domain.hpp"
+#include "fracture/near_tip_field.hpp"
+#include "model/continuum.hpp"
+
+namespace keyblock {
+
+/// A force that acts on a face of a crack, of its own body.
+struct FaceForce {
+  int element = 0;  ///< whose face it is
+  Point at;         ///< undeformed
+  Point force;      ///< per unit thickness
+};
+
+/// Bodies and the unknowns of their functions. Views all of them.
+struct CoverSolution {
+  const Continuum& continuum;
+  const CoverBasis& basis;
+  const Eigen::VectorXd& d;
+  bool is_large = false;                    ///< x = X + u under large rotation; else u is that of linear elasticity
+  std::vector<FaceForce> face_forces = {};  ///< beside the tractions of the continuum: of contact
+};
+
+struct TipFactors {
+  StressIntensity k;  ///< F/L^1.5
+  double j = 0;       ///< energy release rate by the domain form of J, F/L; (K_I² + K_II²)/E' but for the error
+};
+
+/// Interaction integral with the near-tip field of each mode (Yau, Wang & Corten 1980; domain form of Moran & Shih
+/// 1987), and the domain form of J (Rice 1968; Li, Shih & Needleman 1985):
+///     I = ∫ (σ_ij uᵃ_i,1 + σᵃ_ij u_i,1 - σᵃ:ε δ_1j) q_,j dA - ∫ t·uᵃ_,1 q ds - ∫ b·uᵃ_,1 q dA,   K = E' I / 2.
+/// σ is the change of stress since the start, so that b has the divergence of the initial stress in it, and t, on the
+/// faces of the crack, less what that stress has there. The turning of the rock at the tip is taken out of u.
+TipFactors factors_at(const CoverSolution& solution, const CrackTip& tip, const CrackDomain& domain);
+
+/// Elastic constants of the rock at a tip.
+PlaneElasticity rock_at(const Continuum& continuum, const CrackTip& tip);
+
+/// The element that holds the tip, or has it on its edge; -1: none.
+int element_of(const Manifold& manifold, const CrackTip& tip);
+
+}  // namespace keyblock

@@ -1,0 +1,89 @@
+// Every domain in turn; see tip_report.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/tip_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+// Of the room about a tip: how far circles reach, the largest first.
+constexpr std::array<double, 4> kCircles{0.9, 0.675, 0.45, 0.225};
+constexpr double kInner = 0.4;  // of the outer radius: where q begins to fall
+constexpr std::array<int, 5> kLevels{1, 2, 3, 4, 6};
+constexpr double kLeastSides = 1;  // of the tip's triangle in the inner radius of a circle
+
+DomainChoice circle(const CrackTip& tip, double share) {
+  return {DomainKind::circle, kInner * share * tip.room, share * tip.room, 0};
+}
+
+double side_at(const Manifold& manifold, const CrackTip& tip) {
+  const int e = element_of(manifold, tip);
+  if (e < 0) return std::numeric_limits<double>::infinity();
+  const auto t = manifold.triangle(manifold.elements[static_cast<std::size_t>(e)]);
+  return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+}
+
+DomainResult result_of(const CoverSolution& solution, const CrackTip& tip, const DomainChoice& choice, double side) {
+  DomainResult result{choice, std::nullopt};
+  if (choice.kind == DomainKind::circle && choice.inner < kLeastSides * side) {
+    result.refusal = fmt::format(
+        "its inner radius {:.4g} is below the side of the mesh at the tip, {:.4g}: {} is {:.4g} "
+        "away (tip_side refines)",
+        choice.inner, side, tip.nearest, tip.room);
+    return result;
+  }
+  const CrackDomain domain(solution.continuum.manifold, tip, choice);
+  if (const auto obstacle = domain.obstacle())
+    result.refusal = *obstacle;
+  else
+    result.factors = factors_at(solution, tip, domain);
+  return result;
+}
+
+double spread(const std::vector<DomainResult>& domains, double StressIntensity::*mode) {
+  double least = std::numeric_limits<double>::max(), greatest = std::numeric_limits<double>::lowest();
+  for (const DomainResult& domain : domains) {
+    if (domain.choice.kind != DomainKind::circle || !domain.factors) continue;
+    least = std::min(least, domain.factors->k.*mode);
+    greatest = std::max(greatest, domain.factors->k.*mode);
+  }
+  return greatest < least ? 0 : greatest - least;
+}
+
+}  // namespace
+
+std::vector<DomainChoice> domain_choices(const CrackTip& tip) {
+  std::vector<DomainChoice> choices;
+  for (const double share : kCircles) choices.push_back(circle(tip, share));
+  for (const DomainKind kind : {DomainKind::element_levels, DomainKind::node_levels})
+    for (const int levels : kLevels) choices.push_back({kind, 0, 0, levels});
+  return choices;
+}
+
+TipReport tip_report(const CoverSolution& solution, const CrackTip& tip) {
+  TipReport report{tip, rock_at(solution.continuum, tip), side_at(solution.continuum.manifold, tip), {}};
+  for (const DomainChoice& choice : domain_choices(tip)) {
+    report.domains.push_back(result_of(solution, tip, choice, report.side));
+    const bool is_circle = choice.kind == DomainKind::circle;
+    if (is_circle && !report.factors) report.factors = report.domains.back().factors;
+  }
+  if (!report.factors) return report;
+  const double size = std::hypot(report.factors->k.mode_1, report.factors->k.mode_2);
+  if (size > 0) {
+    report.spread_1 = spread(report.domains, &StressIntensity::mode_1) / size;
+    report.spread_2 = spread(report.domains, &StressIntensity::mode_2) / size;
+  }
+  return report;
+}
+
+std::optional<TipFactors> tip_factors(const CoverSolution& solution, const CrackTip& tip) {
+  return result_of(solution, tip, circle(tip, kCircles.front()), side_at(solution.continuum.manifold, tip)).factors;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,56 @@
+// Conditions, then the closure; see growth_of.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/growth/growth_of.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+#include "model/continuum.hpp"
+#include "run/bodies/planned_bodies.hpp"
+
+namespace keyblock {
+namespace {
+
+std::string why_not(const Problem& problem, const Scene& scene) {
+  const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
+  const bool is_statics =
+      scene.settings.dynamics == Dynamics::standard && scene.settings.standard.motion == MotionRule::equilibrium;
+  if (!is_statics) return "expected statics where cracks grow (velocity_carry_over 0, profile standard), found motion";
+  if (!scene.model.continuum) return "expected bodies on covers where cracks grow, found none";
+  if (!problem.stages.empty() || !problem.covers->excavations.empty())
+    return "expected no stages or excavations where cracks grow, found them";
+  if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear))
+    return "expected elastic rock where cracks grow, found a strength or crack_closure";
+  if (scene.model.continuum->initial_stress || std::ranges::any_of(materials, [](const BlockMaterial& m) {
+        return m.initial_stress != Stress{} || m.stress_gradient != Stress{};
+      }))
+    return "expected no initial stress where cracks grow, for growth scales all loads, found one";
+  if (!scene.model.loading_points.empty())
+    return "expected loads of covers (forces, tractions) where cracks grow, found loading points";
+  if (std::ranges::none_of(materials, [](const BlockMaterial& m) { return m.toughness.has_value(); }))
+    return "expected a toughness of a block material where cracks grow, found none";
+  return {};
+}
+
+}  // namespace
+
+std::shared_ptr<const CrackGrowth> growth_of(const Problem& problem, const Scene& scene,
+                                             std::function<Scene(const Problem&)> remade) {
+  if (!problem.covers || !problem.covers->growth) return nullptr;
+  const GrowthPlan& plan = *problem.covers->growth;
+  if (const std::string why = why_not(problem, scene); !why.empty())
+    throw InputError(plan.place.line > 0 ? plan.place : problem.covers->place, why);
+  Problem still = problem;
+  still.covers->mesh.tip_side = tip_side_of(*still.covers);
+  still.covers->growth.reset();
+  return std::make_shared<CrackGrowth>(
+      CrackGrowth{plan, problem.covers->cracks,
+                  [still = std::move(still), remade = std::move(remade)](const std::vector<CrackPlan>& cracks) {
+                    Problem with = still;
+                    with.covers->cracks = cracks;
+                    return remade(with);
+                  }});
+}
+
+}  // namespace keyblock

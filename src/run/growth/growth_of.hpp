@@ -1,0 +1,21 @@
+// The growth that a case file asks for, as its scene knows it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/scene/scene.hpp"
+#include "problem/problem.hpp"
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+/// Throws InputError where cracks cannot grow: in time, beside stages or excavations, under an initial stress (which no
+/// factor of the loads scales), without a toughness, or where rock may yield. None where the file asks for none.
+/// `remade`: the scene of the same case with other cracks.
+std::shared_ptr<const CrackGrowth> growth_of(const Problem& problem, const Scene& scene,
+                                             std::function<Scene(const Problem&)> remade);
+
+}  // namespace keyblock

@@ -1,0 +1,187 @@
+// Solve, find the load, solve again under it, prolong; see growth_stepper.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/growth/growth_stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fracture/growth.hpp"
+#include "model/continuum.hpp"
+#include "model/setup/scale_loads.hpp"
+#include "result/describe.hpp"
+#include "step/scene_steppers.hpp"
+
+namespace keyblock {
+namespace {
+
+std::string words_of(const TipState& tip, std::size_t number) {
+  return fmt::format("tip {} (crack {}) at ({:.6g}, {:.6g})", number + 1, tip.crack + 1, tip.at.x, tip.at.y);
+}
+
+Scene with_factor(Scene scene, double factor) {
+  scene.growth.reset();
+  scene.model.continuum = std::make_shared<Continuum>(with_loads(*scene.model.continuum, factor));
+  return scene;
+}
+
+const Manifold& manifold_of(const Stepper& stepper) {
+  return stepper.model().continuum->manifold;
+}
+
+}  // namespace
+
+GrowthStepper::GrowthStepper(Scene first) : first_(std::move(first)), cracks_(first_.growth->cracks) {
+  shown_ = cracks_;
+  now_ = scene_stepper(with_factor(first_, 1));
+  state_ = now_->state();
+}
+
+GrowthStepper::GrowthStepper(Scene first, Archive& saved) : first_(std::move(first)) {
+  describe_growth(saved);
+  saved.group("scene", [&] { now_ = restored_scene_stepper(scene_with(shown_, load_factor_), saved); });
+  const int step = state_.step;
+  const double time = state_.time;
+  state_ = now_->state();
+  state_.step = step;
+  state_.time = time;
+}
+
+void GrowthStepper::save(Archive& archive) {
+  describe_growth(archive);
+  archive.group("scene", [&] { now_->save(archive); });
+}
+
+void GrowthStepper::describe_growth(Archive& archive) {
+  const auto describe_cracks = [&](const char* name, std::vector<CrackPlan>& cracks) {
+    archive.list(name, cracks, [&](CrackPlan& crack) {
+      archive.list("along", crack.along, [&](Point& point) {
+        archive.value("x", point.x);
+        archive.value("y", point.y);
+      });
+      archive.value("joint_material", crack.joint_material);
+    });
+  };
+  archive.value("step", state_.step);
+  archive.value("time", state_.time);
+  archive.value("load_factor", load_factor_);
+  archive.value("is_done", is_done_);
+  describe_cracks("cracks", cracks_);
+  describe_cracks("cracks_shown", shown_);
+  archive.list("tips", tips_, [&](TipState& tip) { describe(archive, tip); });
+}
+
+Scene GrowthStepper::scene_with(const std::vector<CrackPlan>& cracks, double factor) const {
+  return with_factor(first_.growth->remade(cracks), factor);
+}
+
+std::vector<TipState> GrowthStepper::tips_of(const Stepper& solved, const std::vector<CrackPlan>& cracks) const {
+  const CoverDisplacement moved = *solved.on_covers();
+  const CoverSolution solution{*solved.model().continuum, moved.basis, moved.d, moved.is_large};
+  std::vector<TipState> tips = followed_tips(solution.continuum.manifold, cracks);
+  for (TipState& tip : tips) put_factors(tip, solution, first_.growth->plan.criterion);
+  return tips;
+}
+
+std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std::vector<CrackPlan>& cracks,
+                                                                       double factor) const {
+  Solved result;
+  result.stepper = scene_stepper(scene_with(cracks, factor));
+  std::variant<StepReport, StepFailure> made = result.stepper->advance();
+  if (const auto* why = std::get_if<StepFailure>(&made)) return *why;
+  result.report = std::get<StepReport>(made);
+  result.tips = tips_of(*result.stepper, cracks);
+  return result;
+}
+
+// A tip just before a line has no field of its own: it goes through to it at once.
+std::optional<StepFailure> GrowthStepper::unfit_tip(const Stepper& solved, std::vector<TipState>& tips) const {
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    if (tips[i].has_room) continue;
+    const CrackTip& tip = tip_of(manifold_of(solved), tips[i]);
+    if (advance_of(manifold_of(solved), tip.at, tip.ahead, first_.growth->plan.increment).meets_line) {
+      tips[i].goes_on = true;
+      continue;
+    }
+    return failure(
+        fmt::format("{} cannot go on: {} is {:.4g} away, and no domain of elements of the size there fits "
+                    "before it: a smaller tip_side, or another increment",
+                    words_of(tips[i], i), tip.nearest, tip.room));
+  }
+  return std::nullopt;
+}
+
+std::vector<CrackPlan> GrowthStepper::prolonged(const std::vector<double>& more) const {
+  std::vector<CrackPlan> cracks = shown_;
+  const Manifold& manifold = manifold_of(*now_);
+  for (std::size_t i = 0; i < tips_.size(); ++i) {
+    if (!tips_[i].goes_on) continue;
+    const double kink = tips_[i].has_room ? tips_[i].kink + more[i] : 0;
+    const Point direction = turned_to_left(tip_of(manifold, tips_[i]).ahead, kink);
+    prolong(cracks, tips_[i], advance_of(manifold, tips_[i].at, direction, first_.growth->plan.increment).to);
+  }
+  return cracks;
+}
+
+// Half of the kink that a trial finds at its tips.
+std::vector<double> GrowthStepper::corrections(const std::vector<CrackPlan>& trial) const {
+  std::vector<double> more(tips_.size(), 0);
+  auto tried = solved(trial, load_factor_);
+  if (std::holds_alternative<StepFailure>(tried)) return more;
+  for (std::size_t i = 0; i < tips_.size(); ++i)
+    for (const TipState& found : std::get<Solved>(tried).tips)
+      if (tips_[i].goes_on && found.crack == tips_[i].crack && found.at_end == tips_[i].at_end && found.has_room)
+        more[i] = found.kink / 2;
+  return more;
+}
+
+void GrowthStepper::put_next() {
+  const auto has_tips = [&] { return !first_.growth->remade(cracks_).model.continuum->manifold.tips.empty(); };
+  cracks_ = prolonged(std::vector<double>(tips_.size(), 0));
+  is_done_ = !has_tips();
+  if (is_done_ || !first_.growth->plan.has_corrector) return;
+  cracks_ = prolonged(corrections(cracks_));
+  is_done_ = !has_tips();
+}
+
+std::variant<StepReport, StepFailure> GrowthStepper::advance() {
+  auto unit = solved(cracks_, 1);
+  if (const auto* why = std::get_if<StepFailure>(&unit)) return *why;
+  auto& under_unit = std::get<Solved>(unit);
+  if (auto why = unfit_tip(*under_unit.stepper, under_unit.tips)) return *why;
+  const std::vector<std::size_t> chosen = next_to_go_on(under_unit.tips);
+  const bool goes_through = std::ranges::any_of(under_unit.tips, &TipState::goes_on);
+  if (chosen.empty() && !goes_through)
+    return failure("no tip goes on: nothing pulls at any, or the rock there has no toughness");
+  double factor = load_factor_;
+  if (!chosen.empty()) {
+    const TipState& first = under_unit.tips[chosen.front()];
+    factor = first.toughness / first.equivalent;
+    for (const std::size_t i : chosen)
+      factor = std::min(factor, under_unit.tips[i].toughness / under_unit.tips[i].equivalent);
+  }
+  auto loaded = solved(cracks_, factor);
+  if (const auto* why = std::get_if<StepFailure>(&loaded)) return *why;
+  auto& under_load = std::get<Solved>(loaded);
+  for (std::size_t i = 0; i < under_load.tips.size(); ++i) under_load.tips[i].goes_on = under_unit.tips[i].goes_on;
+  if (!goes_through)
+    for (const std::size_t i : chosen) under_load.tips[i].goes_on = true;
+  StepReport report = under_load.report;
+  report.passes += under_unit.report.passes;
+  now_ = std::move(under_load.stepper);
+  tips_ = std::move(under_load.tips);
+  load_factor_ = factor;
+  shown_ = cracks_;
+  const int step = state_.step + 1;
+  state_ = now_->state();
+  state_.step = step;
+  state_.time = step * first_.settings.time_step;
+  report.step = step;
+  report.time = state_.time;
+  if (step < first_.settings.step_count) put_next();
+  return report;
+}
+
+}  // namespace keyblock

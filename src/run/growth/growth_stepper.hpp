@@ -1,0 +1,73 @@
+// Cracks that grow at rest: in each step the load under which a tip is about to go on, then the tips one increment
+// further.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "step/stepper.hpp"
+
+namespace keyblock {
+
+/// The length of the cracks is what is driven, and the load follows (Bocca, Carpinteri & Valente 1991): snap-back needs
+/// nothing else. All loads of the file grow in proportion; stresses do too, in contact with friction as well, for small
+/// strain. Step k is the equilibrium with the cracks as they are after k - 1 increments.
+class GrowthStepper : public Stepper {
+ public:
+  /// Of a scene with growth. Throws std::invalid_argument for one that cannot be stepped.
+  explicit GrowthStepper(Scene first);
+  /// As it was saved, of the same scene. Throws InputError.
+  GrowthStepper(Scene first, Archive& saved);
+
+  /// Where no tip is left.
+  bool is_done() const override { return is_done_; }
+  const Model& model() const override { return now_->model(); }
+  const Settings& settings() const override { return first_.settings; }
+  const State& state() const override { return state_; }
+  const StartPlaces& unloaded() const override { return now_->unloaded(); }
+  Stress stress_at(ElementIndex e, Point start) const override { return now_->stress_at(e, start); }
+  StartReport start_report() const override { return now_->start_report(); }
+  std::variant<StepReport, StepFailure> advance() override;
+  LedgerRow ledger() const override { return {}; }
+  LedgerScope ledger_scope() const override { return {}; }
+  std::optional<ForceBalance> forces() const override { return now_->forces(); }
+  std::optional<CoverDisplacement> on_covers() const override { return now_->on_covers(); }
+  std::vector<TipState> tips() const override { return tips_; }
+  double load_factor() const override { return load_factor_; }
+  void save(Archive& archive) override;
+
+ private:
+  /// An equilibrium with some cracks, and the tips in it.
+  struct Solved {
+    std::unique_ptr<Stepper> stepper;
+    StepReport report;
+    std::vector<TipState> tips;
+  };
+
+  void describe_growth(Archive& archive);
+  Scene scene_with(const std::vector<CrackPlan>& cracks, double factor) const;
+  std::variant<Solved, StepFailure> solved(const std::vector<CrackPlan>& cracks, double factor) const;
+  std::vector<TipState> tips_of(const Stepper& solved, const std::vector<CrackPlan>& cracks) const;
+  /// Marks tips just before a line; fails where one has no room otherwise.
+  std::optional<StepFailure> unfit_tip(const Stepper& solved, std::vector<TipState>& tips) const;
+  /// The cracks one increment further, by the kinks of `tips_` and `more` of each.
+  std::vector<CrackPlan> prolonged(const std::vector<double>& more) const;
+  /// By the mean of the kinks before and after the step; none where its trial fails.
+  std::vector<double> corrections(const std::vector<CrackPlan>& trial) const;
+  /// Puts the cracks of the next step, or that there is none.
+  void put_next();
+  StepFailure failure(const std::string& why) const { return {why, {}, FailureKind::undecided, 0}; }
+
+  Scene first_;
+  std::unique_ptr<Stepper> now_;
+  State state_;                    ///< of `now_`, with the steps of the run
+  std::vector<CrackPlan> cracks_;  ///< those of the step to come
+  std::vector<CrackPlan> shown_;   ///< those of the last step
+  std::vector<TipState> tips_;     ///< at its end
+  double load_factor_ = 1;
+  bool is_done_ = false;
+};
+
+}  // namespace keyblock
