@@ -171,7 +171,7 @@ void put_plastic(HistoryRow& row, const Stepper& stepper, bool of_measured_point
 FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const State& state = stepper.state();
   const StartPlaces& start = stepper.unloaded();
-  FieldFrame field{state.step, state.time, {}, stepper.plastic_totals()};
+  FieldFrame field{state.step, state.time, {}, stepper.plastic_totals(), model.nodes.empty()};
   const auto corner = [&](ElementIndex e, Point at, Point now) {
     return FieldCorner{at, now - at, stepper.stress_at(e, at),
                        field.plastic ? stepper.plastic_at(e, at) : std::nullopt};

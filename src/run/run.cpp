@@ -75,7 +75,8 @@ class Loop {
     put_point_stress(frame, stepper_.model(), stepper_);
     frame.reactions = reactions_of(stepper_);
     put_plastic(frame, stepper_);
-    if (observer_.on_field && !stepper_.model().nodes.empty()) observer_.on_field(field_of(stepper_.model(), stepper_));
+    if (observer_.on_field) observer_.on_field(field_of(stepper_.model(), stepper_));
+    if (observer_.on_contacts) observer_.on_contacts(stepper_.contacts());
     observer_.on_frame(frame);
   }
 
