@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
 #include "formats/text/numbers.hpp"
 #include "material/stress_invariants.hpp"
+#include "result/extremes.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -90,6 +92,22 @@ void append_polygons(std::string& text, const std::vector<Chain>& chains) {
   text += "</DataArray>\n</Cells>\n";
 }
 
+/// In the plane, of the greatest principal stress: tan 2θ = 2 σxy / (σxx − σyy) (Mohr 1882).
+Point principal_axis(const Stress& stress) {
+  const double angle = std::atan2(2 * stress.xy, stress.xx - stress.yy) / 2;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+std::string axis_text(const Stress& stress) {
+  const Point axis = principal_axis(stress);
+  return fmt::format("{:.9f} {:.9f} 0", axis.x, axis.y);
+}
+
+int fixed_points_of(const Frame& frame, std::size_t element) {
+  const int number = number_of(frame, element);
+  return static_cast<int>(std::ranges::count(frame.fixed_points, number, &PointFrame::element));
+}
+
 /// What is shown of rock where some may yield; of that which cannot, no plastic strain.
 struct PlasticArray {
   std::string_view name;
@@ -135,7 +153,7 @@ void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& f
   if (std::ranges::any_of(frame.elements, [](E e) { return e.origin >= 0 && e.origin != e.number; }))
     append_cells(text, frame, "Int32", "origin", 1,
                  [&](std::size_t i, E) { return fmt::format("{}", origin_of(frame, i) + 1); });
-  if (!field.elements.empty())
+  if (!field.elements.empty() && !field.is_of_blocks)
     append_cells(text, frame, "Int32", "body", 1,
                  [&](std::size_t i, E) { return fmt::format("{}", field.elements[i].body + 1); });
   append_cells(text, frame, "Int32", "material", 1, [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
@@ -143,6 +161,9 @@ void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& f
   real("stress_yy", [](E e) { return e.stress.yy; });
   real("stress_xy", [](E e) { return e.stress.xy; });
   real("stress_zz", [](E e) { return e.stress.zz; });
+  real("principal_stress_greatest", [](E e) { return principal(e.stress).second; });
+  real("principal_stress_least", [](E e) { return principal(e.stress).first; });
+  append_cells(text, frame, "Float64", "principal_axis", 3, [](std::size_t, E e) { return axis_text(e.stress); });
   append_cells(text, frame, "Float64", "displacement", 3,
                [](std::size_t, E e) { return vector_text(e.displacement.x, e.displacement.y); });
   append_cells(text, frame, "Float64", "velocity", 3,
@@ -150,6 +171,8 @@ void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& f
   real("rotation", [](E e) { return e.rotation; });
   real("rotation_rate", [](E e) { return e.velocity.rotation; });
   real("area", [](E e) { return e.area; });
+  append_cells(text, frame, "Int32", "fixed_points", 1,
+               [&](std::size_t i, E) { return fmt::format("{}", fixed_points_of(frame, i)); });
   if (frame.plastic) append_plastic_cells(text, frame);
   text += "</CellData>\n";
 }
@@ -183,10 +206,17 @@ void append_field(std::string& text, const FieldFrame& field, const std::vector<
   using C = const FieldCorner&;
   text += "<PointData>\n";
   append("displacement", 3, [](C c) { return vector_text(c.displacement.x, c.displacement.y); });
+  if (field.is_of_blocks) {
+    text += "</PointData>\n";
+    return;
+  }
   append("stress_xx", 1, [](C c) { return format_real(c.stress.xx); });
   append("stress_yy", 1, [](C c) { return format_real(c.stress.yy); });
   append("stress_xy", 1, [](C c) { return format_real(c.stress.xy); });
   append("stress_zz", 1, [](C c) { return format_real(c.stress.zz); });
+  append("principal_stress_greatest", 1, [](C c) { return format_real(principal(c.stress).second); });
+  append("principal_stress_least", 1, [](C c) { return format_real(principal(c.stress).first); });
+  append("principal_axis", 3, [](C c) { return axis_text(c.stress); });
   if (field.plastic)
     for (const PlasticArray& array : kPlasticArrays) append(array.name, 1, [&](C c) { return plastic_text(array, c); });
   text += "</PointData>\n";
@@ -224,10 +254,10 @@ std::string vtu(const Frame& frame, const FieldFrame& field) {
   return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-std::string pvd(const std::vector<std::pair<double, std::string>>& time_and_file) {
+std::string pvd(const std::vector<PvdEntry>& entries) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
-  for (const auto& [time, file] : time_and_file)
-    text += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}\"/>\n", time, attribute(file));
+  for (const auto& [time, part, file] : entries)
+    text += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n", time, part, attribute(file));
   return text + "</Collection>\n</VTKFile>\n";
 }
 

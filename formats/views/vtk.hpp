@@ -5,10 +5,12 @@
 // .vtu: VTK XML UnstructuredGrid, ASCII. Every block has points of its own and is one VTK_POLYGON (type 7). A block
 // with holes is written as one closed chain that walks from the outer loop to each hole and back along the same line,
 // for a VTK polygon has no holes. Cell data: block and material (from 1), stress_xx stress_yy stress_xy stress_zz
-// (tension positive), displacement (of the centroid since the start), velocity, rotation (rad), rotation_rate, area.
+// (tension positive), principal_stress_greatest and _least in the plane, principal_axis (unit, of the greatest),
+// displacement (of the centroid since the start), velocity, rotation (rad), rotation_rate, area, fixed_points (how many
+// hold the block). Point data, of every corner, each element its own: displacement.
 // The time stands in the field TimeValue. Units are those of the input.
-// Where stress varies within elements (bodies on covers) also point data, of every corner, each element its own:
-// displacement, stress_xx stress_yy stress_xy stress_zz; and body (from 1) among the cell data.
+// Where stress varies within elements (bodies on covers) also point data stress_xx stress_yy stress_xy stress_zz,
+// principal_stress_greatest and _least, principal_axis; and body (from 1) among the cell data.
 // Where rock may yield (frame.plastic) also cell data, at the centroid, and with stress at corners but for the last two
 // point data: plastic_strain_xx _yy _xy _zz since the start (components of the tensor, xy half of the shear angle),
 // equivalent_plastic_strain (κ = ∫ √(2/3) ‖dev dεᵖ‖), mean_stress, von_mises_stress, lode_angle_degree
@@ -18,7 +20,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "result/field_frame.hpp"
@@ -29,7 +30,13 @@ namespace keyblock::formats {
 /// `field`: the same instant within the elements, or without elements.
 std::string vtu(const Frame& frame, const FieldFrame& field = {});
 
-/// File names are relative to the list.
-std::string pvd(const std::vector<std::pair<double, std::string>>& time_and_file);
+/// One file of an instant; its name is relative to the list. Files of one time differ in their part.
+struct PvdEntry {
+  double time = 0;
+  int part = 0;
+  std::string file;
+};
+
+std::string pvd(const std::vector<PvdEntry>& entries);
 
 }  // namespace keyblock::formats

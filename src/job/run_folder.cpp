@@ -12,9 +12,11 @@
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "formats/registry.hpp"
+#include "formats/text/contact_csv.hpp"
 #include "formats/text/csv.hpp"
 #include "formats/text/tips_csv.hpp"
 #include "formats/views/vtk.hpp"
+#include "formats/views/vtk_parts.hpp"
 #include "report/crack_picture.hpp"
 #include "report/energy_picture.hpp"
 #include "report/field_picture.hpp"
@@ -33,14 +35,17 @@ namespace {
 constexpr const char* kRecord = "run.json";
 constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
+constexpr const char* kFrameList = "fields.pvd";
+// The list is written whole each time: of many frames not with each.
+constexpr std::chrono::milliseconds kListEvery{500};
 
 // The files that a run may leave in its folder, and all that it may leave.
-constexpr std::array<std::string_view, 15> kFiles{
-    kRecord,         "history.csv", "fields.pvd", "picture.svg", "energy.svg", "field.svg",  "plastic.svg", "steps.csv",
-    "reactions.svg", "blocks.csv",  "points.csv", "rounds.csv",  "tips.csv",   "cracks.svg", kCheckpoint};
-constexpr std::array kNames{kRecord,       "history.csv",   "fields.pvd", "picture.svg", "energy.svg", "field.svg",
-                            "plastic.svg", "reactions.svg", "steps.csv",  "blocks.csv",  "points.csv", "rounds.csv",
-                            "tips.csv",    "cracks.svg",    kFrameFolder, kCheckpoint};
+constexpr std::array<std::string_view, 18> kFiles{
+    kRecord,       "history.csv",  kFrameList,   "picture.svg",   "energy.svg", "field.svg",
+    "plastic.svg", "steps.csv",    "blocks.csv", "reactions.svg", "points.csv", "rounds.csv",
+    kCheckpoint,   "contacts.csv", "joints.csv", "bolts.csv",     "tips.csv",   "cracks.svg"};
+// Of those, what is written as the run goes: a run that was killed leaves them without a record.
+constexpr std::array<std::string_view, 4> kGrowing{kFrameList, "contacts.csv", "joints.csv", "bolts.csv"};
 
 constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
 
@@ -104,7 +109,12 @@ std::vector<report::Curve> displacement_curves(const History& history, const Fra
 }  // namespace
 
 RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace)
-    : folder_(std::move(folder)), trace_(trace), overwrite_(overwrite) {
+    : folder_(std::move(folder)),
+      contacts_(folder_ / "contacts.csv", formats::contacts_csv_header()),
+      joints_(folder_ / "joints.csv", formats::joints_csv_header()),
+      bolts_(folder_ / "bolts.csv", formats::bolts_csv_header()),
+      trace_(trace),
+      overwrite_(overwrite) {
   if (fs::exists(folder_) && !fs::is_directory(folder_))
     throw UsageError(fmt::format("{} is a file, not a folder", folder_.string()));
   require_names_free();
@@ -115,19 +125,41 @@ RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace)
 }
 
 void RunFolder::require_names_free() const {
-  for (const char* name : kNames) require_free(folder_ / name, overwrite_);
+  for (const std::string_view name : kFiles) require_free(folder_ / name, overwrite_);
+  require_free(folder_ / kFrameFolder, overwrite_);
 }
 
-RunFolder::RunFolder(fs::path folder, Trace trace) : folder_(std::move(folder)), lock_(folder_), trace_(trace) {}
+RunFolder::RunFolder(fs::path folder, Trace trace) : RunFolder(std::move(folder), Overwrite::yes, trace) {
+  lock_ = FolderLock(folder_);
+}
 
 namespace {
 
-/// As `write_frame` names them; whatever else lies beside them is the user's.
+/// Files of a frame, by the opening of their names and their endings; each is a part of its own for viewers.
+struct FramePart {
+  std::string_view opening;
+  std::string_view ending;
+};
+constexpr std::array<FramePart, 3> kParts{{{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}}};
+
+std::string frame_file(const FramePart& part, int step) {
+  return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
+}
+
+bool is_of(const FramePart& part, const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return file.extension() == part.ending && stem.starts_with(part.opening) && stem.size() >= part.opening.size() + 8 &&
+         std::ranges::all_of(stem.substr(part.opening.size()), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+int part_number(const fs::path& file) {
+  const auto part = std::ranges::find_if(kParts, [&](const FramePart& p) { return is_of(p, file); });
+  return static_cast<int>(part - kParts.begin());
+}
+
+/// As `frame_file` names them; whatever else lies beside them is the user's.
 bool is_frame(const fs::directory_entry& entry) {
-  const std::string stem = entry.path().stem().string();
-  return entry.path().extension() == ".vtu" && stem.size() >= 8 &&
-         std::ranges::all_of(stem, [](char c) { return c >= '0' && c <= '9'; }) &&
-         fs::is_regular_file(entry.symlink_status());
+  return part_number(entry.path()) < static_cast<int>(kParts.size()) && fs::is_regular_file(entry.symlink_status());
 }
 
 void remove_frames(const fs::path& folder, const std::set<fs::path>& kept) {
@@ -144,7 +176,10 @@ void remove_frames(const fs::path& folder, const std::set<fs::path>& kept) {
 // By its record; a run that was killed before it wrote one left its frames and checkpoint alone.
 std::set<std::string> RunFolder::written_before() const {
   std::set<std::string> names{kRecord, kCheckpoint};
-  if (!fs::is_regular_file(folder_ / kRecord)) return names;
+  if (!fs::is_regular_file(folder_ / kRecord)) {
+    if (fs::is_regular_file(folder_ / kCheckpoint)) names.insert(kGrowing.begin(), kGrowing.end());
+    return names;
+  }
   const auto record = nlohmann::json::parse(formats::load((folder_ / kRecord).string()).text, nullptr, false);
   if (!record.is_object() || !record.contains("outputs")) return names;
   for (const auto& name : record.at("outputs"))
@@ -182,6 +217,7 @@ void RunFolder::begin(const std::string& checkpoint) {
 void RunFolder::take_back() {
   std::error_code error;
   for (const FrameFile& file : frame_files_) fs::remove(folder_ / file.name, error);
+  for (const std::string_view name : kGrowing) fs::remove(folder_ / name, error);
   fs::remove(checkpoint_in(folder_), error);
   fs::remove(folder_ / kFrameFolder, error);  // unless something else lies there
   if (made_folder_) fs::remove(folder_, error);
@@ -195,12 +231,21 @@ void RunFolder::drop_what_followed() {
   remove_frames(folder_ / kFrameFolder, kept);
   remove_drafts(folder_);
   fs::create_directory(folder_ / kFrameFolder, error);
+  for (GrowingTable* table : {&contacts_, &joints_, &bolts_}) table->keep_steps(framed_steps());
+}
+
+std::set<int> RunFolder::framed_steps() const {
+  std::set<int> steps;
+  for (const FrameFile& file : frame_files_)
+    if (is_of(kParts.front(), file.name)) steps.insert(std::stoi(fs::path(file.name).stem().string()));
+  return steps;
 }
 
 void RunFolder::flush_frames() {
   for (; flushed_frames_ < frame_files_.size(); ++flushed_frames_)
     flush_to_disk(folder_ / frame_files_[flushed_frames_].name);
   flush_to_disk(folder_ / kFrameFolder);
+  for (const GrowingTable* table : {&contacts_, &joints_, &bolts_}) table->flush();
 }
 
 void RunFolder::write_checkpoint(const std::string& bytes) {
@@ -237,35 +282,51 @@ void RunFolder::describe(Archive& archive) {
 void RunFolder::write(const std::string& name, const std::string& text) {
   const bool is_own = std::ranges::find(outputs_, name) != outputs_.end();
   write_file(folder_ / name, text, is_own ? Overwrite::yes : overwrite_);
-  outputs_.push_back(name);
+  if (!is_own) outputs_.push_back(name);
 }
 
-void RunFolder::write_frame(int step, double time, const std::string& text) {
-  const std::string name = fmt::format("{}/{:08}.vtu", kFrameFolder, step);
+void RunFolder::write_frame(const std::string& name, double time, const std::string& text) {
   write_file(folder_ / name, text);
   frame_files_.push_back({time, name, sha256(text)});
 }
 
-void RunFolder::add(const Frame& frame, const FieldFrame& field) {
-  write_frame(frame.step, frame.time, formats::vtu(frame, field));
+void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
+  const auto& [blocks, points, lines] = kParts;
+  write_frame(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field));
+  if (!contacts.empty())
+    write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts));
+  if (!frame.bolts.empty()) write_frame(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame));
+  contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, contacts));
+  joints_.append(formats::joints_csv_rows(frame.step, frame.time, contacts));
+  bolts_.append(formats::bolts_csv_rows(frame));
+  if (const auto now = std::chrono::steady_clock::now(); now - listed_ > kListEvery) {
+    write(kFrameList, list_of_frames());
+    listed_ = now;
+  }
   if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
   frames_.push_back(frame);
 }
 
 // The list would name what is not there.
 void RunFolder::write_list_of_frames() {
-  std::vector<std::pair<double, std::string>> files;
   for (const FrameFile& file : frame_files_) {
     if (!fs::is_regular_file(folder_ / file.name))
       throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / file.name).string()));
-    files.emplace_back(file.time, file.name);
   }
-  write("fields.pvd", formats::pvd(files));
+  write(kFrameList, list_of_frames());
+}
+
+std::string RunFolder::list_of_frames() const {
+  std::vector<formats::PvdEntry> files;
+  for (const FrameFile& file : frame_files_) files.push_back({file.time, part_number(file.name), file.name});
+  return formats::pvd(files);
 }
 
 void RunFolder::finish(const RunResults& results) {
   const auto& [title, history, steps, ledger, field, is_of_motion] = results;
   write_list_of_frames();
+  for (const GrowingTable* table : {&contacts_, &joints_, &bolts_})
+    if (table->has_begun()) outputs_.push_back(table->file().filename().string());
   write("history.csv", formats::history_csv(history));
   write("picture.svg", report::run_picture({title,
                                             frames_.front(),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -11,6 +12,8 @@
 #include "base/archive.hpp"
 #include "job/files.hpp"
 #include "job/folder_lock.hpp"
+#include "job/growing_table.hpp"
+#include "result/contact_frame.hpp"
 #include "result/extremes.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
@@ -64,8 +67,9 @@ class RunFolder {
   /// The results are on the disk: the checkpoint goes, if there is one.
   void remove_checkpoint();
 
-  /// Writes the frame's .vtu at once, with `field` where that has elements.
-  void add(const Frame& frame, const FieldFrame& field = {});
+  /// Writes at once the frame's .vtu, with `field` where that has elements, .vtp files of contacts and bolts where there
+  /// are any, and their rows of contacts.csv, joints.csv and bolts.csv; and from time to time fields.pvd.
+  void add(const Frame& frame, const FieldFrame& field = {}, const ContactFrames& contacts = {});
 
   /// history.csv, fields.pvd, picture.svg, field.svg; points.csv where points are measured, energy.svg if there is a
   /// ledger, plastic.svg where rock may yield, reactions.svg where load steps of such rock drive an edge and, for a
@@ -92,8 +96,10 @@ class RunFolder {
 
   void require_names_free() const;
   void write(const std::string& name, const std::string& text);
-  void write_frame(int step, double time, const std::string& text);
+  void write_frame(const std::string& name, double time, const std::string& text);
+  std::string list_of_frames() const;
   void write_list_of_frames();
+  std::set<int> framed_steps() const;
   void clear();
   std::set<std::string> written_before() const;
   void flush_frames();
@@ -101,6 +107,10 @@ class RunFolder {
   std::filesystem::path folder_;
   FolderLock lock_;  ///< of a new run from `begin` on
   std::vector<FrameFile> frame_files_;
+  GrowingTable contacts_;
+  GrowingTable joints_;
+  GrowingTable bolts_;
+  std::chrono::steady_clock::time_point listed_ = {};  ///< when the list of frames was written last
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   std::vector<std::string> outputs_;

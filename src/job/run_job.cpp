@@ -53,7 +53,7 @@ void RunJob::write_checkpoint(Stepper& stepper) {
 }
 
 Observer RunJob::observer(const RunListener& listener) {
-  return {[&](const Frame& frame) { folder_.add(frame, std::exchange(field_, {})); },
+  return {[&](const Frame& frame) { folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {})); },
           [&](const StepReport& report) {
             record_.totals.add(report);
             record_.steps.add(report);
@@ -68,7 +68,8 @@ Observer RunJob::observer(const RunListener& listener) {
             record_.ledger.add(row);
           },
           [&](Stepper& stepper) { write_checkpoint(stepper); },
-          [&](const FieldFrame& field) { field_ = field; }};
+          [&](const FieldFrame& field) { field_ = field; },
+          [&](const ContactFrames& contacts) { contacts_ = contacts; }};
 }
 
 bool RunJob::run(const RunListener& listener) {

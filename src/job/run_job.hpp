@@ -66,6 +66,7 @@ class RunJob {
   CheckpointClock clock_;
   std::unique_ptr<Stepper> stepper_;  ///< restored; none of a run that begins
   FieldFrame field_;                  ///< of the frame that comes next
+  ContactFrames contacts_;            ///< likewise
   bool stops_ = false;
 };
 

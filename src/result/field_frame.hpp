@@ -15,7 +15,7 @@ namespace keyblock {
 struct FieldCorner {
   Point position;
   Point displacement;
-  Stress stress;                             ///< as the element has it: neighbours need not agree
+  Stress stress;                    ///< as the element has it: neighbours need not agree
   Rare<PlasticState> plastic = {};  ///< none of rock that cannot yield
 };
 
@@ -32,6 +32,7 @@ struct FieldFrame {
   double time = 0;
   std::vector<FieldElement> elements;
   std::optional<PlasticTotals> plastic = {};  ///< none where no rock may yield
+  bool is_of_blocks = false;                  ///< all corners of an element have its stress
 };
 
 /// As many as elements where each is a block.

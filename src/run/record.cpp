@@ -9,6 +9,7 @@
 #include "fracture/growth.hpp"
 #include "model/continuum.hpp"
 #include "model/shared_covers.hpp"
+#include "run/growth/solution_of.hpp"
 
 namespace keyblock {
 namespace {
@@ -174,18 +175,17 @@ std::vector<TipState> tips_of(const Stepper& stepper) {
   const Model& model = stepper.model();
   std::vector<TipState> tips = stepper.tips();
   if (!tips.empty() || !model.continuum || model.continuum->cracks.empty()) return tips;
-  const std::optional<CoverDisplacement> moved = stepper.on_covers();
-  if (!moved) return tips;
-  const CoverSolution solution{*model.continuum, moved->basis, moved->d, moved->is_large};
+  const std::optional<CoverSolution> solution = solution_of(stepper);
+  if (!solution) return tips;
   tips = followed_tips(model.continuum->manifold, model.continuum->cracks);
-  for (TipState& tip : tips) put_factors(tip, solution, GrowthCriterion::hoop_stress);
+  for (TipState& tip : tips) put_factors(tip, *solution, GrowthCriterion::hoop_stress);
   return tips;
 }
 
 FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const State& state = stepper.state();
   const StartPlaces& start = stepper.unloaded();
-  FieldFrame field{state.step, state.time, {}, stepper.plastic_totals()};
+  FieldFrame field{state.step, state.time, {}, stepper.plastic_totals(), model.nodes.empty()};
   const auto corner = [&](ElementIndex e, Point at, Point now) {
     return FieldCorner{at, now - at, stepper.stress_at(e, at),
                        field.plastic ? stepper.plastic_at(e, at) : std::nullopt};

@@ -77,7 +77,8 @@ class Loop {
     put_plastic(frame, stepper_);
     frame.tips = tips_of(stepper_);
     frame.load_factor = stepper_.load_factor();
-    if (observer_.on_field && !stepper_.model().nodes.empty()) observer_.on_field(field_of(stepper_.model(), stepper_));
+    if (observer_.on_field) observer_.on_field(field_of(stepper_.model(), stepper_));
+    if (observer_.on_contacts) observer_.on_contacts(stepper_.contacts());
     observer_.on_frame(frame);
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problem/blocks.hpp"
+#include "result/contact_frame.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
@@ -30,8 +31,9 @@ struct Observer {
   /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on
   /// takes.
   std::function<void(Stepper&)> between_steps = {};
-  /// Before each frame, where elements hang on covers that they share: the same instant within the elements.
+  /// Before each frame: the same instant within the elements.
   std::function<void(const FieldFrame&)> on_field = {};
+  std::function<void(const ContactFrames&)> on_contacts = {};  ///< before each frame
 };
 
 enum class RunEnd { finished, failed, stopped };

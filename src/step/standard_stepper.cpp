@@ -24,6 +24,7 @@
 #include "step/rest/static_step.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/carry_motion.hpp"
+#include "step/scene/contact_frames.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/enforcement.hpp"
 #include "step/scene/equilibrium.hpp"
@@ -347,6 +348,12 @@ std::optional<PlasticTotals> StandardStepper::plastic_totals() const {
   return totals;
 }
 
+ContactFrames StandardStepper::contacts() const {
+  const bool is_in_time = scene_.settings.standard.motion == MotionRule::dynamic;
+  return contact_frames(scene_, motion_, state_, unloaded_,
+                        is_in_time ? vertices_before_ : Table<VertexIndex, Point>());
+}
+
 std::variant<StepReport, StepFailure> StandardStepper::advance() {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   const double load_share = scene_.load_share;
@@ -373,6 +380,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   motion_ = made.step.motion;
   next_part_ = made.next;
   begins_scene_ = false;
+  vertices_before_ = std::move(state_.vertices);
   state_ = std::move(end);
   if (scene_.settings.ledger == Bookkeeping::on) book(made.step);
   return report_of(made);

@@ -28,6 +28,7 @@ class StandardStepper : public SceneStepper {
   std::optional<PlasticTotals> plastic_totals() const override;
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return ledger_; }
+  ContactFrames contacts() const override;
   StartReport start_report() const override { return start_report_; }
   std::optional<State> attempted() const override { return attempted_; }
   LedgerScope ledger_scope() const override { return keyblock::ledger_scope(scene_); }
@@ -59,6 +60,7 @@ class StandardStepper : public SceneStepper {
   std::string start_failure_;  ///< said by the first step; empty for a start that was found
   StartPlaces unloaded_;
   State state_;
+  Table<VertexIndex, Point> vertices_before_;  ///< at the start of the last step; none before one, or once restored
   LedgerRow ledger_;
   double plastic_work_ = 0;         ///< at rest, where there is no ledger of flows
   std::optional<State> attempted_;  ///< of a step that failed

@@ -12,6 +12,7 @@
 #include "model/cover_basis.hpp"
 #include "model/scene/scene.hpp"
 #include "model/state.hpp"
+#include "result/contact_frame.hpp"
 #include "result/force_balance.hpp"
 #include "result/ledger.hpp"
 #include "result/plastic_state.hpp"
@@ -77,6 +78,8 @@ class Stepper {
   virtual std::optional<PlasticTotals> plastic_totals() const { return std::nullopt; }
   /// Where the step that failed last had come to, out of balance: what moves. None where nothing is known of it.
   virtual std::optional<State> attempted() const { return std::nullopt; }
+  /// What touches, and what it bore in the last accepted step; none where the scene has no contact. Made when asked for.
+  virtual ContactFrames contacts() const { return {}; }
   virtual StartReport start_report() const { return {}; }
   /// On failure the state is unchanged, and where it throws StopRequested in the middle of a step.
   virtual std::variant<StepReport, StepFailure> advance() = 0;

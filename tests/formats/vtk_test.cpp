@@ -83,7 +83,7 @@ TEST(Vtk, a_frame_without_blocks_is_an_empty_grid) {
 
 TEST(Vtk, the_list_of_files_gives_real_times_and_safe_names) {
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(pvd({{0.1, "a&b.vtu"}, {1, "c.vtu"}}).c_str()));
+  ASSERT_TRUE(document.load_string(pvd({{0.1, 0, "a&b.vtu"}, {1, 0, "c.vtu"}}).c_str()));
   const pugi::xml_node first = document.child("VTKFile").child("Collection").first_child();
   EXPECT_STREQ(first.attribute("timestep").value(), "0.10000000000000001");
   EXPECT_STREQ(first.attribute("file").value(), "a&b.vtu");

@@ -66,7 +66,7 @@ struct SkewPair {
   }
   Vector friction(bool acts = true) const {
     System system({6, 6});
-    add_friction({contact}, {acts}, scene.model, state, system);
+    add_friction(with_friction({contact}, {acts}, scene.model), scene.model, state, system);
     return system.load;
   }
 };

@@ -42,6 +42,8 @@ struct Contact {
   double length = 0;                               ///< contact length that bears cohesion and tension
   double penalty = 0;                              ///< normal stiffness in use at the last judgement
   bool bonded = false;                             ///< cohesion and tension act
+  double spring = 0;                               ///< in the last solve: `distance` from the line whose spring it had
+  double friction = 0;  ///< in the last solve: force against sliding, with the sign of `slip`
 
   bool is_open() const { return state == ContactState::open; }
   bool has_second() const { return kind == ContactKind::vertex_vertex || parallel_pair; }

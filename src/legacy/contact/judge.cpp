@@ -53,6 +53,7 @@ class Judge {
     double tested = contact.distance;
     if (contact.state == ContactState::on_first_line) tested = first;
     if (contact.state == ContactState::on_second_line) tested = second;
+    contact.spring = tested;
     const bool opens = contact.is_open() ? tested > -rules_.closing_depth : tested > rules_.opening_distance;
     contact.state = opens ? ContactState::open : nearer;
   }
@@ -62,7 +63,7 @@ class Judge {
     const LineMotion u = motion(contact.first);
     const JointMaterial& joint = model_.joint_at(contact.first.start);
     const double change = twice_area_change(line, u);
-    contact.distance = (line.twice_area() + change) / line.size();
+    contact.distance = contact.spring = (line.twice_area() + change) / line.size();
     if (stays_open(contact, joint)) {
       contact.state = ContactState::open;
       return;

@@ -207,17 +207,22 @@ void add_springs(const Contacts& contacts, const Model& model, const State& stat
   }
 }
 
-void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const Model& model, const State& state,
-                  System& system) {
+Contacts with_friction(Contacts contacts, const std::vector<bool>& acts, const Model& model) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Contact& contact = contacts[c];
-    if (!acts[c] || contact.state != ContactState::sliding) continue;
+    Contact& contact = contacts[c];
+    const bool rubs = acts[c] && contact.state == ContactState::sliding;
+    contact.friction = rubs ? friction_force(contact, model.joint_at(contact.first.start)) * sign(contact.slip) : 0;
+  }
+  return contacts;
+}
+
+void add_friction(const Contacts& contacts, const Model& model, const State& state, System& system) {
+  for (const Contact& contact : contacts) {
+    if (contact.friction == 0 || contact.state != ContactState::sliding) continue;
     const Line line = line_of(state, contact.first);
     const ElementIndex i = model.vertices[contact.first.vertex].element;
     const ElementIndex j = model.vertices[contact.first.start].element;
-    const JointMaterial& joint = model.joint_at(contact.first.start);
-    const double force = friction_force(contact, joint) * sign(contact.slip);
-    const Eigen::Vector2d along = force / line.size() * vector(line.along());
+    const Eigen::Vector2d along = contact.friction / line.size() * vector(line.along());
     system.load_of(i.value) -= basis_at(model, state, i, line.p1).transpose() * along;
     system.load_of(j.value) +=
         ((1 - contact.ratio) * basis_at(model, state, j, line.p2) + contact.ratio * basis_at(model, state, j, line.p3))

@@ -15,9 +15,10 @@ namespace keyblock {
 void add_springs(const Contacts& contacts, const Model& model, const State& state, const ContactRules& rules,
                  double penalty, System& system);
 
-/// Friction and cohesion of every sliding contact for which `acts` is set, from the last judgement's pressure
-/// and sliding direction (legacy-rules 9). `acts` has one entry a contact.
-void add_friction(const Contacts& contacts, const std::vector<bool>& acts, const Model& model, const State& state,
-                  System& system);
+/// With the friction and cohesion of every sliding contact for which `acts` is set, from the last judgement's pressure
+/// and sliding direction (legacy-rules 9), and none of the others. `acts` has one entry a contact.
+Contacts with_friction(Contacts contacts, const std::vector<bool>& acts, const Model& model);
+
+void add_friction(const Contacts& contacts, const Model& model, const State& state, System& system);
 
 }  // namespace keyblock

@@ -47,7 +47,9 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
     ++outcome.passes;
     system = without_contact;
     add_springs(outcome.contacts, model, state, rules, penalty, system);
-    add_friction(outcome.contacts, friction_acts(outcome.contacts, attempt, outcome.passes), model, state, system);
+    const std::vector<bool> acts = friction_acts(outcome.contacts, attempt, outcome.passes);
+    outcome.contacts = with_friction(std::move(outcome.contacts), acts, model);
+    add_friction(outcome.contacts, model, state, system);
     const std::optional<Solution> solution = covers.solve(system, kind, solver);
     if (!solution) {
       outcome.failure = "the system of equations could not be solved";

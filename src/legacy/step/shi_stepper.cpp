@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/stop.hpp"
+#include "legacy/contact/contact_frames.hpp"
+#include "legacy/contact/springs.hpp"
 #include "legacy/step/shi_ledger.hpp"
 #include "model/describe_state.hpp"
 
@@ -56,18 +58,29 @@ ShiStepper::ShiStepper(Scene scene)
 
 ShiStepper::ShiStepper(Scene scene, Archive& saved) : ShiStepper(std::move(scene)) {
   describe(saved, stepping_);
+  // Forces of the last solve are not saved: as near as what was judged after it says.
+  Contacts& contacts = stepping_.contacts;
+  for (Contact& contact : contacts) contact.spring = contact.distance;
+  contacts = with_friction(std::move(contacts), std::vector<bool>(contacts.size(), true), scene_.model);
 }
 
 std::variant<StepReport, StepFailure> ShiStepper::advance() {
   const bool had_solved = stepping_.has_solved;
   const bool gave_up = stepping_.solver.gave_up_iterations;
+  Table<VertexIndex, Point> before = state().vertices;
   try {
-    return keyblock::advance(scene_, stepping_);
+    std::variant<StepReport, StepFailure> made = keyblock::advance(scene_, stepping_);
+    if (std::holds_alternative<StepReport>(made)) vertices_before_ = std::move(before);
+    return made;
   } catch (const StopRequested&) {
     stepping_.has_solved = had_solved;
     stepping_.solver.gave_up_iterations = gave_up;
     throw;
   }
+}
+
+ContactFrames ShiStepper::contacts() const {
+  return contact_frames(stepping_.contacts, scene_.model, state(), unloaded_, scene_.rules, vertices_before_);
 }
 
 LedgerRow ShiStepper::ledger() const {

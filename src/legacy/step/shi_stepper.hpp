@@ -17,6 +17,7 @@ class ShiStepper : public Stepper {
   const State& state() const override { return stepping_.state; }
   const StartPlaces& unloaded() const override { return unloaded_; }
   std::variant<StepReport, StepFailure> advance() override;
+  ContactFrames contacts() const override;
   LedgerRow ledger() const override;
   LedgerScope ledger_scope() const override;
   void save(Archive& archive) override;
@@ -25,6 +26,7 @@ class ShiStepper : public Stepper {
   ShiScene scene_;
   Stepping stepping_;
   StartPlaces unloaded_;
+  Table<VertexIndex, Point> vertices_before_;  ///< at the start of the last step; none before one, or once restored
 };
 
 }  // namespace keyblock

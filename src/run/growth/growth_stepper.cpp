@@ -12,6 +12,7 @@
 #include "model/continuum.hpp"
 #include "model/setup/scale_loads.hpp"
 #include "result/describe.hpp"
+#include "run/growth/solution_of.hpp"
 #include "step/scene_steppers.hpp"
 
 namespace keyblock {
@@ -78,8 +79,7 @@ Scene GrowthStepper::scene_with(const std::vector<CrackPlan>& cracks, double fac
 }
 
 std::vector<TipState> GrowthStepper::tips_of(const Stepper& solved, const std::vector<CrackPlan>& cracks) const {
-  const CoverDisplacement moved = *solved.on_covers();
-  const CoverSolution solution{*solved.model().continuum, moved.basis, moved.d, moved.is_large};
+  const CoverSolution solution = *solution_of(solved);
   std::vector<TipState> tips = followed_tips(solution.continuum.manifold, cracks);
   for (TipState& tip : tips) put_factors(tip, solution, first_.growth->plan.criterion);
   return tips;

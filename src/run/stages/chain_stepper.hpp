@@ -29,6 +29,7 @@ class ChainStepper : public Stepper {
   }
   std::optional<PlasticTotals> plastic_totals() const override { return now_->plastic_totals(); }
   std::optional<State> attempted() const override { return now_->attempted(); }
+  ContactFrames contacts() const override { return now_->contacts(); }
   StartReport start_report() const override { return now_->start_report(); }
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return now_->ledger(); }

@@ -6,6 +6,7 @@
 
 #include "base/stop.hpp"
 #include "model/continuum.hpp"
+#include "run/growth/solution_of.hpp"
 #include "run/prepare.hpp"
 #include "run/steppers.hpp"
 
@@ -44,8 +45,7 @@ CaseIntensity intensity_at_end(Problem problem, const std::string& profile, cons
   const Continuum& continuum = *stepper->model().continuum;
   if (continuum.manifold.tips.empty())
     throw InputError(place_of(problem), "expected the end of a crack or joint inside a body, found none");
-  const std::optional<CoverDisplacement> moved = stepper->on_covers();
-  const CoverSolution solution{continuum, moved->basis, moved->d, moved->is_large};
+  const CoverSolution solution = *solution_of(*stepper);
   for (const CrackTip& tip : continuum.manifold.tips) {
     TipAtEnd at_end{tip_report(solution, tip), {}, std::nullopt};
     if (at_end.report.factors) at_end.kink = kink(criterion, at_end.report.rock, at_end.report.factors->k);

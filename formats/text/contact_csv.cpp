@@ -1,0 +1,76 @@
+// Appends cells; the columns of contacts and bolts.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/text/contact_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+
+#include "formats/text/numbers.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+std::string opening(int step, double time) {
+  return fmt::format("{},{}", step, format_real(time));
+}
+
+void append(std::string& text, std::initializer_list<double> values) {
+  for (const double value : values) text += fmt::format(",{:.12g}", value);
+}
+
+}  // namespace
+
+std::string contacts_csv_header() {
+  return "step,time [T],block,other,joint_material,state,x [L],y [L],normal_x,normal_y,gap [L],slip [L],"
+         "normal_force [F],shear_force [F],force_x [F],force_y [F]\n";
+}
+
+std::string contacts_csv_rows(int step, double time, const ContactFrames& contacts) {
+  const std::string first = opening(step, time);
+  std::string text;
+  for (const ContactFrame& c : contacts) {
+    text +=
+        fmt::format("{},{},{},{},{}", first, c.element + 1, c.other + 1, c.joint_material + 1, word_for(c.condition));
+    const Point force = c.force();
+    append(text, {c.position.x, c.position.y, c.normal.x, c.normal.y, c.gap, c.slip, c.normal_force, c.shear_force,
+                  force.x, force.y});
+    text += '\n';
+  }
+  return text;
+}
+
+std::string joints_csv_header() {
+  return "step,time [T],block,other,joint_material,contacts,closed,sliding,normal_force [F],shear_force [F],"
+         "force_x [F],force_y [F]\n";
+}
+
+std::string joints_csv_rows(int step, double time, const ContactFrames& contacts) {
+  const std::string first = opening(step, time);
+  std::string text;
+  for (const JointSum& sum : joint_sums(contacts)) {
+    text += fmt::format("{},{},{},{},{},{},{}", first, sum.element + 1, sum.other + 1, sum.joint_material + 1,
+                        sum.contacts, sum.closed, sum.sliding);
+    append(text, {sum.normal_force, sum.shear_force, sum.force.x, sum.force.y});
+    text += '\n';
+  }
+  return text;
+}
+
+std::string bolts_csv_header() {
+  return "step,time [T],bolt,x1 [L],y1 [L],x2 [L],y2 [L],force [F],is_broken\n";
+}
+
+std::string bolts_csv_rows(const Frame& frame) {
+  const std::string first = opening(frame.step, frame.time);
+  std::string text;
+  for (std::size_t i = 0; i < frame.bolts.size(); ++i) {
+    const BoltFrame& bolt = frame.bolts[i];
+    text += fmt::format("{},{}", first, (bolt.number < 0 ? static_cast<int>(i) : bolt.number) + 1);
+    append(text, {bolt.first.x, bolt.first.y, bolt.second.x, bolt.second.y, bolt.force});
+    text += fmt::format(",{:d}\n", bolt.is_broken);
+  }
+  return text;
+}
+
+}  // namespace keyblock::formats

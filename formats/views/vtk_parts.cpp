@@ -1,0 +1,97 @@
+// Writes VTK's PolyData by hand.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/views/vtk_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "formats/text/numbers.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+std::string real(double value) {
+  return fmt::format("{:.12g}", value);
+}
+
+std::string vector_text(Point p) {
+  return fmt::format("{:.12g} {:.12g} 0", p.x, p.y);
+}
+
+/// One value a row of `rows`, or three with `width` 3.
+template <class Rows, class Value>
+void append(std::string& text, const Rows& rows, std::string_view type, std::string_view name, int width, Value value) {
+  text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type, name,
+                      width);
+  for (const auto& row : rows) text += value(row) + "\n";
+  text += "</DataArray>\n";
+}
+
+// `cells`: of the word Verts or Lines, of `size` points each, in their order.
+std::string opening(double time, std::string_view word, std::size_t cells, std::size_t size) {
+  return fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "<PolyData>\n<FieldData>\n"
+      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
+      "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOf{}=\"{}\">\n",
+      format_real(time), cells * size, word, cells);
+}
+
+std::string cells_of(std::string_view word, std::size_t cells, std::size_t size) {
+  std::string text = fmt::format("<{}>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n", word);
+  for (std::size_t i = 0; i < cells * size; ++i) text += fmt::format("{}\n", i);
+  text += "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  for (std::size_t i = 1; i <= cells; ++i) text += fmt::format("{}\n", i * size);
+  return text + fmt::format("</DataArray>\n</{}>\n", word);
+}
+
+constexpr std::string_view kPointsOpening =
+    "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+constexpr std::string_view kPointsEnd = "</DataArray>\n</Points>\n";
+constexpr std::string_view kEnd = "</Piece>\n</PolyData>\n</VTKFile>\n";
+
+}  // namespace
+
+std::string contacts_vtp(double time, const ContactFrames& contacts) {
+  using C = const ContactFrame&;
+  const auto number = [](int index) { return fmt::format("{}", index + 1); };
+  std::string text = opening(time, "Verts", contacts.size(), 1);
+  text += "<PointData>\n";
+  append(text, contacts, "Int32", "block", 1, [&](C c) { return number(c.element); });
+  append(text, contacts, "Int32", "other", 1, [&](C c) { return number(c.other); });
+  append(text, contacts, "Int32", "joint_material", 1, [&](C c) { return number(c.joint_material); });
+  append(text, contacts, "Int32", "state", 1, [](C c) { return fmt::format("{}", static_cast<int>(c.condition)); });
+  append(text, contacts, "Float64", "gap", 1, [](C c) { return real(c.gap); });
+  append(text, contacts, "Float64", "slip", 1, [](C c) { return real(c.slip); });
+  append(text, contacts, "Float64", "normal_force", 1, [](C c) { return real(c.normal_force); });
+  append(text, contacts, "Float64", "shear_force", 1, [](C c) { return real(c.shear_force); });
+  append(text, contacts, "Float64", "normal", 3, [](C c) { return vector_text(c.normal); });
+  append(text, contacts, "Float64", "force", 3, [](C c) { return vector_text(c.force()); });
+  text += "</PointData>\n";
+  text += kPointsOpening;
+  for (C c : contacts) text += vector_text(c.position) + "\n";
+  text += kPointsEnd;
+  return text + cells_of("Verts", contacts.size(), 1) + std::string(kEnd);
+}
+
+std::string bolts_vtp(const Frame& frame) {
+  using B = const BoltFrame&;
+  std::string text = opening(frame.time, "Lines", frame.bolts.size(), 2);
+  std::size_t next = 0;
+  text += "<CellData>\n";
+  append(text, frame.bolts, "Int32", "bolt", 1, [&](B b) {
+    const std::size_t index = next++;
+    return fmt::format("{}", (b.number < 0 ? static_cast<int>(index) : b.number) + 1);
+  });
+  append(text, frame.bolts, "Float64", "force", 1, [](B b) { return real(b.force); });
+  append(text, frame.bolts, "Int32", "is_broken", 1, [](B b) { return fmt::format("{:d}", b.is_broken); });
+  text += "</CellData>\n";
+  text += kPointsOpening;
+  for (B b : frame.bolts) text += vector_text(b.first) + "\n" + vector_text(b.second) + "\n";
+  text += kPointsEnd;
+  return text + cells_of("Lines", frame.bolts.size(), 2) + std::string(kEnd);
+}
+
+}  // namespace keyblock::formats

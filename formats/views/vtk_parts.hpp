@@ -1,0 +1,21 @@
+// Contacts and bolts of a frame for viewers such as ParaView (write only): files of points and lines beside the blocks.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// .vtp: VTK XML PolyData, ASCII, the time in the field TimeValue. Contacts are vertices with point data block, other,
+// joint_material (from 1), state (0 open, 1 stick, 2 slide), gap, slip, normal_force, shear_force, and as vectors
+// normal, force (on `block`; `other` has the opposite): signs as in formats/text/contact_csv.hpp. Bolts are lines with
+// cell data bolt (from 1), force (tension positive), is_broken (0, 1).
+#pragma once
+
+#include <string>
+
+#include "result/contact_frame.hpp"
+#include "result/frame.hpp"
+
+namespace keyblock::formats {
+
+std::string contacts_vtp(double time, const ContactFrames& contacts);
+
+std::string bolts_vtp(const Frame& frame);
+
+}  // namespace keyblock::formats

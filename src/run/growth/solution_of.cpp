@@ -1,0 +1,64 @@
+// Contacts taken back to the undeformed faces that they act on.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/growth/solution_of.hpp"
+
+#include <unordered_map>
+
+#include "model/continuum.hpp"
+
+namespace keyblock {
+namespace {
+
+// Of X = x - u(X), which contracts where strains are small.
+constexpr int kRounds = 3;
+
+Point undeformed(const CoverDisplacement& moved, int element, Point x) {
+  const ElementShape shape = moved.basis.shape(element);
+  Point start = x;
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::RowVectorXd n = shape.values(start);
+    Eigen::Vector2d u = Eigen::Vector2d::Zero();
+    for (int a = 0; a < shape.function_count(); ++a)
+      u += n(a) * moved.d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
+    start = x - Point{u.x(), u.y()};
+  }
+  return start;
+}
+
+/// Elements of the manifold by the numbers that frames call them.
+std::unordered_map<int, int> elements_by_number(const Model& model) {
+  std::unordered_map<int, int> elements;
+  const int count = static_cast<int>(model.continuum->manifold.elements.size());
+  const int first = static_cast<int>(model.elements.size()) - count;
+  for (int e = 0; e < count; ++e) elements.emplace(model.identities.of_element(first + e).number, e);
+  return elements;
+}
+
+std::vector<FaceForce> face_forces(const Stepper& stepper, const CoverDisplacement& moved) {
+  std::vector<FaceForce> forces;
+  const ContactFrames contacts = stepper.contacts();
+  if (contacts.empty()) return forces;
+  const std::unordered_map<int, int> elements = elements_by_number(stepper.model());
+  const auto add = [&](int number, Point at, Point force) {
+    if (const auto found = elements.find(number); found != elements.end())
+      forces.push_back({found->second, undeformed(moved, found->second, at), force});
+  };
+  for (const ContactFrame& contact : contacts) {
+    if (contact.normal_force == 0 && contact.shear_force == 0) continue;
+    add(contact.element, contact.position, contact.force());
+    add(contact.other, contact.position, -1.0 * contact.force());
+  }
+  return forces;
+}
+
+}  // namespace
+
+std::optional<CoverSolution> solution_of(const Stepper& stepper) {
+  const std::optional<CoverDisplacement> moved = stepper.on_covers();
+  if (!moved) return std::nullopt;
+  CoverSolution solution{*stepper.model().continuum, moved->basis, moved->d, moved->is_large, {}};
+  if (moved->is_large) solution.face_forces = face_forces(stepper, *moved);
+  return solution;
+}
+
+}  // namespace keyblock

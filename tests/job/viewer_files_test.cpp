@@ -1,0 +1,85 @@
+// What a run leaves for viewers, read back by VTK's own readers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::viewer_files_test {
+namespace {
+
+using support::fresh_folder;
+using support::run_keyblock;
+using support::run_script;
+using support::write_text;
+
+/// The quantities that tests/support/read_vtk.py prints; none where VTK is not installed.
+std::map<std::string, double> read_by_vtk(const std::string& folder) {
+  const auto read =
+      run_script(fmt::format("for p in /usr/bin/python3 python3; do $p '{}/tests/support/read_vtk.py' '{}'; c=$?; "
+                             "test $c = 3 || exit $c; done; exit 3",
+                             KEYBLOCK_SOURCE_DIR, folder));
+  EXPECT_TRUE(read.exit_code == 0 || read.exit_code == 3) << read.messages;
+  EXPECT_EQ(read.messages, "") << "VTK's readers complain";
+  std::map<std::string, double> values;
+  std::istringstream lines(read.output);
+  std::string name;
+  for (double value = 0; lines >> name >> value;) values[name] = value;
+  return values;
+}
+
+constexpr double kWeight = 24525;
+
+/// A held floor, two squares on it, and a bolt of constant pull between the lower one and the floor.
+const char* const kCase = R"({"keyblock": 1,
+  "blocks": {"blocks": [{"outer": [[-2, -1, 1], [3, -1, 1], [3, 0, 1], [-2, 0, 1]]},
+                        {"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]},
+                        {"outer": [[0, 1, 1], [1, 1, 1], [1, 2, 1], [0, 2, 1]]}],
+    "fixed_points": [[-1, -0.5, 1], [2, -0.5, 1]], "bolts": [BOLT]},
+  "analysis": {"step_count": 20, "time_step": 0.001, "allowed_displacement_ratio": 0.01, "velocity_carry_over": 1,
+    "joint_materials": [{"friction_angle_deg": 30}],
+    "block_materials": [{"density": 2500, "unit_weight": 24525, "youngs_modulus": 5e9, "poissons_ratio": 0.25}]}})";
+
+std::map<std::string, double> seen_of_run(const std::string& bolts) {
+  const std::string folder = fresh_folder("viewer_files");
+  std::string text = kCase;
+  text.replace(text.find("[BOLT]"), 6, bolts);
+  write_text(folder + "/case.json", text);
+  EXPECT_EQ(run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"}).exit_code, 0);
+  return read_by_vtk(folder + "/out");
+}
+
+constexpr const char* kNoVtk = "VTK for Python (python3-vtk9) is not installed";
+
+}  // namespace
+
+TEST(ViewerFiles, vtk_reads_contacts_whose_forces_bear_the_blocks_and_corners_that_warp_back_to_the_drawing) {
+  const auto seen = seen_of_run("[]");
+  if (seen.empty()) GTEST_SKIP() << kNoVtk;
+  EXPECT_EQ(seen.at("blocks"), 3);
+  EXPECT_EQ(seen.at("contacts"), 4);
+  EXPECT_NEAR(seen.at("time"), 0.02, 1e-12);
+  EXPECT_EQ(seen.at("held"), 1);
+  EXPECT_NEAR(seen.at("force_y_on_1") / kWeight, -2, 1e-9);
+  EXPECT_NEAR(seen.at("force_y_on_2") / kWeight, 1, 1e-9);
+  EXPECT_NEAR(seen.at("force_y_on_3") / kWeight, 1, 1e-9);
+  EXPECT_NEAR(seen.at("lowest_drawn"), -1, 1e-12);
+  EXPECT_NEAR(seen.at("highest_drawn"), 2, 1e-12);
+  EXPECT_NEAR(seen.at("most_pressed") / (-1.5 * kWeight), 1, 0.05) << "the mean of the lower square";
+}
+
+TEST(ViewerFiles, vtk_reads_bolts_with_their_force) {
+  const auto seen = seen_of_run("[[0.5, -0.5, 0.5, 0.5, 1, 2, 0, 0, 1000]]");
+  if (seen.empty()) GTEST_SKIP() << kNoVtk;
+  EXPECT_EQ(seen.at("bolts"), 1);
+  EXPECT_EQ(seen.at("bolt_force"), 1000);
+  EXPECT_NEAR(seen.at("force_y_on_2") / (kWeight + 1000), 1, 1e-9) << "weight and pull";
+  EXPECT_NEAR(seen.at("force_y_on_1") / (2 * kWeight + 1000), -1, 1e-9);
+}
+
+}  // namespace keyblock::viewer_files_test
