@@ -21,6 +21,8 @@ constexpr int kMostHalvings = 8;
 constexpr double kSettled = 4e-16;
 // Of the trial strain: what rounding of stress may leave.
 constexpr double kGood = 1e-13;
+// What it may leave of an answer that is used.
+constexpr double kUsable = 1e-9;
 // Of the slope at the start of a direction, where a place along it is good enough.
 constexpr double kFlatEnough = 0.1;
 
@@ -165,10 +167,15 @@ struct CrackSearch {
 
   Point found(const Eigen::Vector3d& start) const {
     const Point first = settled(start);
-    const double scale = std::max(strain.cwiseAbs().maxCoeff(), -closed_strain());
-    if (first.missing.cwiseAbs().maxCoeff() <= kGood * scale) return first;
+    if (misses_by(first) <= kGood) return first;
     const Point second = descended(first.cracks);
     return second.error < first.error ? second : first;
+  }
+
+  /// Of the trial strain, or of that of a closed crack.
+  double misses_by(const Point& p) const {
+    return p.missing.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() /
+           std::max(strain.cwiseAbs().maxCoeff(), -closed_strain());
   }
 
   double closed_strain() const { return rock.compliance() * rock.closing_stress(); }
@@ -202,6 +209,7 @@ Response respond_with_cracks(const YieldLaw& law, const Eigen::Vector4d& increme
   Eigen::Vector3d start = Eigen::Vector3d::Zero();
   start.head(count) = cracked_state(rock, axes.values.head(count)).cracks;
   const CrackSearch::Point end = search.found(start);
+  r.is_found = search.misses_by(end) <= kUsable;
   const Eigen::Vector3d stress = search.stress(end.answer);
   // σ(ε - w), dw = ∂w/∂σ dσ.
   const Eigen::Matrix3d by_strain = CrackSearch::tangent(end.answer);

@@ -76,11 +76,11 @@ double strain_of_change(const Strength& strength, double size) {
   return 2 * change.fracture_energy / (size * fall) * (flow + 2) / 3;
 }
 
-double largest_size(const Strength& strength, double youngs_modulus) {
+double largest_size(const Strength& strength, double modulus) {
   if (!strength.change || !(strength.change->fracture_energy > 0)) return kInfinite;
   const double fall =
       compressive_strength(strength, strength.values) - compressive_strength(strength, strength.change->values);
-  return fall > 0 ? 2 * youngs_modulus * strength.change->fracture_energy / (fall * fall) : kInfinite;
+  return fall > 0 ? 2 * modulus * strength.change->fracture_energy / (fall * fall) : kInfinite;
 }
 
 std::string why_unusable(const Strength& strength) {

@@ -19,8 +19,8 @@ double compressive_strength(const Strength& strength, const StrengthValues& valu
 double strain_of_change(const Strength& strength, double size);
 
 /// Largest size of a point in which softening by fracture energy does not snap back: 2 E G_f / Δf² (Bažant & Oh 1983);
-/// infinity where no energy is given.
-double largest_size(const Strength& strength, double youngs_modulus);
+/// infinity where no energy is given. `modulus`: E by which the point unloads, the least on the way.
+double largest_size(const Strength& strength, double modulus);
 
 /// Empty, or why no run can be made of it: "cohesion: expected a number of at least 0, found -2".
 std::string why_unusable(const Strength& strength);

@@ -160,7 +160,7 @@ YieldLaw yield_law(const BlockMaterial& material) {
   none.surface = YieldSurface::tresca;
   none.values.cohesion = std::numeric_limits<double>::infinity();
   return {material.youngs_modulus, material.poissons_ratio, material.strength ? *material.strength : none,
-          material.crack_closure};
+          material.crack_closure, material.strength != nullptr};
 }
 
 Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size) {

@@ -18,6 +18,7 @@ struct YieldLaw {
   double poissons_ratio = 0;
   Strength strength;
   std::optional<CrackClosure> closure = {};
+  bool may_yield = true;  ///< false: the strength is one that nothing reaches
 
   /// D of (xx, yy, 2xy, zz), 4 × 4; of closed cracks.
   Eigen::Matrix4d modulus() const;
@@ -49,6 +50,7 @@ struct Response {
   double stored = 0;        ///< ½ εᵉ · D εᵉ, or W of cracks
   Eigen::Vector4d plastic;  ///< increment of the plastic strain
   YieldState after;
+  bool is_found = true;  ///< false: the search for the strain of cracks ended off it, and nothing of this holds
 };
 
 /// The return in principal stresses (`principal_return`) at the end of the increment, implicit in κ: one scalar

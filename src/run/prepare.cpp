@@ -309,6 +309,16 @@ Warnings warnings_of_plan(const Problem& problem, const Scene& first) {
   return look_at_plan(*problem.covers, bodies);
 }
 
+// Of stages that repeat one, the first says it.
+Warnings warnings_of_strengths(const Scene& first, const Place& place) {
+  Warnings warnings;
+  for (const Scene* scene : scenes_of(first))
+    for (const Warning& found : look_at_strengths(*scene, place))
+      if (std::ranges::none_of(warnings, [&](const Warning& said) { return said.name == found.name; }))
+        warnings.push_back(found);
+  return warnings;
+}
+
 }  // namespace
 
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
@@ -326,7 +336,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   warnings = joined(std::move(warnings), warnings_of_plan(problem, scene));
   warnings = joined(std::move(warnings), without_effect(problem, overrides, scene));
   const Place place = problem.covers ? problem.covers->place : problem.analysis->place;
-  for (const Scene* each : scenes_of(scene)) warnings = joined(std::move(warnings), look_at_strengths(*each, place));
+  warnings = joined(std::move(warnings), warnings_of_strengths(scene, place));
   scene.growth = growth_of(
       problem, scene, [profile, overrides](const Problem& other) { return prepare(other, profile, overrides).scene; });
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);

@@ -31,7 +31,9 @@ const char* named_law(const BlockMaterial& material) {
 }
 
 void require_size(const BlockMaterial& material, double largest) {
-  const double allowed = largest_size(*material.strength, material.youngs_modulus);
+  // What unloads a point that softens: with cracks the modulus of open ones, which give back more.
+  const double modulus = material.crack_closure ? material.crack_closure->initial_modulus : material.youngs_modulus;
+  const double allowed = largest_size(*material.strength, modulus);
   if (largest >= allowed)
     throw InputError(material.place,
                      fmt::format("strength: expected points of a size below {:.4g}, where softening by this "

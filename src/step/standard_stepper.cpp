@@ -485,12 +485,23 @@ StepReport StandardStepper::report_of(const ControlledStep& made) const {
   return report;
 }
 
+bool StandardStepper::rock_yields(const BodiesMotion& motion) const {
+  if (motion.points.blocks.size() != motion_.points.blocks.size()) return false;
+  if (motion.points.covers.size() != motion_.points.covers.size()) return false;
+  PlasticTotals totals;
+  for (const auto& group : scene_.groups) group->add_plastic(motion, totals);
+  return totals.yielding > 0;
+}
+
 StepFailure StandardStepper::failure_of(const StandardStep& step) const {
+  const bool yields =
+      scene_.settings.standard.motion != MotionRule::dynamic && (rock_yields(motion_) || rock_yields(step.motion));
   if (!step.failure.empty())
     return {fmt::format("step {} (time {}): {}", state_.step + 1, state_.time, step.failure),
             {},
             step.accelerates ? FailureKind::accelerates : FailureKind::undecided,
-            step.solves};
+            step.solves,
+            yields};
   std::string names;
   std::size_t named = 0;
   for (std::size_t i : step.undecided) {
@@ -503,7 +514,7 @@ StepFailure StandardStepper::failure_of(const StandardStep& step) const {
   return {fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
                       state_.step + 1, state_.time, step.residual, names.empty() ? "" : "; undecided contacts: ",
                       named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names),
-          step.undecided, FailureKind::undecided, step.solves};
+          step.undecided, FailureKind::undecided, step.solves, yields};
 }
 
 }  // namespace keyblock

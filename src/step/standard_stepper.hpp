@@ -51,6 +51,7 @@ class StandardStepper : public SceneStepper {
   void book(const StandardStep& step);
   StepReport report_of(const ControlledStep& made) const;
   StepFailure failure_of(const StandardStep& step) const;
+  bool rock_yields(const BodiesMotion& motion) const;
 
   StandardScene scene_;
   Motion motion_;

@@ -32,6 +32,9 @@ struct StepFailure {
   std::vector<std::size_t> contacts;  ///< numbers (from 0) of the contacts that would not settle
   FailureKind kind = FailureKind::undecided;
   int passes = 0;  ///< as in StepReport
+  /// Rock that may yield was on its surface at the last equilibrium, or where the search for the next one ended; told
+  /// by statics.
+  bool rock_yields = false;
 };
 
 /// One scene of several: which steps were made on it.

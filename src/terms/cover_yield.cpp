@@ -4,14 +4,15 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "geometry/quadrature.hpp"
 #include "material/elastic_law.hpp"
 #include "material/material_stress.hpp"
+#include "material/mean_memory.hpp"
 #include "terms/green_strain.hpp"
 
 namespace keyblock {
@@ -30,18 +31,7 @@ struct Gathered {
   int element = 0;
 };
 
-using RegionWeights = std::array<double, static_cast<std::size_t>(YieldRegion::tension) + 1>;
-
 constexpr double kRounding = 1e-9;  // of weights, which sum to 1
-
-// Those that differ by rounding alone are equal, and the first of them is taken.
-YieldRegion region_of_most(const RegionWeights& weights) {
-  if (weights.front() > 0.5 + kRounding) return YieldRegion::elastic;
-  std::size_t most = 0;
-  for (std::size_t i = 1; i < weights.size(); ++i)
-    if (weights[i] > (most == 0 ? 0 : weights[most]) + kRounding) most = i;
-  return static_cast<YieldRegion>(most);
-}
 
 }  // namespace
 
@@ -143,6 +133,11 @@ void CoverYield::add_force(const YieldPoint& point, const Eigen::Matrix2d& f, co
     force.segment<2>(2 * point.functions[a]) += flux * point.gradients.col(static_cast<Eigen::Index>(a));
 }
 
+YieldStates CoverYield::after(const Eigen::VectorXd& d, const YieldStates& before) const {
+  Answer end = answer(d, before);
+  return end.exists ? std::move(end.after) : before;
+}
+
 CoverYield::Answer CoverYield::answer(const Eigen::VectorXd& d, const YieldStates& before) const {
   Answer answer{Eigen::VectorXd::Zero(d.size()), YieldStates(points_.size())};
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -150,11 +145,15 @@ CoverYield::Answer CoverYield::answer(const Eigen::VectorXd& d, const YieldState
     const Eigen::Matrix2d h = displacement_gradient(point, d);
     const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + h;
     if (!(f.determinant() > 0)) {
-      answer.is_turned_over = true;
+      answer.exists = false;
       return answer;
     }
     const Eigen::Vector3d green = green_strain(h);
     const Response r = point.rock.respond(log_strain(green), before[i]);
+    if (!r.is_found) {
+      answer.exists = false;
+      return answer;
+    }
     answer.after[i] = r.after;
     add_force(point, f, log_strain_rate(green).transpose() * r.stress.head<3>(), answer.force);
   }
@@ -217,15 +216,18 @@ Eigen::Vector3d CoverYield::mean_stress(const YieldPoint& point, const Way& way,
 }
 
 Eigen::VectorXd CoverYield::force_of_step(const Way& way) const {
+  const auto none = [&] {
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(way.d1.size(), std::numeric_limits<double>::quiet_NaN()));
+  };
   Eigen::VectorXd force = Eigen::VectorXd::Zero(way.d1.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const YieldPoint& point = points_[i];
     const Eigen::Matrix2d h0 = displacement_gradient(point, way.d0), h1 = displacement_gradient(point, way.d1);
-    if (!((Eigen::Matrix2d::Identity() + h1).determinant() > 0))
-      return Eigen::VectorXd::Constant(way.d1.size(), std::numeric_limits<double>::quiet_NaN());
+    if (!((Eigen::Matrix2d::Identity() + h1).determinant() > 0)) return none();
     const Eigen::Vector3d from = green_strain(h0), to = green_strain(h1);
     const Eigen::Vector3d log0 = log_strain(from), log1 = log_strain(to);
     const Response end = point.rock.respond(log1, way.before[i]);
+    if (!end.is_found) return none();
     const Eigen::Vector3d stress = mean_stress(point, way, log0, log1, way.before[i], end);
     add_force(point, Eigen::Matrix2d::Identity() + (h0 + h1) / 2, log_step_stress(from, to, stress), force);
   }
@@ -290,36 +292,25 @@ void CoverYield::carry(int element, const CoverYield& before, int was, const Yie
 }
 
 YieldStates CoverYield::gathered(std::span<const std::vector<Remembered>> of_elements) const {
-  YieldStates sums = start();
-  std::vector<double> areas(points_.size());
+  std::vector<MeanMemory> means(points_.size());
   for (std::size_t e = 0; e < of_elements.size(); ++e)
     for (const Remembered& part : of_elements[e])
-      for (const Share& share : shares(static_cast<int>(e), part.at)) {
-        const double weight = share.weight * part.area;
-        areas[share.point] += weight;
-        sums[share.point].plastic += weight * part.memory.plastic;
-        sums[share.point].kappa += weight * part.memory.kappa;
-      }
+      for (const Share& share : shares(static_cast<int>(e), part.at))
+        means[share.point].add(share.weight * part.area, part.memory);
+  YieldStates states = start();
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (!(areas[i] > 0)) continue;
-    sums[i].plastic /= areas[i];
-    sums[i].kappa /= areas[i];
+    if (!(means[i].weight() > 0)) continue;
+    const Eigen::Vector4d elastic = states[i].elastic;
+    states[i] = means[i].over(means[i].weight());
+    states[i].elastic = elastic;
   }
-  return sums;
+  return states;
 }
 
 YieldState CoverYield::memory(const YieldStates& states, int element, Point at_start) const {
-  YieldState mean;
-  RegionWeights regions{};
-  for (const Share& share : shares(element, at_start)) {
-    const YieldState& state = states[share.point];
-    mean.elastic += share.weight * state.elastic;
-    mean.plastic += share.weight * state.plastic;
-    mean.kappa += share.weight * state.kappa;
-    regions[static_cast<std::size_t>(state.region)] += share.weight;
-  }
-  mean.region = region_of_most(regions);
-  return mean;
+  MeanMemory mean;
+  for (const Share& share : shares(element, at_start)) mean.add(share.weight, states[share.point]);
+  return mean.over(1);
 }
 
 PlasticState CoverYield::plastic_state(const YieldStates& states, int element, Point at_start, double angle) const {
@@ -332,7 +323,8 @@ PlasticState CoverYield::plastic_state(const YieldStates& states, int element, P
 }
 
 void CoverYield::add_totals(const YieldStates& states, PlasticTotals& totals) const {
-  for (std::size_t i = 0; i < points_.size(); ++i) totals.add(points_[i].rock.area, states[i]);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (points_[i].rock.law->may_yield) totals.add(points_[i].rock.area, states[i]);
 }
 
 std::vector<CoverYield::Share> CoverYield::shares(int element, Point at_start) const {

@@ -39,7 +39,9 @@ class CoverYield {
   struct Answer {
     Eigen::VectorXd force;  ///< ∫ ∇N · F S
     YieldStates after;
-    bool is_turned_over = false;  ///< a point's area is none or less: ½ ln C does not tell it from its mirror image
+    /// False where a point's area is none or less, for ½ ln C does not tell it from its mirror image, or where its law
+    /// found no stress: force and memories are then of no use.
+    bool exists = true;
   };
   Answer answer(const Eigen::VectorXd& d, const YieldStates& before) const;
 
@@ -59,8 +61,8 @@ class CoverYield {
   };
   /// The force of a step, ∫ ∇N · S F_halfᵀ, whose work is (1 - θ) T0 · Δε + θ T1 · Δε, T0 the stress at d0, T1 that of
   /// the law at d1 (`log_step_stress`), with what cracks that close in between lack (`RockPoint::missing_stress`): the
-  /// change of the energy stored, the plastic work, and a rest that vanishes with the step. Not finite where a point is
-  /// turned over.
+  /// change of the energy stored, the plastic work, and a rest that vanishes with the step. Not finite where there is
+  /// none (`Answer::exists`).
   Eigen::VectorXd force_of_step(const Way& way) const;
   /// A += ∂force_of_step/∂d1, made symmetric, as CoverElasticity::add_tangent.
   void add_tangent_of_step(const Way& way, SparseSystem& system) const;
@@ -68,8 +70,8 @@ class CoverYield {
   /// Of the stress of damping, `more` D Δε, over a step.
   double damping_work(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, std::span<const double> more) const;
 
-  /// Memories at d, of points that had those of `before`.
-  YieldStates after(const Eigen::VectorXd& d, const YieldStates& before) const { return answer(d, before).after; }
+  /// Memories at d, of points that had those of `before`; these where there is no answer at d.
+  YieldStates after(const Eigen::VectorXd& d, const YieldStates& before) const;
   /// ∫ ½ εᵉ · D εᵉ, or W of cracks, less that of the initial stress.
   double stored(const Eigen::VectorXd& d, const YieldStates& states) const;
   /// ∫ T1 · Δεᵖ, by the stress at the end, which for associated flow is never negative.
@@ -84,16 +86,15 @@ class CoverYield {
     double area = 0;
     YieldState memory;
   };
-  /// The means of plastic strain and κ over points of every element, as a point's function weighs them: of the mesh
-  /// before, whatever it was.
+  /// The means of plastic strain and κ over points of every element, as a point's function weighs them, and the region
+  /// of most of them (`MeanMemory`): of the mesh before, whatever it was.
   YieldStates gathered(std::span<const std::vector<Remembered>> of_elements) const;
-  /// The mean at X, as `stress` has it; nothing of an element that cannot yield. Its region is elastic where points of
-  /// more than half of the weight are, else that of most of the weight of the others.
+  /// The mean at X, as `stress` has it (`MeanMemory`); nothing of an element that cannot yield.
   YieldState memory(const YieldStates& states, int element, Point at_start) const;
 
   /// The same in the axes of the plane, for an element turned by `angle` (rad).
   PlasticState plastic_state(const YieldStates& states, int element, Point at_start, double angle) const;
-  /// The areas of all points.
+  /// The areas of all points that may yield.
   void add_totals(const YieldStates& states, PlasticTotals& totals) const;
 
   /// Cauchy stress of an element at X: the mean of the covers' points, weighted by λ; else of the element's points.

@@ -207,6 +207,7 @@ TEST(CrackReturn, random_trials_end_on_the_surface_with_the_cracks_of_their_stre
         const Response r = plane == Plane::stress ? respond_plane_stress(law, change.head<3>(), before, 1)
                                                   : respond(law, change, before, 1);
         ASSERT_TRUE(r.stress.allFinite() && r.tangent.allFinite() && r.after.plastic.allFinite());
+        ASSERT_TRUE(r.is_found);
         Eigen::Vector3d s = PlaneAxes(r.stress).values;
         std::ranges::sort(s, std::greater<>());
         const double size = std::max(s.cwiseAbs().maxCoeff(), surface_scale(surface, 0));
@@ -230,6 +231,17 @@ TEST(CrackReturn, random_trials_end_on_the_surface_with_the_cracks_of_their_stre
       }
       EXPECT_GT(yielded, 1000);
     }
+}
+
+// Friction of 80 degrees without dilation in rock that hardly changes its volume: of 40,000 random strains the one
+// whose search ends off the crack strain of its stress.
+TEST(CrackReturn, a_search_that_fails_is_flagged) {
+  YieldLaw law{kIntact, 0.49, mohr_coulomb(80, 0, 20)};
+  law.closure = CrackClosure{kOpen, kClosed};
+  const Eigen::Vector4d strain(0.0092821889401654249, 0.045544447649867259, -0.01550478956488973,
+                               -0.055526282996224231);
+  EXPECT_FALSE(respond(law, strain, {}, 1).is_found);
+  EXPECT_TRUE(respond(law, 0.9 * strain, {}, 1).is_found);
 }
 
 TEST(CrackReturn, the_tangent_is_the_derivative) {

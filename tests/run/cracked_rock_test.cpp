@@ -33,6 +33,7 @@ struct Done {
   int exit_code = 0;
   std::string messages;
   nlohmann::json ledger;
+  std::string out;
 };
 
 Done run_of(const std::string& name, const std::string& text, const std::vector<std::string>& more = {}) {
@@ -41,7 +42,7 @@ Done run_of(const std::string& name, const std::string& text, const std::vector<
   std::vector<std::string> arguments = {"run", folder + "/in.json", "-o", folder + "/out"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const auto run = run_keyblock(arguments);
-  Done done{run.exit_code, run.messages, {}};
+  Done done{run.exit_code, run.messages, {}, folder + "/out"};
   if (run.exit_code != 3) done.ledger = nlohmann::json::parse(read_text(folder + "/out/run.json"))["ledger"];
   return done;
 }
@@ -59,6 +60,20 @@ TEST(CrackedRock, what_swings_keeps_its_energy) {
     EXPECT_LT(std::abs(done.ledger["end"]["algorithmic"].get<double>()), 1e-9 * largest) << name;
     EXPECT_LT(done.ledger["closure"]["energy"].get<double>(), 1e-8) << name;
     EXPECT_EQ(done.ledger["end"]["plastic"].get<double>(), 0);
+  }
+}
+
+// Rock without a strength cannot yield, as a block or on covers: nothing of it is told.
+TEST(CrackedRock, rock_that_cannot_yield_has_no_plastic_outputs) {
+  for (const auto& [name, covers] :
+       {std::pair{"told_block", ""}, {"told_covers", R"(, "covers": {"mesh": {"side": 0.5, "angle": 10}})"}}) {
+    const Done done = run_of(name, square(covers, kClosure));
+    ASSERT_EQ(done.exit_code, 0) << done.messages;
+    for (const char* file : {"history.csv", "blocks.csv"}) {
+      const std::string text = read_text(done.out + "/" + file);
+      EXPECT_EQ(text.find("plastic"), std::string::npos) << name << file;
+      EXPECT_EQ(text.find("yield"), std::string::npos) << name << file;
+    }
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "result/describe.hpp"
 #include "run/checkpoint.hpp"
 #include "run/steppers.hpp"
@@ -88,8 +90,8 @@ Scene dug_at_once() {
 }
 
 /// The same of rock that yields under its weight.
-Scene dug_in_yielding_rock() {
-  Problem problem = squares_on_covers(CoverFunctions::constant);
+Problem dug_problem(CoverFunctions functions) {
+  Problem problem = squares_on_covers(functions);
   Strength strength;
   strength.values = {.cohesion = 300000, .friction_deg = 30, .dilation_deg = 30};
   for (BlockMaterial& material : problem.analysis->block_materials)
@@ -99,7 +101,11 @@ Scene dug_in_yielding_rock() {
   problem.covers->displacements = {{{{0, 0}, {2, 0}}, Held::both, {}, {}, {}, {}},
                                    {{{0, 1}, {0, 2}}, Held::both, {}, {}, {}, {}}};
   problem.covers->excavations = {{2, box({0.7, 1.4}, {1.3, 3}), {}, 0}, {4, box({1.6, 0.5}, {3, 1.2}), {}, 0}};
-  const Scene scene = prepare(problem, "standard", {}).scene;
+  return problem;
+}
+
+Scene dug_in_yielding_rock() {
+  const Scene scene = prepare(dug_problem(CoverFunctions::constant), "standard", {}).scene;
   EXPECT_TRUE(scene.is_untouched && may_yield(scene));
   return scene;
 }
@@ -146,6 +152,13 @@ TEST(YieldingStages, rock_has_yielded_as_blocks_and_on_covers) {
     ASSERT_TRUE(totals.has_value());
     EXPECT_GT(totals->yielded, 0) << step;
   }
+}
+
+// Three scenes lock alike.
+TEST(YieldingStages, what_all_scenes_are_warned_of_is_said_once) {
+  Problem problem = dug_problem(CoverFunctions::derived);
+  const Warnings warnings = prepare(problem, "standard", {}).warnings;
+  EXPECT_EQ(std::ranges::count_if(warnings, [](const Warning& w) { return w.name == "functions_lock"; }), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ResumedStages,

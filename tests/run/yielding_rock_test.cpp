@@ -132,6 +132,12 @@ TEST(YieldingRock, softening_too_steep_for_the_mesh_is_refused_with_the_size_all
                              "fracture_energy": 0.001}})"));
   EXPECT_EQ(done.exit_code, 3);
   EXPECT_NE(done.messages.find("expected points of a size below 0.0554"), std::string::npos) << done.messages;
+  // 2 E G_f / Δf² by the modulus of open cracks, a quarter.
+  const std::string rock = R"({"surface": "von_mises", "yield_stress": 20, "after": {"yield_stress": 1,
+    "fracture_energy": 0.001}}, "crack_closure": {"initial_modulus": 2500, "closure_strain": 1e-4})";
+  const Done cracked = run_of("steep_cracked", square(kPressed, "", rock));
+  EXPECT_EQ(cracked.exit_code, 3);
+  EXPECT_NE(cracked.messages.find("expected points of a size below 0.01385"), std::string::npos) << cracked.messages;
 }
 
 }  // namespace keyblock::yielding_rock_test

@@ -30,6 +30,28 @@ TEST_P(Threads, make_the_same_motion_to_the_last_bit) {
   for (const int threads : {2, 4}) EXPECT_TRUE(one == after_steps(GetParam(), threads)) << threads;
 }
 
+// Bricks so weak that they yield as soon as their weight is felt.
+TEST(ThreadsOfYieldingBlocks, make_the_same_motion_to_the_last_bit) {
+  const auto after_steps = [](int threads) {
+    set_loop_threads(threads);
+    const Blocks wall = bench::brick_wall(33);
+    Analysis analysis = bench::scaling_analysis(wall);
+    Strength strength;
+    strength.surface = YieldSurface::tresca;
+    strength.values.cohesion = 300;
+    analysis.block_materials[0].strength = std::make_shared<const Strength>(strength);
+    Settings settings = profile_settings("standard", analysis);
+    settings.standard.start = StartRule::sudden;
+    const std::unique_ptr<Stepper> stepper = stepper_for(support::standard_scene_of(wall, analysis, settings));
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+    EXPECT_GT(stepper->plastic_totals()->yielded, 0);
+    return stepper->state().vertices;
+  };
+  const auto one = after_steps(1);
+  for (const int threads : {2, 4}) EXPECT_TRUE(one == after_steps(threads)) << threads;
+  set_loop_threads(0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Profiles, Threads, ::testing::Values("legacy", "standard"));
 
 }  // namespace

@@ -136,6 +136,8 @@ TEST(Fit, tables_may_have_headings_or_none) {
   EXPECT_EQ(bare.y, (std::vector<double>{5, 6}));
   EXPECT_EQ(bare.lines, (std::vector<int>{1, 2}));
   EXPECT_EQ(pairs_of("s3,s1\n1,4\n", "s3", "s1").y, (std::vector<double>{4}));
+  EXPECT_EQ(pairs_of("+0.1,5\n0.2,6\n").x, (std::vector<double>{0.1, 0.2}));  // a number as those below are
+  EXPECT_NE(refusal([] { pairs_of("1e-3,3 MPa\n0.2,6\n"); }).find("heading begins with"), std::string::npos);
 }
 
 TEST(Fit, what_cannot_be_fitted_is_refused_where_it_stands) {

@@ -313,6 +313,40 @@ TEST(CoverYield, memories_gathered_from_points_keep_their_mean) {
   EXPECT_LT((sum - before).norm(), 1e-12 * before.norm());
 }
 
+TEST(CoverYield, memories_gathered_from_points_keep_the_region_that_all_have) {
+  const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
+  YieldStates states = plate.yield.start();
+  for (YieldState& state : states) state.region = YieldRegion::edge;
+  std::vector<std::vector<CoverYield::Remembered>> remembered;
+  for (int e = 0; e < plate.basis.element_count(); ++e) {
+    const auto loops = plate.continuum.manifold.polygon(plate.continuum.manifold.elements[static_cast<std::size_t>(e)]);
+    const Point middle = centroid(loops.front());
+    remembered.push_back({{middle, 1, plate.yield.memory(states, e, middle)}});
+  }
+  for (const YieldState& state : plate.yield.gathered(remembered)) EXPECT_EQ(state.region, YieldRegion::edge);
+}
+
+// A displacement that turns elements over leaves points what they remembered, and its answer is none.
+TEST(CoverYield, elements_turned_over_forget_nothing) {
+  const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
+  YieldStates states = plate.yield.start();
+  for (YieldState& state : states) state.plastic(0) = 1e-3;
+  Eigen::Matrix2d mirrored = Eigen::Matrix2d::Zero();
+  mirrored(0, 0) = -2;
+  const Eigen::VectorXd d = plate.homogeneous(mirrored);
+  EXPECT_FALSE(plate.yield.answer(d, states).exists);
+  for (const YieldState& state : plate.yield.after(d, states)) EXPECT_EQ(state.plastic(0), 1e-3);
+}
+
+TEST(CoverYield, rock_that_has_cracks_alone_has_no_plastic_totals) {
+  const Continuum continuum = cracked(CoverFunctions::constant, Plane::strain, {});
+  const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
+  EXPECT_FALSE(yield.is_empty());
+  PlasticTotals totals;
+  yield.add_totals(yield.start(), totals);
+  EXPECT_EQ(totals.area, 0);
+}
+
 // κ of 1 in one point is its weight in the mean of an element. Points have the whole area between them.
 TEST(CoverYield, an_element_yields_where_half_of_its_weight_does) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));

@@ -24,7 +24,10 @@ using study::TraceDifference;
 std::string name_of(const ComparedValue& value) {
   if (!value.block) return value.quantity;
   const std::optional<study::Owner> owner = study::owner_of(value.quantity);
-  const char* noun = owner == study::Owner::point ? "point" : owner == study::Owner::support ? "support" : "block";
+  const char* noun = owner == study::Owner::point     ? "point"
+                     : owner == study::Owner::support ? "support"
+                     : owner == study::Owner::tip     ? "tip"
+                                                      : "block";
   return fmt::format("{} of {} {}", value.quantity, noun, *value.block);
 }
 

@@ -96,6 +96,8 @@ Outcome curve_outcome(const FitOptions& options, study::MeasuredPairs pairs) {
     out.material["crack_closure"] = {{"initial_modulus", curve.initial_modulus},
                                      {"closure_strain", curve.closure_strain}};
   }
+  if (!fit.strength && options.friction_deg != 0)
+    spdlog::warn("the curve has no plateau: no strength was found, and --friction has no effect");
   if (fit.strength) {
     out.values.push_back({"strength", "F/L²", *fit.strength});
     out.material["strength"] = strength_json(curve.strength, options.friction_deg);

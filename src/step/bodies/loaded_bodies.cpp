@@ -68,7 +68,7 @@ LoadedBodies::Balance LoadedBodies::balance(const LoadedState& from, const Eigen
   const Eigen::VectorXd loads = loads_.load() + (1 - share) * unbalanced_;
   sum.residual = rock + held - loads;
   sum.scale = std::max({rock.norm(), held.norm(), loads.norm(), scale_at_start_});
-  if (sum.rock.is_turned_over) sum.residual.setConstant(std::numeric_limits<double>::infinity());
+  if (!sum.rock.exists) sum.residual.setConstant(std::numeric_limits<double>::infinity());
   return sum;
 }
 

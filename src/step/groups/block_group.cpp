@@ -11,7 +11,9 @@
 #include "base/loop.hpp"
 #include "base/worse.hpp"
 #include "geometry/quadrature.hpp"
+#include "material/mean_memory.hpp"
 #include "step/bodies/step_equations.hpp"
+#include "step/groups/yielding_blocks.hpp"
 
 namespace keyblock {
 namespace {
@@ -302,84 +304,13 @@ double BlockGroup::step_error(const BodiesMotion& before, const BodiesMotion& af
   return largest;
 }
 
-/// The step of those that may yield, linearised about an estimate; all others are known.
-class YieldingBlocks final : public EstimatedStep {
- public:
-  YieldingBlocks(const BlockGroup& group, const BodiesMotion& start, const StepRule& rule, double dt)
-      : group_(group), start_(start), rule_(rule), dt_(dt), blocks_(group.bodies_.size()) {}
-
-  /// Keeps A and r of the elastic step.
-  void put_elastic(ElementIndex e, const StepEquations& equations) {
-    const BlockYield* yield = group_.yield_of(e);
-    if (yield == nullptr) return;
-    Block& own = blocks_[static_cast<std::size_t>(e.value)];
-    own.yield = yield;
-    own.share = inelastic_share(group_.bodies_[e], rule_, dt_).total();
-    own.matrix = equations.matrix;
-    own.right = equations.matrix * equations.free + yield->inelastic_force(yield->inelastic(start_.q[e], before(e)));
-  }
-
-  bool linearise(const UnknownsTable& estimate, FreeStep& step) override {
-    bool has_factor = true;
-    for (ElementIndex e : indices(group_.bodies_)) {
-      const Block& block = of(e);
-      if (block.yield == nullptr) continue;
-      const Response response = block.yield->respond(end(e, estimate), before(e));
-      const UnknownBlock a = block.matrix - block.share * block.yield->lost_stiffness(response) +
-                             block.yield->missing_stiffness(start_.q[e], before(e), end(e, estimate), response.after);
-      StepInverses inverses = inverses_of(a, group_.bodies_[e], rule_);
-      has_factor = has_factor && inverses.are_definite;
-      step.flexibility.blocks[e] = std::move(inverses.inverse);
-      if (!step.judging.blocks.empty()) step.judging.blocks[e] = std::move(inverses.judging);
-    }
-    return has_factor;
-  }
-
-  void evaluate(const UnknownsTable& estimate, FreeStep& step) override {
-    for (ElementIndex e : indices(group_.bodies_)) {
-      const Block& block = of(e);
-      if (block.yield == nullptr) continue;
-      const YieldState after = block.yield->respond(end(e, estimate), before(e)).after;
-      const Unknowns flowed = block.yield->inelastic_force(block.yield->inelastic(end(e, estimate), after) -
-                                                           block.yield->inelastic(start_.q[e], before(e)));
-      const Unknowns missing = block.yield->missing_force(start_.q[e], before(e), end(e, estimate), after);
-      const Unknowns residual = block.matrix * estimate[e] - block.right - block.share * flowed + missing;
-      step.increments[e] = estimate[e] - step.flexibility.blocks[e] * residual;
-    }
-  }
-
-  void put_end(const UnknownsTable& increments, UnknownsTable&, UnknownsTable&, PointMemories& points) const override {
-    for (ElementIndex e : indices(group_.bodies_))
-      if (const BlockYield* yield = of(e).yield)
-        points.blocks[static_cast<std::size_t>(e.value)] = yield->respond(end(e, increments), before(e)).after;
-  }
-
- private:
-  struct Block {
-    const BlockYield* yield = nullptr;
-    double share = 0;     // of a change of inelastic strain
-    UnknownBlock matrix;  // A of the elastic step
-    Unknowns right;       // what moves it, but for what flows in this step
-  };
-
-  const Block& of(ElementIndex e) const { return blocks_[static_cast<std::size_t>(e.value)]; }
-  Unknowns end(ElementIndex e, const UnknownsTable& increments) const { return start_.q[e] + increments[e]; }
-  const YieldState& before(ElementIndex e) const { return start_.points.blocks[static_cast<std::size_t>(e.value)]; }
-
-  const BlockGroup& group_;
-  const BodiesMotion& start_;
-  StepRule rule_;
-  double dt_;
-  std::vector<Block> blocks_;
-};
-
 std::unique_ptr<EstimatedStep> BlockGroup::begin(const BodiesMotion& start, const UnknownsTable& loads,
                                                  const StepRule& rule, double dt, FreeStep& step) const {
   const std::size_t count = bodies_.size();
   step.flexibility.blocks.resize(count);
   if (rule.judging_inertia > 0) step.judging.blocks.resize(count);
   for (UnknownsTable* table : {&step.increments, &step.known_velocity, &step.known_acceleration}) table->resize(count);
-  auto yielding = yields_.empty() ? nullptr : std::make_unique<YieldingBlocks>(*this, start, rule, dt);
+  auto yielding = yields_.empty() ? nullptr : std::make_unique<YieldingBlocks>(bodies_, yields_, start, rule, dt);
   for_each_entry(count, [&](std::size_t i) {
     const ElementIndex e{static_cast<int>(i)};
     StepEquations equations = step_equations(bodies_[e], {start.q[e], start.v[e], start.a[e]}, loads[e], rule);
@@ -418,13 +349,14 @@ Stress BlockGroup::stress_at(const SceneParts& scene, ElementIndex e, const Bodi
 
 std::optional<PlasticState> BlockGroup::plastic_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                                                    Point start) const {
-  if (!yield_of(e)) return std::nullopt;
+  const BlockYield* yield = yield_of(e);
+  if (yield == nullptr || !yield->rock.law->may_yield) return std::nullopt;
   return plastic_state(memory_at(e, motion, start), angle_of(*scene.model.elements[e].basis, motion.q[e]));
 }
 
 void BlockGroup::add_plastic(const BodiesMotion& motion, PlasticTotals& totals) const {
   for (std::size_t i = 0; i < yields_.size(); ++i)
-    if (yields_[i]) totals.add(yields_[i]->rock.area, motion.points.blocks[i]);
+    if (yields_[i] && yields_[i]->rock.law->may_yield) totals.add(yields_[i]->rock.area, motion.points.blocks[i]);
 }
 
 double BlockGroup::plastic_work(const BodiesMotion& before, const BodiesMotion& after) const {
@@ -498,21 +430,16 @@ void BlockGroup::carry_field(const SceneParts& scene, ElementIndex e, const std:
   v.tail<3>() << rate(0, 0), rate(1, 1), rate(0, 1) + rate(1, 0);
 }
 
-// The mean of plastic strain and κ over the block.
+// The mean over the block; its elastic strain is what the strain at hand leaves.
 void BlockGroup::carry_memory(ElementIndex e, const std::vector<FieldPoint>& field, const BodiesBefore& before,
                               BodiesMotion& carried) const {
   const ElementIndex old = before.parents[e];
-  YieldState mean;
-  double area = 0;
-  for (const FieldPoint& point : field) {
-    const YieldState memory = before.groups.of(old).memory_at(old, before.motion, point.start);
-    area += point.area;
-    mean.plastic += point.area * memory.plastic;
-    mean.kappa += point.area * memory.kappa;
-  }
-  mean.plastic /= area;
-  mean.kappa /= area;
-  carried.points.blocks[static_cast<std::size_t>(e.value)] = mean;
+  MeanMemory mean;
+  for (const FieldPoint& point : field)
+    mean.add(point.area, before.groups.of(old).memory_at(old, before.motion, point.start));
+  YieldState memory = mean.over(mean.weight());
+  memory.elastic.setZero();
+  carried.points.blocks[static_cast<std::size_t>(e.value)] = memory;
 }
 
 // The affine field of a block about the centroid of its piece; its velocity as the mass of the block has it, whose

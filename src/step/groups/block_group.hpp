@@ -87,8 +87,6 @@ class BlockGroup final : public BodyGroup {
   Unknowns inelastic_force(ElementIndex e, const BodiesMotion& motion) const;
   void add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFlow& flow) const;
 
-  friend class YieldingBlocks;
-
   Bodies bodies_;
   std::vector<bool> of_others_;
   std::vector<std::optional<BlockYield>> yields_;

@@ -80,7 +80,7 @@ std::optional<Step> solved(const YieldLaw& law, const YieldState& before, const 
       break;
     }
   }
-  if (missing.norm() <= kReached * scale) return step;
+  if (missing.norm() <= kReached * scale && step.response.is_found) return step;
   return std::nullopt;
 }
 

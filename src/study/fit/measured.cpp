@@ -7,24 +7,21 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
+#include "formats/text/numbers.hpp"
 
 namespace keyblock::study {
 namespace {
 
 constexpr double kConfidence = 0.95;
 
+// As the rows below are read.
 bool is_number(const std::string& cell) {
-  double value = 0;
-  const std::size_t from = cell.find_first_not_of(' ');
-  if (from == std::string::npos) return false;
-  const char* end = cell.data() + cell.size();
-  return std::from_chars(cell.data() + from, end, value).ec == std::errc();
+  return formats::parse_real(cell).has_value();
 }
 
 bool begins_with(const std::string& heading, std::string_view word) {

@@ -86,6 +86,7 @@ TrialOutcome stepped(std::unique_ptr<Stepper> stepper, const std::function<bool(
     made.told.rounds += failure.passes;
     made.told.verdict = failure.kind == FailureKind::undecided ? Verdict::undecided : Verdict::falls;
     made.told.why = failure.reason;
+    made.rock_yields = failure.rock_yields;
     const std::optional<State> attempted = stepper->attempted();
     made.told.displacement = largest_displacement(*stepper, attempted ? *attempted : stepper->state());
     made.state = state_of(*stepper);
@@ -158,8 +159,9 @@ TrialOutcome StrengthTrials::run(double factor, const std::function<bool()>& wan
     again.told.rounds += made.told.rounds;
     if (again.told.verdict != Verdict::undecided) made = std::move(again);
   }
-  // Of rock that yields no calculation shows more than that it finds no equilibrium.
-  if (made.told.verdict == Verdict::undecided && may_yield()) made.told.verdict = Verdict::falls;
+  // Of rock that yields no calculation shows more than that it finds no equilibrium. Where none does, it is contacts
+  // that do not settle, and nothing is decided.
+  if (made.told.verdict == Verdict::undecided && may_yield() && made.rock_yields) made.told.verdict = Verdict::falls;
   made.told.factor = factor;
   return made;
 }

@@ -43,6 +43,7 @@ struct TrialOutcome {
   StrengthTrial told;
   StrengthState state;                ///< the last equilibrium
   std::optional<FieldFrame> attempt;  ///< where a trial that falls had come to, out of balance
+  bool rock_yields = false;           ///< as StepFailure has it, of the step that found no equilibrium
 };
 
 /// Makes trials of one problem. Statics of profile `standard`, whatever the case asks for: a case of motion in time

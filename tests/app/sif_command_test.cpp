@@ -1,0 +1,200 @@
+// `sif`, and runs in which cracks grow, as a user meets them: tables, files, exit codes, bad input.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::sif_command_test {
+namespace {
+
+using support::fresh_folder;
+using support::ProgramRun;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
+using Json = nlohmann::json;
+
+const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/stress_intensity/";
+
+/// A plate 1 by 2; `covers` and `material` beside what every case has.
+std::string plate(const std::string& covers, const std::string& material = "", int steps = 1) {
+  return fmt::format(
+      R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[0, -1, 1], [1, -1, 1], [1, 1, 1], [0, 1, 1]]}}]}},
+    "covers": {{"contact": "ignored", {}}}, "analysis": {{"step_count": {}, "time_step": 1, "allowed_displacement_ratio": 0.1,
+    "plane_strain": true, "joint_materials": [{{}}], "block_materials": [{{"density": 1, "unit_weight": 0,
+    "youngs_modulus": 1e5, "poissons_ratio": 0.3{}}}]}}}})",
+      covers, steps, material);
+}
+
+const std::string kPulled =
+    R"("tractions": [{"along": [[0, 1], [1, 1]], "y": 1}, {"along": [[0, -1], [1, -1]], "y": -1}],
+       "springs": [[1, -1, 1, 0, 1e5], [1, -1, 0, 1, 1e5], [1, 1, 1, 0, 1e5]])";
+
+std::string file_of(const std::string& name, const std::string& text) {
+  const std::string file = fresh_folder("sif_" + name) + "/in.json";
+  write_text(file, text);
+  return file;
+}
+
+Json tips_of(const std::string& file) {
+  const ProgramRun run = run_keyblock({"sif", file, "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  return Json::parse(run.output).at("tips");
+}
+
+TEST(SifCommand, prints_factors_of_every_domain_that_agree_with_theory) {
+  const Json tip = tips_of(kCases + "edge_crack_05").at(0);
+  const double exact = 2.82357 * std::sqrt(std::numbers::pi / 2);  // Tada, Paris & Irwin 1973; finite elements
+  EXPECT_NEAR(tip.at("K_I").get<double>(), exact, 0.007 * exact);
+  EXPECT_LT(tip.at("spread_K_I").get<double>(), 0.003);
+  const double j = tip.at("J"), k = tip.at("K_I");
+  EXPECT_NEAR(j, k * k * (1 - 0.09) / 1e5, 2e-3 * j);
+  int used = 0;
+  for (const Json& domain : tip.at("domains"))
+    if (domain.contains("K_I") && domain.at("domain") != "1 level about the tip element" &&
+        domain.at("domain") != "1 level about the nearest node") {
+      ++used;
+      EXPECT_NEAR(domain.at("K_I").get<double>(), k, 0.005 * k) << domain;
+    }
+  EXPECT_GE(used, 12);
+}
+
+// Pressure on the faces in place of tension on the ends: the same K by superposition, if the faces are in the integrals.
+TEST(SifCommand, loads_on_the_faces_are_part_of_the_integrals) {
+  const std::string mesh =
+      R"("mesh": {"side": 0.1, "angle": 10, "tip_side": 0.002}, "cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
+  const Json remote = tips_of(file_of("remote", plate(mesh + kPulled))).at(0);
+  const Json faces =
+      tips_of(file_of("faces", plate(mesh + R"("tractions": [{"along": [[0, 0], [0.5, 0]], "pressure": 1}],
+       "springs": [[1, -1, 1, 0, 1e5], [1, -1, 0, 1, 1e5], [1, 1, 1, 0, 1e5]])")))
+          .at(0);
+  const double k = remote.at("K_I");
+  EXPECT_NEAR(faces.at("K_I").get<double>(), k, 0.002 * k);
+  for (const Json& domain : faces.at("domains"))
+    if (domain.at("domain").get<std::string>().starts_with("circle") && domain.contains("K_I")) {
+      EXPECT_NEAR(domain.at("K_I").get<double>(), k, 0.003 * k) << domain;
+    }
+}
+
+// An initial stress that the faces of a new crack cannot bear opens it as the same tension does.
+TEST(SifCommand, initial_stress_opens_a_crack_as_the_same_tension_does) {
+  const std::string mesh =
+      R"("mesh": {"side": 0.1, "angle": 10, "tip_side": 0.002}, "cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
+  const Json pulled = tips_of(file_of("pulled", plate(mesh + kPulled))).at(0);
+  const Json stressed =
+      tips_of(file_of("stressed", plate(mesh + R"("initial_stress_field": {"yy": 1}, )" + kPulled))).at(0);
+  EXPECT_NEAR(stressed.at("K_I").get<double>(), pulled.at("K_I").get<double>(), 0.002 * pulled.at("K_I").get<double>());
+}
+
+TEST(SifCommand, a_tip_near_a_boundary_is_refused_with_its_name) {
+  const std::string covers =
+      R"("mesh": {"side": 0.1, "tip_side": 0.01}, "cracks": [{"along": [[0, 0], [0.999, 0.02]]}], )";
+  const ProgramRun run = run_keyblock({"sif", file_of("near", plate(covers + kPulled))});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("the outline of a body is 0.001"), std::string::npos) << run.output;
+}
+
+TEST(SifCommand, bad_cracks_are_refused_and_nothing_is_written) {
+  const std::vector<std::pair<std::string, std::string>> faults{
+      {R"("cracks": [{"along": [[3, 0], [4, 0]]}])", "expected a crack in a body"},
+      {R"("cracks": [{"along": [[0.2, 0], [0.2, 0]]}])", "twice in a row"},
+      {R"("cracks": [{"along": [[0.2, 0]]}])", "expected at least 2 points along a crack"},
+      {R"("cracks": [{"along": [[0.2, 0], [0.6, 0]]}, {"along": [[0.5, 0], [0.9, 0]]}])",
+       "along a joint or another crack"},
+      {R"("cracks": [{"along": [[0, 0], [0.5, 0]]}], "growth": {"increment": 0})", "increment"}};
+  for (const auto& [cracks, words] : faults) {
+    const std::string file = file_of("bad", plate(R"("mesh": {"side": 0.2}, )" + cracks + ", " + kPulled));
+    const std::string out = fresh_folder("sif_bad_out") + "/out";
+    const ProgramRun run = run_keyblock({"run", file, "-o", out});
+    EXPECT_EQ(run.exit_code, 3) << cracks;
+    EXPECT_NE(run.messages.find(words), std::string::npos) << run.messages;
+    EXPECT_NE(run.messages.find("in.json:"), std::string::npos) << run.messages;
+    EXPECT_FALSE(std::filesystem::exists(out));
+  }
+}
+
+// G of a beam driven by a displacement: half of the reaction times the displacement is its energy, and what that loses is
+// the sum of J over the way of the tip, both at one displacement.
+TEST(CrackGrowth, releases_the_energy_that_j_says) {
+  const std::string covers = R"("mesh": {"side": 0.2, "angle": 10}, "cracks": [{"along": [[0, 0], [2, 0]]}],
+     "growth": {"increment": 0.2}, "displacements": [{"along": [[0, 0], [0, 1]], "held": "y", "y": 0.001},
+       {"along": [[0, -1], [0, 0]], "held": "y", "y": -0.001}], "springs": [[8, -1, 1, 0, 1e5], [8, 1, 1, 0, 1e5]])";
+  std::string text = plate(covers, R"(, "toughness": {"mode_1": 10})", 6);
+  const std::string outline = "[0, -1, 1], [1, -1, 1], [1, 1, 1], [0, 1, 1]";
+  text.replace(text.find(outline), outline.size(), "[0, -1, 1], [8, -1, 1], [8, 1, 1], [0, 1, 1], [0, 0, 1]");
+  const std::string file = file_of("growth", text);
+  const std::string out = fresh_folder("sif_growth_out") + "/out";
+  const ProgramRun run = run_keyblock({"run", file, "-o", out});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const formats::CsvTable tips = formats::read_csv(formats::load(out + "/tips.csv"));
+  const formats::CsvTable history = formats::read_csv(formats::load(out + "/history.csv"));
+  const auto column = [](const formats::CsvTable& table, const std::string& name) {
+    for (std::size_t c = 0; c < table.header.size(); ++c)
+      if (table.header[c].starts_with(name)) return c;
+    ADD_FAILURE() << name;
+    return std::size_t{0};
+  };
+  const auto number = [](const formats::CsvTable& table, std::size_t row, std::size_t c) {
+    return std::stod(table.rows[row].cells[c]);
+  };
+  ASSERT_EQ(tips.rows.size(), 6U);
+  double released = 0, energy_first = 0, energy_last = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double factor = number(tips, i, column(tips, "load_factor"));
+    // History has a row for the start.
+    const double reaction = number(history, i + 1, column(history, "reaction1_y")) / factor;
+    const double energy = reaction * 0.001;  // two arms, half each
+    const double j = number(tips, i, column(tips, "J [")) / (factor * factor);
+    if (i == 0) energy_first = energy;
+    if (i > 0) {
+      const double before = number(tips, i - 1, column(tips, "load_factor"));
+      released += 0.1 * (j + number(tips, i - 1, column(tips, "J [")) / (before * before));
+    }
+    energy_last = energy;
+    EXPECT_NEAR(number(tips, i, column(tips, "K_eq")), 10, 1e-6);
+    EXPECT_NEAR(number(tips, i, column(tips, "y [L]")), 0, 0.01);  // straight by symmetry
+  }
+  EXPECT_NEAR(energy_first - energy_last, released, 0.01 * released);
+  EXPECT_TRUE(std::filesystem::exists(out + "/cracks.svg"));
+}
+
+TEST(CrackGrowth, a_tip_that_reaches_the_far_side_ends_the_run) {
+  const std::string covers = R"("mesh": {"side": 0.1, "angle": 10}, "cracks": [{"along": [[0, 0], [0.7, 0]]}],
+     "growth": {"increment": 0.1}, )";
+  const std::string file = file_of("through", plate(covers + kPulled, R"(, "toughness": {"mode_1": 10})", 9));
+  const std::string out = fresh_folder("sif_through_out") + "/out";
+  const ProgramRun run = run_keyblock({"run", file, "-o", out});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  const Json record = Json::parse(read_text(out + "/run.json"));
+  EXPECT_EQ(record.at("end").at("steps").get<int>(), 3) << run.messages;
+}
+
+TEST(CrackGrowth, needs_statics_toughness_and_elastic_rock) {
+  const std::string covers =
+      R"("mesh": {"side": 0.2}, "cracks": [{"along": [[0, 0], [0.5, 0]]}], "growth": {"increment": 0.1}, )";
+  const ProgramRun soft = run_keyblock({"sif", file_of("sound", plate(covers + kPulled))});
+  EXPECT_EQ(soft.exit_code, 0) << soft.messages;  // sif looks at the cracks as they are
+  const std::string out = fresh_folder("sif_needs_out") + "/out";
+  const ProgramRun no_toughness = run_keyblock({"run", file_of("needs", plate(covers + kPulled)), "-o", out});
+  EXPECT_EQ(no_toughness.exit_code, 3);
+  EXPECT_NE(no_toughness.messages.find("expected a toughness"), std::string::npos) << no_toughness.messages;
+  const ProgramRun in_time =
+      run_keyblock({"run", file_of("time", plate(covers + kPulled, R"(, "toughness": {"mode_1": 10})")), "--set",
+                    "motion=dynamic", "-o", out});
+  EXPECT_EQ(in_time.exit_code, 3);
+  EXPECT_NE(in_time.messages.find("expected statics where cracks grow"), std::string::npos) << in_time.messages;
+}
+
+}  // namespace
+}  // namespace keyblock::sif_command_test
