@@ -240,6 +240,7 @@ template <class F>
 void describe(F& f, In<F, Toughness>& toughness) {
   f.real("mode_1", toughness.mode_1, kPositive);
   f.optional_real("mode_2", toughness.mode_2, kPositive);
+  f.optional_real("tensile_strength", toughness.tensile_strength, kPositive);
 }
 
 template <class F>

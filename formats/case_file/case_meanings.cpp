@@ -206,6 +206,8 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"fracture_energy", "of a band in which strength falls, per area, F/L; makes the strain depend on the mesh"},
     {"toughness", "stress intensity at which cracks go on; absent: they do not grow"},
     {"mode_1", "K_Ic, F/L^1.5"},
+    {"toughness.tensile_strength",
+     "at which a crack starts in intact rock where cracks grow, F/L²; absent: they grow only where there are some"},
     {"mode_2", "K_IIc, F/L^1.5; absent: what the criterion of growth makes of K_Ic"},
     {"crack_closure", "of rock with cracks that compression closes; absent: it has none"},
     {"initial_modulus",

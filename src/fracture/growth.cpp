@@ -38,6 +38,21 @@ double station_on(Point from, Point direction, const Segment& line) {
   return t > 0 && s >= 0 && s <= 1 ? t : std::numeric_limits<double>::infinity();
 }
 
+// Of the distance to a point: how far behind the tip it may lie, where the crack itself does.
+constexpr double kBehind = 0.5;
+
+/// The boundary edges of bodies, cracks and joints.
+template <class Visit>
+void visit_boundary(const Manifold& manifold, const Visit& visit) {
+  for (const BoundaryEdge& edge : manifold.boundary_edges) {
+    const SlotRange& outer = manifold.elements[static_cast<std::size_t>(edge.element)].outer;
+    const auto loop = manifold.loop(outer);
+    const auto i = static_cast<std::size_t>(edge.corner - outer.first);
+    if (i < loop.size())  // else of a hole within an element
+      visit(Segment{loop[i].position, loop[(i + 1) % loop.size()].position});
+  }
+}
+
 double nearness(const TipState& tip) {
   return tip.toughness > 0 ? tip.equivalent / tip.toughness : 0;
 }
@@ -101,19 +116,27 @@ std::vector<std::size_t> next_to_go_on(const std::vector<TipState>& tips) {
 Advance advance_of(const Manifold& manifold, Point tip, Point direction, double increment) {
   double nearest = (1 + kLeftBefore) * increment;
   bool meets = false;
-  for (const BoundaryEdge& edge : manifold.boundary_edges) {
-    const auto loop = manifold.loop(manifold.elements[static_cast<std::size_t>(edge.element)].outer);
-    const int first = manifold.elements[static_cast<std::size_t>(edge.element)].outer.first;
-    const auto i = static_cast<std::size_t>(edge.corner - first);
-    if (i >= loop.size()) continue;  // of a hole within an element
-    const Segment line{loop[i].position, loop[(i + 1) % loop.size()].position};
-    if (distance(line, tip) <= kOwn * increment) continue;
+  visit_boundary(manifold, [&](const Segment& line) {
+    if (distance(line, tip) <= kOwn * increment) return;
     const double t = station_on(tip, direction, line);
-    if (t >= nearest) continue;
+    if (t >= nearest) return;
     nearest = t;
     meets = true;
-  }
+  });
   return {tip + (meets ? nearest : increment) * direction, meets};
+}
+
+std::optional<Point> line_beside(const Manifold& manifold, const CrackTip& tip, double reach) {
+  std::optional<Point> nearest;
+  double least = reach;
+  visit_boundary(manifold, [&](const Segment& line) {
+    const Point p = point_at(line, std::clamp(foot(line, tip.at), 0.0, 1.0));
+    const double d = distance(p, tip.at);
+    if (d <= kOwn * reach || d >= least || dot(p - tip.at, tip.ahead) < -kBehind * d) return;
+    least = d;
+    nearest = p;
+  });
+  return nearest;
 }
 
 Point turned_to_left(Point direction, double angle) {

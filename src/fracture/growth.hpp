@@ -34,6 +34,9 @@ struct Advance {
 };
 Advance advance_of(const Manifold& manifold, Point tip, Point direction, double increment);
 
+/// The nearest point of another line that is not behind the tip, within `reach`: where a tip without room goes.
+std::optional<Point> line_beside(const Manifold& manifold, const CrackTip& tip, double reach);
+
 /// A direction turned to the left by an angle (rad).
 Point turned_to_left(Point direction, double angle);
 

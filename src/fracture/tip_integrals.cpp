@@ -104,7 +104,7 @@ class TipSums {
       const double q = domain_.weight(e, p.at);
       if (q == 0) continue;
       const Eigen::Vector2d dq = in_axes(domain_.gradient(e, p.at));
-      const Eigen::Vector2d b = turned(body_force(e, p.at));
+      const Eigen::Vector2d b = turned(body_force(e, p.at) - inertia(e, p.at));
       if (dq.isZero(0) && b.isZero(0)) continue;
       const LocalField own = field(e, p.at);
       const double energy = 0.5 * own.stress.dot(strain_of(own.gradient));
@@ -137,6 +137,17 @@ class TipSums {
     const auto stress = [&](double dx, double dy) { return continuum.initial_stress_at(e, x + Point{dx, dy}); };
     const Stress right = stress(h, 0), left = stress(-h, 0), up = stress(0, h), down = stress(0, -h);
     return b + (1 / (2 * h)) * Point{right.xx - left.xx + up.xy - down.xy, right.xy - left.xy + up.yy - down.yy};
+  }
+
+  /// ρ ü.
+  Point inertia(int e, Point x) const {
+    if (solution_.acceleration == nullptr) return {};
+    const ElementShape shape = solution_.basis.shape(e);
+    const Eigen::RowVectorXd n = shape.values(x);
+    Eigen::Vector2d a = Eigen::Vector2d::Zero();
+    for (int i = 0; i < shape.function_count(); ++i)
+      a += n(i) * solution_.acceleration->segment<2>(2 * shape.functions[static_cast<std::size_t>(i)]);
+    return solution_.continuum.material(e).density * Point{a.x(), a.y()};
   }
 
   bool has_initial_stress(int e) const {

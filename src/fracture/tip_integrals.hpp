@@ -24,8 +24,9 @@ struct CoverSolution {
   const Continuum& continuum;
   const CoverBasis& basis;
   const Eigen::VectorXd& d;
-  bool is_large = false;                    ///< x = X + u under large rotation; else u is that of linear elasticity
-  std::vector<FaceForce> face_forces = {};  ///< beside the tractions of the continuum: of contact
+  bool is_large = false;  ///< x = X + u under large rotation; else u is that of linear elasticity
+  const Eigen::VectorXd* acceleration = nullptr;  ///< of the functions, in time; none at rest
+  std::vector<FaceForce> face_forces = {};        ///< beside the tractions of the continuum: of contact
 };
 
 struct TipFactors {
@@ -35,7 +36,8 @@ struct TipFactors {
 
 /// Interaction integral with the near-tip field of each mode (Yau, Wang & Corten 1980; domain form of Moran & Shih
 /// 1987), and the domain form of J (Rice 1968; Li, Shih & Needleman 1985):
-///     I = ∫ (σ_ij uᵃ_i,1 + σᵃ_ij u_i,1 - σᵃ:ε δ_1j) q_,j dA - ∫ t·uᵃ_,1 q ds - ∫ b·uᵃ_,1 q dA,   K = E' I / 2.
+///     I = ∫ (σ_ij uᵃ_i,1 + σᵃ_ij u_i,1 - σᵃ:ε δ_1j) q_,j dA - ∫ t·uᵃ_,1 q ds - ∫ (b - ρ ü)·uᵃ_,1 q dA,
+///     K = E' I / 2.
 /// σ is the change of stress since the start, so that b has the divergence of the initial stress in it, and t, on the
 /// faces of the crack, less what that stress has there. The turning of the rock at the tip is taken out of u.
 TipFactors factors_at(const CoverSolution& solution, const CrackTip& tip, const CrackDomain& domain);

@@ -48,6 +48,8 @@ struct CrackClosure {
 struct Toughness {
   double mode_1 = 0;                  ///< K_Ic, above 0
   std::optional<double> mode_2 = {};  ///< K_IIc; none: that of the criterion of growth
+  std::optional<double> tensile_strength = {};  ///< at which a crack starts in intact rock, force / length², above 0;
+                                                ///< none: cracks grow only where there are some
 
   bool operator==(const Toughness&) const = default;
 };

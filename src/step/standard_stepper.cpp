@@ -325,7 +325,10 @@ bool StandardStepper::is_at_rest(double share) const {
 
 std::optional<CoverDisplacement> StandardStepper::on_covers() const {
   for (const auto& group : scene_.groups)
-    if (const CoverBasis* basis = group->shared_basis()) return CoverDisplacement{*basis, motion_.q.shared};
+    if (const CoverBasis* basis = group->shared_basis()) {
+      const bool is_in_time = scene_.settings.standard.motion == MotionRule::dynamic;
+      return CoverDisplacement{*basis, motion_.q.shared, true, is_in_time ? &motion_.a.shared : nullptr};
+    }
   return std::nullopt;
 }
 

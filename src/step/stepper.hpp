@@ -53,6 +53,7 @@ struct CoverDisplacement {
   const CoverBasis& basis;
   const Eigen::VectorXd& d;
   bool is_large = true;  ///< false: the solution of linear elasticity
+  const Eigen::VectorXd* acceleration = nullptr;  ///< of the functions, in time; none at rest
 };
 
 class Stepper {

@@ -145,7 +145,10 @@ TEST(ContactFrame, a_block_that_slides_says_so_and_how_far) {
 TEST(ContactFrame, sums_do_not_depend_on_which_block_has_the_edge) {
   ContactFrame one{0, 1, 2, ContactCondition::slide, {}, {0, 1}, 0, 0, 3, -2};
   ContactFrame other{1, 0, 2, ContactCondition::stick, {}, {0, -1}, 0, 0, 3, -2};
-  const std::vector<JointSum> sums = joint_sums({one, other, {0, 1, 1}});
+  ContactFrame third;
+  third.other = 1;
+  third.joint_material = 1;
+  const std::vector<JointSum> sums = joint_sums({one, other, third});
   ASSERT_EQ(sums.size(), 2U);
   EXPECT_EQ(sums[0].joint_material, 1);
   EXPECT_EQ(sums[0].closed, 0);

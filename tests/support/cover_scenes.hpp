@@ -25,8 +25,9 @@ inline Scene mixed_scene_of(const Blocks& blocks, const std::vector<int>& meshed
                             const Settings& settings, int half_rows, CoverFunctions functions) {
   int number = 0;
   const auto is_meshed = [&](const BlockPolygon&) { return std::ranges::count(meshed, number++) > 0; };
-  MeshedBlocks parts = mesh_blocks(
-      blocks, is_meshed, [&](const BlockPolygon&, const BodyGraph& graph) { return turned_mesh(graph, half_rows); });
+  MeshedBlocks parts = mesh_blocks(blocks, is_meshed, graph_of, [&](const BlockPolygon&, const BodyGraph& graph) {
+    return turned_mesh(graph, half_rows);
+  });
   for (const BlockPoint& point : blocks.fixed_points) {
     BlockPoint moved = point;
     moved.block = parts.blocks[static_cast<std::size_t>(point.block)].block;

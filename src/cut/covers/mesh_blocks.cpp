@@ -25,6 +25,7 @@ void add(Manifold& manifold, Manifold more) {
 }  // namespace
 
 MeshedBlocks mesh_blocks(const Blocks& scene, const std::function<bool(const BlockPolygon&)>& is_meshed,
+                         const std::function<BodyGraph(const BlockPolygon&)>& graph_for,
                          const std::function<TriangleMesh(const BlockPolygon&, const BodyGraph&)>& mesh_for) {
   MeshedBlocks result;
   result.rest.place = scene.place;
@@ -34,7 +35,7 @@ MeshedBlocks mesh_blocks(const Blocks& scene, const std::function<bool(const Blo
       result.rest.blocks.push_back(block);
       continue;
     }
-    const BodyGraph graph = graph_of(block);
+    const BodyGraph graph = graph_for(block);
     result.blocks.push_back({-1, static_cast<int>(result.manifold.body_materials.size())});
     add(result.manifold, cut_cover(graph, mesh_for(block, graph)));
   }

@@ -22,8 +22,10 @@ struct MeshedBlocks {
   std::vector<Whereabouts> blocks;  ///< of each block of the scene
 };
 
-/// Cuts each block that `is_meshed` says of on the mesh that `mesh_for` makes for it.
+/// Cuts each block that `is_meshed` says of, with the cracks that `graph_for` puts into it, on the mesh that `mesh_for`
+/// makes for it.
 MeshedBlocks mesh_blocks(const Blocks& scene, const std::function<bool(const BlockPolygon&)>& is_meshed,
+                         const std::function<BodyGraph(const BlockPolygon&)>& graph_for,
                          const std::function<TriangleMesh(const BlockPolygon&, const BodyGraph&)>& mesh_for);
 
 }  // namespace keyblock

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cut/bodies/cracks.hpp"
 #include "cut/covers/cut_cover.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "cut/covers/to_cover.hpp"
@@ -70,6 +71,15 @@ CoverModel of_cover_file(const Cover& cover, const Analysis& analysis, const Set
           {}};
 }
 
+void require_cracks_in_meshed_blocks(const Blocks& blocks, const CoverPlan& plan) {
+  if (plan.cracks.empty()) return;
+  std::vector<BodyGraph> graphs;
+  for (const BlockPolygon& block : blocks.blocks)
+    if (std::ranges::count(plan.mesh.materials, block.material, &MeshedMaterial::material) > 0)
+      graphs.push_back(graph_of(block));
+  add_cracks(graphs, plan.cracks, CracksOutside::are_refused);
+}
+
 }  // namespace
 
 CutResult blocks_of(const Problem& problem, const Settings& settings) {
@@ -84,6 +94,7 @@ CoverModel cover_model(const Problem& problem, const Settings& settings) {
   if (problem.covers->mesh.materials.empty()) return all_on_covers(problem, settings);
   // Joints that end inside blocks are pruned, as they are in blocks.
   CutResult cut = blocks_of(problem, settings);
+  require_cracks_in_meshed_blocks(cut.blocks, *problem.covers);
   Model model = mixed_model(cut.blocks, *problem.analysis, *problem.covers, settings);
   if (!model.continuum)
     throw InputError(problem.covers->mesh.place, "expected a block of the materials that covers name, found none");

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "cut/bodies/block_shape.hpp"
+#include "cut/bodies/cracks.hpp"
 #include "cut/covers/mesh_blocks.hpp"
 #include "cut/mesh/fit_mesh.hpp"
 #include "model/continuum.hpp"
@@ -18,6 +19,7 @@
 #include "model/setup/from_manifold.hpp"
 #include "model/setup/join.hpp"
 #include "run/bodies/cover_plan_parts.hpp"
+#include "run/bodies/planned_bodies.hpp"
 
 namespace keyblock {
 namespace {
@@ -35,6 +37,7 @@ class Mixed {
                                          functions_of(plan, analysis.block_materials));
       put_loads(continuum, plan);
       put_points(continuum, plan);
+      continuum.cracks = plan.cracks;
       bodies.continuum = std::make_shared<Continuum>(std::move(continuum));
       model_ = rest.blocks.empty() ? std::move(bodies) : joined(model_from_blocks(rest, analysis), bodies);
     }
@@ -58,10 +61,18 @@ class Mixed {
                           std::ranges::count(mesh.materials, block.material, &MeshedMaterial::material) > 0);
     };
     try {
-      return mesh_blocks(blocks_, is_meshed, [&](const BlockPolygon& block, const BodyGraph& graph) {
+      const auto graph_for = [&](const BlockPolygon& block) {
+        BodyGraph graph = graph_of(block);
+        add_cracks({&graph, 1}, plan_.cracks, CracksOutside::are_gone);
+        return graph;
+      };
+      return mesh_blocks(blocks_, is_meshed, graph_for, [&](const BlockPolygon& block, const BodyGraph& graph) {
         MeshPlan own = mesh;
         if (own.side > 0) own.side = std::min(own.side, std::sqrt(area_of(block)));
-        return fitted_mesh(own, graph).mesh;
+        own.tip_side = tip_side_of(plan_);
+        std::vector<Point> tips;
+        for (const CrackTip& tip : tips_of(graph)) tips.push_back(tip.at);
+        return fitted_mesh(own, graph, tips).mesh;
       });
     } catch (const std::invalid_argument& error) {
       throw InputError(mesh.place, error.what());

@@ -18,6 +18,8 @@ std::string why_not(const Problem& problem, const Scene& scene) {
       scene.settings.dynamics == Dynamics::standard && scene.settings.standard.motion == MotionRule::equilibrium;
   if (!is_statics) return "expected statics where cracks grow (velocity_carry_over 0, profile standard), found motion";
   if (!scene.model.continuum) return "expected bodies on covers where cracks grow, found none";
+  if (!problem.covers->mesh.materials.empty())
+    return "expected all bodies on covers where cracks grow (no materials of the mesh), found blocks beside them";
   if (!problem.stages.empty() || !problem.covers->excavations.empty())
     return "expected no stages or excavations where cracks grow, found them";
   if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear))

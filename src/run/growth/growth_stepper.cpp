@@ -10,6 +10,7 @@
 
 #include "fracture/growth.hpp"
 #include "model/continuum.hpp"
+#include "model/setup/free_pieces.hpp"
 #include "model/setup/scale_loads.hpp"
 #include "result/describe.hpp"
 #include "run/growth/solution_of.hpp"
@@ -30,6 +31,32 @@ Scene with_factor(Scene scene, double factor) {
 
 const Manifold& manifold_of(const Stepper& stepper) {
   return stepper.model().continuum->manifold;
+}
+
+/// Whether no tip is left, or a piece is cut free that no contact holds: statics has no more to say.
+bool is_end(const Scene& scene) {
+  return scene.model.continuum->manifold.tips.empty() ||
+         (scene.is_untouched && !free_pieces(*scene.model.continuum).empty());
+}
+
+/// The load under which something gives way first, and what does: tips, or a crack that starts.
+struct Next {
+  double factor = 1;
+  std::vector<std::size_t> tips;
+  std::vector<CrackStart> starts;
+};
+
+Next next_of(const std::vector<TipState>& tips, const std::vector<CrackStart>& starts) {
+  Next next{1, next_to_go_on(tips), {}};
+  double greatest = 0;
+  for (const std::size_t i : next.tips) greatest = std::max(greatest, tips[i].equivalent / tips[i].toughness);
+  if (!starts.empty() && starts.front().nearness() > greatest) {
+    greatest = starts.front().nearness();
+    next.tips.clear();
+    next.starts = starts;
+  }
+  if (greatest > 0) next.factor = 1 / greatest;
+  return next;
 }
 
 }  // namespace
@@ -72,6 +99,13 @@ void GrowthStepper::describe_growth(Archive& archive) {
   describe_cracks("cracks", cracks_);
   describe_cracks("cracks_shown", shown_);
   archive.list("tips", tips_, [&](TipState& tip) { describe(archive, tip); });
+  archive.list("starts", starts_, [&](CrackStart& start) {
+    archive.value("x", start.at.x);
+    archive.value("y", start.at.y);
+    archive.value("along_x", start.along.x);
+    archive.value("along_y", start.along.y);
+    archive.value("half_length", start.half_length);
+  });
 }
 
 Scene GrowthStepper::scene_with(const std::vector<CrackPlan>& cracks, double factor) const {
@@ -93,7 +127,15 @@ std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std
   if (const auto* why = std::get_if<StepFailure>(&made)) return *why;
   result.report = std::get<StepReport>(made);
   result.tips = tips_of(*result.stepper, cracks);
+  result.starts = crack_starts(*solution_of(*result.stepper));
   return result;
+}
+
+// Straight ahead, or to what lies beside it.
+std::optional<Point> GrowthStepper::way_through(const Manifold& manifold, const CrackTip& tip) const {
+  const double increment = first_.growth->plan.increment;
+  const Advance ahead = advance_of(manifold, tip.at, tip.ahead, increment);
+  return ahead.meets_line ? std::optional(ahead.to) : line_beside(manifold, tip, increment);
 }
 
 // A tip just before a line has no field of its own: it goes through to it at once.
@@ -101,7 +143,7 @@ std::optional<StepFailure> GrowthStepper::unfit_tip(const Stepper& solved, std::
   for (std::size_t i = 0; i < tips.size(); ++i) {
     if (tips[i].has_room) continue;
     const CrackTip& tip = tip_of(manifold_of(solved), tips[i]);
-    if (advance_of(manifold_of(solved), tip.at, tip.ahead, first_.growth->plan.increment).meets_line) {
+    if (way_through(manifold_of(solved), tip)) {
       tips[i].goes_on = true;
       continue;
     }
@@ -115,12 +157,18 @@ std::optional<StepFailure> GrowthStepper::unfit_tip(const Stepper& solved, std::
 
 std::vector<CrackPlan> GrowthStepper::prolonged(const std::vector<double>& more) const {
   std::vector<CrackPlan> cracks = shown_;
+  for (const CrackStart& start : starts_) {
+    const Point half = start.half_length * start.along;
+    cracks.push_back({{start.at - half, start.at + half}, {}, 0});
+  }
   const Manifold& manifold = manifold_of(*now_);
   for (std::size_t i = 0; i < tips_.size(); ++i) {
     if (!tips_[i].goes_on) continue;
-    const double kink = tips_[i].has_room ? tips_[i].kink + more[i] : 0;
-    const Point direction = turned_to_left(tip_of(manifold, tips_[i]).ahead, kink);
-    prolong(cracks, tips_[i], advance_of(manifold, tips_[i].at, direction, first_.growth->plan.increment).to);
+    const CrackTip& tip = tip_of(manifold, tips_[i]);
+    const Point direction = turned_to_left(tip.ahead, tips_[i].kink + more[i]);
+    const std::optional<Point> through = tips_[i].has_room ? std::nullopt : way_through(manifold, tip);
+    prolong(cracks, tips_[i],
+            through.value_or(advance_of(manifold, tip.at, direction, first_.growth->plan.increment).to));
   }
   return cracks;
 }
@@ -138,12 +186,11 @@ std::vector<double> GrowthStepper::corrections(const std::vector<CrackPlan>& tri
 }
 
 void GrowthStepper::put_next() {
-  const auto has_tips = [&] { return !first_.growth->remade(cracks_).model.continuum->manifold.tips.empty(); };
   cracks_ = prolonged(std::vector<double>(tips_.size(), 0));
-  is_done_ = !has_tips();
+  is_done_ = is_end(first_.growth->remade(cracks_));
   if (is_done_ || !first_.growth->plan.has_corrector) return;
   cracks_ = prolonged(corrections(cracks_));
-  is_done_ = !has_tips();
+  is_done_ = is_end(first_.growth->remade(cracks_));
 }
 
 std::variant<StepReport, StepFailure> GrowthStepper::advance() {
@@ -151,27 +198,21 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   if (const auto* why = std::get_if<StepFailure>(&unit)) return *why;
   auto& under_unit = std::get<Solved>(unit);
   if (auto why = unfit_tip(*under_unit.stepper, under_unit.tips)) return *why;
-  const std::vector<std::size_t> chosen = next_to_go_on(under_unit.tips);
   const bool goes_through = std::ranges::any_of(under_unit.tips, &TipState::goes_on);
-  if (chosen.empty() && !goes_through)
-    return failure("no tip goes on: nothing pulls at any, or the rock there has no toughness");
-  double factor = load_factor_;
-  if (!chosen.empty()) {
-    const TipState& first = under_unit.tips[chosen.front()];
-    factor = first.toughness / first.equivalent;
-    for (const std::size_t i : chosen)
-      factor = std::min(factor, under_unit.tips[i].toughness / under_unit.tips[i].equivalent);
-  }
+  const Next next = goes_through ? Next{load_factor_, {}, {}} : next_of(under_unit.tips, under_unit.starts);
+  if (!goes_through && next.tips.empty() && next.starts.empty())
+    return failure("no tip goes on and no crack starts: nothing pulls at any, or the rock there has no toughness");
+  const double factor = next.factor;
   auto loaded = solved(cracks_, factor);
   if (const auto* why = std::get_if<StepFailure>(&loaded)) return *why;
   auto& under_load = std::get<Solved>(loaded);
   for (std::size_t i = 0; i < under_load.tips.size(); ++i) under_load.tips[i].goes_on = under_unit.tips[i].goes_on;
-  if (!goes_through)
-    for (const std::size_t i : chosen) under_load.tips[i].goes_on = true;
+  for (const std::size_t i : next.tips) under_load.tips[i].goes_on = true;
   StepReport report = under_load.report;
   report.passes += under_unit.report.passes;
   now_ = std::move(under_load.stepper);
   tips_ = std::move(under_load.tips);
+  starts_ = next.starts;
   load_factor_ = factor;
   shown_ = cracks_;
   const int step = state_.step + 1;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fracture/initiation.hpp"
 #include "step/stepper.hpp"
 
 namespace keyblock {
@@ -21,7 +22,7 @@ class GrowthStepper : public Stepper {
   /// As it was saved, of the same scene. Throws InputError.
   GrowthStepper(Scene first, Archive& saved);
 
-  /// Where no tip is left.
+  /// Where no tip is left, or a piece is cut free.
   bool is_done() const override { return is_done_; }
   const Model& model() const override { return now_->model(); }
   const Settings& settings() const override { return first_.settings; }
@@ -44,12 +45,15 @@ class GrowthStepper : public Stepper {
     std::unique_ptr<Stepper> stepper;
     StepReport report;
     std::vector<TipState> tips;
+    std::vector<CrackStart> starts;  ///< of cracks in intact rock
   };
 
   void describe_growth(Archive& archive);
   Scene scene_with(const std::vector<CrackPlan>& cracks, double factor) const;
   std::variant<Solved, StepFailure> solved(const std::vector<CrackPlan>& cracks, double factor) const;
   std::vector<TipState> tips_of(const Stepper& solved, const std::vector<CrackPlan>& cracks) const;
+  /// Where a tip without room goes: to the line that is in its way; none where that is farther than an increment.
+  std::optional<Point> way_through(const Manifold& manifold, const CrackTip& tip) const;
   /// Marks tips just before a line; fails where one has no room otherwise.
   std::optional<StepFailure> unfit_tip(const Stepper& solved, std::vector<TipState>& tips) const;
   /// The cracks one increment further, by the kinks of `tips_` and `more` of each.
@@ -62,10 +66,11 @@ class GrowthStepper : public Stepper {
 
   Scene first_;
   std::unique_ptr<Stepper> now_;
-  State state_;                    ///< of `now_`, with the steps of the run
-  std::vector<CrackPlan> cracks_;  ///< those of the step to come
-  std::vector<CrackPlan> shown_;   ///< those of the last step
-  std::vector<TipState> tips_;     ///< at its end
+  State state_;                     ///< of `now_`, with the steps of the run
+  std::vector<CrackPlan> cracks_;   ///< those of the step to come
+  std::vector<CrackPlan> shown_;    ///< those of the last step
+  std::vector<TipState> tips_;      ///< at its end
+  std::vector<CrackStart> starts_;  ///< cracks that start at its end; where there are any no tip goes on
   double load_factor_ = 1;
   bool is_done_ = false;
 };

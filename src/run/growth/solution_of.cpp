@@ -56,7 +56,7 @@ std::vector<FaceForce> face_forces(const Stepper& stepper, const CoverDisplaceme
 std::optional<CoverSolution> solution_of(const Stepper& stepper) {
   const std::optional<CoverDisplacement> moved = stepper.on_covers();
   if (!moved) return std::nullopt;
-  CoverSolution solution{*stepper.model().continuum, moved->basis, moved->d, moved->is_large, {}};
+  CoverSolution solution{*stepper.model().continuum, moved->basis, moved->d, moved->is_large, moved->acceleration, {}};
   if (moved->is_large) solution.face_forces = face_forces(stepper, *moved);
   return solution;
 }

@@ -1,0 +1,108 @@
+"""Writes the cases of crack_growth: paths and loads of cracks that grow (fra-06, 14, 19), and a disc that splits (fra-10).
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import json
+import math
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.dirname(HERE))
+from cover_files import arc, case_text, free_mesh, rectangle, write_case  # noqa: E402
+
+
+def write(name, corners, cracks, side, covers, growth, steps, values, about, young, poisson, toughness, contact='ignored', joint=None, tip=None):
+    """`values` as those of write_case."""
+    mesh = free_mesh(side)
+    if tip:
+        mesh['tip_side'] = tip
+    parts = {'contact': contact, 'mesh': mesh, 'growth': growth}
+    if cracks:
+        parts['cracks'] = [{'along': a} for a in cracks]
+    parts.update(covers)
+    text = case_text(corners, parts, young, poisson, [], plane_strain=True, steps=(steps, 1)).replace(',\n  "measured_points": []', '')
+    text = text.replace('"poissons_ratio": %s' % json.dumps(poisson), '"poissons_ratio": %s, "toughness": %s' % (json.dumps(poisson), json.dumps(toughness)))
+    if joint:
+        text = text.replace('   {}\n', '   %s\n' % json.dumps(joint))
+    write_case(os.path.join(HERE, name), text, values, about)
+
+
+def cantilever(name, tilt, increment, steps, values, about):
+    """Double cantilever of fra-06 in inches and pounds, opened by 197 on each arm."""
+    end = [3.94, 0.3 * math.tan(math.radians(tilt))]
+    cracks = [[[0, 0], [3.64, 0], end]] if tilt else [[[0, 0], end]]
+    young = 3e7
+    write(name, [(0, -1.97), (11.8, -1.97), (11.8, 1.97), (0, 1.97), (0, 0)], cracks, 0.4,
+          {'tractions': [{'along': [[0, 0], [0, 1.97]], 'y': 100}, {'along': [[0, -1.97], [0, 0]], 'y': -100}],
+           'springs': [[11.8, -1.97, 1, 0, young], [11.8, -1.97, 0, 1, young], [11.8, 1.97, 1, 0, young]]},
+          {'increment': increment}, steps, values, about, young, 0.3, {'mode_1': 1000})
+
+
+def loads_of_a_cantilever():
+    """Load over length: K = P (3.46 a + 2.38 h) / h^1.5 reaches the toughness 10."""
+    young, steps = 1e5, 6
+    values = []
+    for k in range(steps):
+        a = 2 + 0.4 * k
+        values.append(('load_factor', '', 10 / (3.46 * a + 2.38), 0.015 * 10 / (3.46 * a + 2.38), '1.5 %: the formula is fitted to 0.5 %, K is found to 0.6 %',
+                       'Kanninen 1973; Tada, Paris & Irwin 1973', k + 1))
+    write('cantilever_loads', [(0, -1), (14, -1), (14, 1), (0, 1), (0, 0)], [[[0, 0], [2, 0]]], 0.2,
+          {'tractions': [{'along': [[0, 0], [0, 1]], 'y': 1}, {'along': [[0, -1], [0, 0]], 'y': -1}],
+           'springs': [[14, -1, 1, 0, young], [14, -1, 0, 1, young], [14, 1, 1, 0, young]]},
+          {'increment': 0.4}, steps, values, 'load of a double cantilever over the length of its crack', young, 0.3, {'mode_1': 10}, tip=0.00625)
+
+
+def kink(mode_1, mode_2):
+    return math.degrees(2 * math.atan((mode_1 - math.hypot(mode_1, math.sqrt(8) * mode_2)) / (4 * mode_2)))
+
+
+def first_kinks():
+    """An inclined crack in tension, of which both tips kink by the hoop stress."""
+    c, s, young = math.cos(math.radians(30)), math.sin(math.radians(30)), 1e5
+    exact = kink(0.752427563926, 0.433737607479)
+    write('first_kink', rectangle(-20, -20, 20, 20), [[[-c, -s], [c, s]]], 4,
+          {'tractions': [{'along': [[-20, 20], [20, 20]], 'y': 1}, {'along': [[-20, -20], [20, -20]], 'y': -1}],
+           'springs': [[20, -20, 1, 0, young], [20, -20, 0, 1, young], [20, 20, 1, 0, young]]},
+          {'increment': 0.1}, 1, [('kink_deg', t, exact, 2, 'asked for: 2 degrees', 'Erdogan & Sih 1963', 1) for t in (1, 2)],
+          'first kink of a crack at 30 degrees in tension (fra-14)', young, 0.3, {'mode_1': 1})
+
+
+def wing_crack():
+    """A closed flaw in compression that rubs: both tips slide, and wings start at 70.53 degrees."""
+    c, young = math.sqrt(0.5), 1e4
+    write('wing_crack', rectangle(-20, -20, 20, 20), [[[-c, -c], [c, c]]], 4,
+          {'tractions': [{'along': [[-20, 20], [20, 20]], 'y': -1}, {'along': [[-20, -20], [20, -20]], 'y': 1}],
+           'springs': [[20, -20, 1, 0, young], [20, -20, 0, 1, young], [20, 20, 1, 0, young]]},
+          {'increment': 0.2}, 1, [('kink_deg', t, 70.5288, 2, 'asked for: 2 degrees', 'Horii & Nemat-Nasser 1985, with K_I = 0', 1) for t in (1, 2)],
+          'wings of a closed crack in compression, friction 0.3 (fra-19)', young, 0.3, {'mode_1': 1}, contact='felt',
+          joint={'friction_angle_deg': math.degrees(math.atan(0.3))}, tip=1 / 320)
+
+
+def split_disc():
+    """A whole disc: the load at which it cracks, and a crack that parts it."""
+    half, young = 5, 1e5
+    right = arc(1, -90 + half, 90 - half, 90)
+    left = [(-x, -y) for x, y in right]
+    corners = right + [(0.0, 1.0)] + left + [(0.0, -1.0)]
+    top, bottom = [right[-1], (0.0, 1.0), left[0]], [left[-1], (0.0, -1.0), right[0]]
+    length = sum(math.dist(a, b) for a, b in zip(top, top[1:]))
+    strength, radius = 1.0, 0.1
+    write('split_disc', corners, [], 0.05,
+          {'tractions': [{'along': [list(p) for p in top], 'y': -1 / length}, {'along': [list(p) for p in bottom], 'y': 1 / length}],
+           'springs': [[0, 1, 1, 0, young], [0, -1, 1, 0, young], [0, -1, 0, 1, young]]},
+          {'increment': 0.2}, 2, [('load_factor', '', math.pi, 0.05 * math.pi, 'asked for: 5 % of the load of the Brazilian test', 'Hondros 1959: P = pi D t ft / 2', 1)],
+          'Brazilian disc that cracks along its diameter (fra-10)', young, 0.2, {'mode_1': round(strength * math.sqrt(math.pi * radius), 9), 'tensile_strength': strength})
+
+
+if __name__ == '__main__':
+    PATH = 'independent reckoning with singular functions, corrected steps of 0.15 in.; Cotterell & Rice 1980: unstable for T > 0'
+    cantilever('cantilever_tilted', 5.71, 0.15, 13, [('tip_y', 1, 1.10, 0.165, 'asked for: 15 % of the deviation', PATH, 13), ('tip_x', 1, 5.16, 0.18, 'asked for: 15 % of the way', PATH, 13),
+                                                    ('K_II', 1, 0, 50, 'asked for: K_II/K_I <= 0.05 behind each step', PATH, 13)],
+               'double cantilever whose crack begins tilted: it turns to that side (fra-06)')
+    cantilever('cantilever_straight', 0, 0.3, 7, [('tip_y', 1, 0, 0.15, 'asked for: half an increment', 'symmetry', 7), ('K_II', 1, 0, 10, 'asked for: 0.01 of K_I', 'symmetry', 7)],
+               'double cantilever with a straight crack (fra-06)')
+    loads_of_a_cantilever()
+    first_kinks()
+    wing_crack()
+    split_disc()

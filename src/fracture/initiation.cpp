@@ -1,0 +1,123 @@
+// Discs of elements about each element; see initiation.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/initiation.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "geometry/polygon.hpp"
+#include "geometry/quadrature.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kTies = 0.01;     // of the greatest nearness: those that start together
+constexpr double kApart = 4;       // discs: starts nearer to each other are one
+constexpr double kFreeOfTips = 2;  // discs about a start without a tip
+constexpr int kDegree = 2;         // of the stress in an element
+
+class Starts {
+ public:
+  explicit Starts(const CoverSolution& solution) : solution_(solution), manifold_(solution.continuum.manifold) {
+    for (const ManifoldElement& element : manifold_.elements)
+      middles_.push_back(centroid(manifold_.polygon(element).front()));
+    seen_.assign(middles_.size(), -1);
+  }
+
+  std::vector<CrackStart> nearest() {
+    std::vector<CrackStart> all;
+    for (std::size_t e = 0; e < middles_.size(); ++e)
+      if (const std::optional<CrackStart> start = start_at(static_cast<int>(e))) all.push_back(*start);
+    std::ranges::stable_sort(all, std::ranges::greater(), &CrackStart::nearness);
+    std::vector<CrackStart> chosen;
+    for (const CrackStart& start : all) {
+      if (start.nearness() < (1 - kTies) * all.front().nearness()) break;
+      if (std::ranges::none_of(chosen, [&](const CrackStart& other) {
+            return distance(other.at, start.at) < kApart * (start.half_length + other.half_length) / 2;
+          }))
+        chosen.push_back(start);
+    }
+    return chosen;
+  }
+
+ private:
+  double side_of(int e) const {
+    const auto t = manifold_.triangle(manifold_.elements[static_cast<std::size_t>(e)]);
+    return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+  }
+
+  Eigen::Matrix2d stress_at(int e, Point x) const {
+    const ElementShape shape = solution_.basis.shape(e);
+    const Eigen::Matrix2Xd dn = shape.gradients(x);
+    Eigen::Matrix2d g = Eigen::Matrix2d::Zero();
+    for (int a = 0; a < shape.function_count(); ++a)
+      g += solution_.d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]) * dn.col(a).transpose();
+    const Eigen::Vector3d s = solution_.continuum.modulus(e) * Eigen::Vector3d(g(0, 0), g(1, 1), g(0, 1) + g(1, 0));
+    const Stress first = solution_.continuum.initial_stress_at(e, x);
+    return (Eigen::Matrix2d() << s(0) + first.xx, s(2) + first.xy, s(2) + first.xy, s(1) + first.yy).finished();
+  }
+
+  std::optional<CrackStart> start_at(int e) {
+    const BlockMaterial& rock = solution_.continuum.material(e);
+    if (!rock.toughness || !rock.toughness->tensile_strength) return std::nullopt;
+    const double toughness = rock.toughness->mode_1, strength = *rock.toughness->tensile_strength;
+    const double own = std::pow(toughness / strength, 2) / std::numbers::pi;
+    const double side = side_of(e);
+    CrackStart start{middles_[static_cast<std::size_t>(e)], {}, own, 0, strength, side > own / 2};
+    if (start.is_coarse) start.half_length = std::max(own, 2 * side);
+    if (start.half_length > own) start.strength = toughness / std::sqrt(std::numbers::pi * start.half_length);
+    for (const CrackTip& tip : manifold_.tips)
+      if (distance(tip.at, start.at) < kFreeOfTips * start.half_length) return std::nullopt;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(mean_stress(e, start.half_length));
+    start.stress = principal.eigenvalues()(1);
+    if (!(start.stress > 0)) return std::nullopt;
+    start.along = {principal.eigenvectors()(0, 0), principal.eigenvectors()(1, 0)};
+    return start;
+  }
+
+  /// Of the elements within reach that hang together with `first` there.
+  Eigen::Matrix2d mean_stress(int first, double radius) {
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    double weights = 0;
+    const Point about = middles_[static_cast<std::size_t>(first)];
+    std::vector<int> open{first};
+    seen_[static_cast<std::size_t>(first)] = first;
+    while (!open.empty()) {
+      const int e = open.back();
+      open.pop_back();
+      const ManifoldElement& element = manifold_.elements[static_cast<std::size_t>(e)];
+      bool is_near = false;
+      for (const AreaPoint& p : polygon_rule(manifold_.polygon(element), kDegree)) {
+        const double t = std::pow(distance(p.at, about) / radius, 2);
+        if (t >= 1) continue;
+        is_near = true;
+        const double weight = p.weight * (1 - t) * (1 - t);
+        sum += weight * stress_at(e, p.at);
+        weights += weight;
+      }
+      if (!is_near && e != first) continue;
+      for (const ElementCorner& corner : manifold_.loop(element.outer)) {
+        if (corner.neighbour < 0 || seen_[static_cast<std::size_t>(corner.neighbour)] == first) continue;
+        seen_[static_cast<std::size_t>(corner.neighbour)] = first;
+        open.push_back(corner.neighbour);
+      }
+    }
+    return weights > 0 ? Eigen::Matrix2d(sum / weights) : stress_at(first, about);
+  }
+
+  const CoverSolution& solution_;
+  const Manifold& manifold_;
+  std::vector<Point> middles_;
+  std::vector<int> seen_;  // by which disc
+};
+
+}  // namespace
+
+std::vector<CrackStart> crack_starts(const CoverSolution& solution) {
+  return Starts(solution).nearest();
+}
+
+}  // namespace keyblock
