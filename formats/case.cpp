@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
 
 #include "formats/dxf/dxf.hpp"
@@ -86,6 +87,27 @@ void bring_to_declared_unit(std::vector<FileReading>& files) {
   throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file.text()));
 }
 
+/// A drawing that a case file names from its own folder, unless it was given beside it.
+void open_named_drawings(std::vector<FileReading>& files) {
+  namespace fs = std::filesystem;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!files[i].reading || files[i].reading->content.drawing_file.empty()) continue;
+    const Content& content = files[i].reading->content;
+    const std::string path = (fs::path(files[i].path).parent_path() / content.drawing_file).string();
+    std::error_code error;
+    const bool is_given =
+        std::ranges::any_of(files, [&](const FileReading& file) { return fs::equivalent(file.path, path, error); });
+    if (is_given) continue;
+    if (!fs::is_regular_file(path, error)) {
+      files[i].error = InputError(content.drawing_file_place,
+                                  fmt::format("expected the drawing of the case, {}, found no such file", path));
+      files[i].reading.reset();
+      continue;
+    }
+    files.push_back(open(path));
+  }
+}
+
 template <typename Geometry>
 void put_geometry(Problem& problem, const std::optional<Geometry>& geometry) {
   if (!geometry) return;
@@ -116,6 +138,7 @@ Problem with_content(Problem problem, const Content& content) {
   if (content.covers) problem.covers = content.covers;
   if (content.choices) problem.choices = *content.choices;
   if (!content.stages.empty()) problem.stages = content.stages;
+  problem.has_own_case = problem.has_own_case || content.is_own_case;
   return problem;
 }
 
@@ -124,6 +147,7 @@ Problem with_content(Problem problem, const Content& content) {
 std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
   std::vector<FileReading> files;
   for (const std::string& path : paths) files.push_back(open(path));
+  open_named_drawings(files);
   bring_to_declared_unit(files);
   ReadHint hint;
   for (FileReading& file : files) {

@@ -41,6 +41,9 @@ struct Content {
   std::optional<CoverPlan> covers = std::nullopt;
   std::optional<RunChoices> choices = std::nullopt;
   std::vector<Stage> stages = {};
+  std::string drawing_file = {};  ///< of a case file that names one, as it names it
+  Place drawing_file_place = {};
+  bool is_own_case = false;  ///< of a case file of Keyblock, not of an old program
 };
 
 /// What reading gives: the content and everything odd that was met on the way.

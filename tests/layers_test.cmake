@@ -15,7 +15,7 @@ set(may_read_files app study job formats)   # the rooms that may include formats
 
 # Floors within a room, lowest first: sub-rooms, single units, "." for all other files of the room itself. Those of one line (joined by
 # a comma) do not see each other.
-set(inner_problem . joints)
+set(inner_problem . units joints)
 set(inner_cut lines bodies mesh,covers)
 set(inner_model . scene setup)
 set(inner_formats format knowledge text shi,dxf,case_file,views berkeley .)
@@ -25,7 +25,7 @@ set(inner_run settings_of bodies stages,growth .)
 set(inner_step stepper bodies groups scene time rest .)
 set(inner_report drawing .)
 set(inner_study strength cases trade,batch,convert,element,fit,fracture)
-set(inner_app . commands,batch)
+set(inner_app . templates commands,batch)
 
 # Shi's rules are fenced off: the standard step does not see them, and they see of it the stepper that both are, and the size of a step.
 set(legacy_sees_of_step step/stepper.hpp step/time/step_size.hpp)

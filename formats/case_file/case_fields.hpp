@@ -245,6 +245,8 @@ void describe(F& f, In<F, Toughness>& toughness) {
 
 template <class F>
 void describe(F& f, In<F, BlockMaterial>& material) {
+  f.name("name");
+  f.of_library("like", material);
   f.real("density", material.density, kPositive);
   f.real("unit_weight", material.unit_weight);
   f.real("youngs_modulus", material.youngs_modulus, kPositive);
@@ -279,6 +281,8 @@ void describe(F& f, In<F, BlockMaterial>& material) {
 
 template <class F>
 void describe(F& f, In<F, JointMaterial>& material) {
+  f.name("name");
+  f.of_library("like", material);
   f.real("friction_angle_deg", material.friction_angle_deg, kFrictionAngle);
   f.real("cohesion", material.cohesion, kNotNegative);
   f.real("tensile_strength", material.tensile_strength, kNotNegative);
@@ -574,12 +578,13 @@ void describe(F& f, In<F, MeasuredTrack>& track) {
 /// Everything but the version, which comes first.
 template <class F>
 void describe(F& f, In<F, Content>& content) {
+  f.name("$schema");
   f.optional_object("units", content.units);
-  f.optional_object("drawing", content.drawing);
+  f.object_or_file("drawing", content.drawing, content.drawing_file, content.drawing_file_place);
   f.optional_object("blocks", content.blocks);
   f.optional_object("cover", content.cover);
   f.optional_object("covers", content.covers);
-  f.optional_object("analysis", content.analysis);
+  f.optional_object("analysis", content.analysis, f.start_of_analysis());
   f.optional_curve("motion", content.motion);
   f.objects("frames", content.frames);
   f.objects("tracks", content.tracks);

@@ -10,12 +10,17 @@ namespace keyblock::formats {
 namespace {
 
 constexpr auto kMeanings = std::to_array<CaseMeaning>({
-    {"case.units", "names of the base units; one consistent set for all numbers, nothing is converted"},
+    {"case.$schema", "where editors find this schema; passed over"},
+    {"case.units",
+     "names of the base units; one consistent set for all numbers, into which values with units of their own (\"20 "
+     "GPa\") are converted"},
     {"units.length", "L; absent: not said"},
     {"units.mass", "M; absent: not said"},
     {"units.time", "T; absent: not said"},
 
-    {"case.drawing", "lines that cut blocks, and marks on them; one geometry a file: drawing, blocks or cover"},
+    {"case.drawing",
+     "lines that cut blocks, and marks on them, or the name of the file that holds them, from the folder of the case; "
+     "one geometry a file: drawing, blocks or cover"},
     {"edge_node_ratio", "crossings nearer than about this share of the scene's size become one node"},
     {"boundary_count", "how many of the joints, the first ones, are boundary lines"},
     {"drawing.joints", "lines that may become edges of blocks"},
@@ -160,6 +165,9 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"over_relaxation", "of the solver of the old program, without effect; absent: not said"},
     {"save_interval", "steps between two frames, more where a run would leave more than 100; absent: 1"},
     {"block_materials", "numbered from 1 in their order; at least one"},
+    {"block_materials.name", "by which the number of the material may be replaced"},
+    {"joint_materials.name", "by which the number of the material may be replaced"},
+    {"like", "of the library of rock and joints, whose values are taken where none are given; the case declares units"},
     {"density", "mass per area, M/L²"},
     {"unit_weight", "weight per area, downward, F/L²; 0: weightless"},
     {"youngs_modulus", "F/L²"},

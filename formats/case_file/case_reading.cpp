@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/nearest.hpp"
 #include "formats/text/numbers.hpp"
 
 namespace keyblock::formats {
@@ -12,10 +13,32 @@ namespace {
 // Bytes a byte of the file: an empty curve takes more than a reader may hold of the two characters it stands in.
 constexpr std::size_t kMostOfEmptyCurves = 12;
 
+// As Shi's samples have it.
+constexpr double kDisplacementRatioOfToday = 0.01;
+
 }  // namespace
 
 CaseReading::CaseReading(JsonValue value, std::string_view noun) : from_(value), noun_(noun) {
   if (value.kind() == JsonKind::array) in_row_ = value.begin();
+}
+
+std::string CaseReading::nearest_of(std::string_view name) const {
+  const std::string found = nearest(name, {known_.begin(), known_.end()});
+  return found.empty() ? found : fmt::format(" (did you mean \"{}\"?)", found);
+}
+
+void CaseReading::name(std::string_view name) {
+  std::string passed_over;
+  text(name, passed_over);
+}
+
+Analysis CaseReading::start_of_analysis() const {
+  Analysis analysis;
+  if (!is_of_today_) return analysis;
+  analysis.velocity_carry_over = 1;
+  analysis.plane_strain = true;
+  analysis.allowed_displacement_ratio = kDisplacementRatioOfToday;
+  return analysis;
 }
 
 void CaseReading::finish() const {
@@ -29,11 +52,11 @@ void CaseReading::finish() const {
     ++i;
     const std::string_view name = key.string();
     if (std::ranges::find(known_, name) == known_.end())
-      key.fail(fmt::format("a key of {}: {}", noun_, fmt::join(known_, ", ")));
+      key.fail(fmt::format("a key of {}{}: {}", noun_, nearest_of(name), fmt::join(known_, ", ")));
     if (std::ranges::find(seen, name) != seen.end()) key.fail(fmt::format("each key of {} once", noun_));
     seen.push_back(name);
   }
-  if (!missing_.empty()) from_.fail(missing_);
+  if (!missing_.empty()) from_.fail_missing(missing_);
 }
 
 bool CaseReading::take(std::string_view name) {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/case_file/material_library.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/json_text.hpp"
 #include "problem/formula.hpp"
@@ -28,6 +29,10 @@ class CaseReading {
   /// Throws InputError at a key or value that no field has taken, then for the first key that is missing.
   void finish() const;
 
+  /// Where an analysis begins whose keys say nothing: as in version 1 of the layout, or as in version 2.
+  void take_defaults_of_today() { is_of_today_ = true; }
+  Analysis start_of_analysis() const;
+
   void real(std::string_view name, double& value, const Demand& demand = {[](double) { return true; }, "a number"});
   template <class Integer>
   void integer(std::string_view name, Integer& value, const Demand& demand) {
@@ -38,6 +43,27 @@ class CaseReading {
   void index(std::string_view name, int& value);
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
+  /// A word by which other parts of the file refer to this one; nothing else keeps it.
+  void name(std::string_view name);
+  /// What a material of the library is, where the key names one: values beside it overrule it.
+  template <class Material>
+  void of_library(std::string_view name, Material& material) {
+    std::string wanted;
+    text(name, wanted);
+    if (wanted.empty()) return;
+    if (const std::string why = take_from_library(wanted, from_.units(), material); !why.empty()) value_->fail(why);
+  }
+  /// An object, or the name of a file that holds it.
+  template <class T>
+  void object_or_file(std::string_view name, std::optional<T>& value, std::string& file, Place& place) {
+    if (!take(name)) return;
+    if (value_->kind() == JsonKind::string) {
+      file = value_->string();
+      place = value_->place();
+    } else {
+      fill(of_kind(JsonKind::object, name), name, value.emplace());
+    }
+  }
   void formula(std::string_view name, Formula& formula);
   void optional_formula(std::string_view name, std::optional<Formula>& formula);
   template <class Enum>
@@ -91,6 +117,8 @@ class CaseReading {
   void pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>& pairs);
 
  private:
+  std::string nearest_of(std::string_view name) const;
+
   static constexpr std::size_t kMostRoom = 12;  // over the size of the file, that is made for a list at once
 
   /// The value of the next field into `value_`; false where the object lacks it.
@@ -131,6 +159,7 @@ class CaseReading {
   std::optional<JsonValue::Iterator> in_row_;  ///< next of a row
   std::vector<std::string_view> known_;        ///< keys asked for
   std::string missing_;                        ///< what the first missing key should have been
+  bool is_of_today_ = false;
 };
 
 }  // namespace keyblock::formats

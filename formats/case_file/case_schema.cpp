@@ -7,12 +7,17 @@
 
 #include "formats/case_file/case_fields.hpp"
 #include "formats/case_file/case_meanings.hpp"
+#include "formats/case_file/case_values.hpp"
 #include "formats/case_file/keyblock_case.hpp"
+#include "formats/case_file/material_library.hpp"
 
 namespace keyblock::formats {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// What the library says need not be given.
+constexpr const char* kLike = "like";
 
 /// Describes one struct: as an object with keys, or as a row, whose places are named.
 class CaseSchema {
@@ -28,7 +33,11 @@ class CaseSchema {
   void integer(std::string_view name, Integer& value, const Demand& demand) {
     add_number(name, "integer", demand, value, demand.holds(static_cast<double>(value)));
   }
-  void index(std::string_view name, int& value) { add(name, {{"type", "integer"}, {"default", value + 1}}); }
+  void index(std::string_view name, int& value) {
+    Json type = "integer";
+    if (takes_text(name)) type = {"integer", "string"};
+    add(name, {{"type", type}, {"default", value + 1}});
+  }
   void flag(std::string_view name, bool& value) { add(name, {{"type", "boolean"}, {"default", value}}); }
   void text(std::string_view name, std::string&) { add(name, {{"type", "string"}}); }
   void formula(std::string_view name, Formula&) { add(name, {{"type", {"number", "string"}}, {"default", 0}}); }
@@ -60,6 +69,18 @@ class CaseSchema {
   void optional_object(std::string_view name, std::optional<T>&, const T& /*start*/ = {}) {
     add(name, object_of<T>(name));
   }
+  void name(std::string_view name) { add(name, {{"type", "string"}}); }
+  template <class Material>
+  void of_library(std::string_view name, Material& material) {
+    add(name, {{"type", "string"}, {"enum", library_names(material)}});
+  }
+  template <class T>
+  void object_or_file(std::string_view name, std::optional<T>&, std::string&, Place&) {
+    Json object = object_of<T>(name);
+    object["type"] = {"object", "string"};
+    add(name, std::move(object));
+  }
+  static Analysis start_of_analysis() { return {}; }
   template <class T>
   void rows(std::string_view name, std::vector<T>&, std::optional<std::size_t> least = std::nullopt) {
     add_list(name, list_of(row_of<T>(name)), least);
@@ -84,7 +105,10 @@ class CaseSchema {
   static Json object_of(std::string_view parent) {
     const CaseSchema parts = of<T>(parent);
     Json object = {{"type", "object"}, {"properties", parts.keys_}};
-    if (!parts.required_.empty()) object["required"] = parts.required_;
+    if (parts.keys_.contains(kLike) && !parts.required_.empty())
+      object["anyOf"] = Json::array({{{"required", Json::array({kLike})}}, {{"required", parts.required_}}});
+    else if (!parts.required_.empty())
+      object["required"] = parts.required_;
     object["additionalProperties"] = false;
     return object;
   }
@@ -124,6 +148,7 @@ class CaseSchema {
   template <class Number>
   void add_number(std::string_view name, const char* type, const Demand& demand, Number value, bool has_default) {
     Json number = {{"type", type}};
+    if (takes_text(name)) number["type"] = {type, "string"};
     if (has_default)
       number["default"] = value;
     else
@@ -155,6 +180,17 @@ void name_units(Json& units) {
   name("time", kTimeUnits);
 }
 
+// What version 2 does without.
+void leave_to_version_1(Json& schema, const std::string& key) {
+  Json& required = schema["properties"]["analysis"]["required"];
+  Json others = Json::array();
+  for (const Json& name : required)
+    if (name != key) others.push_back(name);
+  required = others;
+  schema["if"] = {{"properties", {{"keyblock", {{"const", kCaseVersion}}}}}};
+  schema["then"] = {{"properties", {{"analysis", {{"required", Json::array({key})}}}}}};
+}
+
 }  // namespace
 
 std::string case_schema() {
@@ -162,8 +198,10 @@ std::string case_schema() {
   Json& keys = schema["properties"];
   name_units(keys["units"]);
   keys["drawing"]["properties"]["edge_node_ratio"]["default"] = kDefaultEdgeNodeRatio;
-  keys["keyblock"] = {{"const", kCaseVersion}, {"description", "version of the layout"}};
+  keys["keyblock"] = {{"enum", {kCaseVersion, kCaseVersionOfToday}},
+                      {"description", "version of the layout; 2 has the defaults of today"}};
   schema["required"] = {"keyblock"};
+  leave_to_version_1(schema, "allowed_displacement_ratio");
   Json head = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Keyblock case file"}};
   head.update(schema);
   return head.dump(1) + "\n";

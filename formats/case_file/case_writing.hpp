@@ -32,6 +32,14 @@ class CaseWriting {
   void index(std::string_view name, int value) { integer(name, static_cast<long long>(value) + 1, {}); }
   void flag(std::string_view name, bool value);
   void text(std::string_view name, const std::string& value);
+  void name(std::string_view) {}
+  template <class Material>
+  void of_library(std::string_view, const Material&) {}
+  template <class T>
+  void object_or_file(std::string_view name, const std::optional<T>& value, const std::string&, const Place&) {
+    if (value) object(name, *value);
+  }
+  static Analysis start_of_analysis() { return {}; }
   void formula(std::string_view name, const Formula& formula);
   void optional_formula(std::string_view name, const std::optional<Formula>& formula);
   template <class Enum>

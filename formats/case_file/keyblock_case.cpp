@@ -9,15 +9,18 @@
 
 #include "formats/case_file/case_fields.hpp"
 #include "formats/case_file/case_reading.hpp"
+#include "formats/case_file/case_values.hpp"
 #include "formats/case_file/case_writing.hpp"
 #include "material/crack_closure.hpp"
 #include "material/strength.hpp"
+#include "problem/units/unit_conversion.hpp"
 
 namespace keyblock::formats {
 namespace {
 
 constexpr std::string_view kMark = "\"keyblock\"";
-constexpr Demand kVersion{[](double v) { return v == kCaseVersion; }, "version 1"};
+constexpr Demand kVersion{[](double v) { return v == kCaseVersion || v == kCaseVersionOfToday; }, "version 1 or 2"};
+constexpr double kGravityOfToday = 9.81;  // m/s2
 constexpr std::size_t kFewestCorners = 3;
 
 Recognition recognise(const Source& source) {
@@ -230,6 +233,40 @@ Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
   return warnings;
 }
 
+// What version 2 takes where nothing is said, once for the whole file.
+Warnings take_defaults_of_today(Content& content, const JsonValue& from) {
+  Analysis& analysis = *content.analysis;
+  std::vector<std::string> taken;
+  const auto tell = [&](const char* key, const char* value) {
+    if (!from.member(key)) taken.push_back(fmt::format("{} {}", key, value));
+  };
+  tell("velocity_carry_over", "1 (motion in time)");
+  tell("plane_strain", "true");
+  tell("allowed_displacement_ratio", "0.01");
+  const bool has_weight =
+      std::ranges::any_of(analysis.block_materials, [](const BlockMaterial& m) { return m.unit_weight != 0; });
+  if (!analysis.gravity && !has_weight) {
+    const std::optional<double> factor = si_factor(content.units.value_or(Units{}), kAcceleration);
+    analysis.gravity = kGravityOfToday / factor.value_or(1);
+    taken.push_back(fmt::format("gravity {:.6g}{}", *analysis.gravity, factor ? "" : " (no units are declared)"));
+  }
+  if (taken.empty()) return {};
+  return {{"defaults_taken", from.place(), fmt::format("not said, and taken: {}", fmt::join(taken, ", "))}};
+}
+
+// The units first: values are converted into them before fields are read.
+void resolve(JsonText& text) {
+  if (const auto declared = text.root().member("units"); declared && declared->kind() == JsonKind::object) {
+    CaseReading fields(*declared, "units");
+    Units units;
+    describe(fields, units);
+    fields.finish();
+    check(units, declared->place());
+    text.declare(units);
+  }
+  resolve_values(text);
+}
+
 Warnings doubtful_strengths(const Analysis& analysis) {
   Warnings warnings;
   for (const BlockMaterial& material : analysis.block_materials)
@@ -266,13 +303,16 @@ void name_file(std::optional<Part>& part, const std::string& file) {
 }
 
 Reading read(const Source& source, const ReadHint&) {
-  const JsonText text(source);
+  JsonText text(source);
   if (text.root().kind() != JsonKind::object) text.root().fail("an object");
+  resolve(text);
   Reading reading;
   Content& content = reading.content;
+  content.is_own_case = true;
   CaseReading fields(text.root(), "the case file");
   int version = 0;
   fields.integer("keyblock", version, kVersion);
+  if (version == kCaseVersionOfToday) fields.take_defaults_of_today();
   describe(fields, content);
   fields.finish();
   const int geometries = (content.drawing ? 1 : 0) + (content.blocks ? 1 : 0) + (content.cover ? 1 : 0);
@@ -281,6 +321,9 @@ Reading read(const Source& source, const ReadHint&) {
     reading.warnings.push_back({"empty_case", text.root().place(), "the case file holds nothing but its version"});
   if (content.choices) place_choices(*content.choices, *text.root().member("run"));
   if (content.drawing) reading.warnings = take_default_ratio(*content.drawing, *text.root().member("drawing"));
+  if (content.analysis && version == kCaseVersionOfToday)
+    reading.warnings =
+        joined(std::move(reading.warnings), take_defaults_of_today(content, *text.root().member("analysis")));
   if (content.analysis)
     reading.warnings =
         joined(std::move(reading.warnings), weightless_materials(*content.analysis, *text.root().member("analysis")));

@@ -1,12 +1,15 @@
 // Keyblock's own case file: one JSON text that holds whatever Keyblock models.
 //
-// An object; comments as in C++ are allowed. Numbers of blocks, materials, slots … count from 1. Angles in degrees, all
-// else in one consistent set of units, which the file names. Keys, in any order; what is absent keeps its default
-// (a weight and an edge-node ratio not without a warning):
-//   keyblock   1, the version of the layout: needed
+// An object; comments as in C++ are allowed, and a comma behind the last of a list. Numbers of blocks, materials, slots
+// … count from 1; materials may be named instead. Angles in degrees, all else in one consistent set of units, which the
+// file names; a value may carry a unit of its own ("20 GPa"), which is converted. Keys, in any order; what is absent
+// keeps its default (a weight and an edge-node ratio not without a warning):
+//   keyblock   the version of the layout: needed. 1; or 2, the same with other defaults: velocity_carry_over 1,
+//              plane_strain true, allowed_displacement_ratio 0.01, and gravity 9.81 m/s2 where no unit weight is given
+//   $schema    passed over; editors complete by it
 //   units      length, mass, time: names of the base units
 //   drawing | blocks | cover    the geometry: lines that are cut to blocks, blocks, or elements on covers; lists of
-//                               rows
+//                               rows. Of a drawing also the name of the file that holds it, from the folder of this one
 //   covers     bodies on covers: mesh, functions, what holds and loads them; values may be expressions in x, y, nx, ny
 //   analysis   controls, materials, loads in time
 //   motion     rows time, x, y: acceleration over gravity
@@ -25,6 +28,8 @@
 namespace keyblock::formats {
 
 inline constexpr int kCaseVersion = 1;
+/// The same keys, with the defaults of today: motion in time, plane strain, gravity, a displacement ratio.
+inline constexpr int kCaseVersionOfToday = 2;
 
 extern const Format kKeyblockCase;
 

@@ -58,6 +58,49 @@ bool is_of_number(char c) {
   return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E';
 }
 
+// Behind a string, or a comment, that begins at `at`; `at` where neither does.
+std::size_t behind_opaque(std::string_view text, std::size_t at) {
+  if (text[at] == '"') {
+    for (++at; at < text.size() && text[at] != '"'; ++at)
+      if (text[at] == '\\') ++at;
+    return std::min(at + 1, text.size());
+  }
+  if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
+  if (text.substr(at, 2) == "/*") {
+    const std::size_t end = text.find("*/", at + 2);
+    return end == std::string_view::npos ? text.size() : end + 2;
+  }
+  return at;
+}
+
+// With spaces for the commas behind the last value of a list, so that all places stay; nothing where there is none.
+std::optional<std::string> without_last_commas(std::string_view text) {
+  std::optional<std::string> changed;
+  constexpr std::size_t kNone = std::string_view::npos;
+  std::size_t comma = kNone;  // the last thing met, if it is one behind a value
+  bool follows_value = false;
+  for (std::size_t at = 0; at < text.size();) {
+    if (const std::size_t end = behind_opaque(text, at); end != at) {
+      if (text[at] == '"') {
+        comma = kNone;
+        follows_value = true;
+      }
+      at = end;
+      continue;
+    }
+    const char c = text[at++];
+    if (c == ' ' || is_control_space(c)) continue;
+    const bool closes = c == ']' || c == '}';
+    if (closes && comma != kNone) {
+      if (!changed) changed = text;
+      (*changed)[comma] = ' ';
+    }
+    comma = c == ',' && follows_value ? at - 1 : kNone;
+    follows_value = closes || (c != ',' && c != '[' && c != '{' && c != ':');
+  }
+  return changed;
+}
+
 std::string clipped(std::string_view text) {
   return printable(text.substr(0, kQuoted)) + (text.size() > kQuoted ? "…" : "");
 }
@@ -183,7 +226,14 @@ JsonText::JsonText(const Source& source) : map_(source.name, source.text), size_
   if (source.text.size() > kLongest)
     throw InputError({source.name},
                      fmt::format("expected at most {} bytes of JSON, found {}", kLongest, source.text.size()));
-  JsonReader(*this, source.text).read();
+  const std::optional<std::string> text = without_last_commas(source.text);
+  JsonReader(*this, text ? std::string_view(*text) : std::string_view(source.text)).read();
+}
+
+void JsonText::replace(const JsonValue& string, double number) {
+  Node& node = nodes_[string.node_];
+  node.kind = static_cast<std::uint8_t>(JsonKind::number);
+  node.number = number;
 }
 
 JsonKind JsonValue::kind() const {
@@ -196,6 +246,10 @@ Place JsonValue::place() const {
 
 std::size_t JsonValue::file_size() const {
   return text_->size_;
+}
+
+const Units& JsonValue::units() const {
+  return text_->units_;
 }
 
 double JsonValue::number() const {
@@ -227,6 +281,10 @@ std::optional<JsonValue> JsonValue::member(std::string_view key) const {
     if (name.string() == key) return *i;
   }
   return std::nullopt;
+}
+
+void JsonValue::fail_missing(std::string_view expected) const {
+  throw InputError(place(), fmt::format("expected {}, found none", expected));
 }
 
 void JsonValue::fail(std::string_view expected) const {

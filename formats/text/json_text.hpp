@@ -26,6 +26,7 @@ class JsonValue {
   JsonKind kind() const;
   Place place() const;
   std::size_t file_size() const;    ///< bytes of the whole text
+  const Units& units() const;       ///< that the text declares
   double number() const;            ///< of a number
   std::string_view string() const;  ///< of a string
 
@@ -47,16 +48,21 @@ class JsonValue {
   /// The value of a key of an object; nothing where it is absent.
   std::optional<JsonValue> member(std::string_view key) const;
 
+  /// Throws InputError at an object that lacks a key: `expected …, found none`.
+  [[noreturn]] void fail_missing(std::string_view expected) const;
+
   /// Throws InputError here: `expected …, found …`, with what stands here.
   [[noreturn]] void fail(std::string_view expected) const;
 
  private:
+  friend class JsonText;
+
   const JsonText* text_;
   std::size_t node_;
 };
 
-/// A well-formed JSON text; comments as in C++ are passed over. Two words of memory a value. Views the source: keep it
-/// alive.
+/// A well-formed JSON text; comments as in C++ are passed over, and so is a comma behind the last of a list. Two words
+/// of memory a value. Views the source: keep it alive.
 class JsonText {
  public:
   /// Views the source: keep that alive. Throws InputError at the place where the text stops being well-formed, or nests
@@ -64,6 +70,11 @@ class JsonText {
   explicit JsonText(const Source& source);
 
   JsonValue root() const { return {*this, 0}; }
+
+  /// Puts a number where a string stood.
+  void replace(const JsonValue& string, double number);
+  /// The units of its numbers, once they are read.
+  void declare(const Units& units) { units_ = units; }
 
  private:
   friend class JsonValue;
@@ -86,6 +97,7 @@ class JsonText {
   std::size_t size_;         ///< of the text
   std::vector<Node> nodes_;  ///< each before what stands in it
   std::string strings_;      ///< one behind the other, escapes resolved
+  Units units_;
 };
 
 }  // namespace keyblock::formats

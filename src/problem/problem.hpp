@@ -27,8 +27,9 @@ struct Problem {
   RunChoices choices = {};                         ///< of a case file
   std::vector<Stage> stages = {};                  ///< of a case file; none: one scene from start to end
   std::optional<TimeCurve> motion =
-      std::nullopt;  ///< of the ground, a multiple of gravity; once checked, in the analysis
-  Place place = {};  ///< the first of its files, for complaints about what is missing
+      std::nullopt;           ///< of the ground, a multiple of gravity; once checked, in the analysis
+  bool has_own_case = false;  ///< a case file of Keyblock is among its files: it is no old program's
+  Place place = {};           ///< the first of its files, for complaints about what is missing
 };
 
 /// A problem made sound, and what was said about it: warnings for what was mended, errors for what cannot be.

@@ -1,0 +1,167 @@
+// One walk over the file with the name of the key at hand.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/case_file/case_values.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/nearest.hpp"
+#include "problem/units/unit_conversion.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+struct FieldUnit {
+  std::string_view name;
+  Dimension dimension;  ///< none: an angle
+};
+
+// Loads and stiffnesses are those of a slice one unit of length thick.
+constexpr std::array<FieldUnit, 27> kFields{{{"time_step", kTimeDimension},
+                                             {"duration", kTimeDimension},
+                                             {"gravity", kAcceleration},
+                                             {"density", kDensity},
+                                             {"unit_weight", kForcePerVolume},
+                                             {"horizontal_force", kForcePerVolume},
+                                             {"youngs_modulus", kStress},
+                                             {"initial_modulus", kStress},
+                                             {"cohesion", kStress},
+                                             {"tensile_strength", kStress},
+                                             {"yield_stress", kStress},
+                                             {"initial_stress_zz", kStress},
+                                             {"stress_gradient_zz", kForcePerVolume},
+                                             {"contact_penalty", kStress},
+                                             {"stiffness", kStress},
+                                             {"strength", kForcePerLength},
+                                             {"pretension", kForcePerLength},
+                                             {"force_x", kForcePerLength},
+                                             {"force_y", kForcePerLength},
+                                             {"fracture_energy", kForcePerLength},
+                                             {"side", kLengthDimension},
+                                             {"through_x", kLengthDimension},
+                                             {"through_y", kLengthDimension},
+                                             {"friction_angle_deg", {}},
+                                             {"friction_deg", {}},
+                                             {"dilation_deg", {}},
+                                             {"angle", {}}}};
+
+constexpr std::array<std::string_view, 3> kBlockFields{"material", "block_material", "materials"};
+constexpr std::array<std::string_view, 1> kJointFields{"joint_material"};
+// Lists of rows, and which of their places is a material.
+constexpr std::array<std::string_view, 2> kBlockRows{"material_lines", "materials"};
+constexpr std::array<std::string_view, 6> kJointRows{"joints", "outer",         "holes",
+                                                     "cuts",   "loop_vertices", "joint_materials"};
+
+constexpr std::string_view kSettings = "set";  // whose values are texts, all of them
+
+template <std::size_t N>
+bool is_one_of(const std::array<std::string_view, N>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+class Values {
+ public:
+  explicit Values(JsonText& text) : text_(text) {
+    const std::optional<JsonValue> analysis = text.root().member("analysis");
+    if (!analysis || analysis->kind() != JsonKind::object) return;
+    rocks_ = names_in(*analysis, "block_materials");
+    joints_ = names_in(*analysis, "joint_materials");
+  }
+
+  /// `key`: of the value, or of the lists that it stands in.
+  void walk(const JsonValue& value, std::string_view key) {
+    if (value.kind() == JsonKind::object) {
+      for (auto i = value.begin(); i != value.end(); ++i) {
+        const std::string_view name = (*i).string();
+        ++i;
+        if (name == kSettings) continue;
+        if ((*i).kind() == JsonKind::string)
+          put(*i, name);
+        else
+          walk(*i, name);
+      }
+    } else if (value.kind() == JsonKind::array) {
+      for (const JsonValue item : value) {
+        if (item.kind() == JsonKind::string)
+          put_in_row(item, key);
+        else
+          walk(item, key);
+      }
+    }
+  }
+
+ private:
+  static std::vector<std::string> names_in(const JsonValue& analysis, std::string_view list) {
+    std::vector<std::string> names;
+    const std::optional<JsonValue> materials = analysis.member(list);
+    if (!materials || materials->kind() != JsonKind::array) return names;
+    for (const JsonValue material : *materials) {
+      names.emplace_back();
+      if (material.kind() != JsonKind::object) continue;
+      const std::optional<JsonValue> name = material.member("name");
+      if (!name || name->kind() != JsonKind::string) continue;
+      if (std::ranges::find(names, name->string()) != names.end())
+        name->fail(fmt::format("another name for each of {}", list));
+      names.back() = name->string();
+    }
+    return names;
+  }
+
+  void put(const JsonValue& value, std::string_view key) {
+    if (is_one_of(kBlockFields, key)) return put_material(value, rocks_, "block");
+    if (is_one_of(kJointFields, key)) return put_material(value, joints_, "joint");
+    const auto field = std::ranges::find(kFields, key, &FieldUnit::name);
+    if (field != kFields.end()) put_quantity(value, *field);
+  }
+
+  void put_in_row(const JsonValue& value, std::string_view key) {
+    if (is_one_of(kBlockRows, key)) put_material(value, rocks_, "block");
+    if (is_one_of(kJointRows, key)) put_material(value, joints_, "joint");
+  }
+
+  void put_material(const JsonValue& value, const std::vector<std::string>& names, std::string_view kind) {
+    const auto found = std::ranges::find(names, value.string());
+    if (found == names.end() || value.string().empty()) {
+      std::vector<std::string> known = names;
+      std::erase(known, std::string());
+      value.fail(known.empty() ? fmt::format("the number of a {} material, for none has a name", kind)
+                               : fmt::format("the number or the name of a {} material, one of {}{}", kind,
+                                             fmt::join(known, ", "), nearest_words(value.string(), known)));
+    }
+    text_.replace(value, static_cast<double>(found - names.begin() + 1));
+  }
+
+  void put_quantity(const JsonValue& value, const FieldUnit& field) {
+    const auto fail = [&](const std::string& expected) { value.fail(fmt::format("{}: {}", field.name, expected)); };
+    const std::optional<Quantity> quantity = quantity_in(value.string());
+    const std::optional<Unit> unit = quantity ? unit_named(quantity->unit) : std::nullopt;
+    const bool takes_angle = field.dimension == Dimension{};
+    if (!unit || unit->is_angle != takes_angle || (!takes_angle && unit->dimension != field.dimension))
+      fail(fmt::format("a number, or {}", example_of(field.dimension)));
+    const std::optional<double> factor = si_factor(value.units(), field.dimension);
+    if (!factor) fail("units of the case (\"units\": {\"length\": \"m\", …}), into which a value is converted");
+    text_.replace(value, quantity->number * unit->factor / *factor);
+  }
+
+  JsonText& text_;
+  std::vector<std::string> rocks_;
+  std::vector<std::string> joints_;
+};
+
+}  // namespace
+
+bool takes_text(std::string_view field) {
+  return is_one_of(kBlockFields, field) || is_one_of(kJointFields, field) ||
+         std::ranges::find(kFields, field, &FieldUnit::name) != kFields.end();
+}
+
+void resolve_values(JsonText& text) {
+  Values(text).walk(text.root(), "");
+}
+
+}  // namespace keyblock::formats

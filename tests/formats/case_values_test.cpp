@@ -1,0 +1,140 @@
+// What people write in a case file beside numbers: values with units, names of materials, a library, commas too many.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/case_file/case_values.hpp"
+
+#include <gtest/gtest.h>
+
+#include "formats/case.hpp"
+#include "formats/case_file/material_library.hpp"
+#include "tests/formats/reading.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::formats::case_values_test {
+namespace {
+
+std::string case_of(const std::string& units, const std::string& rock, const std::string& joint,
+                    const std::string& more = "", int version = 1) {
+  return "{\"keyblock\": " + std::to_string(version) + ", \"units\": " + units +
+         ",\n \"blocks\": {\"blocks\": [{\"material\": \"granite rock\", \"outer\": [[0, 0, \"bedding\"], [1, 0, 1], "
+         "[1, 1, "
+         "1]]}]},\n \"analysis\": {\"step_count\": 10, \"time_step\": \"2 ms\", " +
+         more + "\n  \"block_materials\": [" + rock + "],\n  \"joint_materials\": [{}, " + joint + "]}}";
+}
+
+const std::string kMetre = R"({"length": "m", "mass": "kg", "time": "s"})";
+const std::string kMillimetre = R"({"length": "mm", "mass": "t", "time": "s"})";
+const std::string kRock =
+    R"({"name": "granite rock", "density": "2600 kg/m3", "youngs_modulus": "20 GPa", "poissons_ratio": 0.2})";
+const std::string kJoint = R"({"name": "bedding", "friction_angle_deg": "0.5 rad", "cohesion": "10 kPa"})";
+const std::string kRatio = R"("allowed_displacement_ratio": 0.01,)";
+
+}  // namespace
+
+// 20 GPa is 20000 N/mm², and 2600 kg/m³ are 2.6e-9 t/mm³.
+TEST(CaseValues, values_come_in_the_units_of_the_case) {
+  const Analysis in_metres = *read({"f", case_of(kMetre, kRock, kJoint, kRatio)}).content.analysis;
+  EXPECT_DOUBLE_EQ(in_metres.block_materials[0].youngs_modulus, 2e10);
+  EXPECT_DOUBLE_EQ(in_metres.block_materials[0].density, 2600);
+  EXPECT_DOUBLE_EQ(in_metres.joint_materials[1].cohesion, 1e4);
+  EXPECT_NEAR(in_metres.joint_materials[1].friction_angle_deg, 28.64788975654116, 1e-12);
+  EXPECT_DOUBLE_EQ(in_metres.time_step, 2e-3);
+  const Analysis in_millimetres = *read({"f", case_of(kMillimetre, kRock, kJoint, kRatio)}).content.analysis;
+  EXPECT_DOUBLE_EQ(in_millimetres.block_materials[0].youngs_modulus, 2e4);
+  EXPECT_NEAR(in_millimetres.block_materials[0].density / 2.6e-9, 1, 1e-15);
+  EXPECT_NEAR(in_millimetres.joint_materials[1].cohesion, 0.01, 1e-15);
+}
+
+TEST(CaseValues, names_stand_for_numbers_of_materials) {
+  const Content content = read({"f", case_of(kMetre, kRock, kJoint, kRatio)}).content;
+  EXPECT_EQ(content.blocks->blocks[0].material, 0);
+  EXPECT_EQ(content.blocks->blocks[0].outer[0].joint_material, 1);
+  EXPECT_EQ(content.blocks->blocks[0].outer[1].joint_material, 0);
+}
+
+TEST(CaseValues, faults_are_named_where_they_stand) {
+  const std::string wrong_kind = R"({"name": "granite rock", "density": 1, "youngs_modulus": "20 m"})";
+  EXPECT_EQ(error_of(case_of(kMetre, wrong_kind, kJoint, kRatio)),
+            "f:4:80: error: expected youngs_modulus: a number, or a stress, such as \"20 GPa\", found \"20 m\"");
+  const std::string unnamed = R"({"name": "granit rock", "density": 1, "youngs_modulus": 1})";
+  EXPECT_EQ(error_of(case_of(kMetre, unnamed, kJoint, kRatio)),
+            "f:2:37: error: expected the number or the name of a block material, one of granit rock; did you mean "
+            "\"granit rock\"?, found \"granite rock\"");
+  EXPECT_NE(error_of(case_of("{}", kRock, kJoint, kRatio)).find("time_step: units of the case"), std::string::npos);
+  EXPECT_NE(error_of(case_of(kMetre, kRock, R"({"name": "bedding", "like": "granite_jiont"})", kRatio))
+                .find("did you mean \"granite_joint\"?"),
+            std::string::npos);
+}
+
+// Settings are texts: those that look like numbers stay what they are.
+TEST(CaseValues, settings_are_left_alone) {
+  std::string text = case_of(kMetre, kRock, kJoint, kRatio);
+  text.insert(1, R"("run": {"set": {"time_step": "0.001", "gravity": "9.81"}}, )");
+  EXPECT_EQ(read({"f", text}).content.choices->settings[1].second, "9.81");
+}
+
+TEST(CaseValues, a_schema_is_passed_over_and_a_last_comma_too) {
+  EXPECT_EQ(error_of(R"({"$schema": "x.json", "keyblock": 1, // a comment, with a comma
+   "motion": [[0, 1, 2,], [1, 0, 0] , /* , */ ], })"),
+            "");
+  EXPECT_NE(error_of(R"({"keyblock": 1, "motion": [,]})"), "");
+  EXPECT_NE(error_of(R"({"keyblock": 1,, "motion": []})"), "");
+}
+
+// Kulhawy (1978) has 52.7 GPa for granite, Barton & Choubey (1977) 31 to 35 degrees for its joints.
+TEST(CaseValues, a_material_may_be_like_one_of_the_library) {
+  const std::string rock = R"({"name": "granite rock", "like": "granite", "density": 2700})";
+  const std::string joint = R"({"name": "bedding", "like": "granite_joint"})";
+  const Analysis analysis = *read({"f", case_of(kMillimetre, rock, joint, kRatio)}).content.analysis;
+  EXPECT_DOUBLE_EQ(analysis.block_materials[0].youngs_modulus, 52700);
+  EXPECT_DOUBLE_EQ(analysis.block_materials[0].density, 2700);  // what stands beside it rules
+  EXPECT_DOUBLE_EQ(analysis.joint_materials[1].friction_angle_deg, 33);
+}
+
+TEST(CaseValues, the_library_is_printed_as_documented) {
+  const std::string page = support::read_text(KEYBLOCK_SOURCE_DIR "/formats/case_file/README.md");
+  EXPECT_NE(page.find(library_tables()), std::string::npos) << library_tables();
+}
+
+TEST(CaseValues, version_2_has_the_defaults_of_today_and_says_so) {
+  const Reading today = read({"f", case_of(kMillimetre, kRock, kJoint, "", 2)});
+  EXPECT_EQ(today.content.analysis->velocity_carry_over, 1);
+  EXPECT_TRUE(today.content.analysis->plane_strain);
+  EXPECT_EQ(today.content.analysis->allowed_displacement_ratio, 0.01);
+  EXPECT_NEAR(*today.content.analysis->gravity, 9810, 1e-9);  // mm/s²
+  ASSERT_EQ(today.warnings.size(), 1U);
+  EXPECT_EQ(today.warnings[0].name, "defaults_taken");
+  const std::string said = R"("velocity_carry_over": 0, "plane_strain": false, "gravity": 1,)" + kRatio;
+  const Reading told = read({"f", case_of(kMetre, kRock, kJoint, said, 2)});
+  EXPECT_EQ(told.content.analysis->velocity_carry_over, 0);
+  EXPECT_EQ(*told.content.analysis->gravity, 1);
+  EXPECT_TRUE(told.warnings.empty());
+  EXPECT_NE(error_of(case_of(kMetre, kRock, kJoint)).find("the key allowed_displacement_ratio of analysis"),
+            std::string::npos)
+      << "version 1 keeps its defaults";
+}
+
+TEST(CaseValues, a_case_names_its_drawing) {
+  const std::string folder = support::fresh_folder("named_drawing");
+  const std::string drawing = KEYBLOCK_SOURCE_DIR "/legacy_cases/sliding_block/a30_p20/a30_p20.geo";
+  support::write_text(folder + "/plane.geo", support::read_text(drawing));
+  std::string text = case_of(kMetre, kRock, kJoint, kRatio);
+  const std::size_t blocks = text.find("\"blocks\": {");
+  text.replace(blocks, text.find("\"analysis\"") - blocks, "\"drawing\": \"plane.geo\", ");
+  support::write_text(folder + "/case.json", text);
+  const Case loaded = load_case({folder + "/case.json"});
+  ASSERT_TRUE(std::holds_alternative<Drawing>(loaded.problem.geometry));
+  EXPECT_EQ(std::get<Drawing>(loaded.problem.geometry).joints.size(), 7U);
+  EXPECT_EQ(loaded.files.size(), 2U);
+  std::filesystem::remove(folder + "/plane.geo");
+  try {
+    load_case({folder + "/case.json"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("case.json:2:13: error: expected the drawing of the case"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace keyblock::formats::case_values_test
