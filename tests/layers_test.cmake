@@ -23,7 +23,7 @@ set(inner_contact find rows solve)
 set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages,growth .)
 set(inner_step stepper bodies groups scene time rest .)
-set(inner_report drawing .)
+set(inner_report drawing . rock)
 set(inner_study strength cases trade,batch,convert,element,fit,fracture)
 set(inner_app . templates commands,batch)
 

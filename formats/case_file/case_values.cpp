@@ -22,7 +22,7 @@ struct FieldUnit {
 };
 
 // Loads and stiffnesses are those of a slice one unit of length thick.
-constexpr std::array<FieldUnit, 27> kFields{{{"time_step", kTimeDimension},
+constexpr std::array<FieldUnit, 29> kFields{{{"time_step", kTimeDimension},
                                              {"duration", kTimeDimension},
                                              {"gravity", kAcceleration},
                                              {"density", kDensity},
@@ -43,6 +43,8 @@ constexpr std::array<FieldUnit, 27> kFields{{{"time_step", kTimeDimension},
                                              {"force_y", kForcePerLength},
                                              {"fracture_energy", kForcePerLength},
                                              {"side", kLengthDimension},
+                                             {"tip_side", kLengthDimension},
+                                             {"increment", kLengthDimension},
                                              {"through_x", kLengthDimension},
                                              {"through_y", kLengthDimension},
                                              {"friction_angle_deg", {}},

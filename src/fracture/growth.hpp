@@ -8,7 +8,7 @@
 #include "fracture/kink.hpp"
 #include "fracture/tip_integrals.hpp"
 #include "problem/cover_plan.hpp"
-#include "result/tip_state.hpp"
+#include "result/frame.hpp"
 
 namespace keyblock {
 

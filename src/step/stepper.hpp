@@ -14,11 +14,11 @@
 #include "model/state.hpp"
 #include "result/contact_frame.hpp"
 #include "result/force_balance.hpp"
+#include "result/frame.hpp"
 #include "result/ledger.hpp"
 #include "result/plastic_state.hpp"
 #include "result/start_report.hpp"
 #include "result/step_report.hpp"
-#include "result/tip_state.hpp"
 
 namespace keyblock {
 
@@ -52,7 +52,7 @@ struct SceneReport {
 struct CoverDisplacement {
   const CoverBasis& basis;
   const Eigen::VectorXd& d;
-  bool is_large = true;  ///< false: the solution of linear elasticity
+  bool is_large = true;                           ///< false: the solution of linear elasticity
   const Eigen::VectorXd* acceleration = nullptr;  ///< of the functions, in time; none at rest
 };
 

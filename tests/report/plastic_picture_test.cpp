@@ -1,6 +1,6 @@
 // Pictures of rock that yields: names, colours about zero, states that are there, reactions and their plateaus.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/plastic_picture.hpp"
+#include "report/rock/plastic_picture.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Pictures of strength reduction: slip of two squares worked out by hand, and what the documents hold.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/strength_picture.hpp"
+#include "report/rock/strength_picture.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@
 #include "job/files.hpp"
 #include "job/run_report.hpp"
 #include "material/strength.hpp"
-#include "report/element_picture.hpp"
+#include "report/rock/element_picture.hpp"
 #include "study/element/element_path.hpp"
 
 namespace keyblock {

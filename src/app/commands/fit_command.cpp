@@ -19,7 +19,7 @@
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
 #include "job/files.hpp"
-#include "report/element_picture.hpp"
+#include "report/rock/element_picture.hpp"
 #include "study/fit/curve_fit.hpp"
 #include "study/fit/strength_fit.hpp"
 

@@ -15,7 +15,7 @@
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
-#include "report/strength_picture.hpp"
+#include "report/rock/strength_picture.hpp"
 #include "run/cover_settings.hpp"
 #include "study/cases/named_files.hpp"
 #include "study/strength/factor_of_safety.hpp"

@@ -1,6 +1,6 @@
 // Paths by crack and end; see crack_picture.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/crack_picture.hpp"
+#include "report/rock/crack_picture.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Two panels in colours of a value, one in colours of states; see plastic_picture.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/plastic_picture.hpp"
+#include "report/rock/plastic_picture.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // One chart below a title.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/element_picture.hpp"
+#include "report/rock/element_picture.hpp"
 
 namespace keyblock::report {
 namespace {

@@ -1,6 +1,6 @@
 // Two panels and a chart; see strength_picture.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/strength_picture.hpp"
+#include "report/rock/strength_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -171,8 +171,7 @@ void draw_falling(SvgPage& page, const PageMap& map, const StrengthPicture& pict
     const Point way = (kArrow / most) * increment(e);
     draw_arrow(page, map(before.elements[e].middle.position), {way.x, -way.y});
   }
-  draw_heat_bar(page, caption + Point{230, -10},
-                "increment over the largest; red lines: joints that slip or open");
+  draw_heat_bar(page, caption + Point{230, -10}, "increment over the largest; red lines: joints that slip or open");
 }
 
 }  // namespace
