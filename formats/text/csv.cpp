@@ -127,6 +127,7 @@ struct HistoryColumns {
   std::size_t bolts = 0;
   std::size_t reactions = 0;
   std::size_t driven = 0;
+  bool has_share = false;
   bool has_plastic = false;
 
   explicit HistoryColumns(const History& history) {
@@ -135,6 +136,7 @@ struct HistoryColumns {
       bolts = std::max(bolts, row.bolt_forces.size());
       reactions = std::max(reactions, row.reactions.size());
       driven = std::max(driven, row.driven.size());
+      has_share = has_share || row.load_share.has_value();
       has_plastic = has_plastic || row.plastic.has_value();
     }
   }
@@ -145,6 +147,7 @@ struct HistoryColumns {
     for (std::size_t i = 1; i <= bolts; ++i) text += fmt::format(",bolt{} [F]", i);
     for (std::size_t i = 1; i <= reactions; ++i) text += fmt::format(",reaction{0}_x [F],reaction{0}_y [F]", i);
     for (std::size_t i = 1; i <= driven; ++i) text += fmt::format(",driven{} [L]", i);
+    if (has_share) text += ",load_share";
     if (has_plastic) text += ",yielded_fraction,yielding_fraction,plastic_work [F L]";
     return text + '\n';
   }
@@ -173,6 +176,7 @@ std::string history_csv(const History& history) {
         text += ",,";
     }
     for (std::size_t i = 0; i < columns.driven; ++i) append_number_or_nothing(text, row.driven, i);
+    if (columns.has_share) append(text, {row.load_share.value_or(0)});
     if (columns.has_plastic) append_totals(text, row.plastic);
     text += '\n';
   }

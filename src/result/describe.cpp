@@ -124,6 +124,9 @@ void describe(Archive& a, HistoryRow& row) {
   a.numbers("bolt_forces", row.bolt_forces);
   a.list("reactions", row.reactions, [&](Point& force) { describe(a, force); });
   a.numbers("driven", row.driven);
+  bool has_share = row.load_share.has_value();
+  a.value("has_load_share", has_share);
+  if (has_share) a.value("load_share", row.load_share ? *row.load_share : row.load_share.emplace());
   describe(a, "plastic", row.plastic);
   a.list("tips", row.tips, [&](TipState& tip) { describe(a, tip); });
   a.value("load_factor", row.load_factor);

@@ -19,6 +19,7 @@ struct HistoryRow {
   std::vector<double> bolt_forces;    ///< by number, tension positive; NaN of one that is not there
   std::vector<Point> reactions = {};  ///< as Frame has them
   std::vector<double> driven = {};  ///< of each prescribed displacement the mean of its length; none where not followed
+  std::optional<double> load_share = {};      ///< of the scene's loads, where steps seek it
   std::optional<PlasticTotals> plastic = {};  ///< none where no rock may yield
   std::vector<TipState> tips = {};            ///< as Frame has them
   double load_factor = 1;                     ///< likewise

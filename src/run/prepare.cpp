@@ -309,6 +309,14 @@ Warnings warnings_of_plan(const Problem& problem, const Scene& first) {
   return look_at_plan(*problem.covers, bodies);
 }
 
+void require_one_path(const Scene& first, const Place& place) {
+  if (first.settings.standard.load_control == LoadControl::arc_length && (first.next || first.end.steps > 0))
+    throw InputError(
+        place,
+        "expected a case without stages in which nothing is dug out under load_control = arc_length, found "
+        "one with scenes of their own");
+}
+
 // Of stages that repeat one, the first says it.
 Warnings warnings_of_strengths(const Scene& first, const Place& place) {
   Warnings warnings;
@@ -333,6 +341,7 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   Warnings warnings = joined(std::move(cut.warnings), asked.warnings);
   warnings = joined(std::move(warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   auto [scene, needs] = scenes_in(asked, geometry, warnings);
+  require_one_path(scene, place_of(problem));
   warnings = joined(std::move(warnings), warnings_of_plan(problem, scene));
   warnings = joined(std::move(warnings), without_effect(problem, overrides, scene));
   const Place place = problem.covers ? problem.covers->place : problem.analysis->place;

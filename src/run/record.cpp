@@ -163,6 +163,7 @@ void put_plastic(Frame& frame, const Stepper& stepper) {
 
 void put_plastic(HistoryRow& row, const Stepper& stepper, bool of_measured_points) {
   row.driven = stepper.driven();
+  row.load_share = stepper.load_share();
   row.plastic = stepper.plastic_totals();
   if (!row.plastic || !of_measured_points) return;
   const Model& model = stepper.model();

@@ -30,6 +30,10 @@ std::string_view without_material(std::string_view name) {
   return has_number ? name.substr(0, point) : name;
 }
 
+bool is_loaded_in_steps(const Scene& first) {
+  return first.is_untouched && may_yield(first);
+}
+
 std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
   const std::vector<const Scene*> scenes = scenes_of(first);
   const bool is_static = std::ranges::all_of(
@@ -52,6 +56,9 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
          return element.is_on_covers() && !first.model.material_of(element).is_nonlinear();
        }),
        "is read of rock that stays linear elastic: strain of rock that may yield or whose cracks close is logarithmic"},
+      {{"load_control", "path_step"},
+       is_standard && !is_loaded_in_steps(first),
+       "is read by load steps of rock on covers that may yield and that nothing touches"},
       {{"cover_functions"},
        is_standard && !std::holds_alternative<Cover>(problem.geometry),
        "is read of cover files; a case file says `functions` of its own"},
@@ -69,7 +76,9 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
 }  // namespace
 
 std::string why_unread(const Problem& problem, const Scene& first, const std::string& name) {
-  if (first.is_untouched && std::ranges::find(kReadByLinearStatics, name) == kReadByLinearStatics.end())
+  const bool is_of_load_steps = is_loaded_in_steps(first) && (name == "load_control" || name == "path_step");
+  if (first.is_untouched && !is_of_load_steps &&
+      std::ranges::find(kReadByLinearStatics, name) == kReadByLinearStatics.end())
     return "is not read by linear static solutions";
   for (const Reason& reason : reasons(problem, first))
     if (reason.holds && std::ranges::find(reason.settings, without_material(name)) != reason.settings.end())

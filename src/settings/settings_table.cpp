@@ -235,6 +235,18 @@ std::vector<SettingRow> rows_of_solution() {
               "equilibria from no load to that of the start, in a run without dynamics: one a step, or several where "
               "there are fewer steps",
               at(&C::load_steps), whole(1))),
+      under({"motion = static", [](const Settings& s) { return s.standard.motion == MotionRule::equilibrium; }},
+            row("load_control",
+                "load steps of rock on covers that may yield and that nothing touches: equal shares of the loads, or "
+                "steps of equal length along the path of equilibria, on which the loads may fall",
+                at(&C::load_control),
+                one_of<LoadControl>({{LoadControl::share, "share"}, {LoadControl::arc_length, "arc_length"}}))),
+      under({"load_control = arc_length",
+             [](const Settings& s) { return s.standard.load_control == LoadControl::arc_length; }},
+            row("path_step",
+                "length of a step along the path of equilibria, over that by which an equal share of the loads moves "
+                "elastic rock",
+                at(&C::path_step), real(kAboveZero))),
       row(Materials::of_joints, "enforcement",
           "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
           "overlaps; automatic: springs where more than a few blocks touch in a ring, else multipliers",

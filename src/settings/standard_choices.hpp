@@ -36,6 +36,10 @@ enum class StrainDamping { critical, none };
 /// the same equilibria, reached by a motion that is stopped at each peak of its kinetic energy.
 enum class MotionRule { dynamic, equilibrium, relaxation };
 
+/// How load steps of rock on covers that nothing touches go on: by equal shares of the loads, or by steps of equal
+/// length along the path of equilibria, on which the loads may fall.
+enum class LoadControl { share, arc_length };
+
 /// What stress answers large strain on covers: D times the Green strain, which softens under strong pressure, or times
 /// the logarithmic strain ½ ln C, which does not.
 enum class ElasticLaw { st_venant_kirchhoff, logarithmic };
@@ -43,6 +47,9 @@ enum class ElasticLaw { st_venant_kirchhoff, logarithmic };
 struct StandardChoices {
   MotionRule motion = MotionRule::dynamic;
   int load_steps = 1;  ///< equilibria from no load to that of the start: one a step, or several where steps are fewer
+  LoadControl load_control = LoadControl::share;
+  double path_step =
+      1;  ///< length of a step along the path over that of elastic rock under an equal share of the loads
   PerMaterial<Enforcement> enforcement = Enforcement::automatic;          ///< by joint material
   CoverFunctions cover_functions = CoverFunctions::derived;               ///< of the elements of a cover file
   PerMaterial<ElasticLaw> elastic_law = ElasticLaw::st_venant_kirchhoff;  ///< by block material

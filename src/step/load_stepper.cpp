@@ -17,8 +17,10 @@ LoadStepper::LoadStepper(Scene scene)
       bodies_(std::make_unique<LoadedBodies>(*scene_.model.continuum)),
       newton_(*bodies_),
       now_(bodies_->at_start()) {
+  if (scene_.settings.standard.load_control == LoadControl::arc_length) path_.emplace(*bodies_);
   bodies_->begin(now_, nullptr);
   speed_ = Eigen::VectorXd::Zero(now_.d.size());
+  way_ = speed_;
   begin_unloaded();
 }
 
@@ -74,13 +76,13 @@ std::optional<PlasticTotals> LoadStepper::plastic_totals() const {
 }
 
 // Places are put of the unknowns at hand.
-void LoadStepper::keep_attempt() {
-  if (!newton_.last().allFinite() || newton_.last().size() != now_.d.size()) return;
+void LoadStepper::keep_attempt(const Eigen::VectorXd& d) {
+  if (!d.allFinite() || d.size() != now_.d.size()) return;
   const State before = state_;
-  const Eigen::VectorXd d = std::exchange(now_.d, newton_.last());
+  const Eigen::VectorXd kept = std::exchange(now_.d, d);
   put_places();
   attempted_ = std::exchange(state_, before);
-  now_.d = d;
+  now_.d = kept;
 }
 
 Point LoadStepper::place_of(ElementIndex e, Point start) const {
@@ -131,6 +133,45 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
   return std::nullopt;
 }
 
+// In as long a step as the last, twice as far again after one that was cut. Where the full loads are passed the step
+// goes to them instead.
+std::optional<std::string> LoadStepper::advance_along(Work& work) {
+  const PathPoint from{now_, share_, way_, share_change_};
+  if (length_ == 0) {
+    const double of_loads = path_->length_of_loads(from);
+    if (of_loads == 0) return advance_to(1, work);
+    if (!std::isfinite(of_loads)) return "bodies give way to the loads without resistance";
+    length_ = scene_.settings.standard.path_step * of_loads / steps_of_scene();
+    part_ = length_;
+  }
+  for (double part = part_; part >= std::ldexp(length_, -scene_.load_cuts); part /= 2) {
+    NewtonRounds rounds;
+    std::optional<PathPoint> found = path_->next(from, part, rounds);
+    work.rounds += rounds.count();
+    if (found && found->share >= 1) return advance_to(1, work);
+    if (found) {
+      work.residuals = std::move(rounds.residuals);
+      part_ = std::min(length_, 2 * part);
+      accept(std::move(*found), work);
+      return std::nullopt;
+    }
+    ++work.cuts;
+  }
+  return fmt::format(
+      "no equilibrium further along the path, which has come to {:.4g} of the loads of this scene, was found "
+      "({} rounds of Newton's method, {} cuts of the step)",
+      share_, work.rounds, work.cuts);
+}
+
+void LoadStepper::accept(PathPoint found, Work& work) {
+  work.parts = 1;
+  plastic_work_ += bodies_->yield().plastic_work(found.state.d, now_.points, found.state.points);
+  now_ = std::move(found.state);
+  share_ = found.share;
+  way_ = std::move(found.way);
+  share_change_ = found.share_change;
+}
+
 std::variant<StepReport, StepFailure> LoadStepper::advance() {
   const int made = state_.step - first_step_;
   if (made == 0)
@@ -140,8 +181,8 @@ std::variant<StepReport, StepFailure> LoadStepper::advance() {
     }
   Work work;
   const double share = std::min(1.0, static_cast<double>(made + 1) / steps_of_scene());
-  if (const std::optional<std::string> why = advance_to(share, work)) {
-    keep_attempt();
+  if (const std::optional<std::string> why = path_ ? advance_along(work) : advance_to(share, work)) {
+    keep_attempt(path_ ? path_->last() : newton_.last());
     StepFailure found = failure(*why);
     found.kind = FailureKind::no_equilibrium;
     found.passes = work.rounds;
@@ -162,6 +203,12 @@ void LoadStepper::describe(Archive& archive) {
   archive.value("share", share_);
   archive.value("first_step", first_step_);
   archive.value("plastic_work", plastic_work_);
+  if (path_) {
+    archive.values("way", {way_.data(), static_cast<std::size_t>(way_.size())});
+    archive.value("share_change", share_change_);
+    archive.value("length", length_);
+    archive.value("part", part_);
+  }
   describe_time(archive);
   if (archive.is_restoring()) put_places();
 }

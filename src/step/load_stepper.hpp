@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "step/bodies/loaded_bodies.hpp"
+#include "step/rest/arc_length.hpp"
 #include "step/rest/newton_static.hpp"
 #include "step/static_stepper.hpp"
 
@@ -13,7 +14,9 @@ namespace keyblock {
 
 /// Loads of a scene grow in equal parts to their full size in its last step. A step whose part finds no equilibrium is
 /// made in halves, quarters, …; where the least part finds none, the run ends: a limit load, or loads that nothing
-/// holds.
+/// holds. Under `load_control = arc_length` a step goes along the path of equilibria instead, `path_step` times as far
+/// as an equal share would move elastic rock, and loads may fall; the scene ends at its full loads, wherever steps lead
+/// before.
 class LoadStepper : public StaticStepper {
  public:
   explicit LoadStepper(Scene scene);
@@ -24,6 +27,8 @@ class LoadStepper : public StaticStepper {
   std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override;
   std::optional<PlasticTotals> plastic_totals() const override;
   std::vector<double> driven() const override { return bodies_->driven(share_); }
+  std::optional<double> load_share() const override { return path_ ? std::optional(share_) : std::nullopt; }
+  bool is_done() const override { return path_ && share_ >= 1; }
   std::optional<State> attempted() const override { return attempted_; }
   std::variant<StepReport, StepFailure> advance() override;
   std::optional<ForceBalance> forces() const override { return bodies_->forces(now_.d, share_); }
@@ -45,17 +50,25 @@ class LoadStepper : public StaticStepper {
   LoadedState carried(const LoadedBodies& next, const SceneChange& change) const;
   int steps_of_scene() const;
   std::optional<std::string> advance_to(double share, Work& work);
+  std::optional<std::string> advance_along(Work& work);
+  void accept(PathPoint found, Work& work);
   /// Puts where the last search for an equilibrium ended, without finding one.
-  void keep_attempt();
+  void keep_attempt(const Eigen::VectorXd& d);
   Point place_of(ElementIndex e, Point start) const override;
   void describe(Archive& archive) override;
 
   std::unique_ptr<LoadedBodies> bodies_;
   NewtonStatic newton_;
+  std::optional<ArcLength> path_;  ///< under control by arc length
   LoadedState now_;
   Eigen::VectorXd
       speed_;         ///< displacement per share of the loads in the last part of a step: the next is guessed by it
   double share_ = 0;  ///< of the scene's loads
+  // Along the path of equilibria:
+  Eigen::VectorXd way_;             ///< change of `now_.d` in the last step; zero before the first
+  double share_change_ = 0;         ///< in it
+  double length_ = 0;               ///< of a step that is not cut; 0: none was made
+  double part_ = 0;                 ///< of the step to come
   double plastic_work_ = 0;         ///< since the start, by the stress at the end of each part of a step
   int first_step_ = 0;              ///< after which the scene began
   std::optional<State> attempted_;  ///< of a step that failed

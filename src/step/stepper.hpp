@@ -101,6 +101,8 @@ class Stepper {
   virtual double load_factor() const { return 1; }
   /// Of each prescribed displacement: the mean of its length along the edge, where steps follow it.
   virtual std::vector<double> driven() const { return {}; }
+  /// Of the scene's loads and displacements, after the last accepted step; none where steps do not seek it.
+  virtual std::optional<double> load_share() const { return std::nullopt; }
 
   /// Everything that the coming steps depend on. Saving changes nothing.
   virtual void save(Archive& archive) = 0;

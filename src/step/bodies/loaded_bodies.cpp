@@ -72,6 +72,10 @@ LoadedBodies::Balance LoadedBodies::balance(const LoadedState& from, const Eigen
   return sum;
 }
 
+Eigen::VectorXd LoadedBodies::scene_load() const {
+  return held_.pull(1, unbalanced_.size()) - held_.pull(0, unbalanced_.size()) - unbalanced_;
+}
+
 WholeSystem LoadedBodies::tangent() const {
   return {basis_.function_count(), groups_};
 }

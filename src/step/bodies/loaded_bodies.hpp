@@ -50,6 +50,9 @@ class LoadedBodies {
   /// At d, where the points have the memories of `from`.
   Balance balance(const LoadedState& from, const Eigen::VectorXd& d, double share) const;
 
+  /// -∂r/∂s, the same at every d: the loads that the scene brings, and what edges that it moves are pulled by.
+  Eigen::VectorXd scene_load() const;
+
   /// A matrix for tangents, and ∂r/∂d put into it.
   WholeSystem tangent() const;
   void put_tangent(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share, WholeSystem& tangent) const;

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a round of Newton's method costs where rock flows, over one of elastic rock with derived functions on the same mesh; asked: at most 1.5.
+
+A round is the difference of two runs of different length over their rounds, so that reading, meshing and writing do not count; each is the least
+of three. What a step does besides its rounds (places, frames) is in them: an elastic step has one round, so that its rounds bear more of it. Times alone
+mean nothing on another machine."""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "legacy_cases"))
+from cover_files import case_text  # noqa: E402
+
+REPEATS = 3
+ASKED = 1.5
+
+
+def coulomb(cohesion):
+    return {"surface": "mohr_coulomb", "cohesion": cohesion, "friction_deg": 10, "dilation_deg": 10}
+
+
+def footing(edge, far, strength, functions):
+    corners = [(0, -5), (5, -5), (5, 0), (1, 0), (0, 0)]
+    covers = {"mesh": {"kind": "unstructured", "placement": "aligned", "side": far, "refined": [(1, 0, 0.35 * edge)]},
+              "functions": functions,
+              "displacements": [{"along": [(0, -5), (5, -5)]}, {"along": [(0, -5), (0, 0)], "held": "normal"},
+                                {"along": [(5, -5), (5, 0)], "held": "normal"}, {"along": [(0, 0), (1, 0)], "held": "y", "y": -1e-4}]}
+    return case_text(corners, covers, 1e7, 0.3, [(0.5, 0)], plane_strain=True, steps=(40, 1), strength=strength)
+
+
+def run(program, text, steps, folder):
+    file = pathlib.Path(folder) / "in.json"
+    case = json.loads(text)
+    # The first of the same steps: those of a shorter run are as long.
+    case["analysis"]["step_count"] = steps
+    case["covers"]["displacements"][-1]["y"] *= steps / 40
+    file.write_text(json.dumps(case))
+    command = [program, "run", str(file), "--threads", "1", "-o", str(pathlib.Path(folder) / "out"), "--force"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(done.stderr)
+    return json.loads((pathlib.Path(folder) / "out" / "run.json").read_text())
+
+
+def round_of(program, text, lengths, folder):
+    """Seconds a round, unknowns, rounds and yielded share of the longer run."""
+    least = {}
+    for _ in range(REPEATS):
+        for steps in lengths:
+            report = run(program, text, steps, folder)
+            seconds, rounds = report["seconds"]["run"], report["counts"]["passes"]
+            if steps not in least or seconds < least[steps][0]:
+                least[steps] = seconds, rounds
+    (short, fewer), (long, more) = (least[steps] for steps in lengths)
+    return (long - short) / (more - fewer), report["counts"]["unknowns"], more, report["plastic"]["yielding_fraction"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--steps", type=int, nargs=2, default=(10, 40))
+    parser.add_argument("--json", type=pathlib.Path)
+    arguments = parser.parse_args()
+    print("A round of Newton's method on a footing, over that of elastic rock with derived functions on the same mesh (asked: %.1f)" % ASKED)
+    print("%9s %-28s %8s %7s %9s %10s %7s" % ("mesh", "rock", "unknowns", "rounds", "yielding", "ms a round", "ratio"))
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for edge, far in ((0.1, 0.3), (0.04, 0.16)):
+            elastic = None
+            for rock, cohesion, functions in (("elastic, derived", 1e9, "derived"), ("elastic, constant", 1e9, "constant"), ("yields, constant", 10, "constant"),
+                                              ("yields, derived", 10, "derived")):
+                seconds, unknowns, rounds, yielding = round_of(arguments.program, footing(edge, far, coulomb(cohesion), functions), arguments.steps, folder)
+                elastic = elastic or seconds
+                print("%9g %-28s %8d %7d %8.1f%% %10.1f %7.2f" % (far, rock, unknowns, rounds, 100 * yielding, 1000 * seconds, seconds / elastic), flush=True)
+                rows.append({"side": far, "rock": rock, "unknowns": unknowns, "rounds": rounds, "yielding": yielding, "seconds": seconds, "ratio": seconds / elastic})
+    if arguments.json:
+        arguments.json.write_text(json.dumps(rows, indent=1) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
