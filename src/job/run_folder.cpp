@@ -14,6 +14,7 @@
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
 #include "formats/views/vtk.hpp"
+#include "job/declared_units.hpp"
 #include "report/energy_picture.hpp"
 #include "report/field_picture.hpp"
 #include "report/plastic_picture.hpp"
@@ -232,8 +233,11 @@ void RunFolder::describe(Archive& archive) {
   }
 }
 
-void RunFolder::write(const std::string& name, const std::string& text) {
+void RunFolder::write(const std::string& name, const std::string& plain) {
   const bool is_own = std::ranges::find(outputs_, name) != outputs_.end();
+  const std::string text = name.ends_with(".csv")   ? table_in_units(plain, units_)
+                           : name.ends_with(".svg") ? picture_in_units(plain, units_)
+                                                    : plain;
   write_file(folder_ / name, text, is_own ? Overwrite::yes : overwrite_);
   outputs_.push_back(name);
 }
@@ -262,7 +266,8 @@ void RunFolder::write_list_of_frames() {
 }
 
 void RunFolder::finish(const RunResults& results) {
-  const auto& [title, history, steps, ledger, field, is_of_motion] = results;
+  const auto& [title, history, steps, ledger, field, is_of_motion, marked, marked_words, units] = results;
+  units_ = units;
   write_list_of_frames();
   write("history.csv", formats::history_csv(history));
   write("picture.svg", report::run_picture({title,
@@ -270,7 +275,9 @@ void RunFolder::finish(const RunResults& results) {
                                             frames_.back(),
                                             displacement_curves(history, frames_.front(), field),
                                             {"time [T]", "displacement [L]"},
-                                            ""}));
+                                            "",
+                                            marked,
+                                            marked_words}));
   if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger));
   if (history.of_measured_points) write("points.csv", formats::points_csv(history));
   write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,

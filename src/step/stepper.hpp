@@ -28,7 +28,8 @@ struct StepFailure {
   std::string reason;                 ///< one sentence
   std::vector<std::size_t> contacts;  ///< numbers (from 0) of the contacts that would not settle
   FailureKind kind = FailureKind::undecided;
-  int passes = 0;  ///< as in StepReport
+  int passes = 0;                           ///< as in StepReport
+  std::vector<ElementIndex> elements = {};  ///< that move away, or too far for a step
 };
 
 /// One scene of several: which steps were made on it.
