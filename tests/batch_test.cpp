@@ -390,8 +390,9 @@ TEST(Batch, manifold_pairs_are_catalogued_with_their_scene_and_what_both_profile
   }
   EXPECT_EQ(measures(0, 1)["displacement"], measures(1, 1)["displacement"]);
   EXPECT_GT(measures(0, 1)["displacement"], settled) << "more is free to bend than in first order";
-  EXPECT_TRUE(contains(run_keyblock({"run", root / "in/cv02", root / "in/mf02", "-o", root / "run"}).messages,
-                       "static: 100 % of the way to equilibrium"));
+  EXPECT_TRUE(contains(
+      run_keyblock({"run", root / "in/cv02", root / "in/mf02", "--profile", "standard", "-o", root / "run"}).messages,
+      "static: 100 % of the way to equilibrium"));
 }
 
 // 01 pushes a wedge along a joint without friction; 07 unwinds a clock spring, whose end moves by twice the width of
@@ -408,9 +409,9 @@ TEST(Batch, old_manifold_pairs_come_to_a_row_each_in_both_profiles) {
   const auto jobs = jobs_in(root / "out");
   ASSERT_EQ(jobs.size(), 3U);
   EXPECT_TRUE(contains(jobs[0]["scene"], "2 pieces, 1 of them held, of 43 elements on 37 covers; no point load"));
-  EXPECT_TRUE(contains(jobs[0]["answers"][1]["end"],
-                       "no equilibrium: block 22 accelerates; its body is held at fewer than two fixed points"))
-      << jobs[0];
+  for (const char* part :
+       {"no equilibrium: block 22 accelerates (at ", "; its body is held at fewer than two fixed points"})
+    EXPECT_TRUE(contains(jobs[0]["answers"][1]["end"], part)) << jobs[0];
   for (const int job : {0, 1, 2}) {
     const auto& legacy = jobs[job]["answers"][0];
     EXPECT_EQ(legacy["end"], "finished");

@@ -56,7 +56,7 @@ TEST(Commands, wrong_usage_is_exit_2) {
   EXPECT_EQ(run_keyblock({}).exit_code, 2);
   const ProgramRun fly = run_keyblock({"fly"});
   EXPECT_EQ(fly.exit_code, 2);
-  EXPECT_TRUE(contains(fly.messages, "there is no command \"fly\", only check, cut, joints,")) << fly.messages;
+  EXPECT_TRUE(contains(fly.messages, "there is no command \"fly\", only new, check, cut, joints,")) << fly.messages;
   EXPECT_EQ(run_keyblock({"run"}).exit_code, 2);
   EXPECT_EQ(run_keyblock({"run", kSlide + ".geo", kSlide + ".ana"}).exit_code, 2);
   const std::string out = fresh_folder("usage") + "/out";
@@ -101,8 +101,8 @@ TEST(Commands, a_picture_of_several_cases_is_refused_before_any_is_run) {
 
 TEST(Commands, run_writes_record_history_fields_and_picture) {
   const std::string out = fresh_folder("run") + "/out";
-  const ProgramRun run = run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--trace", "--json", "--set",
-                                       "steps=40", "--record-every", "20"});
+  const ProgramRun run = run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "--profile", "standard", "-o", out,
+                                       "--trace", "--json", "--set", "steps=40", "--record-every", "20"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
   const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
   EXPECT_EQ(record, nlohmann::json::parse(run.output));
@@ -131,7 +131,10 @@ TEST(Commands, run_writes_record_history_fields_and_picture) {
 // The weight pushes down, the slope back: R/W = 1 − a sin α/g with a = g (sin α − cos α tan φ), at 30 and 20 degrees.
 TEST(Commands, the_ledger_names_what_held_blocks_gave_to_momentum) {
   const std::string out = fresh_folder("reaction") + "/out";
-  ASSERT_EQ(run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "--set", "steps=40", "-o", out}).exit_code, 0);
+  ASSERT_EQ(
+      run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "--profile", "standard", "--set", "steps=40", "-o", out})
+          .exit_code,
+      0);
   const auto ledger = nlohmann::json::parse(read_text(out + "/run.json"))["ledger"];
   const double alpha = std::numbers::pi / 6;
   const double phi = std::numbers::pi / 9;
@@ -144,8 +147,8 @@ TEST(Commands, the_ledger_names_what_held_blocks_gave_to_momentum) {
 TEST(Commands, a_long_run_keeps_a_bounded_number_of_rows_and_counts_all_steps) {
   const std::string out = fresh_folder("long") + "/out";
   const int steps = 10'001;  // every third step: 3,333, the last and at most 8 extremes
-  ASSERT_EQ(run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "--set", "basis=rigid", "--set", "time_step=1e-5",
-                          "--set", fmt::format("steps={}", steps), "-o", out})
+  ASSERT_EQ(run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "--profile", "standard", "--set", "basis=rigid",
+                          "--set", "time_step=1e-5", "--set", fmt::format("steps={}", steps), "-o", out})
                 .exit_code,
             0);
   const auto record = nlohmann::json::parse(read_text(out + "/run.json"));
@@ -236,12 +239,14 @@ TEST(Commands, a_run_that_makes_energy_ends_with_1_and_the_reason) {
   std::vector<std::string> allowed = old;
   allowed.insert(allowed.end(), {"--set", "energy_limit=2"});
   EXPECT_EQ(run_keyblock(allowed).exit_code, 0);
-  EXPECT_EQ(run_keyblock({"run", kCases + "restitution/e_000", "-o", out, "--force"}).exit_code, 0);
+  EXPECT_EQ(
+      run_keyblock({"run", kCases + "restitution/e_000", "-o", out, "--profile", "standard", "--force"}).exit_code, 0);
 }
 
 TEST(Commands, what_is_balanced_at_the_start_is_said_once) {
   const std::string out = fresh_folder("balanced") + "/out";
-  const std::vector<std::string> rest{"run", kCases + "block_at_rest/dynamic", "-o", out, "--force"};
+  const std::vector<std::string> rest{"run",    kCases + "block_at_rest/dynamic", "-o", out, "--profile", "standard",
+                                      "--force"};
   const ProgramRun run = run_keyblock(rest);
   const std::string sentence = "at t = 0 contact forces and strains fit the weight and the first accelerations";
   EXPECT_TRUE(contains(run.messages, "start: " + sentence)) << run.messages;
@@ -270,9 +275,9 @@ TEST(Commands, limits_of_penetration_and_crushing_end_a_run_with_1) {
 TEST(Commands, a_run_at_a_limit_of_processor_time_saves_its_state_and_exits_5) {
   const std::string out = fresh_folder("at_limit") + "/out";
   const std::string rest = kCases + "block_at_rest/dynamic/dynamic";
-  const ProgramRun run =
-      support::interrupt_keyblock({"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"},
-                                  out + "/frames/00000000.vtu", SIGXCPU);
+  const ProgramRun run = support::interrupt_keyblock(
+      {"run", rest + ".geo", rest + ".ana", "--profile", "standard", "-o", out, "--set", "steps=100000000"},
+      out + "/frames/00000000.vtu", SIGXCPU);
   EXPECT_EQ(run.exit_code, 5) << run.messages;
   EXPECT_TRUE(contains(run.messages, "stopped at the limit of processor time; keyblock run --resume")) << run.messages;
   EXPECT_TRUE(std::filesystem::exists(out + "/checkpoint.h5"));
@@ -298,7 +303,8 @@ TEST(Commands, an_interrupted_run_saves_its_state_and_exits_130) {
   const std::string out = fresh_folder("stopped") + "/out";
   const std::string rest = kCases + "block_at_rest/dynamic/dynamic";
   const ProgramRun run = support::interrupt_keyblock(
-      {"run", rest + ".geo", rest + ".ana", "-o", out, "--set", "steps=100000000"}, out + "/frames/00000000.vtu");
+      {"run", rest + ".geo", rest + ".ana", "--profile", "standard", "-o", out, "--set", "steps=100000000"},
+      out + "/frames/00000000.vtu");
   EXPECT_EQ(run.exit_code, 130) << run.messages;
   EXPECT_EQ(nlohmann::json::parse(read_text(out + "/run.json"))["outcome"]["end"], "stopped");
 }
@@ -334,8 +340,10 @@ TEST(Commands, a_cut_block_file_runs_like_its_drawing) {
   ASSERT_EQ(cut.exit_code, 0) << cut.messages;
   EXPECT_TRUE(contains(read_text(folder + "/slide.svg"), "</svg>"));
   EXPECT_EQ(run_keyblock({"cut", kSlide + ".geo", "-o", blocks}).exit_code, 2) << "it exists";
-  ASSERT_EQ(run_keyblock({"run", blocks, kSlide + ".ana", "-o", folder + "/a"}).exit_code, 0);
-  ASSERT_EQ(run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", folder + "/b"}).exit_code, 0);
+  ASSERT_EQ(run_keyblock({"run", blocks, kSlide + ".ana", "--profile", "standard", "-o", folder + "/a"}).exit_code, 0);
+  ASSERT_EQ(
+      run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "--profile", "standard", "-o", folder + "/b"}).exit_code,
+      0);
   EXPECT_EQ(read_text(folder + "/a/history.csv"), read_text(folder + "/b/history.csv"));
 }
 

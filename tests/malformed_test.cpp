@@ -84,7 +84,12 @@ void expect_warnings(const Expectation& row, const support::ProgramRun& run) {
 // digits), on the faulty input where it was right, or free fall.
 void expect_result(const Expectation& row, const std::string& folder) {
   const formats::CsvTable history = formats::read_csv(formats::load(folder + "/history.csv"));
-  const double dy = formats::csv_real(history, history.rows.back(), formats::csv_column(history, "dy1 [L]"));
+  // Behind the name stands the unit that the case declares.
+  const auto column =
+      std::ranges::find_if(history.header, [](const std::string& heading) { return heading.starts_with("dy1 ["); });
+  ASSERT_NE(column, history.header.end());
+  const double dy =
+      formats::csv_real(history, history.rows.back(), static_cast<std::size_t>(column - history.header.begin()));
   EXPECT_NEAR(dy, row.final_dy, 1e-5 * std::abs(row.final_dy)) << "measured point";
 }
 

@@ -27,7 +27,8 @@ struct StoppedRun {
 
   explicit StoppedRun(const std::string& name) : folder(fresh_folder(name)), out(folder + "/out") {
     for (const char* ending : {".geo", ".ana"}) fs::copy_file(kStack + ending, folder + "/stack" + ending);
-    arguments = {"run", folder + "/stack.geo", folder + "/stack.ana", "--set", "steps=4000", "-o", out};
+    arguments = {
+        "run", folder + "/stack.geo", folder + "/stack.ana", "--profile", "standard", "--set", "steps=4000", "-o", out};
     const auto run = support::interrupt_keyblock(arguments, out + "/frames/00000080.vtu");
     EXPECT_EQ(run.exit_code, 130) << run.messages;
     EXPECT_NE(run.messages.find("keyblock run --resume " + out + " goes on"), std::string::npos) << run.messages;
@@ -46,8 +47,8 @@ TEST(Resume, a_killed_run_goes_on_and_ends_with_the_same_bytes) {
 
 TEST(Resume, a_run_killed_before_its_first_checkpoint_begins_again_and_ends_with_the_same_bytes) {
   const std::string folder = fresh_folder("before_checkpoint");
-  const std::vector<std::string> arguments{"run", kStack + ".geo", kStack + ".ana", "--trace", "--set", "steps=400",
-                                           "-o"};
+  const std::vector<std::string> arguments{"run",     kStack + ".geo", kStack + ".ana", "--profile", "standard",
+                                           "--trace", "--set",         "steps=400",     "-o"};
   const auto into = [&](const std::string& out) {
     auto all = arguments;
     all.push_back(folder + out);

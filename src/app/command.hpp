@@ -18,11 +18,13 @@ struct Command {
   const char* name;
   const char* sentence;
   Action (*configure)(CLI::App& options);
+  const char* examples;  ///< lines for its help
 };
 
 /// `--threads`, which takes effect as it is read.
 void add_thread_option(CLI::App& options);  // thread_option.cpp
 
+Action configure_new(CLI::App& options);       ///< new_command.cpp
 Action configure_check(CLI::App& options);     ///< check_command.cpp
 Action configure_cut(CLI::App& options);       ///< cut_command.cpp
 Action configure_joints(CLI::App& options);    ///< joints_command.cpp
@@ -37,5 +39,6 @@ Action configure_element(CLI::App& options);   ///< element_command.cpp
 Action configure_fit(CLI::App& options);       ///< fit_command.cpp
 Action configure_sif(CLI::App& options);       ///< sif_command.cpp
 Action configure_formats(CLI::App& options);   ///< formats_command.cpp
+Action configure_version(CLI::App& options);   ///< version.cpp
 
 }  // namespace keyblock

@@ -5,8 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/pattern_formatter.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -24,29 +22,50 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/messages.hpp"
+#include "app/version.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/printable.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 15> kCommands{{
-    {"check", "says what files are, what they hold and what is odd about them", configure_check},
-    {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut},
-    {"joints", "draws joint sets from statistics into an outline", configure_joints},
-    {"run", "reruns a case and writes its results into a folder", configure_run},
-    {"fos", "divides the strength of joints or rock until a case no longer stands", configure_fos},
-    {"sif", "stress intensity factors and J of the crack tips of a case", configure_sif},
-    {"compare", "reruns cases against their expected values and the old program's traces", configure_compare},
-    {"tradeoff", "runs a case in many ways: what each digit of accuracy costs", configure_tradeoff},
-    {"sweep", "runs a case over contact stiffness and step: where it is accurate, where it fails", configure_sweep},
-    {"batch", "checks, runs or converts every case of an archive, and writes a catalogue", configure_batch},
-    {"convert", "writes a case in another format and names what that cannot hold", configure_convert},
-    {"element", "drives one element of a material along a path of strains and stresses", configure_element},
-    {"fit", "finds parameters of rock from measured curves of stress and strain, or from triaxial tests",
-     configure_fit},
-    {"formats", "lists the file formats and how well each is known (also: info)", configure_formats},
-    {"info", "the same as formats", configure_formats},
+constexpr std::array<Command, 17> kCommands{{
+    {"new", "writes a commented case to begin one's own from: slope, arch, beam, tunnel or block", configure_new,
+     "keyblock new slope\nkeyblock new arch -o my_arch.json"},
+    {"check", "says what files are, what they hold, what is odd about them, and what a run costs", configure_check,
+     "keyblock check old.geo old.ana\nkeyblock check slope.json --trial 10"},
+    {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut,
+     "keyblock cut slope.dxf -o slope.blk --svg slope.svg\nkeyblock cut slope.dxf --mesh 20 -o slope.cv"},
+    {"joints", "draws joint sets from statistics into an outline", configure_joints,
+     "keyblock joints --slope height=10,angle=60 --set dip=35,spacing=2,trace=50 -o slope.dxf"},
+    {"run", "reruns a case and writes its results into a folder", configure_run,
+     "keyblock run old.geo old.ana -o out\nkeyblock run old.geo old.ana --both -o out\n"
+     "keyblock run slope.json -o out --set motion=static\nkeyblock run --resume out"},
+    {"fos", "divides the strength of joints or rock until a case no longer stands", configure_fos,
+     "keyblock fos slope.json -o out\nkeyblock fos slope.json --reduce joints --to-within 0.005"},
+    {"sif", "stress intensity factors and J of the crack tips of a case", configure_sif,
+     "keyblock sif legacy_cases/stress_intensity/edge_crack_05\nkeyblock sif plate.json --json"},
+    {"compare", "reruns cases against their expected values and the old program's traces", configure_compare,
+     "keyblock compare legacy_cases/sliding_block\nkeyblock compare legacy_cases --all --json"},
+    {"tradeoff", "runs a case in many ways: what each digit of accuracy costs", configure_tradeoff,
+     "keyblock tradeoff slope.json --budget 60s\nkeyblock tradeoff slope.json --error 1e-3"},
+    {"sweep", "runs a case over contact stiffness and step: where it is accurate, where it fails", configure_sweep,
+     "keyblock sweep slope.json --picture sweep.svg"},
+    {"batch", "checks, runs or converts every case of an archive, and writes a catalogue", configure_batch,
+     "keyblock batch archive --check -o out\nkeyblock batch archive --run --time-limit 600 -o out"},
+    {"convert", "writes a case in another format and names what that cannot hold", configure_convert,
+     "keyblock convert old.geo old.ana -o case.json\nkeyblock convert slope.json -o slope.dxf"},
+    {"element", "drives one element of a material along a path of strains and stresses", configure_element,
+     "keyblock element case.json --path triaxial --confining 5 --to -0.02"},
+    {"fit", "finds parameters of rock from measured curves of stress and strain, or from triaxial tests", configure_fit,
+     "keyblock fit curve.csv --svg curve.svg\nkeyblock fit --triaxial tests.csv"},
+    {"formats", "lists the file formats and how well each is known (also: info)", configure_formats,
+     "keyblock formats dxf\nkeyblock formats --schema > keyblock-case.schema.json\nkeyblock formats --materials"},
+    {"info", "the same as formats", configure_formats, "keyblock info dxf"},
+    {"version", "prints the version, the commit and the compiler of the program", configure_version,
+     "keyblock version"},
 }};
 
 // CLI11 says no more than that a command is needed.
@@ -54,7 +73,8 @@ void require_known(const std::string& command) {
   if (command.starts_with('-') || std::ranges::find(kCommands, command, &Command::name) != kCommands.end()) return;
   std::vector<const char*> names;
   for (const Command& known : kCommands) names.push_back(known.name);
-  throw UsageError(fmt::format("there is no command \"{}\", only {}", command, fmt::join(names, ", ")));
+  throw UsageError(fmt::format("there is no command \"{}\", only {}{}", command, fmt::join(names, ", "),
+                               nearest_words(command, {names.begin(), names.end()})));
 }
 
 // As `ulimit -v` or a batch sets it.
@@ -63,21 +83,28 @@ bool has_memory_limit() {
   return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
-/// Every message passes here: what files say must not speak to the terminal.
-class PrintableMessage : public spdlog::custom_flag_formatter {
- public:
-  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& line) override {
-    const std::string text = printable({message.payload.data(), message.payload.size()});
-    line.append(text.data(), text.data() + text.size());
+// CLI11 names what it did not expect, and no more.
+void suggest_option(const CLI::App& program, const std::vector<std::string>& arguments) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  std::vector<std::string> known;
+  for (const CLI::App* app : {&program, chosen.empty() ? &program : static_cast<const CLI::App*>(chosen.front())})
+    for (const CLI::Option* option : app->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (const std::string& argument : arguments) {
+    const std::string name = argument.substr(0, argument.find('='));
+    if (!name.starts_with("--") || std::ranges::find(known, name) != known.end()) continue;
+    if (const std::string found = nearest(name, known); !found.empty())
+      spdlog::error("keyblock: there is no option {}; did you mean {}?", name, found);
   }
-  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<PrintableMessage>(); }
-};
+}
 
-void print_messages_plainly() {
-  spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
-  auto formatter = std::make_unique<spdlog::pattern_formatter>();
-  formatter->add_flag<PrintableMessage>('*').set_pattern("%*");
-  spdlog::set_formatter(std::move(formatter));
+std::string with_examples(const char* examples) {
+  std::string text = "Examples:\n  ";
+  for (const char* c = examples; *c != 0; ++c) {
+    text += *c;
+    if (*c == '\n') text += "  ";
+  }
+  return text + "\n";
 }
 
 int run_program(int argc, char** argv) {
@@ -85,17 +112,22 @@ int run_program(int argc, char** argv) {
   CLI::App program{
       "Keyblock: reruns the files of discontinuous deformation analysis and the numerical manifold method"};
   program.name("keyblock");
-  program.set_version_flag("--version", KEYBLOCK_VERSION);
+  program.set_version_flag("--version", version_words());
   program.require_subcommand(1);
+  program.footer("Every command explains its options with --help, and shows examples there.");
+  add_message_options(program);
   Action chosen;
   for (const Command& command : kCommands) {
     CLI::App* options = program.add_subcommand(command.name, command.sentence);
+    options->fallthrough();
+    options->footer(with_examples(command.examples));
     const auto action = std::make_shared<Action>(command.configure(*options));
     options->callback([&chosen, action] { chosen = *action; });
   }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) suggest_option(program, {argv + 1, argv + argc});
     return static_cast<int>(program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage);
   }
   const ExitCode code = chosen();

@@ -8,11 +8,14 @@
 #include <cstdio>
 #include <string>
 
+#include "app/messages.hpp"
+
 namespace keyblock {
 namespace {
 
 constexpr double kTerminalSeconds = 0.2;  // between two renewals on a terminal
 constexpr double kLogSeconds = 5;         // between two lines in a log
+constexpr double kPatience = 5;           // without a step, until that is told
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
@@ -31,10 +34,36 @@ ProgressLine::ProgressLine(int step_count, int steps_done)
       steps_done_(steps_done),
       on_terminal_(isatty(STDERR_FILENO) == 1),
       started_(Clock::now()),
-      shown_(started_) {}
+      shown_(started_),
+      stepped_(started_),
+      step_(steps_done) {
+  if (shows_progress()) waiting_ = std::thread([this] { tell_of_waiting(); });
+}
+
+ProgressLine::~ProgressLine() {
+  finish();
+}
+
+void ProgressLine::tell_of_waiting() {
+  std::unique_lock lock(mutex_);
+  while (!wakes_.wait_for(lock, std::chrono::seconds(1), [this] { return is_over_; })) {
+    const Clock::time_point now = Clock::now();
+    if (seconds(now - stepped_) < kPatience || (!on_terminal_ && seconds(now - shown_) < kLogSeconds)) continue;
+    shown_ = now;
+    const std::string what = step_ == steps_done_ ? fmt::format("start and step {}", step_ + 1)
+                                                  : fmt::format("step {} of {}", step_ + 1, step_count_);
+    keyblock::show(fmt::format("{}{}: {:.0f} s so far{}", on_terminal_ ? "\r\x1b[K" : "", what, seconds(now - stepped_),
+                               on_terminal_ ? "" : "\n"));
+    line_open_ = on_terminal_;
+  }
+}
 
 void ProgressLine::show(const StepReport& report) {
+  if (!shows_progress()) return;
+  const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
+  stepped_ = now;
+  step_ = report.step;
   const bool last = report.step == step_count_;
   if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : kLogSeconds)) return;
   shown_ = now;
@@ -46,6 +75,14 @@ void ProgressLine::show(const StepReport& report) {
 }
 
 void ProgressLine::finish() {
+  if (waiting_.joinable()) {
+    {
+      const std::lock_guard lock(mutex_);
+      is_over_ = true;
+    }
+    wakes_.notify_one();
+    waiting_.join();
+  }
   if (line_open_) keyblock::show("\n");
   line_open_ = false;
 }

@@ -17,6 +17,7 @@
 #include "formats/text/tips_csv.hpp"
 #include "formats/views/vtk.hpp"
 #include "formats/views/vtk_parts.hpp"
+#include "job/declared_units.hpp"
 #include "report/energy_picture.hpp"
 #include "report/field_picture.hpp"
 #include "report/reaction_picture.hpp"
@@ -279,8 +280,11 @@ void RunFolder::describe(Archive& archive) {
   }
 }
 
-void RunFolder::write(const std::string& name, const std::string& text) {
+void RunFolder::write(const std::string& name, const std::string& plain) {
   const bool is_own = std::ranges::find(outputs_, name) != outputs_.end();
+  const std::string text = name.ends_with(".csv")   ? table_in_units(plain, units_)
+                           : name.ends_with(".svg") ? picture_in_units(plain, units_)
+                                                    : plain;
   write_file(folder_ / name, text, is_own ? Overwrite::yes : overwrite_);
   if (!is_own) outputs_.push_back(name);
 }
@@ -323,7 +327,8 @@ std::string RunFolder::list_of_frames() const {
 }
 
 void RunFolder::finish(const RunResults& results) {
-  const auto& [title, history, steps, ledger, field, is_of_motion] = results;
+  const auto& [title, history, steps, ledger, field, is_of_motion, marked, marked_words, units] = results;
+  units_ = units;
   write_list_of_frames();
   for (const GrowingTable* table : {&contacts_, &joints_, &bolts_})
     if (table->has_begun()) outputs_.push_back(table->file().filename().string());
@@ -333,7 +338,9 @@ void RunFolder::finish(const RunResults& results) {
                                             frames_.back(),
                                             displacement_curves(history, frames_.front(), field),
                                             {"time [T]", "displacement [L]"},
-                                            ""}));
+                                            "",
+                                            marked,
+                                            marked_words}));
   if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger));
   if (history.of_measured_points) write("points.csv", formats::points_csv(history));
   write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,

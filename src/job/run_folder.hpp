@@ -13,6 +13,7 @@
 #include "job/files.hpp"
 #include "job/folder_lock.hpp"
 #include "job/growing_table.hpp"
+#include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/extremes.hpp"
 #include "result/field_frame.hpp"
@@ -31,8 +32,11 @@ struct RunResults {
   const History& history;
   const std::vector<StepReport>& steps;
   Ledger ledger;
-  const FieldFrame& field;   ///< the end
-  bool is_of_motion = true;  ///< displacements are as they are, however large; those of linear statics are not
+  const FieldFrame& field;        ///< the end
+  bool is_of_motion = true;       ///< displacements are as they are, however large; those of linear statics are not
+  std::vector<int> marked = {};   ///< elements, from 0, at which it failed
+  std::string marked_words = {};  ///< what these do
+  Units units = {};               ///< that tables and pictures are to name
 };
 
 class RunFolder {
@@ -116,6 +120,7 @@ class RunFolder {
   std::vector<std::string> outputs_;
   std::size_t flushed_frames_ = 0;
   bool made_folder_ = false;
+  Units units_;
   Overwrite overwrite_ = Overwrite::yes;  ///< of what stands there before; a run that goes on meets its own files
 };
 

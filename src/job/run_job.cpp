@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_job.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "base/counted.hpp"
 #include "base/stop.hpp"
 #include "job/run_doubts.hpp"
 #include "run/steppers.hpp"
@@ -14,6 +17,20 @@ namespace {
 RunFolder folder_for(const RunJobOptions& options, bool goes_on) {
   return goes_on ? RunFolder(options.folder, options.trace)
                  : RunFolder(options.folder, options.overwrite, options.trace);
+}
+
+std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
+  std::vector<int> numbers;
+  for (const ElementIndex e : elements) numbers.push_back(e.value);
+  return numbers;
+}
+
+// As the legend of the picture has it.
+std::string what_failed_does(const RunOutcome& outcome) {
+  const std::string blocks = outcome.elements.size() == 1 ? fmt::format("block {}", outcome.elements.front().value + 1)
+                                                          : counted(outcome.elements.size(), "block");
+  return fmt::format("{}: {}", blocks,
+                     outcome.failure == FailureKind::accelerates ? "no equilibrium" : "too far for a step");
 }
 
 }  // namespace
@@ -110,7 +127,10 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                   record_.traced,
                   {record_.outcome.ledger_scope, record_.ledger.rows()},
                   record_.outcome.field,
-                  !prepared_.scene.is_untouched});
+                  !prepared_.scene.is_untouched,
+                  numbers_of(record_.outcome.elements),
+                  what_failed_does(record_.outcome),
+                  record_.units});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

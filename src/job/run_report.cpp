@@ -124,7 +124,7 @@ Json start_json(const StartReport& start) {
           {"unsolved_steps", start.unsolved_steps}};
 }
 
-Json outcome_json(const RunRecord& record) {
+Json outcome_json(const RunRecord& record, const Settings& settings) {
   const RunOutcome& outcome = record.outcome;
   Json contacts = Json::array();
   for (std::size_t c : outcome.contacts) contacts.push_back(c + 1);
@@ -132,6 +132,9 @@ Json outcome_json(const RunRecord& record) {
   if (outcome.end == RunEnd::failed) {
     json["reason"] = outcome.reason;
     json["contacts"] = contacts;
+    json["blocks"] = Json::array();
+    for (const ElementIndex e : outcome.elements) json["blocks"].push_back(e.value + 1);
+    json["try"] = what_to_try(settings, outcome);
   }
   Json doubts = Json::array();
   for (const Warning& doubt : record.doubts) doubts.push_back(doubt.sentence);
@@ -222,6 +225,17 @@ std::string kind_of(const Warning& warning) {
 
 }  // namespace
 
+std::vector<std::string> what_to_try(const Settings& settings, const RunOutcome& outcome) {
+  if (settings.dynamics == Dynamics::shi) {
+    if (!settings.quirks.velocity_from_coming_step) return {"--profile standard"};
+    return {"--profile standard", "--set quirk.velocity_from_coming_step=off"};
+  }
+  if (outcome.failure != FailureKind::accelerates) return {};
+  if (settings.standard.motion == MotionRule::equilibrium)
+    return {"--set motion=relaxation", "--set motion=dynamic", "--profile legacy"};
+  return {"--set motion=dynamic", "--profile legacy"};
+}
+
 Json inputs_json(const std::vector<InputRecord>& inputs) {
   Json all = Json::array();
   for (const InputRecord& input : inputs)
@@ -255,6 +269,10 @@ Json warnings_json(const Warnings& warnings) {
 }
 
 void log_warnings(const Warnings& warnings) {
+  if (spdlog::should_log(spdlog::level::debug)) {
+    for (const Warning& warning : warnings) spdlog::warn("{}", to_string(warning));
+    return;
+  }
   std::vector<std::pair<const Warning*, int>> firsts;
   std::map<std::string, std::size_t> known;  // kind, and which of the firsts it is
   for (const Warning& warning : warnings) {
@@ -278,7 +296,8 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"program", "keyblock"},
       {"version", KEYBLOCK_VERSION},
       {"profile", record.profile},
-      {"outcome", outcome_json(record)},
+      {"profile_because", record.profile_because},
+      {"outcome", outcome_json(record, prepared.scene.settings)},
       {"extremes", json_of(record.extremes)},
       {"start", start_json(record.outcome.start)},
       {"inputs", inputs_json(record.inputs)},
@@ -291,6 +310,8 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps)}};
   json["is_static"] = record.is_static;
+  if (!(record.units == Units{}))
+    json["units"] = {{"length", record.units.length}, {"mass", record.units.mass}, {"time", record.units.time}};
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (record.plastic) json["plastic"] = json_of(*record.plastic);
   if (!record.reactions.empty()) {

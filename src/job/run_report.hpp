@@ -40,6 +40,8 @@ struct EquilibriumWay {
 
 struct RunRecord {
   std::string profile;
+  std::string profile_because;  ///< why it is the one
+  Units units = {};             ///< that the case declares
   std::vector<InputRecord> inputs;
   StepTotals totals;
   StepRows steps;
@@ -59,12 +61,15 @@ struct RunRecord {
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 
+/// What to try where a run failed, as options of `run`; empty where nothing is known to help.
+std::vector<std::string> what_to_try(const Settings& settings, const RunOutcome& outcome);
+
 nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
 
 /// Every warning with its place.
 nlohmann::ordered_json warning_list_json(const Warnings& warnings);
 
-/// To standard error, each kind once with how often it was met.
+/// To standard error, each kind once with how often it was met; under --verbose all.
 void log_warnings(const Warnings& warnings);
 
 /// Warnings as name, count and the first of each.

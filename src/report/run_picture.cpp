@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/drawing/colours.hpp"
 #include "report/drawing/scene.hpp"
@@ -17,6 +18,10 @@ constexpr double kScaleBarHeight = 26;
 constexpr std::string_view kStartColour = "#b03060";
 constexpr std::string_view kInnerColour = "#888888";
 constexpr double kOutlineWidth = 1.2;
+constexpr std::string_view kMarkedColour = "#d00000";
+constexpr double kMarkedWidth = 2;
+constexpr double kLeastRing = 8;
+constexpr double kRingGap = 4;
 
 /// Where the parts stand.
 struct Layout {
@@ -78,6 +83,21 @@ void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture)
   draw_start(page, map, picture, width);
 }
 
+/// With a ring about each, which shows slivers too.
+void draw_marked(SvgPage& page, const PageMap& map, const RunPicture& picture) {
+  const ElementsByNumber ends(picture.end);
+  for (const int number : picture.marked) {
+    const ElementFrame* element = ends.find(number);
+    if (element == nullptr || element->loops.empty()) continue;
+    page.polygon(map(element->loops), {.stroke = kMarkedColour, .stroke_width = kMarkedWidth});
+    Box box;
+    for (const Point p : element->loops.front()) box.include(map(p));
+    const Point middle = 0.5 * (box.low + box.high);
+    page.circle(middle, std::max(kLeastRing, std::hypot(box.width(), box.height()) / 2 + kRingGap),
+                {.stroke = kMarkedColour, .stroke_width = kMarkedWidth});
+  }
+}
+
 /// A broken bolt is not there any more.
 void draw_bolts(SvgPage& page, const PageMap& map, const Frame& frame) {
   for (const BoltFrame& bolt : frame.bolts)
@@ -108,6 +128,8 @@ std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   add(picture.end.fixed_points, Mark::fixed_point, "fixed point");
   add(picture.end.loading_points, Mark::loading_point, "loading point");
   add(picture.end.measured_points, Mark::measured_point, "measured point");
+  if (!picture.marked.empty())
+    legend.push_back({.sign = Sign::dashed_line, .colour = kMarkedColour, .words = picture.marked_words});
   if (!picture.end.bolts.empty()) legend.push_back({.sign = Sign::dashed_line, .colour = kBoltColour, .words = "bolt"});
   return legend;
 }
@@ -138,6 +160,7 @@ std::string run_picture(const RunPicture& picture) {
     draw_elements(page, map, picture);
     draw_bolts(page, map, picture.end);
     draw_marks(page, map, picture.end);
+    draw_marked(page, map, picture);
     draw_scale_bar(page, {kMargin, bar_line}, std::min(layout.scene_room.x, kRoom), map);
   }
   if (chart) draw_chart(page, chart_corner, chart_size, picture.curves, picture.axes);

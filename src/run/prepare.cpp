@@ -55,7 +55,8 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
          "the damping of block materials is read, but has no effect, as in the old program; --set mass_damping.N or "
          "stiffness_damping.N for block material N has one");
   const auto has_own_weight = [&](const BlockMaterial& m) {
-    return std::abs(m.unit_weight - m.density * settings.file_gravity) > kSameWeight * std::abs(m.unit_weight);
+    return m.unit_weight != 0 &&
+           std::abs(m.unit_weight - m.density * settings.file_gravity) > kSameWeight * std::abs(m.unit_weight);
   };
   if (settings.quirks.weight_of_first_material && std::ranges::any_of(analysis.block_materials, has_own_weight))
     warn("unit_weight_without_effect",
@@ -332,7 +333,11 @@ Warnings warnings_of_strengths(const Scene& first, const Place& place) {
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
-  if (!problem.analysis) throw InputError(place_of(problem), "expected an analysis file beside it, found none");
+  if (!problem.analysis)
+    throw InputError(
+        place_of(problem),
+        "expected an analysis beside it, an analysis file of the old programs or a case file with the section "
+        "`analysis`, found none; `keyblock new block` writes a case file to begin with");
   const Asked asked = as_asked(problem, profile, overrides);
   const Settings& settings = asked.choices.front().settings;
   require_readable_strengths(problem, settings);

@@ -47,6 +47,8 @@ class Loop {
         outcome.end = RunEnd::failed;
         outcome.reason = failure->reason;
         outcome.contacts = failure->contacts;
+        outcome.failure = failure->kind;
+        outcome.elements = failure->elements;
         break;
       }
       auto& report = std::get<StepReport>(made);

@@ -42,8 +42,10 @@ struct RunOutcome {
   RunEnd end = RunEnd::finished;
   std::string reason;                 ///< why it failed; empty otherwise
   std::vector<std::size_t> contacts;  ///< contacts (from 0) that would not settle
-  int steps = 0;                      ///< accepted
-  double time = 0;                    ///< reached
+  FailureKind failure = FailureKind::undecided;
+  std::vector<ElementIndex> elements;  ///< that move away, or too far for a step, where it failed for that
+  int steps = 0;                       ///< accepted
+  double time = 0;                     ///< reached
   LedgerScope ledger_scope;
   StartReport start;
   std::vector<SceneReport> scenes = {};     ///< where there is more than one

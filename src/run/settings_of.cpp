@@ -57,16 +57,50 @@ void require_sound(const Settings& settings, const Analysis& analysis) {
     throw std::invalid_argument("setting body_acceleration_file: the file was not read");
 }
 
+const std::string* read_by_standard_alone(const std::vector<Override>& overrides) {
+  const auto found = std::ranges::find_if(
+      overrides, [](const Override& setting) { return read_alone_by(setting.first) == Dynamics::standard; });
+  return found == overrides.end() ? nullptr : &found->first;
+}
+
+bool names_carry_over(const std::vector<Override>& settings) {
+  return std::ranges::any_of(settings,
+                             [](const Override& setting) { return setting.first.starts_with("velocity_carry_over"); });
+}
+
+// Only where settings ask for motion is it other than the equilibrium of a file that takes no velocity into a step.
+void carry_what_moves(Settings& settings, const Analysis& analysis, const RunChoices& choices,
+                      const std::vector<Override>& overrides) {
+  if (settings.dynamics != Dynamics::standard || settings.standard.motion == MotionRule::equilibrium) return;
+  if (analysis.velocity_carry_over != 0 || names_carry_over(choices.settings) || names_carry_over(overrides)) return;
+  settings.velocity_carry_over = 1;
+}
+
 }  // namespace
 
-std::string profile_of(const Problem& problem, const std::string& asked) {
-  if (!asked.empty()) return asked;
+ChosenProfile profile_unasked(const Problem& problem, const std::vector<Override>& overrides) {
   const std::string& profile = problem.choices.profile;
   const std::vector<std::string> known = profile_names();
   if (!profile.empty() && std::ranges::find(known, profile) == known.end())
     throw InputError(problem.choices.profile_place,
                      fmt::format("expected a profile, one of {}, found \"{}\"", fmt::join(known, ", "), profile));
-  return profile.empty() ? "standard" : profile;
+  if (!profile.empty()) return {profile, "the case file says so"};
+  if (problem.has_own_case) return {"standard", "the case is Keyblock's own"};
+  if (const std::string* name = read_by_standard_alone(overrides))
+    return {"standard", fmt::format("it alone reads the setting {}", *name)};
+  return {"legacy", "the files are those of an old program"};
+}
+
+ChosenProfile chosen_profile(const Problem& problem, const std::string& asked, const std::vector<Override>& overrides) {
+  if (asked.empty()) return profile_unasked(problem, overrides);
+  const ChosenProfile unasked = profile_unasked(problem, overrides);
+  return asked == unasked.name
+             ? unasked
+             : ChosenProfile{asked, fmt::format("asked for; else {}, because {}", unasked.name, unasked.why)};
+}
+
+std::string profile_of(const Problem& problem, const std::string& asked, const std::vector<Override>& overrides) {
+  return asked.empty() ? profile_unasked(problem, overrides).name : asked;
 }
 
 Settings settings_of(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
@@ -76,6 +110,7 @@ Settings settings_of(const Problem& problem, const std::string& profile, const s
     set_as_in_file(changed, choices);
     for (const auto& [name, value] : overrides) set(changed, name, value);
   });
+  carry_what_moves(settings, analysis, choices, overrides);
   if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();
   try {
     require_sound(settings, analysis);

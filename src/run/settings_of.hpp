@@ -10,11 +10,24 @@
 
 namespace keyblock {
 
-/// The profile asked for; where none is, that of the case file; where that names none, `standard`. Throws InputError
-/// where the case file names one that is none.
-std::string profile_of(const Problem& problem, const std::string& asked);
+/// A profile, and why it is the one.
+struct ChosenProfile {
+  std::string name;
+  std::string why;  ///< "the files are of an old program"
+};
 
-/// Every choice of a run: the profile, the settings of the case file on it, and the overrides on these. Throws
+/// The profile of a run that names none: that of the case file; where that names none, `legacy` for the files of old
+/// programs, unless a setting is asked for that `standard` alone reads, and else `standard`. Throws InputError where
+/// the case file names one that is none.
+ChosenProfile profile_unasked(const Problem& problem, const std::vector<Override>& overrides);
+
+/// The profile asked for; where none is, as above.
+ChosenProfile chosen_profile(const Problem& problem, const std::string& asked, const std::vector<Override>& overrides);
+std::string profile_of(const Problem& problem, const std::string& asked, const std::vector<Override>& overrides = {});
+
+/// Every choice of a run: the profile, the settings of the case file on it, and the overrides on these. Where the file
+/// takes no velocity into a step, and settings ask for motion = dynamic or relaxation, all of it is taken: a motion
+/// that begins each step at rest is neither. `velocity_carry_over` among the settings overrules that. Throws
 /// InputError for a setting of the case file that is unknown or does not fit, std::invalid_argument for a profile or an
 /// override.
 Settings settings_of(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);

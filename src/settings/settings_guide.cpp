@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <functional>
+
 #include "settings/profile.hpp"
 #include "settings/settings_table.hpp"
 
@@ -60,6 +64,70 @@ std::string word_for(const std::optional<Dynamics>& dynamics) {
   return *dynamics == Dynamics::shi ? "shi" : "standard";
 }
 
+// What people set before anything else.
+constexpr std::array<std::string_view, 10> kFirst{"motion",  "steps",      "time_step",   "contact_penalty",
+                                                  "gravity", "plane",      "enforcement", "joint_strength_factor",
+                                                  "basis",   "restitution"};
+constexpr std::string_view kQuirk = "quirk.";
+
+bool is_first(const SettingText& setting) {
+  return std::ranges::find(kFirst, setting.name) != kFirst.end();
+}
+
+bool is_quirk(const SettingText& setting) {
+  return setting.name.starts_with(kQuirk);
+}
+
+struct Group {
+  const char* title;
+  std::function<bool(const SettingText&)> holds;
+};
+
+// Every setting is in one of them.
+std::vector<Group> groups() {
+  const auto read_by = [](std::optional<Dynamics> dynamics) {
+    return [dynamics](const SettingText& s) { return !is_first(s) && !is_quirk(s) && s.dynamics == dynamics; };
+  };
+  return {{"set first", is_first},
+          {"read by all profiles", read_by(std::nullopt)},
+          {"read by dynamics standard alone (profiles standard, draft, reference)", read_by(Dynamics::standard)},
+          {"read by dynamics shi alone (profile legacy)", read_by(Dynamics::shi)},
+          {"mistakes of the Berkeley program, each of which can be left out", is_quirk}};
+}
+
+// At spaces; the lines after the first are indented as it is.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  constexpr std::size_t kLine = 118;
+  std::string lines(indent, ' ');
+  std::size_t length = indent;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (length > indent && length + 1 + word.size() > kLine) {
+      lines += '\n';
+      lines.append(indent, ' ');
+      length = indent;
+    }
+    if (length > indent) {
+      lines += ' ';
+      ++length;
+    }
+    lines += word;
+    length += word.size();
+    at = end + 1;
+  }
+  lines += '\n';
+  return lines;
+}
+
+std::string row_of(const std::vector<Column>& columns, std::size_t row) {
+  const SettingText& setting = columns[0].one[row];
+  std::string text = fmt::format("{:32} ", setting.name);
+  for (const Column& column : columns) text += fmt::format("{:15} ", column.value(row));
+  text += fmt::format("{}\n", word_for(setting.dynamics));
+  return text + wrapped(setting.meaning, 4) + fmt::format("    permitted: {}\n", setting.expected);
+}
+
 }  // namespace
 
 std::string settings_guide() {
@@ -69,16 +137,16 @@ std::string settings_guide() {
     columns.push_back({list(profile_settings(profile, one_file())), list(profile_settings(profile, another_file()))});
     table += fmt::format("{:15} ", profile);
   }
-  table += fmt::format("{:9} meaning: permitted values\n", "read by");
-  for (std::size_t row = 0; row < columns[0].one.size(); ++row) {
-    const SettingText& setting = columns[0].one[row];
-    table += fmt::format("{:32} ", setting.name);
-    for (const Column& column : columns) table += fmt::format("{:15} ", column.value(row));
-    table += fmt::format("{:9} {}: {}\n", word_for(setting.dynamics), setting.meaning, setting.expected);
+  table += "read by\n";
+  for (const Group& group : groups()) {
+    table += fmt::format("\n# {}\n", group.title);
+    for (std::size_t row = 0; row < columns[0].one.size(); ++row)
+      if (group.holds(columns[0].one[row])) table += row_of(columns, row);
   }
   return table +
-         "(file): taken from the analysis file; of its step, or that of --set, draft takes twice and reference a "
-         "quarter, over the same time. \"read by\": the dynamics that read it.\n";
+         "\n(file): taken from the analysis file; of its step, or that of --set, draft takes twice and reference a\n"
+         "quarter, over the same time. \"read by\": the dynamics that read it. `--set NAME=VALUE`, or NAME.N for "
+         "material N alone\nwhere the meaning says so.\n";
 }
 
 }  // namespace keyblock

@@ -400,6 +400,11 @@ void set(Settings& settings, const std::string& name, const std::string& value) 
   row->per_material->read(settings, material, name, value);
 }
 
+std::optional<Dynamics> read_alone_by(const std::string& name) {
+  const SettingRow* row = find_row(name.substr(0, name.find('.')));
+  return row ? row->dynamics : std::nullopt;
+}
+
 std::string why_unread(const Settings& settings, const std::string& name) {
   const SettingRow* row = find_row(name);
   if (row == nullptr) row = material_setting(name).row;

@@ -32,6 +32,9 @@ std::vector<SettingText> list(const Settings& settings);
 /// is not valid. `name.N` sets the value of material N, counted from 1, where the setting is one of materials.
 void set(Settings& settings, const std::string& name, const std::string& value);
 
+/// The dynamics that alone read this setting; nothing where both do, or there is none of this name.
+std::optional<Dynamics> read_alone_by(const std::string& name);
+
 /// Why this setting has no effect beside the others: "is read under integrator = newmark alone"; empty where it has, or
 /// there is none of this name.
 std::string why_unread(const Settings& settings, const std::string& name);

@@ -368,7 +368,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
     throw;
   }
   if (!made.step.converged || !made.step.failure.empty()) {
-    if (made.step.accelerates) attempted_ = state_of(scene_, made.step.motion);
+    if (!made.step.moving.empty()) attempted_ = state_of(scene_, made.step.motion);
     return failure_of(made.step);
   }
   State end = state_of(scene_, made.step.motion);
@@ -502,9 +502,10 @@ StepFailure StandardStepper::failure_of(const StandardStep& step) const {
   if (!step.failure.empty())
     return {fmt::format("step {} (time {}): {}", state_.step + 1, state_.time, step.failure),
             {},
-            step.accelerates ? FailureKind::accelerates : FailureKind::undecided,
+            step.moving.empty() ? FailureKind::undecided : FailureKind::accelerates,
             step.solves,
-            yields};
+            yields,
+            step.moving};
   std::string names;
   std::size_t named = 0;
   for (std::size_t i : step.undecided) {

@@ -35,6 +35,7 @@ struct StepFailure {
   /// Rock that may yield was on its surface at the last equilibrium, or where the search for the next one ended; told
   /// by statics.
   bool rock_yields = false;
+  std::vector<ElementIndex> elements = {};  ///< that move away, or too far for a step
 };
 
 /// One scene of several: which steps were made on it.

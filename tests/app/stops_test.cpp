@@ -57,9 +57,15 @@ std::string slope_in(const std::string& folder) {
 // Some thousand blocks, which take seconds to settle before anything is told.
 TEST(Stops, are_heard_while_the_start_is_sought) {
   const std::string folder = fresh_folder("stop_start");
-  const std::vector<std::string> arguments{
-      "run", slope_in(folder), KEYBLOCK_SOURCE_DIR "/legacy_cases/fronts/slope_1000.ana", "--set", "steps=1",
-      "-o",  folder + "/out"};
+  const std::vector<std::string> arguments{"run",
+                                           slope_in(folder),
+                                           KEYBLOCK_SOURCE_DIR "/legacy_cases/fronts/slope_1000.ana",
+                                           "--profile",
+                                           "standard",
+                                           "--set",
+                                           "steps=1",
+                                           "-o",
+                                           folder + "/out"};
   const auto stopped = support::interrupt_keyblock(arguments, folder + "/out/frames", SIGTERM);
   EXPECT_EQ(stopped.exit_code, 130) << stopped.messages;
   EXPECT_TRUE(contains(stopped.messages, "stopped by request before the first step")) << stopped.messages;
@@ -117,12 +123,12 @@ TEST(Stops, within_steps_leave_a_run_that_ends_with_the_same_bytes) {
 TEST(Stops, asked_for_again_later_end_the_run_at_once) {
   for (const auto& [name, signal] : {std::pair{"TERM", SIGTERM}, {"HUP", SIGHUP}}) {
     const std::string folder = fresh_folder(std::string("stop_twice_") + name);
-    const auto run =
-        run_script(fmt::format("cd {}\nmkfifo pipe\nsleep 60 < pipe &\nreader=$!\n"
-                               "\"$K\" run {}.geo {}.ana --set steps=4000 --trace --json -o out > pipe &\nrun=$!\n"
-                               "while ! test -e out/run.json; do sleep 0.05; done\nsleep 0.3\n"
-                               "kill -{} $run\nsleep 1.3\nkill -{} $run\nwait $run\ncode=$?\nkill $reader\nexit $code",
-                               folder, kStack, kStack, name, name));
+    const auto run = run_script(fmt::format(
+        "cd {}\nmkfifo pipe\nsleep 60 < pipe &\nreader=$!\n"
+        "\"$K\" run {}.geo {}.ana --profile standard --set steps=4000 --trace --json -o out > pipe &\nrun=$!\n"
+        "while ! test -e out/run.json; do sleep 0.05; done\nsleep 0.3\n"
+        "kill -{} $run\nsleep 1.3\nkill -{} $run\nwait $run\ncode=$?\nkill $reader\nexit $code",
+        folder, kStack, kStack, name, name));
     EXPECT_EQ(run.exit_code, 128 + signal) << run.messages;
   }
 }
@@ -130,8 +136,9 @@ TEST(Stops, asked_for_again_later_end_the_run_at_once) {
 // As `timeout` does: it sends the signal to the program and to the group it is in.
 TEST(Stops, asked_for_twice_at_once_are_one) {
   const std::string out = fresh_folder("stop_by_timeout") + "/out";
-  const auto run = run_script(fmt::format(
-      "timeout --preserve-status 1 \"$K\" run {}.geo {}.ana --set steps=100000000 -o {}", kRest, kRest, out));
+  const auto run = run_script(
+      fmt::format("timeout --preserve-status 1 \"$K\" run {}.geo {}.ana --profile standard --set steps=100000000 -o {}",
+                  kRest, kRest, out));
   EXPECT_EQ(run.exit_code, 130) << run.messages;
   EXPECT_TRUE(fs::exists(out + "/checkpoint.h5"));
   EXPECT_TRUE(fs::exists(out + "/run.json"));

@@ -25,7 +25,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 std::string run_of(int steps) {
-  return fmt::format("\"$K\" run {}.geo {}.ana --set steps={} ", kStack, kStack, steps);
+  return fmt::format("\"$K\" run {}.geo {}.ana --profile standard --set steps={} ", kStack, kStack, steps);
 }
 
 }  // namespace

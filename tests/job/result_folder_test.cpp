@@ -28,7 +28,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 std::vector<std::string> stack_into(const std::string& out, const std::string& steps = "4000") {
-  return {"run", kStack + ".geo", kStack + ".ana", "--set", "steps=" + steps, "-o", out};
+  return {"run", kStack + ".geo", kStack + ".ana", "--profile", "standard", "--set", "steps=" + steps, "-o", out};
 }
 
 void stop_after_frame_80(const std::string& out, const std::string& steps = "4000") {
@@ -186,7 +186,8 @@ TEST(ResultFolder, input_refused_late_leaves_nothing_and_loses_nothing) {
 // No file may grow: not even the first checkpoint can be written.
 TEST(ResultFolder, frames_come_after_the_first_checkpoint) {
   const std::string out = fresh_folder("no_checkpoint") + "/out";
-  const auto run = support::run_script("ulimit -f 0; exec \"$K\" run " + kStack + ".geo " + kStack + ".ana -o " + out);
+  const auto run = support::run_script("ulimit -f 0; exec \"$K\" run " + kStack + ".geo " + kStack +
+                                       ".ana --profile standard -o " + out);
   EXPECT_EQ(run.exit_code, 4);
   EXPECT_FALSE(fs::exists(out + "/frames"));
   EXPECT_FALSE(fs::exists(out + "/checkpoint.h5"));

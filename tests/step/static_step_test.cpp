@@ -134,7 +134,7 @@ TEST(StaticStep, a_block_that_friction_does_not_hold_is_named) {
   for (MotionRule rule : kRules) {
     const Scene scene = slope_scene(30, 20, rule, BlockBasis::affine, Enforcement::lagrange);
     StandardStepper stepper(scene);
-    EXPECT_EQ(step(stepper), "step 1 (time 0): no equilibrium: block 2 accelerates");
+    EXPECT_TRUE(step(stepper).starts_with("step 1 (time 0): no equilibrium: block 2 accelerates (at "));
     EXPECT_EQ(stepper.state().step, 0);
   }
 }
@@ -145,7 +145,8 @@ TEST(StaticStep, a_free_block_is_named) {
   const Scene scene =
       standard_scene_of({{rectangle({0, 10}, {1, 11})}, {}, {}, {}, {}, {}}, analysis, standard_settings(analysis));
   StandardStepper stepper(scene);
-  EXPECT_EQ(step(stepper), "step 1 (time 0): no equilibrium: block 1 accelerates");
+  EXPECT_EQ(step(stepper),
+            "step 1 (time 0): no equilibrium: block 1 accelerates (at 0.5, 10.5; area 1, 100 % of the mean)");
 }
 
 // A column falls over a toe that its weight passes outside of, and stands inside of it: b/h against tan(slope).
@@ -163,7 +164,8 @@ TEST(StaticStep, a_column_beyond_its_limit_is_named_and_one_within_stands) {
       settings.standard.motion = rule;
       const Scene scene = standard_scene_of(blocks, analysis, settings);
       StandardStepper stepper(scene);
-      EXPECT_EQ(step(stepper), ratio > 1 ? "" : "step 1 (time 0): no equilibrium: block 2 accelerates")
+      const std::string said = step(stepper);
+      EXPECT_EQ(said.substr(0, 52), ratio > 1 ? "" : "step 1 (time 0): no equilibrium: block 2 accelerates")
           << name_of(rule) << ", ratio " << ratio;
     }
   }

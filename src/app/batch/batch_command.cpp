@@ -61,6 +61,7 @@ struct BatchOptions {
   ChildLimits limits;
   std::vector<std::string> row_files;  ///< of one job, whose row is asked for and nothing else
   bool may_overwrite = false;
+  bool as_json = false;
   bool is_resumed = false;
 };
 
@@ -248,6 +249,7 @@ ExitCode run_batch(const BatchOptions& options) {
   spdlog::info("{} in {}: {} ok, {} with warnings, {} failed, {} only listed; catalogue in {}",
                counted(archive.files.size(), "file"), counted(rows.size(), "job"), count("ok"), count("warnings"),
                count("failed"), count("listed"), options.folder);
+  if (options.as_json) fmt::print("{}\n", study::catalogue_json(rows));
   return count("failed") == 0 ? ExitCode::ok : ExitCode::check_failed;
 }
 
@@ -277,6 +279,7 @@ Action configure_batch(CLI::App& app) {
   app.add_option("--row", options->row_files)->group("");  // not for people: in no help text
   app.add_flag("--resume", options->is_resumed, "go on with the batch in OUT; jobs whose files changed are done again");
   app.add_flag("--force", options->may_overwrite, "begin the batch in OUT again");
+  app.add_flag("--json", options->as_json, "print catalogue.json on standard output too");
   return [options] { return run_batch(*options); };
 }
 

@@ -5,19 +5,25 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "base/counted.hpp"
 #include "base/printable.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
 #include "job/run_report.hpp"
+#include "run/look_ahead.hpp"
 #include "run/prepare.hpp"
+#include "run/settings_of.hpp"
+#include "run/trial_steps.hpp"
 #include "settings/profile.hpp"
+#include "study/cases/cases.hpp"
 #include "study/cases/named_files.hpp"
 
 namespace keyblock {
@@ -25,10 +31,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Steps are tried for so long, unless asked otherwise.
+constexpr double kTrialSeconds = 2;
+constexpr int kTrialSteps = 20;
+
 struct CheckOptions {
   std::vector<std::string> files;
   std::string profile;  ///< empty: that of the case file, or the default
   bool as_json = false;
+  double trial_seconds = kTrialSeconds;
 };
 
 /// The whole case: its complaints, or why it could not be put together.
@@ -37,6 +48,10 @@ struct CaseReport {
   std::vector<std::string> errors;
   std::optional<Requirements> plan;      ///< what a run would take; only where geometry and analysis are there
   std::vector<std::string> stages = {};  ///< a sentence for each
+  ChosenProfile profile = {};            ///< of the plan
+  std::string smallest_block = {};
+  std::optional<TrialSteps> trial = {};
+  int steps = 0;  ///< asked for
 };
 
 Json counts_of(const Drawing& drawing) {
@@ -132,11 +147,31 @@ void print(const Requirements& plan) {
   for (const RequiredTerm& term : plan.terms) fmt::print("  {:15} {}\n", name_of(term.term), term.reason);
 }
 
+std::string cost_in_words(const TrialSteps& trial, int steps) {
+  if (!trial.starts) return fmt::format("cost: the start alone takes more than {:.2g} s", trial.start_seconds);
+  const bool is_bound = trial.made == 0 && trial.failure.empty();
+  return fmt::format("cost: start {:.2g} s, {}{:.2g} s a step ({} tried), {}{:.2g} s for {}", trial.start_seconds,
+                     is_bound ? "more than " : "", trial.step_seconds, trial.made, is_bound ? "more than " : "about ",
+                     trial.seconds_of(steps), counted(static_cast<std::size_t>(steps), "step"));
+}
+
+Json json_of(const TrialSteps& trial, int steps) {
+  return {{"start_seconds", trial.start_seconds},
+          {"step_seconds", trial.starts ? Json(trial.step_seconds) : Json()},
+          {"steps_tried", trial.made},
+          {"steps", steps},
+          {"seconds_in_all", trial.starts ? Json(trial.seconds_of(steps)) : Json()},
+          {"failure", trial.failure}};
+}
+
 void print(const CaseReport& report) {
   if (report.warnings.empty() && !report.plan) return;
   fmt::print("the files together:\n");
   print(report.warnings);
+  if (report.plan) fmt::print("  profile {}, because {}\n", report.profile.name, printable(report.profile.why));
   if (report.plan) print(*report.plan);
+  if (!report.smallest_block.empty()) fmt::print("  {}\n", report.smallest_block);
+  if (report.trial) fmt::print("  {}\n", cost_in_words(*report.trial, report.steps));
   for (const std::string& stage : report.stages) fmt::print("  {}\n", printable(stage));
 }
 
@@ -178,7 +213,18 @@ std::vector<std::string> stages_of(const Scene& first) {
   return sentences;
 }
 
-CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile) {
+// Whether the run begins, and what a step costs.
+void try_steps(CaseReport& report, const Scene& scene, double seconds, const Place& place) {
+  try {
+    report.trial = trial_steps(scene, seconds, std::min(kTrialSteps, report.steps));
+  } catch (const std::invalid_argument& error) {
+    report.trial = TrialSteps{.starts = true, .failure = error.what()};
+  }
+  if (!report.trial->failure.empty())
+    report.warnings.push_back({"first_steps_fail", place, "a run fails: " + report.trial->failure});
+}
+
+CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile, double trial_seconds) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
@@ -190,11 +236,15 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
       manifold_of(*cover);  // throws where elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
-    const std::string chosen = profile_of(checked.problem, profile);
-    const Prepared prepared = prepare(study::with_named_files(checked.problem, {}, {}), chosen, {});
+    report.profile = chosen_profile(checked.problem, profile, {});
+    const Prepared prepared = prepare(study::with_named_files(checked.problem, {}, {}), report.profile.name, {});
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
+    report.warnings = joined(std::move(report.warnings), look_ahead(checked.problem, prepared));
     report.plan = prepared.requirements;
     report.stages = stages_of(prepared.scene);
+    report.smallest_block = smallest_block(prepared.blocks);
+    report.steps = prepared.scene.settings.step_count;
+    if (trial_seconds > 0) try_steps(report, prepared.scene, trial_seconds, checked.problem.analysis->place);
     return report;
   } catch (const InputError& error) {
     return {{}, {error.what()}, std::nullopt};
@@ -204,7 +254,13 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
 void print_json(const std::vector<formats::FileReading>& files, const CaseReport& report) {
   Json json = {{"files", Json::array()},
                {"case", {{"warnings", warning_list_json(report.warnings)}, {"errors", report.errors}}}};
-  if (report.plan) json["case"]["requires"] = requirements_json(*report.plan);
+  if (report.plan) {
+    json["case"]["profile"] = report.profile.name;
+    json["case"]["profile_because"] = report.profile.why;
+    if (!report.smallest_block.empty()) json["case"]["smallest_block"] = report.smallest_block;
+    if (report.trial) json["case"]["cost"] = json_of(*report.trial, report.steps);
+    json["case"]["requires"] = requirements_json(*report.plan);
+  }
   if (!report.stages.empty()) json["case"]["stages"] = report.stages;
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
@@ -221,9 +277,28 @@ std::size_t log_errors(const std::vector<formats::FileReading>& files, const Cas
   return errors.size();
 }
 
+// A folder with one case stands for its files.
+std::vector<std::string> inputs_of(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    if (!std::filesystem::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    if (study::find_cases({path}).size() != 1)
+      throw UsageError(fmt::format(
+          "check: expected files or the folder of one case, found the folder {}; `keyblock batch {} --check -o OUT` "
+          "looks at every case in it",
+          path, path));
+    const std::vector<std::string> inputs = study::the_case_in(path).inputs();
+    files.insert(files.end(), inputs.begin(), inputs.end());
+  }
+  return files;
+}
+
 ExitCode check_files(const CheckOptions& options) {
-  const std::vector<formats::FileReading> files = formats::read_files(options.files);
-  const CaseReport report = report_of(files, options.profile);
+  const std::vector<formats::FileReading> files = formats::read_files(inputs_of(options.files));
+  const CaseReport report = report_of(files, options.profile, options.trial_seconds);
   if (options.as_json) {
     print_json(files, report);
   } else {
@@ -237,11 +312,16 @@ ExitCode check_files(const CheckOptions& options) {
 
 Action configure_check(CLI::App& options) {
   const auto chosen = std::make_shared<CheckOptions>();
-  options.add_option("files", chosen->files, "geometry and analysis files, in any order")->required();
-  options
-      .add_option("--profile", chosen->profile,
-                  "preset of all choices that a run would take (default: standard, or what a case file says)")
+  options.add_option("files", chosen->files, "geometry and analysis files, in any order, or the folder of a case")
+      ->required();
+  options.add_option("--profile", chosen->profile, "preset of all choices that a run would take (default: as for run)")
       ->check(CLI::IsMember(profile_names()));
+  options
+      .add_option("--trial", chosen->trial_seconds,
+                  fmt::format("seconds in which steps are tried, to say what a run costs and whether it begins "
+                              "(default: {:g}); 0: none",
+                              kTrialSeconds))
+      ->check(zero_or_above());
   options.add_flag("--json", chosen->as_json, "print the report as JSON");
   return [chosen] { return check_files(*chosen); };
 }

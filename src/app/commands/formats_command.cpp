@@ -8,6 +8,7 @@
 #include "app/command.hpp"
 #include "base/error.hpp"
 #include "formats/case_file/keyblock_case.hpp"
+#include "formats/case_file/material_library.hpp"
 #include "formats/knowledge.hpp"
 #include "formats/registry.hpp"
 
@@ -19,6 +20,7 @@ using Json = nlohmann::ordered_json;
 struct FormatsOptions {
   std::string name;
   bool wants_schema = false;
+  bool wants_materials = false;
   bool as_json = false;
 };
 
@@ -45,6 +47,8 @@ Json json_of(const formats::Format& format) {
 ExitCode list(const FormatsOptions& options) {
   if (options.wants_schema) {
     fmt::print("{}", formats::case_schema());
+  } else if (options.wants_materials) {
+    fmt::print("{}", formats::library_tables());
   } else if (!options.name.empty()) {
     const formats::Format* format = formats::find_format(options.name);
     if (!format)
@@ -73,6 +77,7 @@ Action configure_formats(CLI::App& app) {
   const auto options = std::make_shared<FormatsOptions>();
   app.add_option("NAME", options->name, "one format, with a sample");
   app.add_flag("--schema", options->wants_schema, "print the JSON Schema of the case file");
+  app.add_flag("--materials", options->wants_materials, "print the library of rock and joints that `like` takes from");
   app.add_flag("--json", options->as_json, "print as JSON");
   return [options] { return list(*options); };
 }

@@ -23,7 +23,7 @@ struct FosOptions : ReductionOptions {
 ExitCode find_factor(const FosOptions& options) {
   study::StudyCase chosen = study::study_case(options.paths);
   chosen.common = overrides_of(options.sets);
-  const std::string profile = profile_of(chosen.input.problem, options.profile);
+  const std::string profile = profile_of_reduction(chosen.input.problem, options.profile);
   if (const auto reason = chosen.file.not_run.find(rules_of(profile)); reason != chosen.file.not_run.end())
     throw UsageError(fmt::format("fos: {} says of profile {}: {}", chosen.file.path, profile, reason->second));
   ReductionOptions reduction = options;

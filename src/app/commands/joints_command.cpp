@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +37,7 @@ struct JointsOptions {
   std::optional<int> seed;
   std::optional<double> edge_node_ratio;
   bool may_overwrite = false;
+  bool as_json = false;
 };
 
 PlacedJson list_of(const std::string& option, std::vector<PlacedJson> items) {
@@ -124,6 +126,15 @@ ExitCode make_joints(const JointsOptions& options) {
   const auto [scene, drawing] = drawn(options);
   write_output(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}),
                overwrite_if(options.may_overwrite));
+  if (options.as_json) {
+    const nlohmann::ordered_json json = {{"output", options.output},
+                                         {"joint_lines", drawing.joints.size() - drawing.boundary_count},
+                                         {"boundary_lines", drawing.boundary_count},
+                                         {"joint_sets", scene.sets.size()},
+                                         {"tunnels", scene.tunnels.size()}};
+    fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    return ExitCode::ok;
+  }
   fmt::print("{}: {} joint lines, {} boundary lines; joint sets: {}, tunnels: {}\n", options.output,
              drawing.joints.size() - drawing.boundary_count, drawing.boundary_count, scene.sets.size(),
              scene.tunnels.size());
@@ -153,6 +164,7 @@ Action configure_joints(CLI::App& app) {
   add("--edge-node-ratio", options->edge_node_ratio, "how near crossings become one when cut; 0.001");
   app.add_option("--seed", options->seed, "the same seed gives the same drawing; rules that of SPEC; 1");
   app.add_flag("--force", options->may_overwrite, "overwrite the file if it exists");
+  app.add_flag("--json", options->as_json, "print the counts as JSON");
   return [options] { return make_joints(*options); };
 }
 

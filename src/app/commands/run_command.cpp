@@ -11,6 +11,7 @@
 
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
+#include "app/commands/both_profiles.hpp"
 #include "app/commands/strength_reduction.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/progress.hpp"
@@ -20,6 +21,7 @@
 #include "job/run_job.hpp"
 #include "run/cover_settings.hpp"
 #include "run/settings_file.hpp"
+#include "run/settings_of.hpp"
 #include "settings/profile.hpp"
 #include "settings/settings_guide.hpp"
 #include "settings/settings_table.hpp"
@@ -47,6 +49,7 @@ struct RunOptions {
   bool as_json = false;
   bool trace = false;
   bool force = false;
+  bool both = false;  ///< profiles, one after the other
   bool list_settings = false;
   ReductionOptions reduction;
 };
@@ -74,9 +77,9 @@ std::vector<Override> left_for_settings(Problem& problem, const RunOptions& opti
 }
 
 // A wrong profile or setting is the user's, not the file's.
-Prepared prepare_as_asked(const Problem& problem, const RunOptions& options, const std::vector<Override>& overrides) {
+Prepared prepare_as_asked(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   try {
-    return prepare(study::with_named_files(problem, overrides, {}), profile_of(problem, options.profile), overrides);
+    return prepare(study::with_named_files(problem, overrides, {}), profile, overrides);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -96,12 +99,20 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
   return std::max(problem.analysis->save_interval.value_or(1), thinned);
 }
 
-// What to try, where the old program's own rules end a run.
-void print_hint(const Settings& settings) {
-  if (settings.quirks.velocity_from_coming_step)
+// What to try where a run failed.
+void print_hint(const Settings& settings, const RunOutcome& outcome) {
+  const std::vector<std::string> options = what_to_try(settings, outcome);
+  if (options.empty()) return;
+  if (settings.dynamics == Dynamics::shi)
     spdlog::info(
-        "the rules of the old program are followed; where its step size changes, "
-        "--set quirk.velocity_from_coming_step=off often lets a run go on");
+        "the rules of the old program are followed, and it would have ended here too; to try: {}{}",
+        fmt::join(options, ", or "),
+        settings.quirks.velocity_from_coming_step ? ", which often lets a run go on whose step size changes" : "");
+  else
+    spdlog::info(
+        "to try: {} (relaxation looks for a rest step by step, dynamic shows the motion, legacy makes each step "
+        "from rest, as the old program did)",
+        fmt::join(options, ", or "));
 }
 
 // What the steps cost, and how evenly.
@@ -158,7 +169,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
   if (record.outcome.end == RunEnd::failed) {
     spdlog::error("keyblock: error: {}", record.outcome.reason);
-    print_hint(prepared.scene.settings);
+    print_hint(prepared.scene.settings, record.outcome);
   }
   if (record.outcome.end == RunEnd::stopped) spdlog::warn("{}; {}", stopped_how(), how_to_go_on(folder));
   if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)
@@ -224,7 +235,10 @@ struct Asked {
 
 Asked read_as_asked(const RunOptions& options, Stopwatch& watch) {
   Asked asked{formats::load_case(options.files), RunRecord(), {}};
-  asked.record.profile = profile_of(asked.loaded.problem, options.profile);
+  const ChosenProfile profile = chosen_profile(asked.loaded.problem, options.profile, overrides_of(options.sets));
+  asked.record.profile = profile.name;
+  asked.record.profile_because = profile.why;
+  asked.record.units = asked.loaded.problem.units;
   asked.overrides = left_for_settings(asked.loaded.problem, options);
   asked.record.inputs = input_records(asked.loaded.files);
   asked.record.timings.read = watch.lap();
@@ -234,22 +248,38 @@ Asked read_as_asked(const RunOptions& options, Stopwatch& watch) {
 // What will be computed, and what is to be said of it before.
 void print_start(const Prepared& prepared, const RunJob& job, bool is_resumed) {
   const Model& model = prepared.scene.model;
+  const RunRecord& record = job.record();
+  spdlog::info(
+      "profile {}, because {}{}", record.profile, record.profile_because,
+      record.profile == "legacy" ? " (--profile standard: the rules of today; --both: both, side by side)" : "");
   spdlog::info("{}, {} unknowns, {} steps", counted(model.elements.size(), model.nodes.empty() ? "block" : "element"),
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
-  log_warnings(job.record().warnings);
+  log_warnings(record.warnings);
+  spdlog::debug("read in {:.3g} s, prepared in {:.3g} s; a frame every {}", record.timings.read, record.timings.prepare,
+                counted(static_cast<std::size_t>(record.record_every), "step"));
   if (const std::optional<int> step = job.steps_before())
     spdlog::info("going on after step {}", *step);
   else if (is_resumed)
     spdlog::info("the run ended before its first checkpoint: it begins again");
 }
 
+ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const std::string& folder) {
+  return {record.profile,
+          folder,
+          {},
+          exit_code(record),
+          record,
+          prepared.scene.settings,
+          prepared.scene.model.elements.size()};
+}
+
 // `saved`: the checkpoint to go on from, its request already taken, or all that a run left before its first one; none
 // for a new run.
-ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
+ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
   Asked asked = read_as_asked(options, watch);
   const formats::Case& loaded = asked.loaded;
-  const Prepared prepared = prepare_as_asked(loaded.problem, options, asked.overrides);
+  const Prepared prepared = prepare_as_asked(loaded.problem, asked.record.profile, asked.overrides);
   RunRecord& record = asked.record;
   record.timings.prepare = watch.lap();
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
@@ -270,13 +300,13 @@ ExitCode run_asked(const RunOptions& options, const RunRequest* saved_request, A
   print_start(prepared, job, saved != nullptr);
   if (!job.run({[&](const StepReport& report) { progress.show(report); }, [] { return stop_signal() != 0; }})) {
     spdlog::warn("{} before the first step; {}", stopped_how(), how_to_go_on(options.folder));
-    return exit_code(job.record());
+    return answer_of(job.record(), prepared, options.folder);
   }
   progress.finish();
   const std::string json = job.finish(title, watch.lap());
-  if (options.as_json) fmt::print("{}\n", json);
+  if (options.as_json && !options.both) fmt::print("{}\n", json);
   print_summary(prepared, job.record(), told, options.folder);
-  return exit_code(job.record());
+  return answer_of(job.record(), prepared, options.folder);
 }
 
 // Asks again what the run was asked, from the folder that names of its files were taken from.
@@ -297,7 +327,7 @@ ExitCode resume_run(const RunOptions& options) {
   again.sets = request.sets;
   again.record_every = request.record_every;
   again.trace = request.has_trace;
-  return run_asked(again, &request, &saved);
+  return run_asked(again, &request, &saved).code;
 }
 
 // What a setting of a file in `folder` says, seen from here.
@@ -312,8 +342,10 @@ RunOptions with_case_folder(RunOptions options) {
   const study::CaseFolder folder = study::the_case_in(options.files.front());
   const study::CaseFile file = study::read_case_file(folder);
   options.files = folder.inputs();
-  const std::string profile =
-      options.profile.empty() ? profile_of(formats::load_case(options.files).problem, {}) : options.profile;
+  const bool is_asked = !options.profile.empty();
+  std::string profile =
+      profile_of(formats::load_case(options.files).problem, options.profile, overrides_of(options.sets));
+  if (!is_asked && profile == "legacy" && file.not_run.contains(profile)) options.profile = profile = "standard";
   if (const auto reason = file.not_run.find(rules_of(profile)); reason != file.not_run.end())
     throw UsageError(fmt::format("run: {} says of profile {}: {}", file.path, profile, reason->second));
   std::vector<std::string> sets;
@@ -344,7 +376,7 @@ ExitCode run_reduced(const RunOptions& options) {
   reduction.as_json = options.as_json;
   reduction.force = options.force;
   formats::Case input = formats::load_case(options.files);
-  const std::string profile = profile_of(input.problem, options.profile);
+  const std::string profile = profile_of_reduction(input.problem, options.profile);
   return reduce_strength({std::filesystem::path(options.files.front()).stem().string(),
                           options.files,
                           std::move(input),
@@ -354,13 +386,58 @@ ExitCode run_reduced(const RunOptions& options) {
                          reduction);
 }
 
+// One profile that cannot be run is told beside the answer of the other.
+ProfileAnswer answer_under(const RunOptions& options, const std::string& profile) {
+  RunOptions own = options;
+  own.profile = profile;
+  own.folder = (std::filesystem::path(options.folder) / profile).string();
+  const auto refused = [&](const std::exception& error) {
+    ProfileAnswer answer;
+    answer.profile = profile;
+    answer.folder = "-";
+    answer.refused = error.what();
+    answer.code = ExitCode::unreadable;
+    spdlog::error("{}", error.what());
+    return answer;
+  };
+  try {
+    return run_asked(with_case_folder(with_settings_file(own)), nullptr, nullptr);
+  } catch (const InputError& error) {
+    return refused(error);
+  } catch (const UsageError& error) {
+    return refused(error);
+  }
+}
+
+// Under the rules of the old programs and under those of today; first those that the files ask for.
+ExitCode run_both(const RunOptions& options) {
+  RunOptions first = with_settings_file(options);
+  const formats::Case input = formats::load_case(std::filesystem::is_directory(first.files.front())
+                                                     ? study::the_case_in(first.files.front()).inputs()
+                                                     : first.files);
+  const bool is_old = rules_of(profile_of(input.problem, {}, overrides_of(first.sets))) == "legacy";
+  std::vector<ProfileAnswer> answers;
+  for (const char* profile : {is_old ? "legacy" : "standard", is_old ? "standard" : "legacy"}) {
+    answers.push_back(answer_under(options, profile));
+    if (answers.back().record.outcome.end == RunEnd::stopped) return answers.back().code;
+  }
+  if (!answers[0].refused.empty() && !answers[1].refused.empty()) return answers[0].code;
+  if (options.as_json)
+    fmt::print("{}\n", side_by_side_json(answers[0], answers[1])
+                           .dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  else
+    fmt::print("{}", side_by_side(answers[0], answers[1], input.problem.units));
+  return code_of_both(answers[0], answers[1]);
+}
+
 ExitCode run_files(const RunOptions& options) {
   if (options.list_settings) return list_settings();
   if (!options.resume.empty()) return resume_run(options);
   if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file, or a case folder");
   if (!options.reduction.what.empty()) return run_reduced(with_case_folder(with_settings_file(options)));
   if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
-  return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr);
+  if (options.both) return run_both(options);
+  return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr).code;
 }
 
 }  // namespace
@@ -372,7 +449,8 @@ Action configure_run(CLI::App& options) {
                                           "folder (legacy_cases/…) with its own settings");
   CLI::Option* profile = options
                              .add_option("--profile", chosen->profile,
-                                         "preset of all choices (default: standard, or what a case file says)")
+                                         "preset of all choices (default: what a case file says; else legacy for files "
+                                         "of the old programs, standard for own case files)")
                              ->check(CLI::IsMember(profile_names()));
   CLI::Option* folder = options.add_option("-o,--output", chosen->folder, "folder for the results");
   CLI::Option* sets =
@@ -389,7 +467,11 @@ Action configure_run(CLI::App& options) {
           ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
-  options.add_flag("--json", chosen->as_json, "print run.json on standard output");
+  CLI::Option* both = options.add_flag(
+      "--both", chosen->both,
+      "run the profiles legacy and standard, into FOLDER/legacy and FOLDER/standard, and print their answers side by "
+      "side, what differs, and why as far as it is known");
+  options.add_flag("--json", chosen->as_json, "print run.json on standard output; with --both, both answers");
   CLI::Option* force = options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
   options
       .add_option("--checkpoint-every", chosen->checkpoint_every,
@@ -405,8 +487,9 @@ Action configure_run(CLI::App& options) {
                       "joints, rock or both: divide their strength until the case no longer stands, as `fos` does")
           ->check(CLI::IsMember({"joints", "rock", "both"}));
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
-  for (CLI::Option* of_run : {every, trace}) reduced->excludes(of_run);
-  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced})
+  for (CLI::Option* of_run : {every, trace, both}) reduced->excludes(of_run);
+  both->excludes(profile);
+  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced, both})
     resume->excludes(other);
   add_thread_option(options);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");

@@ -17,6 +17,7 @@
 #include "job/run_report.hpp"
 #include "report/rock/strength_picture.hpp"
 #include "run/cover_settings.hpp"
+#include "run/settings_of.hpp"
 #include "study/cases/named_files.hpp"
 #include "study/strength/factor_of_safety.hpp"
 
@@ -187,6 +188,11 @@ ExitCode exit_code(const FactorOfSafety& found) {
 }
 
 }  // namespace
+
+std::string profile_of_reduction(const Problem& problem, const std::string& asked) {
+  const bool is_open = asked.empty() && problem.choices.profile.empty();
+  return is_open ? "standard" : profile_of(problem, asked);
+}
 
 std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen) {
   return {

@@ -37,6 +37,9 @@ struct ReducedCase {
   std::vector<Override> overrides;
 };
 
+/// The profile asked for or that of the case file; else `standard`, of old files too: the search is one of statics.
+std::string profile_of_reduction(const Problem& problem, const std::string& asked);
+
 /// Searches, prints and writes. Throws UsageError for options that do not fit, InputError for a case that cannot be
 /// reduced.
 ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& options);

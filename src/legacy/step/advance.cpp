@@ -125,8 +125,9 @@ class Attempts {
       unsettled_ = outcome.still_changing;
       verdict_ = judge_step(outcome);
       if (verdict_ == Verdict::accepted) return accept(outcome);
-      if (at_floor_again_) return StepFailure{failure("blocks move too far even at the smallest step"), {}};
+      if (at_floor_again_) return moved_too_far("even at the smallest step");
     }
+    if (verdict_ == Verdict::moved_too_far) return moved_too_far(fmt::format("in {} redone attempts", report_.redos));
     return StepFailure{failure(why_no_end()), unsettled_};
   }
 
@@ -148,8 +149,9 @@ class Attempts {
 
   // Legacy-rules 11, in this order: passes without an end, displacement, penetration.
   Verdict judge_step(const OpenCloseOutcome& outcome) {
-    const double allowed = settings_.allowed_displacement_ratio * scene_.model.scale;
-    ratio_ = greatest_displacement(scene_.model, start_, outcome.increments, settings_.rotation) / allowed;
+    const FarthestElement farthest = farthest_element(scene_.model, start_, outcome.increments, settings_.rotation);
+    farthest_ = farthest.element;
+    ratio_ = farthest.displacement / allowed();
     const double floor = kSmallestShare * settings_.time_step;
     const bool accepts_unfinished = settings_.quirks.fixed_pass_bound && settings_.pass_limit != kBerkeleyPassBound;
     if (!outcome.still_changing.empty() && !accepts_unfinished) {
@@ -192,9 +194,8 @@ class Attempts {
   std::string why_no_end() const {
     switch (verdict_) {
       case Verdict::contacts_unsettled:
-        return fmt::format("contacts {} open and close without end", one_based(unsettled_));
-      case Verdict::moved_too_far:
-        return fmt::format("blocks move too far in {} redone attempts", report_.redos);
+        return fmt::format("{} of {} contacts open and close without end: {}", unsettled_.size(), contacts_.size(),
+                           unsettled_in_words());
       default:
         return fmt::format("contacts stay too deep in {} redone attempts", report_.redos);
     }
@@ -202,9 +203,37 @@ class Attempts {
   std::string failure(const std::string& what) const {
     return fmt::format("step {} (time {}, dt {}): {}", stepping_.state.step + 1, stepping_.state.time, dt_, what);
   }
-  static std::string one_based(std::vector<std::size_t> numbers) {
-    for (std::size_t& n : numbers) ++n;
-    return listed(numbers);
+  // The old rule on the way of a step, with the block that breaks it.
+  StepFailure moved_too_far(const std::string& when) const {
+    const ElementState& block = start_.elements[farthest_];
+    StepFailure told{
+        failure(
+            fmt::format("blocks move too far {}: block {} at {:.4g}, {:.4g} (area {:.3g}, {:.2g} % of the mean) "
+                        "by {:.3g}, where a step may move {:.3g} ({:g} times allowed_displacement_ratio times half the "
+                        "size of the scene)",
+                        when, farthest_.value + 1, block.centroid.x, block.centroid.y, block.moments.area,
+                        100 * block.moments.area / scene_.model.mean_area, ratio_ * allowed(),
+                        kGreatestRatio * allowed(), kGreatestRatio)),
+        {}};
+    told.elements = {farthest_};
+    return told;
+  }
+
+  double allowed() const { return settings_.allowed_displacement_ratio * scene_.model.scale; }
+
+  // The first few, with their blocks and place.
+  std::string unsettled_in_words() const {
+    constexpr std::size_t kNamed = 3;
+    std::string words;
+    for (std::size_t i = 0; i < std::min(kNamed, unsettled_.size()); ++i) {
+      const Triple& end = contacts_[unsettled_[i]].first;
+      const Point at = start_.vertices[end.vertex];
+      words += fmt::format("{}{} (block {} on block {} at {:.4g}, {:.4g})", i == 0 ? "" : ", ", unsettled_[i] + 1,
+                           scene_.model.vertices[end.vertex].element.value + 1,
+                           scene_.model.vertices[end.start].element.value + 1, at.x, at.y);
+    }
+    if (unsettled_.size() > kNamed) words += fmt::format(" and {} more", unsettled_.size() - kNamed);
+    return words;
   }
 
   const ShiScene& scene_;
@@ -217,6 +246,7 @@ class Attempts {
   double penalty_;
   double used_penalty_ = 0;
   double ratio_ = 0;
+  ElementIndex farthest_;
   Verdict verdict_ = Verdict::accepted;
   bool at_floor_again_ = false;
   std::vector<std::size_t> unsettled_;

@@ -26,16 +26,20 @@ Point displacement(const Basis& basis, const Unknowns& increment, Point offset, 
                                      : basis.displacement(increment, offset);
 }
 
-double greatest_displacement(const Model& model, const State& state, const Increments& increments, Rotation rotation) {
-  double greatest = 0;
+FarthestElement farthest_element(const Model& model, const State& state, const Increments& increments,
+                                 Rotation rotation) {
+  FarthestElement farthest;
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     for (VertexIndex v : element.vertices()) {
       const Point offset = state.vertices[v] - state.elements[e].centroid;
-      greatest = worse(greatest, length(displacement(*element.basis, increments[e], offset, rotation)));
+      const double way = length(displacement(*element.basis, increments[e], offset, rotation));
+      const double greatest = worse(farthest.displacement, way);
+      if (greatest == farthest.displacement || std::isnan(farthest.displacement)) continue;
+      farthest = {e, greatest};
     }
   }
-  return greatest;
+  return farthest;
 }
 
 }  // namespace keyblock

@@ -13,7 +13,12 @@ namespace keyblock {
 /// Shi 1988 has the first-order form).
 Point displacement(const Basis& basis, const Unknowns& increment, Point offset, Rotation rotation);
 
-/// Greatest displacement of any vertex in the step.
-double greatest_displacement(const Model& model, const State& state, const Increments& increments, Rotation rotation);
+/// The element of which a vertex moves furthest in a step, and how far: not a number where one is none.
+struct FarthestElement {
+  ElementIndex element;
+  double displacement = 0;
+};
+FarthestElement farthest_element(const Model& model, const State& state, const Increments& increments,
+                                 Rotation rotation);
 
 }  // namespace keyblock

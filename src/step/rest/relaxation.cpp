@@ -75,8 +75,8 @@ class Relaxation {
     kinetic_ = kinetic_energy(scene_, result_.motion.v);
     greatest_kinetic_ = std::max(greatest_kinetic_, kinetic_);
     const Travel travel = travel_of(scene_, start_.q, result_.motion.q);
-    result_.accelerates = !travel.far.empty();
-    if (result_.accelerates) result_.failure = no_equilibrium(scene_, travel.far);
+    result_.moving = travel.far;
+    if (!result_.moving.empty()) result_.failure = no_equilibrium(scene_, result_.moving);
     if (kinetic_ < last) stop();
   }
 

@@ -80,8 +80,8 @@ class StaticSolve {
       bound_by(balance.share);
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
-      result_.failure = why_far(balance);
-      result_.accelerates = !result_.failure.empty();
+      result_.moving = far_out_of_balance(balance);
+      if (!result_.moving.empty()) result_.failure = no_equilibrium(scene_, result_.moving);
     }
     if (result_.converged && result_.failure.empty())
       result_.failure =
@@ -224,10 +224,10 @@ class StaticSolve {
     });
   }
 
-  std::string why_far(const Balance& balance) const {
+  std::vector<ElementIndex> far_out_of_balance(const Balance& balance) const {
     std::vector<ElementIndex> blocks;
     std::ranges::set_intersection(travel_of(scene_, start_.q, now_.q).far, balance.blocks, std::back_inserter(blocks));
-    return blocks.empty() ? std::string() : no_equilibrium(scene_, blocks);
+    return blocks;
   }
 
   const StandardScene& scene_;

@@ -41,6 +41,16 @@ std::vector<double> ways_left(const StandardScene& scene, const Motion& motion, 
   return ways;
 }
 
+// Slivers are what most often finds no rest.
+std::string smallest_in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
+  const auto area_of = [&](ElementIndex e) { return scene.reference.moments[e].area; };
+  const ElementIndex smallest = *std::ranges::min_element(blocks, {}, area_of);
+  const Point at = scene.reference.centroids[smallest];
+  const std::string which = blocks.size() > 1 ? fmt::format("the smallest, {}, ", smallest.value + 1) : std::string();
+  return fmt::format("{}at {:.4g}, {:.4g}; area {:.3g}, {:.3g} % of the mean", which, at.x, at.y, area_of(smallest),
+                     100 * area_of(smallest) / scene.model.mean_area);
+}
+
 }  // namespace
 
 double largest_load(const StandardScene& scene, const UnknownsTable& loads) {
@@ -95,8 +105,8 @@ std::string no_equilibrium(const StandardScene& scene, const std::vector<Element
   std::string_view why;
   for (const ElementIndex e : blocks)
     if (why.empty()) why = scene.groups.of(e).why_unheld();
-  return fmt::format("no equilibrium: block{} {} accelerate{}{}", several ? "s" : "", listed(numbers),
-                     several ? "" : "s", why);
+  return fmt::format("no equilibrium: block{} {} accelerate{} ({}){}", several ? "s" : "", listed(numbers),
+                     several ? "" : "s", smallest_in_words(scene, blocks), why);
 }
 
 }  // namespace keyblock

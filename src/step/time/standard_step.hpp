@@ -20,7 +20,7 @@ struct StandardStep {
   Touches touches;                     ///< all that were reckoned with
   std::vector<std::size_t> undecided;  ///< of the touches: those that went round in a cycle
   std::string failure;                 ///< why it was given up otherwise; empty if it was not
-  bool accelerates = false;            ///< at rest: it was given up because something moves away
+  std::vector<ElementIndex> moving;    ///< at rest: it was given up because these move away
 };
 
 /// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in

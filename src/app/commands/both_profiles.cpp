@@ -1,0 +1,221 @@
+// Rows of a table, and the few causes of difference that records show.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/both_profiles.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/printable.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kSame = 0.01;      // of the larger
+constexpr double kMuchDeeper = 10;  // penetrations that are told of
+constexpr int kColumnWidth = 28;
+
+const char* word_for(const ProfileAnswer& answer) {
+  if (!answer.refused.empty()) return "not run";
+  switch (answer.record.outcome.end) {
+    case RunEnd::finished:
+      return answer.record.doubts.empty() ? "finished" : "finished, in doubt";
+    case RunEnd::failed:
+      return "failed";
+    case RunEnd::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+bool has_run(const ProfileAnswer& answer) {
+  return answer.refused.empty();
+}
+
+bool is_static(const Settings& settings) {
+  return settings.dynamics == Dynamics::standard && settings.standard.motion != MotionRule::dynamic;
+}
+
+// Whether every step begins at rest.
+bool creeps(const Settings& settings) {
+  return !is_static(settings) && settings.velocity_carry_over.common == 0;
+}
+
+bool are_far_apart(double a, double b) {
+  return std::abs(a - b) > kSame * std::max(std::abs(a), std::abs(b));
+}
+
+std::string with_unit(const std::string& words, const std::string& unit) {
+  return unit.empty() ? words : fmt::format("{} [{}]", words, unit);
+}
+
+std::string value_of_block(double value, int element) {
+  return fmt::format("{:.5g} (block {})", value, element + 1);
+}
+
+struct Row {
+  std::string name;
+  std::string one;
+  std::string other;
+};
+
+std::vector<Row> rows_of(const ProfileAnswer& one, const ProfileAnswer& other, const Units& units) {
+  const auto row = [&](std::string name, auto value_of) {
+    return Row{std::move(name), has_run(one) ? value_of(one) : "-", has_run(other) ? value_of(other) : "-"};
+  };
+  return {
+      {"end", word_for(one), word_for(other)},
+      row("blocks", [](const ProfileAnswer& a) { return fmt::format("{}", a.blocks); }),
+      row("steps", [](const ProfileAnswer& a) { return fmt::format("{}", a.record.outcome.steps); }),
+      row(with_unit("end time", units.time),
+          [](const ProfileAnswer& a) { return fmt::format("{:.6g}", a.record.outcome.time); }),
+      row(with_unit("greatest displacement", units.length),
+          [](const ProfileAnswer& a) {
+            return value_of_block(a.record.extremes.displacement, a.record.extremes.displaced_element);
+          }),
+      row("least principal stress",
+          [](const ProfileAnswer& a) {
+            return value_of_block(a.record.extremes.least_stress, a.record.extremes.compressed_element);
+          }),
+      row("greatest principal stress",
+          [](const ProfileAnswer& a) {
+            return value_of_block(a.record.extremes.greatest_stress, a.record.extremes.stretched_element);
+          }),
+      row(with_unit("greatest penetration", units.length),
+          [](const ProfileAnswer& a) { return fmt::format("{:.3g}", a.record.totals.greatest_penetration); }),
+      row("exit code", [](const ProfileAnswer& a) { return fmt::format("{}", static_cast<int>(a.code)); }),
+      {"results", one.folder, other.folder},
+  };
+}
+
+std::set<std::string> warned_of(const RunRecord& record) {
+  std::set<std::string> names;
+  for (const Warning& warning : record.warnings) names.insert(warning.name);
+  return names;
+}
+
+std::string reason_of_end(const ProfileAnswer& answer) {
+  if (!has_run(answer)) return fmt::format("{} was not run: {}", answer.profile, answer.refused);
+  if (answer.record.outcome.end == RunEnd::failed)
+    return fmt::format("{} ended: {}", answer.profile, answer.record.outcome.reason);
+  if (!answer.record.doubts.empty())
+    return fmt::format("{} is not to be trusted: {}", answer.profile, answer.record.doubts.front().sentence);
+  return {};
+}
+
+// What the one warns of and the other does not.
+std::string warned_alone(const ProfileAnswer& one, const ProfileAnswer& other) {
+  const std::set<std::string> known = warned_of(other.record);
+  std::vector<std::string> alone;
+  for (const std::string& name : warned_of(one.record))
+    if (!known.contains(name)) alone.push_back(name);
+  return alone.empty() ? std::string() : fmt::format("{} alone warns of {}", one.profile, fmt::join(alone, ", "));
+}
+
+std::string of_statics(const ProfileAnswer& one, const ProfileAnswer& other) {
+  if (!creeps(one.settings) || !is_static(other.settings)) return {};
+  return fmt::format(
+      "the case is static: {} begins each step at rest and shows how far {} steps come, {} looks for the equilibrium "
+      "itself",
+      one.profile, one.record.outcome.steps, other.profile);
+}
+
+std::string of_depth(const ProfileAnswer& one, const ProfileAnswer& other) {
+  const double depth = one.record.totals.greatest_penetration;
+  const double less = other.record.totals.greatest_penetration;
+  if (!(depth > kMuchDeeper * less) || !warned_of(one.record).contains("deep_penetration")) return {};
+  return fmt::format("blocks lie {:.3g} deep in one another under {}, {:.3g} under {}", depth, one.profile, less,
+                     other.profile);
+}
+
+std::string of_steps(const ProfileAnswer& one, const ProfileAnswer&) {
+  if (!warned_of(one.record).contains("step_cut")) return {};
+  return fmt::format("{} cut its steps, to {:.3g} at least of {:.3g}: the same number of them ends earlier",
+                     one.profile, one.record.totals.least_dt, one.settings.time_step);
+}
+
+void put(std::vector<std::string>& sentences, std::string sentence) {
+  if (!sentence.empty()) sentences.push_back(std::move(sentence));
+}
+
+Json json_of(const ProfileAnswer& answer) {
+  Json json = {{"profile", answer.profile}, {"end", word_for(answer)}, {"folder", answer.folder}};
+  if (!has_run(answer)) {
+    json["reason"] = answer.refused;
+    return json;
+  }
+  const Extremes& found = answer.record.extremes;
+  json["exit_code"] = static_cast<int>(answer.code);
+  json["blocks"] = answer.blocks;
+  json["steps"] = answer.record.outcome.steps;
+  json["time"] = answer.record.outcome.time;
+  json["reason"] = answer.record.outcome.reason;
+  json["greatest_displacement"] = {{"value", found.displacement}, {"element", found.displaced_element + 1}};
+  json["least_principal_stress"] = {{"value", found.least_stress}, {"element", found.compressed_element + 1}};
+  json["greatest_principal_stress"] = {{"value", found.greatest_stress}, {"element", found.stretched_element + 1}};
+  json["greatest_penetration"] = answer.record.totals.greatest_penetration;
+  return json;
+}
+
+}  // namespace
+
+std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnswer& other) {
+  if (!has_run(one) || !has_run(other)) return {"one profile alone was run"};
+  std::vector<std::string> found;
+  if (std::string_view(word_for(one)) != word_for(other))
+    found.push_back(fmt::format("end: {} and {}", word_for(one), word_for(other)));
+  if (one.blocks != other.blocks) found.push_back(fmt::format("blocks: {} and {}", one.blocks, other.blocks));
+  const auto look = [&](const char* what, double a, double b) {
+    if (!are_far_apart(a, b)) return;
+    found.push_back(fmt::format("{}: {:.5g} and {:.5g}, by {:.3g} % of the larger", what, a, b,
+                                100 * std::abs(a - b) / std::max(std::abs(a), std::abs(b))));
+  };
+  look("end time", one.record.outcome.time, other.record.outcome.time);
+  look("greatest displacement", one.record.extremes.displacement, other.record.extremes.displacement);
+  look("least principal stress", one.record.extremes.least_stress, other.record.extremes.least_stress);
+  look("greatest principal stress", one.record.extremes.greatest_stress, other.record.extremes.greatest_stress);
+  return found;
+}
+
+std::vector<std::string> reasons(const ProfileAnswer& one, const ProfileAnswer& other) {
+  std::vector<std::string> found;
+  for (const ProfileAnswer* answer : {&one, &other}) put(found, reason_of_end(*answer));
+  if (!has_run(one) || !has_run(other)) return found;
+  if (one.blocks != other.blocks)
+    found.emplace_back("the drawing is cut by other rules (settings node_merging and near_pieces)");
+  for (const auto& why : {of_statics, of_steps, of_depth, warned_alone}) {
+    put(found, why(one, other));
+    put(found, why(other, one));
+  }
+  return found;
+}
+
+std::string side_by_side(const ProfileAnswer& one, const ProfileAnswer& other, const Units& units) {
+  std::string text = fmt::format("{:{}} {:{}} {}\n", "", kColumnWidth, one.profile, kColumnWidth, other.profile);
+  for (const Row& row : rows_of(one, other, units))
+    text +=
+        fmt::format("{:{}} {:{}} {}\n", row.name, kColumnWidth, printable(row.one), kColumnWidth, printable(row.other));
+  const std::vector<std::string> found = differences(one, other);
+  if (found.empty()) return text + "nothing differs by more than a hundredth\n";
+  for (const std::string& sentence : found) text += fmt::format("differs  {}\n", printable(sentence));
+  for (const std::string& sentence : reasons(one, other)) text += fmt::format("because  {}\n", printable(sentence));
+  return text;
+}
+
+Json side_by_side_json(const ProfileAnswer& one, const ProfileAnswer& other) {
+  return {{"profiles", {json_of(one), json_of(other)}},
+          {"differences", differences(one, other)},
+          {"reasons", reasons(one, other)}};
+}
+
+ExitCode code_of_both(const ProfileAnswer& one, const ProfileAnswer& other) {
+  if (one.code != ExitCode::ok) return one.code;
+  return other.code == ExitCode::ok ? ExitCode::ok : ExitCode::check_failed;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,82 @@
+// Settings of spdlog, behind which all messages go.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/messages.hpp"
+
+#include <spdlog/pattern_formatter.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+
+namespace keyblock {
+namespace {
+
+/// Every message passes here: what files say must not speak to the terminal.
+class PrintableMessage : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& line) override {
+    const std::string text = printable({message.payload.data(), message.payload.size()});
+    const std::size_t before = line.size();
+    line.append(text.data(), text.data() + text.size());
+    for (const std::string_view word : {"error:", "warning:"}) {
+      const std::size_t at = text.find(word);
+      if (at == std::string::npos) continue;
+      message.color_range_start = before + at;
+      message.color_range_end = before + at + word.size();
+      return;
+    }
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<PrintableMessage>(); }
+};
+
+std::unique_ptr<spdlog::formatter> plain_lines() {
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<PrintableMessage>('*').set_pattern("%*");
+  return formatter;
+}
+
+void log_into(const std::string& file) {
+  try {
+    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(file);
+    sink->set_formatter(plain_lines());
+    spdlog::default_logger()->sinks().push_back(std::move(sink));
+  } catch (const spdlog::spdlog_ex&) {
+    throw UsageError("cannot write the log " + file);
+  }
+}
+
+}  // namespace
+
+void print_messages_plainly() {
+  spdlog::set_default_logger(spdlog::stderr_color_st("keyblock"));
+  spdlog::set_formatter(plain_lines());
+  const char* no_color = std::getenv("NO_COLOR");
+  if (no_color == nullptr || *no_color == 0) return;
+  for (const spdlog::sink_ptr& sink : spdlog::default_logger()->sinks())
+    if (auto* coloured = dynamic_cast<spdlog::sinks::stderr_color_sink_st*>(sink.get()))
+      coloured->set_color_mode(spdlog::color_mode::never);
+}
+
+void add_message_options(CLI::App& program) {
+  CLI::Option* quiet = program.add_flag_callback(
+      "--quiet", [] { spdlog::set_level(spdlog::level::err); }, "errors alone, no warnings and no progress");
+  CLI::Option* verbose = program.add_flag_callback(
+      "--verbose", [] { spdlog::set_level(spdlog::level::debug); },
+      "every warning, where else one of a kind stands for all, and what takes time before the first step");
+  quiet->excludes(verbose);
+  program.add_option_function<std::string>("--log", log_into, "a file to which messages are added too");
+}
+
+bool shows_progress() {
+  return spdlog::should_log(spdlog::level::info);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,330 @@
+// Looks at outlines of blocks as they were cut, at who touches whom, and at the numbers of the analysis.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/look_ahead.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "base/counted.hpp"
+#include "base/union_find.hpp"
+#include "geometry/polygon.hpp"
+#include "problem/units/unit_conversion.hpp"
+#include "step/scene/enforcement.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kSmall = 0.01;          // of the mean area: a sliver
+constexpr double kNarrow = 0.02;         // mean width over length: a sliver
+constexpr double kSlender = 5;           // length over mean width of a block that ought to bend
+constexpr double kOverlap = 1e-4;        // of the size of the mean block: faces that lie on one another
+constexpr double kDownward = 0.05;       // sine of the angle at which a face rests on another
+constexpr double kStiff = 100;           // springs over inertia, beyond which many pairs take hundreds of systems
+constexpr std::size_t kManyPairs = 500;  // that such a step was measured with
+
+struct Shape {
+  Point centroid;
+  double area = 0;
+  double length = 0;  ///< the greatest distance of two corners
+
+  double width() const { return length > 0 ? area / length : 0; }
+};
+
+Shape shape_of(const BlockPolygon& block) {
+  const std::vector<Point> points = points_of(block.outer);
+  Shape shape{centroid(points), area(points)};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j)
+      shape.length = std::max(shape.length, distance(points[i], points[j]));
+  return shape;
+}
+
+std::string at(const Point& p) {
+  return fmt::format("{:.4g}, {:.4g}", p.x, p.y);
+}
+
+/// The blocks of a scene as cut, and who touches whom.
+class Blocky {
+ public:
+  Blocky(const Prepared& prepared)
+      : model_(prepared.scene.model),
+        settings_(prepared.scene.settings),
+        blocks_(prepared.blocks),
+        touching_(touching_pairs(model_)),
+        fixed_(blocks_.blocks.size(), 0) {
+    for (const BlockPolygon& block : blocks_.blocks) {
+      shapes_.push_back(shape_of(block));
+      mean_ += shapes_.back().area;
+    }
+    mean_ /= static_cast<double>(shapes_.size());
+    for (const CarriedPoint& point : model_.fixed_points) ++fixed_[point.element.value];
+  }
+
+  Warnings warnings(const Problem& problem) const {
+    Warnings found;
+    const auto put = [&](const char* name, std::string sentence) {
+      if (!sentence.empty()) found.push_back({name, blocks_.place, std::move(sentence)});
+    };
+    put("slivers", slivers());
+    if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) put("block_outside_outline", outside(*drawing));
+    put("unheld_blocks", unheld());
+    put("unsupported_blocks", unsupported());
+    put("block_cannot_bend", cannot_bend());
+    put("springs_stiff_for_step", stiff_springs());
+    return found;
+  }
+
+ private:
+  std::string named(std::size_t block) const {
+    return fmt::format("block {} at {}, area {:.3g} ({:.2g} % of the mean)", block + 1, at(shapes_[block].centroid),
+                       shapes_[block].area, 100 * shapes_[block].area / mean_);
+  }
+
+  std::string slivers() const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (shapes_[i].area < kSmall * mean_ || shapes_[i].width() < kNarrow * shapes_[i].length) found.push_back(i);
+    if (found.empty()) return {};
+    const auto smallest = *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].area; });
+    const auto thinnest =
+        *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].width() / shapes_[i].length; });
+    return fmt::format(
+        "{} of {} are slivers, below {:g} % of the mean area or narrower than {:g} % of their length: the smallest is "
+        "{}; the thinnest is block {} at {}, {:.3g} wide and {:.3g} long. They are what finds no rest and asks for "
+        "small steps",
+        counted(found.size(), "block"), shapes_.size(), 100 * kSmall, 100 * kNarrow, named(smallest), thinnest + 1,
+        at(shapes_[thinnest].centroid), shapes_[thinnest].width(), shapes_[thinnest].length);
+  }
+
+  // By the parity of crossings of a level ray with the boundary lines.
+  static bool is_inside(const Drawing& drawing, Point p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < drawing.boundary_count; ++i) {
+      const Segment& line = drawing.joints[i].segment;
+      if ((line.start.y > p.y) == (line.end.y > p.y)) continue;
+      const double x = line.start.x + (p.y - line.start.y) / (line.end.y - line.start.y) * (line.end.x - line.start.x);
+      if (x > p.x) inside = !inside;
+    }
+    return inside;
+  }
+
+  std::string outside(const Drawing& drawing) const {
+    if (drawing.boundary_count < 3) return {};
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const std::array<std::vector<Point>, 1> outer{points_of(blocks_.blocks[i].outer)};
+      const std::optional<Point> within = point_inside(outer);
+      if (within && !is_inside(drawing, *within)) found.push_back(i);
+    }
+    if (found.empty()) return {};
+    return fmt::format(
+        "{} of {} outside the boundary lines, the first is {}: joints that are drawn beyond the outline make blocks "
+        "there",
+        found.size() == 1 ? "1 block lies" : fmt::format("{} blocks lie", found.size()), shapes_.size(),
+        named(found.front()));
+  }
+
+  bool is_held(std::size_t i) const { return fixed_[i] > 0 || !model_.elements[index(i)].can_move(); }
+  static ElementIndex index(std::size_t i) { return ElementIndex{static_cast<int>(i)}; }
+
+  // Whether each hangs together, over touches and bolts, with one that is held.
+  std::vector<bool> hanging_on_held() const {
+    UnionFind groups(shapes_.size());
+    for (const ElementPair& pair : touching_) groups.unite(pair.lower.value, pair.upper.value);
+    for (const Bolt& bolt : model_.bolts) groups.unite(bolt.first.element.value, bolt.second.element.value);
+    std::set<int> held;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (is_held(i)) held.insert(groups.find(static_cast<int>(i)));
+    std::vector<bool> hangs(shapes_.size());
+    for (std::size_t i = 0; i < shapes_.size(); ++i) hangs[i] = held.contains(groups.find(static_cast<int>(i)));
+    return hangs;
+  }
+
+  std::string unheld() const {
+    const std::vector<bool> hangs = hanging_on_held();
+    std::vector<std::size_t> loose;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (!hangs[i]) loose.push_back(i);
+    if (loose.empty()) return {};
+    return fmt::format(
+        "{} of {} with nothing that is held, the first is {}: {}",
+        loose.size() == 1 ? "1 block hangs together" : fmt::format("{} blocks hang together", loose.size()),
+        shapes_.size(), named(loose.front()),
+        length(settings_.gravity) > 0 ? "under gravity they fall freely" : "they move as loads push them");
+  }
+
+  // Whether a face of the one looks downward and lies on the other.
+  bool rests_on(std::size_t upper, std::size_t lower, Point down) const {
+    const double tolerance = kOverlap * std::sqrt(mean_);
+    const BlockLoop& own = blocks_.blocks[upper].outer;
+    const std::vector<Point> other = points_of(blocks_.blocks[lower].outer);
+    bool shares_a_face = false;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const Point a = own[i].position;
+      const Point b = own[(i + 1) % own.size()].position;
+      const double size = distance(a, b);
+      if (size <= tolerance) continue;
+      const Point along = (1 / size) * (b - a);
+      const Point outward{along.y, -along.x};
+      if (!lies_along(other, a, along, size, tolerance)) continue;
+      shares_a_face = true;
+      if (outward.x * down.x + outward.y * down.y > kDownward) return true;
+    }
+    const Point way = shapes_[lower].centroid - shapes_[upper].centroid;
+    return !shares_a_face && way.x * down.x + way.y * down.y > 0;  // corner on face
+  }
+
+  static bool lies_along(const std::vector<Point>& loop, Point from, Point along, double size, double tolerance) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Point a = loop[i] - from;
+      const Point b = loop[(i + 1) % loop.size()] - from;
+      const double off = std::max(std::abs(a.x * along.y - a.y * along.x), std::abs(b.x * along.y - b.y * along.x));
+      if (off > tolerance) continue;
+      const auto [low, high] = std::minmax({a.x * along.x + a.y * along.y, b.x * along.x + b.y * along.y});
+      if (std::min(high, size) - std::max(low, 0.0) > tolerance) return true;
+    }
+    return false;
+  }
+
+  std::string unsupported() const {
+    const double g = length(settings_.gravity);
+    if (g == 0) return {};
+    const Point down = (1 / g) * settings_.gravity;
+    std::vector<std::set<std::size_t>> rests(shapes_.size());
+    for (const ElementPair& pair : touching_) {
+      const auto one = static_cast<std::size_t>(pair.lower.value);
+      const auto other = static_cast<std::size_t>(pair.upper.value);
+      if (rests_on(one, other, down)) rests[one].insert(other);
+      if (rests_on(other, one, down)) rests[other].insert(one);
+    }
+    std::vector<bool> stands(shapes_.size());
+    for (std::size_t i = 0; i < shapes_.size(); ++i) stands[i] = is_held(i);
+    for (const Bolt& bolt : model_.bolts)
+      for (const ElementIndex e : {bolt.first.element, bolt.second.element})
+        stands[static_cast<std::size_t>(e.value)] = true;
+    for (bool changes = true; changes;) {
+      changes = false;
+      for (std::size_t i = 0; i < shapes_.size(); ++i) {
+        if (stands[i] || std::ranges::none_of(rests[i], [&](std::size_t j) { return stands[j]; })) continue;
+        stands[i] = changes = true;
+      }
+    }
+    const std::vector<bool> hangs = hanging_on_held();  // the others are told of as unheld
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (!stands[i] && hangs[i]) found.push_back(i);
+    if (found.empty()) return {};
+    return fmt::format(
+        "{} nothing beneath that leads down to what is held, the first is {}: friction and bonds alone "
+        "can keep {} from falling",
+        found.size() == 1 ? "1 block has" : fmt::format("{} blocks have", found.size()), named(found.front()),
+        found.size() == 1 ? "it" : "them");
+  }
+
+  std::string cannot_bend() const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (fixed_[i] < 2 && model_.elements[index(i)].can_move() && shapes_[i].length > kSlender * shapes_[i].width() &&
+          shapes_[i].area >= kSmall * mean_)
+        found.push_back(i);
+    if (found.empty()) return {};
+    const Shape& first = shapes_[found.front()];
+    return fmt::format(
+        "{} slender, the first is block {} at {}, {:.3g} long and {:.3g} wide: the strain of a block is the same all "
+        "over it, so that it cannot bend; a section `covers` of a case file, or cuts across it, lets it",
+        found.size() == 1 ? "1 block is" : fmt::format("{} blocks are", found.size()), found.front() + 1,
+        at(first.centroid), first.length, first.width());
+  }
+
+  std::string stiff_springs() const {
+    if (settings_.dynamics != Dynamics::standard || settings_.standard.motion != MotionRule::dynamic) return {};
+    if (touching_.size() < kManyPairs ||
+        with_enforcement_decided(settings_, model_).standard.enforcement.common != Enforcement::penalty)
+      return {};
+    double mass = 0;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      mass += shapes_[i].area * model_.material_of(model_.elements[index(i)]).density;
+    mass /= static_cast<double>(shapes_.size());
+    const double ratio = settings_.contact_penalty * settings_.time_step * settings_.time_step / mass;
+    if (!(ratio > kStiff)) return {};
+    return fmt::format(
+        "contact springs of {:.3g} are {:.3g} times as stiff as the inertia of the mean block over a step "
+        "(mass / time_step²); with {} touching pairs more than {:g} times makes hundreds of systems a step: "
+        "--set contact_penalty={:.2g} or --set time_step={:.2g} brings it there",
+        settings_.contact_penalty, ratio, touching_.size(), kStiff, settings_.contact_penalty * kStiff / ratio,
+        settings_.time_step * std::sqrt(kStiff / ratio));
+  }
+
+  const Model& model_;
+  const Settings& settings_;
+  const Blocks& blocks_;
+  std::vector<ElementPair> touching_;
+  std::vector<int> fixed_;  ///< points of each block
+  std::vector<Shape> shapes_;
+  double mean_ = 0;
+};
+
+/// What a number may be of rock, soil and masonry on the earth, in SI.
+struct Plausible {
+  const char* what;
+  Dimension dimension;
+  double least;
+  double most;
+  const char* unit;
+};
+constexpr Plausible kGravity{"gravity", kAcceleration, 0.01, 1000, "m/s2"};
+constexpr Plausible kModulus{"youngs_modulus", kStress, 1e4, 1e12, "Pa"};
+constexpr Plausible kMassDensity{"density", kDensity, 10, 30000, "kg/m3"};
+
+std::string implausible(const Plausible& bounds, double value, const Units& units) {
+  const std::optional<double> factor = si_factor(units, bounds.dimension);
+  const double si = factor ? std::abs(value) * *factor : 0;
+  if (value == 0 || !factor || (si >= bounds.least && si <= bounds.most)) return {};
+  return fmt::format("{} {:.4g} is {:.3g} {} in the declared units ({}{}{}), which is no rock's: {:g} to {:g} would be",
+                     bounds.what, value, si, bounds.unit, units.length, units.mass.empty() ? "" : ", " + units.mass,
+                     units.time.empty() ? "" : ", " + units.time, bounds.least, bounds.most);
+}
+
+Warnings contradictions(const Problem& problem, const Settings& settings) {
+  Warnings found;
+  const auto put = [&](const std::string& sentence, const Place& place) {
+    if (!sentence.empty()) found.push_back({"units_contradict", place, sentence});
+  };
+  put(implausible(kGravity, length(settings.gravity), problem.units), problem.analysis->place);
+  for (const BlockMaterial& material : problem.analysis->block_materials) {
+    put(implausible(kModulus, material.youngs_modulus, problem.units), material.place);
+    put(implausible(kMassDensity, material.density, problem.units), material.place);
+  }
+  return found;
+}
+
+}  // namespace
+
+Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
+  Warnings found = contradictions(problem, prepared.scene.settings);
+  const Model& model = prepared.scene.model;
+  const bool is_of_blocks = model.nodes.empty() && !model.continuum && !prepared.blocks.blocks.empty() &&
+                            model.elements.size() == prepared.blocks.blocks.size();
+  if (!is_of_blocks) return found;
+  return joined(std::move(found), Blocky(prepared).warnings(problem));
+}
+
+std::string smallest_block(const Blocks& blocks) {
+  if (blocks.blocks.empty()) return {};
+  std::vector<Shape> shapes;
+  double sum = 0;
+  for (const BlockPolygon& block : blocks.blocks) {
+    shapes.push_back(shape_of(block));
+    sum += shapes.back().area;
+  }
+  const auto smallest = std::ranges::min_element(shapes, {}, &Shape::area);
+  return fmt::format("smallest block: {} at {}, area {:.3g}, {:.3g} % of the mean", smallest - shapes.begin() + 1,
+                     at(smallest->centroid), smallest->area,
+                     100 * smallest->area * static_cast<double>(shapes.size()) / sum);
+}
+
+}  // namespace keyblock

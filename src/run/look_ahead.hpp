@@ -1,0 +1,20 @@
+// What a case shows before its first step of what will hurt in it: slivers, blocks that nothing holds, springs too
+// stiff for the step, units that contradict each other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "problem/problem.hpp"
+#include "run/prepare.hpp"
+
+namespace keyblock {
+
+/// Named warnings with numbers and places, in the units of the input. Names: `slivers`, `block_outside_outline`,
+/// `unheld_blocks`, `unsupported_blocks`, `block_cannot_bend`, `springs_stiff_for_step`, `units_contradict`. Bodies on
+/// covers are looked at for units alone.
+Warnings look_ahead(const Problem& problem, const Prepared& prepared);
+
+/// The smallest block, for whom it is good to know: its number, place and area over that of the mean; empty without
+/// blocks.
+std::string smallest_block(const Blocks& blocks);
+
+}  // namespace keyblock

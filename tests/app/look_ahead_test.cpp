@@ -1,0 +1,144 @@
+// What `check` says before a run of what will hurt in it: each warning with its numbers, none where nothing is wrong.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::look_ahead_test {
+namespace {
+
+const std::string kUnits = R"("units": {"length": "m", "mass": "kg", "time": "s"},)";
+
+std::string case_text(const std::string& geometry, const std::string& units = kUnits,
+                      const std::string& more = R"("gravity": 9.81,)") {
+  return "{\"keyblock\": 1, " + units + geometry +
+         R"(, "analysis": {"velocity_carry_over": 1, "step_count": 50, "time_step": 0.001,
+             "allowed_displacement_ratio": 0.01, )" +
+         more + R"("block_materials": [{"density": 2600, "youngs_modulus": 2e10, "poissons_ratio": 0.2}],
+             "joint_materials": [{"friction_angle_deg": 30}]}})";
+}
+
+std::string rectangle(double x0, double y0, double x1, double y1) {
+  std::string text = R"({"outer": [)";
+  const double corners[4][2] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  for (int i = 0; i < 4; ++i)
+    text += (i > 0 ? ", [" : "[") + std::to_string(corners[i][0]) + ", " + std::to_string(corners[i][1]) + ", 1]";
+  return text + "]}";
+}
+
+// Blocks of which the first is held at two points.
+std::string blocks(const std::vector<std::string>& all) {
+  std::string text = R"("blocks": {"blocks": [)";
+  for (const std::string& block : all) text += (&block == &all.front() ? "" : ", ") + block;
+  return text + R"(], "fixed_points": [[0.5, 0.5, 1], [9.5, 0.5, 1]]})";
+}
+
+nlohmann::json check_of(const std::string& text, const std::vector<std::string>& more = {}) {
+  const std::string file = support::fresh_folder("look_ahead") + "/case.json";
+  support::write_text(file, text);
+  std::vector<std::string> arguments{"check", file, "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const support::ProgramRun run = support::run_keyblock(arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  return nlohmann::json::parse(run.output)["case"];
+}
+
+/// The sentence of the warning of this name; empty where there is none.
+std::string said(const nlohmann::json& report, const std::string& name) {
+  for (const auto& warning : report["warnings"])
+    if (warning["name"] == name) return warning["sentence"];
+  return {};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const std::string kMoves = R"("velocity_carry_over": 1)";
+const std::string kFloor = rectangle(0, 0, 10, 1);
+
+}  // namespace
+
+TEST(LookAhead, a_sound_case_is_told_its_cost_and_its_smallest_block_alone) {
+  const auto report = check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)})));
+  EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
+  EXPECT_EQ(report["smallest_block"], "smallest block: 2 at 5, 2, area 4, 57.1 % of the mean");
+  EXPECT_EQ(report["cost"]["steps"], 50);
+  EXPECT_GT(report["cost"]["steps_tried"], 0);
+  EXPECT_GT(report["cost"]["step_seconds"], 0);
+  EXPECT_FALSE(check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)})), {"--trial", "0"}).contains("cost"));
+}
+
+TEST(LookAhead, slivers_are_counted_and_the_worst_are_named) {
+  const auto report =
+      check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3), rectangle(0, 1, 0.1, 1.1), rectangle(7, 1, 9, 1.02)})));
+  const std::string sentence = said(report, "slivers");
+  EXPECT_TRUE(contains(sentence, "2 blocks of 4 are slivers")) << sentence;
+  EXPECT_TRUE(contains(sentence, "the smallest is block 3 at 0.05, 1.05, area 0.01 ")) << sentence;
+  EXPECT_TRUE(contains(sentence, "the thinnest is block 4 at 8, 1.01, 0.02 wide and 2 long")) << sentence;
+}
+
+TEST(LookAhead, blocks_that_nothing_holds_are_named) {
+  const auto report = check_of(case_text(blocks({kFloor, rectangle(4, 2, 6, 4), rectangle(4, 4, 6, 6)})));
+  const std::string sentence = said(report, "unheld_blocks");
+  EXPECT_TRUE(contains(sentence, "2 blocks hang together of 3")) << sentence;
+  EXPECT_TRUE(contains(sentence, "the first is block 2 at 5, 3")) << sentence;
+  EXPECT_EQ(said(report, "unsupported_blocks"), "");
+}
+
+// Beside a pillar friction alone may hold a block; one on the floor stands.
+TEST(LookAhead, blocks_with_nothing_beneath_are_named) {
+  const auto report = check_of(
+      case_text(blocks({rectangle(0, 0, 10, 1), rectangle(0, 1, 1, 5), rectangle(1, 3, 2, 4), rectangle(4, 1, 5, 2)})));
+  const std::string sentence = said(report, "unsupported_blocks");
+  EXPECT_TRUE(contains(sentence, "1 block has nothing beneath")) << sentence;
+  EXPECT_TRUE(contains(sentence, "block 3 at 1.5, 3.5")) << sentence;
+}
+
+// The keystone rests on its neighbours by faces that lean.
+TEST(LookAhead, a_wedge_between_two_blocks_is_supported) {
+  const std::string left = R"({"outer": [[0, 1, 1], [3, 1, 1], [2.5, 3, 1], [0, 3, 1]]})";
+  const std::string right = R"({"outer": [[4, 1, 1], [7, 1, 1], [7, 3, 1], [4.5, 3, 1]]})";
+  const std::string wedge = R"({"outer": [[3, 1, 1], [4, 1, 1], [4.5, 3, 1], [2.5, 3, 1]]})";
+  const auto report = check_of(case_text(blocks({rectangle(0, 0, 10, 1), left, right, wedge})));
+  EXPECT_EQ(said(report, "unsupported_blocks"), "");
+}
+
+TEST(LookAhead, a_beam_of_one_block_is_told_that_it_cannot_bend) {
+  const auto report =
+      check_of(case_text(blocks({kFloor, rectangle(0, 1, 1, 2), rectangle(9, 1, 10, 2), rectangle(0, 2, 10, 3)})));
+  const std::string sentence = said(report, "block_cannot_bend");
+  EXPECT_TRUE(contains(sentence, "the first is block 4 at 5, 2.5, 10 long and 0.995 wide")) << sentence;
+  EXPECT_TRUE(contains(sentence, "covers")) << sentence;
+}
+
+// Lines that go on beyond the outline of a drawing make a block there where they close one.
+TEST(LookAhead, blocks_outside_the_outline_are_counted) {
+  const auto report = check_of(case_text(R"("drawing": {"edge_node_ratio": 0.001, "boundary_count": 4, "joints": [
+    [0, 0, 4, 0, 1], [4, 0, 4, 4, 1], [4, 4, 0, 4, 1], [0, 4, 0, 0, 1],
+    [2, 0, 2, 4, 1], [4, 1, 6, 1, 1], [6, 1, 6, 2, 1], [6, 2, 4, 2, 1]],
+    "fixed_lines": [[0.1, 0.1, 3.9, 0.1]]})"));
+  EXPECT_TRUE(contains(said(report, "block_outside_outline"), "1 block lies of 3 outside the boundary lines"))
+      << report["warnings"];
+}
+
+// The classic: millimetres with the gravity of metres, and a modulus in pascals.
+TEST(LookAhead, units_that_contradict_are_told) {
+  const std::string units = R"("units": {"length": "mm", "mass": "kg", "time": "s"},)";
+  const auto report = check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}), units));
+  const std::string sentence = said(report, "units_contradict");
+  EXPECT_TRUE(contains(sentence, "gravity 9.81 is 0.00981 m/s2 in the declared units (mm, kg, s)")) << sentence;
+  EXPECT_EQ(said(check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}))), "units_contradict"), "");
+}
+
+TEST(LookAhead, a_run_that_fails_at_once_is_told) {
+  std::string text = case_text(blocks({kFloor, rectangle(20, 2, 22, 4)}));
+  text.replace(text.find(kMoves), kMoves.size(), R"("velocity_carry_over": 0)");
+  const auto report = check_of(text);
+  EXPECT_TRUE(contains(said(report, "first_steps_fail"), "no equilibrium: block 2 accelerates")) << report;
+}
+
+}  // namespace keyblock::look_ahead_test

@@ -1,0 +1,125 @@
+// The shell: what a slip of the hand is told, what goes to which stream, and messages that say what to do.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::shell_test {
+namespace {
+
+using support::fresh_folder;
+using support::ProgramRun;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
+
+const std::string kSlide = KEYBLOCK_SOURCE_DIR "/legacy_cases/sliding_block/a30_p20/a30_p20";
+const std::string kCircle = KEYBLOCK_SOURCE_DIR "/legacy_cases/circle_slope/circle_slope";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::vector<std::string> slide_into(const std::string& out, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> all{"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--set", "steps=2"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+}  // namespace
+
+TEST(Shell, slips_are_told_the_nearest_name) {
+  EXPECT_TRUE(contains(run_keyblock({"rnu"}).messages, "did you mean \"run\"?"));
+  const ProgramRun option = run_keyblock({"run", "a.json", "--outptu", "x"});
+  EXPECT_EQ(option.exit_code, 2);
+  EXPECT_TRUE(contains(option.messages, "there is no option --outptu; did you mean --output?")) << option.messages;
+  const ProgramRun setting = run_keyblock(slide_into(fresh_folder("slip") + "/out", {"--set", "motoin=static"}));
+  EXPECT_TRUE(contains(setting.messages, "did you mean \"motion\"?")) << setting.messages;
+  const std::string folder = fresh_folder("slip_key");
+  write_text(folder + "/a.json", R"({"keyblock": 1, "analyssi": {}})");
+  EXPECT_TRUE(contains(run_keyblock({"check", folder + "/a.json"}).messages, "did you mean \"analysis\"?"));
+}
+
+TEST(Shell, every_command_shows_examples) {
+  for (const char* command : {"new", "check", "cut", "joints", "run", "fos", "compare", "tradeoff", "sweep", "batch",
+                              "convert", "element", "fit", "formats", "version"}) {
+    const ProgramRun help = run_keyblock({command, "--help"});
+    EXPECT_TRUE(contains(help.output, std::string("Examples:\n  keyblock ") + command)) << help.output;
+  }
+}
+
+TEST(Shell, settings_come_in_groups_those_set_first_ahead) {
+  const std::string text = run_keyblock({"run", "--settings"}).output;
+  const std::size_t first = text.find("# set first");
+  const std::size_t quirks = text.find("# mistakes of the Berkeley program");
+  ASSERT_NE(first, std::string::npos) << text;
+  ASSERT_NE(quirks, std::string::npos);
+  for (const char* name : {"\nmotion ", "\ncontact_penalty ", "\nenforcement ", "\njoint_strength_factor "}) {
+    EXPECT_LT(text.find(name), text.find("# read by all")) << name;
+    EXPECT_GT(text.find(name), first) << name;
+  }
+  EXPECT_GT(text.find("\nquirk."), quirks);
+}
+
+TEST(Shell, quiet_says_errors_alone_and_a_log_keeps_all) {
+  const std::string folder = fresh_folder("quiet");
+  const ProgramRun quiet = run_keyblock(slide_into(folder + "/a", {"--quiet"}));
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_EQ(quiet.messages, "");
+  const ProgramRun logged = run_keyblock(slide_into(folder + "/b", {"--log", folder + "/log.txt"}));
+  EXPECT_TRUE(contains(logged.messages, "2 steps, time"));
+  EXPECT_TRUE(contains(read_text(folder + "/log.txt"), "2 steps, time"));
+  const ProgramRun verbose = run_keyblock(slide_into(folder + "/c", {"--verbose"}));
+  EXPECT_TRUE(contains(verbose.messages, "read in ")) << verbose.messages;
+  EXPECT_TRUE(contains(run_keyblock({"--quiet", "run", "none.json", "-o", folder + "/d"}).messages, "error:"));
+  EXPECT_EQ(run_keyblock(slide_into(folder + "/e", {"--quiet", "--verbose"})).exit_code, 2);
+}
+
+// No terminal is there: no colours, whatever TERM says.
+TEST(Shell, no_colours_go_where_no_terminal_is) {
+  const ProgramRun run = support::run_script("TERM=xterm-256color \"$K\" check none.json");
+  EXPECT_TRUE(contains(run.messages, "error:")) << run.messages;
+  EXPECT_FALSE(contains(run.messages, "\x1b["));
+}
+
+TEST(Shell, version_says_which_program_it_is) {
+  const ProgramRun version = run_keyblock({"version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_TRUE(version.output.starts_with("keyblock ")) << version.output;
+  EXPECT_EQ(run_keyblock({"--version"}).output, version.output);
+}
+
+TEST(Shell, check_takes_the_folder_of_a_case_and_refers_archives_to_batch) {
+  const ProgramRun one = run_keyblock({"check", KEYBLOCK_SOURCE_DIR "/legacy_cases/circle_slope"});
+  EXPECT_EQ(one.exit_code, 0) << one.messages;
+  EXPECT_TRUE(contains(one.output, "circle_slope.geo")) << one.output;
+  const ProgramRun many = run_keyblock({"check", KEYBLOCK_SOURCE_DIR "/legacy_cases"});
+  EXPECT_EQ(many.exit_code, 2);
+  EXPECT_TRUE(contains(many.messages, "--check -o OUT` looks at every case in it")) << many.messages;
+}
+
+// Messages that did not help three new users, in their new wording; those of statics and of legacy's limits are in
+// profile_choice_test.cpp.
+TEST(Shell, messages_say_what_to_do) {
+  const std::string folder = fresh_folder("messages");
+  const ProgramRun alone = run_keyblock({"run", kSlide + ".geo", "-o", folder + "/a"});
+  EXPECT_EQ(alone.exit_code, 3);
+  EXPECT_TRUE(contains(alone.messages, "expected an analysis beside it")) << alone.messages;
+  EXPECT_TRUE(contains(alone.messages, "keyblock new block")) << alone.messages;
+  write_text(folder + "/none.json", R"({"keyblock": 1, "analysis": {"step_count": 1, "time_step": 1}})");
+  const ProgramRun missing = run_keyblock({"check", folder + "/none.json"});
+  EXPECT_TRUE(
+      contains(missing.messages, "expected the key allowed_displacement_ratio of analysis: greater than 0, found none"))
+      << missing.messages;
+}
+
+// The unit weights that a case with gravity does not give are not warned of.
+TEST(Shell, gravity_without_unit_weights_is_no_warning) {
+  const std::string folder = fresh_folder("weights");
+  ASSERT_EQ(run_keyblock({"new", "block", "-o", folder + "/block.json"}).exit_code, 0);
+  const ProgramRun check = run_keyblock({"check", folder + "/block.json"});
+  EXPECT_FALSE(contains(check.output, "unit_weight_without_effect")) << check.output;
+}
+
+}  // namespace keyblock::shell_test
