@@ -59,6 +59,10 @@ struct RunRecord {
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 
+/// Tables that run.json names, beside it.
+inline constexpr const char* kStepTable = "step_table.csv";
+inline constexpr const char* kLedgerTable = "ledger.csv";
+
 nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
 
 /// Every warning with its place.
