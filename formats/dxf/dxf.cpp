@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/dxf/dxf_clip.hpp"
 #include "formats/dxf/dxf_drawing.hpp"
 #include "formats/dxf/dxf_entities.hpp"
 #include "formats/dxf/dxf_units.hpp"
@@ -19,27 +20,26 @@ Recognition recognise(const Source& source) {
   return {Recognition::Fit::exact, "it opens with group 0 SECTION"};
 }
 
-/// The ratio of the comment that the writer leaves.
+/// The comment that the writer leaves.
+const DxfGroup* ratio_in(const DxfDocument& document) {
+  for (const DxfGroup& comment : document.comments())
+    if (comment.value.starts_with(kDxfRatioComment)) return &comment;
+  return nullptr;
+}
+
 double edge_node_ratio(const DxfDocument& document, const Place& file, Warnings& warnings) {
-  for (const DxfGroup& comment : document.comments()) {
-    if (!comment.value.starts_with(kDxfRatioComment)) continue;
-    const std::string_view text = comment.value.substr(kDxfRatioComment.size());
+  if (const DxfGroup* comment = ratio_in(document)) {
+    const std::string_view text = comment->value.substr(kDxfRatioComment.size());
     const auto ratio = parse_real(text);
     if (!ratio || !kEdgeNodeRatio.holds(*ratio))
-      throw InputError(document.place(comment), fmt::format("expected the edge-node ratio ({}) behind \"{}\", found {}",
-                                                            kEdgeNodeRatio.wording, kDxfRatioComment, in_quotes(text)));
+      throw InputError(document.place(*comment),
+                       fmt::format("expected the edge-node ratio ({}) behind \"{}\", found {}", kEdgeNodeRatio.wording,
+                                   kDxfRatioComment, in_quotes(text)));
     return *ratio;
   }
   warnings.push_back({"default_edge_node_ratio", file,
                       fmt::format("a DXF file says no edge-node ratio; taken as {}", kDxfEdgeNodeRatio)});
   return kDxfEdgeNodeRatio;
-}
-
-/// Definitions of blocks, which only an INSERT would put into the drawing.
-void skip_definitions(const DxfDocument& document, const DxfSection& section, DxfSkipped& skipped) {
-  for (const DxfRecord& record : section.records)
-    if (record.head.value != "BLOCK" && record.head.value != "ENDBLK")
-      skipped.add("entity of the section BLOCKS", document.place(record.head));
 }
 
 /// The one section of that name; null where there is none.
@@ -61,12 +61,13 @@ Reading read(const Source& source, const ReadHint& hint) {
   const DxfUnit unit = unit_of(document, hint.length);
   Warnings warnings = joined(document.warnings(), unit.warnings);
   const double ratio = edge_node_ratio(document, {source.name}, warnings);
-  DxfSkipped definitions;
-  if (const DxfSection* blocks = find_section(document, "BLOCKS")) skip_definitions(document, *blocks, definitions);
-  DxfDrawing made = drawing_of(read_entities(document, *entities), unit.factor);
+  DxfDefinitions definitions(document, find_section(document, "BLOCKS"));
+  DxfDrawing made = drawing_of(read_entities(document, entities->records, definitions), unit.factor);
   made.drawing.edge_node_ratio = ratio;
   made.drawing.place = {source.name};
-  warnings = joined(joined(std::move(warnings), made.warnings), definitions.warnings());
+  warnings = joined(joined(std::move(warnings), made.warnings), definitions.unused(document).warnings());
+  // What this program wrote is taken as it is, however its lines cross.
+  if (!ratio_in(document)) warnings = joined(std::move(warnings), clip_joints(made.drawing));
   Reading reading{{std::move(made.drawing), {}, {}}, std::move(warnings)};
   if (!unit.length.empty()) reading.content.units = Units{unit.length, "", ""};
   return reading;

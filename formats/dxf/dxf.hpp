@@ -13,6 +13,7 @@
 //     ARC         10 20 centre, 40 radius, 50 51 angles in degrees, counter-clockwise
 //     CIRCLE      10 20 centre, 40 radius
 //     POINT       10 20
+//     INSERT      2: a block of the section BLOCKS; 10 20 its place, 41 42 scales, 50 angle in degrees
 //   999 keyblock edge-node ratio R  a comment: the edge-node ratio of the drawing; absent: kDxfEdgeNodeRatio. Written
 //                                   with
 //                                   blocks: kBlockEdgeNodeRatio

@@ -1,4 +1,4 @@
-// Reads LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE and POINT; all else is listed as skipped.
+// Reads LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, POINT and INSERT; all else is listed as skipped.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_entities.hpp"
 
@@ -29,11 +29,12 @@ struct Corner {
 
 class EntityReader {
  public:
-  EntityReader(const DxfDocument& document, const DxfSection& section) : document_(document), section_(section) {}
+  EntityReader(const DxfDocument& document, std::span<const DxfRecord> records, DxfDefinitions& definitions)
+      : document_(document), records_(records), definitions_(definitions) {}
 
   DxfShapes read() {
-    while (at_ < section_.records.size()) {
-      const DxfRecord& record = section_.records[at_++];
+    while (at_ < records_.size()) {
+      const DxfRecord& record = records_[at_++];
       if (is_in_paper_space(record)) {
         skip("entity in paper space", record);
         if (record.head.value == "POLYLINE") next_vertices(record);
@@ -54,7 +55,8 @@ class EntityReader {
     if (type == "LWPOLYLINE") return read_light_polyline(record);
     if (type == "POLYLINE") return read_polyline(record);
     if (mark_of(record) != 0) return read_mark(record);
-    if (type == "SEQEND") return;  // of the attributes of an INSERT that is skipped
+    if (type == "INSERT") return read_insert(record);
+    if (type == "SEQEND") return;  // of the attributes of an INSERT
     skip(shown(type), record);
   }
 
@@ -246,17 +248,17 @@ class EntityReader {
   /// The records up to SEQEND, which is passed.
   std::span<const DxfRecord> next_vertices(const DxfRecord& polyline) {
     const std::size_t first = at_;
-    while (at_ < section_.records.size() && section_.records[at_].head.value == "VERTEX") ++at_;
+    while (at_ < records_.size() && records_[at_].head.value == "VERTEX") ++at_;
     const std::size_t end = at_;
-    if (end == section_.records.size())
+    if (end == records_.size())
       throw InputError(document_.place(polyline.head),
                        "expected VERTEX or SEQEND behind POLYLINE, found the end of the section");
-    const DxfGroup& head = section_.records[end].head;
+    const DxfGroup& head = records_[end].head;
     if (head.value != "SEQEND")
       throw InputError(document_.place(head),
                        fmt::format("expected VERTEX or SEQEND of POLYLINE, found {}", in_quotes(head.value)));
     ++at_;
-    return std::span<const DxfRecord>(section_.records).subspan(first, end - first);
+    return records_.subspan(first, end - first);
   }
 
   void read_polyline(const DxfRecord& record) {
@@ -300,6 +302,63 @@ class EntityReader {
     add_in_plane(std::move(shape), side);
   }
 
+  const DxfShapes& shapes_of(DxfDefinition& definition, const DxfRecord& insert) {
+    if (definition.shapes) return *definition.shapes;
+    if (definition.is_open || definitions_.depth == DxfDefinitions::kDeepest)
+      throw InputError(document_.place(insert.head),
+                       fmt::format("expected INSERT of a block that holds itself not, nor others {} deep",
+                                   DxfDefinitions::kDeepest));
+    definition.is_open = true;
+    ++definitions_.depth;
+    definition.shapes =
+        std::make_shared<const DxfShapes>(EntityReader(document_, definition.records, definitions_).read());
+    --definitions_.depth;
+    definition.is_open = false;
+    result_.skipped.add_all(definition.shapes->skipped);
+    result_.warnings = joined(std::move(result_.warnings), definition.shapes->warnings);
+    return *definition.shapes;
+  }
+
+  double scale_of(const DxfRecord& record, int code, std::string_view name) const {
+    return record.find(code) == nullptr ? 1 : real(record, code, name);
+  }
+
+  /// The shapes of a block, from its base point to the point of the INSERT, scaled, then turned. What lies on layer 0
+  /// comes to the layer of the INSERT, what has no colour gets its colour.
+  void read_insert(const DxfRecord& record) {
+    const DxfGroup* name = record.find(2);
+    if (name == nullptr)
+      throw InputError(document_.place(record.head), "expected the name (group 2) of INSERT, found none");
+    DxfDefinition* definition = definitions_.find(name->value);
+    if (definition == nullptr) return skip("INSERT of a block that is not there", record);
+    const auto is_many = [&](int code) {
+      return record.find(code) != nullptr && document_.integer(*record.find(code), "the count", "INSERT") > 1;
+    };
+    if (is_many(70) || is_many(71)) return skip("INSERT in rows or columns", record);
+    const auto side = side_seen(record, {30});
+    if (!side) return skip_solid(record);
+    const Point at = point(record, 10, "x", "y");
+    const double x = scale_of(record, 41, "the scale in x"), y = scale_of(record, 42, "the scale in y");
+    const double angle = std::numbers::pi / 180 * std::fmod(real_or_zero(record, 50, "the angle"), 360);
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const std::string_view layer = layer_of(record);
+    const int colour = shape_of(record, {}).colour;
+    for (DxfShape shape : shapes_of(*definition, record).shapes) {
+      definitions_.points += shape.points.size();
+      if (definitions_.points > DxfDefinitions::kMostPoints)
+        throw InputError(document_.place(record.head), fmt::format("expected at most {} points of blocks drawn by "
+                                                                   "INSERT, found more",
+                                                                   DxfDefinitions::kMostPoints));
+      for (Point& p : shape.points) {
+        const Point scaled{x * (p.x - definition->base.x), y * (p.y - definition->base.y)};
+        p = at + Point{cosine * scaled.x - sine * scaled.y, sine * scaled.x + cosine * scaled.y};
+      }
+      if (shape.layer == "0") shape.layer = layer;
+      if (shape.colour == 0) shape.colour = colour;
+      add_in_plane(std::move(shape), *side);
+    }
+  }
+
   std::optional<std::array<double, 3>> bolt_of(const DxfRecord& record) const {
     std::vector<double> values;
     const DxfGroup* application = nullptr;
@@ -318,15 +377,16 @@ class EntityReader {
   }
 
   const DxfDocument& document_;
-  const DxfSection& section_;
+  std::span<const DxfRecord> records_;
+  DxfDefinitions& definitions_;
   std::size_t at_ = 0;
   DxfShapes result_;
 };
 
 }  // namespace
 
-DxfShapes read_entities(const DxfDocument& document, const DxfSection& entities) {
-  return EntityReader(document, entities).read();
+DxfShapes read_entities(const DxfDocument& document, std::span<const DxfRecord> records, DxfDefinitions& definitions) {
+  return EntityReader(document, records, definitions).read();
 }
 
 }  // namespace keyblock::formats

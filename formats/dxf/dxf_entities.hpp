@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "formats/dxf/dxf_definitions.hpp"
 #include "formats/dxf/dxf_groups.hpp"
 #include "formats/dxf/dxf_skipped.hpp"
 #include "geometry/point.hpp"
@@ -36,7 +38,8 @@ struct DxfShapes {
   Warnings warnings;
 };
 
-/// The shapes of the section ENTITIES. Throws InputError where an entity lacks a value or has a wrong one.
-DxfShapes read_entities(const DxfDocument& document, const DxfSection& entities);
+/// The shapes of the section ENTITIES, or of a block. Throws InputError where an entity lacks a value or has a wrong
+/// one, where a block is drawn within itself, and where INSERT would draw more than `DxfDefinitions` allows.
+DxfShapes read_entities(const DxfDocument& document, std::span<const DxfRecord> records, DxfDefinitions& definitions);
 
 }  // namespace keyblock::formats

@@ -42,12 +42,22 @@ std::string_view last_number(std::string_view name) {
   return name.substr(at);
 }
 
+/// The digits behind the word, or behind a blank, hyphen or underscore that follows it.
+std::string_view first_number(std::string_view behind) {
+  if (!behind.empty() && std::string_view(" _-").find(behind.front()) != std::string_view::npos)
+    behind.remove_prefix(1);
+  std::size_t end = 0;
+  while (end < behind.size() && std::isdigit(static_cast<unsigned char>(behind[end])) != 0) ++end;
+  return behind.substr(0, end);
+}
+
 }  // namespace
 
 std::optional<DxfLayer> layer_of(std::string_view name) {
   const auto word = std::ranges::find_if(kWords, [&](const Word& w) { return begins_with(name, w.text); });
   if (word == kWords.end()) return std::nullopt;
-  const std::string_view digits = last_number(name);
+  std::string_view digits = last_number(name);
+  if (digits.empty()) digits = first_number(name.substr(word->text.size()));
   if (digits.empty()) return DxfLayer{word->role, 0, false};
   int number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The name begins with a word of the table (upper or lower case) and may end in a number; what stands between is free:
-// `JOINT_2`, `joints bedding 2`, `BOUNDARY`. Without a number it counts as 1.
+// `JOINT_2`, `joints bedding 2`, `BOUNDARY`. Without one at the end a number right behind the word counts (`JOINT_2
+// bedding`), without any 1.
 //   BOUNDARY  boundary lines, n: joint material          FIXED     fixed lines and points
 //   JOINT     joints, n: joint material                  LOAD      loading points, in the order of the file
 //   MATERIAL  lines and points that give block material n  MEASURED  measured points

@@ -7,12 +7,20 @@
 namespace keyblock::formats {
 
 void DxfSkipped::add(std::string_view kind, const Place& place) {
+  add(kind, place, 1);
+}
+
+void DxfSkipped::add_all(const DxfSkipped& other) {
+  for (const Kind& kind : other.kinds_) add(kind.name, kind.first, kind.count);
+}
+
+void DxfSkipped::add(std::string_view kind, const Place& place, std::size_t count) {
   const auto found = positions_.find(kind);
   if (found != positions_.end()) {
-    ++kinds_[found->second].count;
+    kinds_[found->second].count += count;
   } else {
     positions_.emplace(kind, kinds_.size());
-    kinds_.push_back({std::string(kind), place, 1});
+    kinds_.push_back({std::string(kind), place, count});
   }
 }
 

@@ -16,6 +16,7 @@ namespace keyblock::formats {
 class DxfSkipped {
  public:
   void add(std::string_view kind, const Place& place);
+  void add_all(const DxfSkipped& other);
   /// One a kind: its name, how many, the first place.
   Warnings warnings() const;
 
@@ -25,6 +26,8 @@ class DxfSkipped {
     Place first;
     std::size_t count = 0;
   };
+  void add(std::string_view kind, const Place& place, std::size_t count);
+
   std::vector<Kind> kinds_;
   std::map<std::string, std::size_t, std::less<>> positions_;
 };

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/ledger_report.hpp"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <vector>
+
+#include "formats/text/numbers.hpp"
 
 namespace keyblock {
 namespace {
@@ -63,12 +67,6 @@ std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start)
   return columns;
 }
 
-Json row_json(const LedgerRow& row, const std::vector<Column>& columns) {
-  Json cells = {row.step, row.time};
-  for (const Column& column : columns) cells.push_back(column.value(row));
-  return cells;
-}
-
 // Relative to the largest energy, and to the largest sum of momenta by amount.
 Json closure_json(const LedgerScope& scope, const LedgerSums& sums) {
   Json closure = Json::object();
@@ -82,22 +80,33 @@ Json closure_json(const LedgerScope& scope, const LedgerSums& sums) {
 
 }  // namespace
 
-Json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every) {
+Json ledger_json(const Ledger& ledger, const LedgerSums& sums, const std::string& table, int kept_every) {
   const std::vector<Column> columns = columns_of(ledger.scope, sums.first);
   Json names = {"step", "time"};
-  Json rows = Json::array();
   Json end = Json::object();
   for (const Column& column : columns) names.push_back(column.name);
-  for (const LedgerRow& row : ledger.rows) rows.push_back(row_json(row, columns));
   if (!ledger.rows.empty())
     for (const Column& column : columns) end[column.name] = column.value(ledger.rows.back());
   return {{"closure", closure_json(ledger.scope, sums)},
           {"largest_energy", sums.largest_energy()},
           {"momentum_about", {ledger.scope.centre.x, ledger.scope.centre.y}},
           {"end", end},
+          {"table", table},
           {"columns", names},
-          {"kept_every", kept_every},
-          {"rows", rows}};
+          {"kept_every", kept_every}};
+}
+
+std::string ledger_csv(const Ledger& ledger, const LedgerSums& sums) {
+  const std::vector<Column> columns = columns_of(ledger.scope, sums.first);
+  std::string text = "step,time";
+  for (const Column& column : columns) text += fmt::format(",{}", column.name);
+  text += '\n';
+  for (const LedgerRow& row : ledger.rows) {
+    text += fmt::format("{},{}", row.step, formats::format_real(row.time));
+    for (const Column& column : columns) text += fmt::format(",{}", formats::format_real(column.value(row)));
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace keyblock

@@ -3,14 +3,19 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "result/ledger.hpp"
 
 namespace keyblock {
 
-/// The last row by name, how well the balances close that the ledger is meant to close, and the rows kept of every
-/// `kept_every`-th step, extremes and the last as one table. Sums and closures are of all steps.
+/// The last row by name, how well the balances close that the ledger is meant to close, and what the `table` of its
+/// rows is: those of every `kept_every`-th step, extremes and the last. Sums and closures are of all steps.
 /// Flows and impulses are sums since the start.
-nlohmann::ordered_json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every);
+nlohmann::ordered_json ledger_json(const Ledger& ledger, const LedgerSums& sums, const std::string& table,
+                                   int kept_every);
+
+/// The rows, under the names that `ledger_json` has for its columns.
+std::string ledger_csv(const Ledger& ledger, const LedgerSums& sums);
 
 }  // namespace keyblock

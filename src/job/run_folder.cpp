@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
 #include <string_view>
 
 #include "base/error.hpp"
@@ -18,6 +21,7 @@
 #include "formats/views/vtk.hpp"
 #include "formats/views/vtk_parts.hpp"
 #include "job/declared_units.hpp"
+#include "job/run_report.hpp"
 #include "report/energy_picture.hpp"
 #include "report/field_picture.hpp"
 #include "report/reaction_picture.hpp"
@@ -41,12 +45,13 @@ constexpr const char* kFrameList = "fields.pvd";
 constexpr std::chrono::milliseconds kListEvery{500};
 
 // The files that a run may leave in its folder, and all that it may leave.
-constexpr std::array<std::string_view, 18> kFiles{
-    kRecord,       "history.csv",  kFrameList,   "picture.svg",   "energy.svg", "field.svg",
-    "plastic.svg", "steps.csv",    "blocks.csv", "reactions.svg", "points.csv", "rounds.csv",
-    kCheckpoint,   "contacts.csv", "joints.csv", "bolts.csv",     "tips.csv",   "cracks.svg"};
+constexpr std::array<std::string_view, 20> kFiles{
+    kStepTable,  kLedgerTable,   kRecord,      "history.csv", kFrameList,      "picture.svg", "energy.svg",
+    "field.svg", "plastic.svg",  "steps.csv",  "blocks.csv",  "reactions.svg", "points.csv",  "rounds.csv",
+    kCheckpoint, "contacts.csv", "joints.csv", "bolts.csv",   "tips.csv",      "cracks.svg"};
 // Of those, what is written as the run goes: a run that was killed leaves them without a record.
-constexpr std::array<std::string_view, 4> kGrowing{kFrameList, "contacts.csv", "joints.csv", "bolts.csv"};
+constexpr std::array<std::string_view, 8> kGrowing{kFrameList,    "contacts.csv", "joints.csv", "bolts.csv",
+                                                   "history.csv", "points.csv",   kStepTable,   kLedgerTable};
 
 constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
 
@@ -83,25 +88,48 @@ Followed followed_by(const History& history, const Frame& start, const FieldFram
   return followed;
 }
 
+/// Of some of what a history follows the displacement in a row; none where it is not there.
+std::optional<double> displacement_of(const HistoryRow& row, const std::vector<std::pair<std::size_t, double>>& parts) {
+  Point mean;
+  for (const auto& [point, share] : parts) {
+    if (!is_in(row, point)) return std::nullopt;
+    mean = mean + share * row.points[point].displacement;
+  }
+  return length(mean);
+}
+
+// All of few; of many those that came farthest, the first of them first.
+std::vector<std::size_t> shown_of(const History& history, const Followed& followed) {
+  std::vector<double> farthest;
+  for (const auto& parts : followed.parts) {
+    double& most = farthest.emplace_back(0);
+    for (const HistoryRow& row : history.rows) most = std::max(most, displacement_of(row, parts).value_or(0));
+  }
+  std::vector<std::size_t> shown(followed.parts.size());
+  std::iota(shown.begin(), shown.end(), 0U);
+  if (shown.size() <= kMostCurves) return shown;
+  std::ranges::stable_sort(shown, std::ranges::greater(), [&](std::size_t i) { return farthest[i]; });
+  shown.resize(kMostCurves);
+  return shown;
+}
+
 // How far each of them has come, over time.
 std::vector<report::Curve> displacement_curves(const History& history, const Frame& start, const FieldFrame& field) {
   std::vector<report::Curve> curves;
   if (history.rows.empty()) return curves;
   const Followed followed = followed_by(history, start, field);
-  const std::size_t count = std::min(followed.parts.size(), kMostCurves);
-  for (std::size_t i = 0; i < count; ++i) {
+  const std::vector<std::size_t> shown = shown_of(history, followed);
+  for (const std::size_t i : shown) {
     report::Curve curve;
-    const bool is_last_of_more = i + 1 == count && followed.parts.size() > count;
-    curve.label = fmt::format("{} {}{}", followed.word, i + 1,
-                              is_last_of_more ? fmt::format(" (of {})", followed.parts.size()) : "");
-    for (const HistoryRow& row : history.rows) {
-      Point mean;
-      const auto& parts = followed.parts[i];
-      if (!std::ranges::all_of(parts, [&](const auto& part) { return is_in(row, part.first); })) continue;
-      for (const auto& [point, share] : parts) mean = mean + share * row.points[point].displacement;
-      curve.x.push_back(row.time);
-      curve.y.push_back(length(mean));
-    }
+    const bool is_last_of_more = i == shown.back() && followed.parts.size() > shown.size();
+    curve.label =
+        fmt::format("{} {}{}", followed.word, i + 1,
+                    is_last_of_more ? fmt::format(" (of {}: those that move most)", followed.parts.size()) : "");
+    for (const HistoryRow& row : history.rows)
+      if (const std::optional<double> way = displacement_of(row, followed.parts[i])) {
+        curve.x.push_back(row.time);
+        curve.y.push_back(*way);
+      }
     curves.push_back(std::move(curve));
   }
   return curves;
@@ -281,12 +309,12 @@ void RunFolder::describe(Archive& archive) {
 }
 
 void RunFolder::write(const std::string& name, const std::string& plain) {
-  const bool is_own = std::ranges::find(outputs_, name) != outputs_.end();
   const std::string text = name.ends_with(".csv")   ? table_in_units(plain, units_)
                            : name.ends_with(".svg") ? picture_in_units(plain, units_)
                                                     : plain;
-  write_file(folder_ / name, text, is_own ? Overwrite::yes : overwrite_);
-  if (!is_own) outputs_.push_back(name);
+  write_file(folder_ / name, text, own_.contains(name) ? Overwrite::yes : overwrite_);
+  own_.insert(name);
+  if (std::ranges::find(outputs_, name) == outputs_.end()) outputs_.push_back(name);
 }
 
 void RunFolder::write_frame(const std::string& name, double time, const std::string& text) {
@@ -314,8 +342,10 @@ void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFr
 // The list would name what is not there.
 void RunFolder::write_list_of_frames() {
   for (const FrameFile& file : frame_files_) {
-    if (!fs::is_regular_file(folder_ / file.name))
-      throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / file.name).string()));
+    if (fs::is_regular_file(folder_ / file.name)) continue;
+    std::error_code error;
+    if (own_.contains(kFrameList)) fs::remove(folder_ / kFrameList, error);
+    throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / file.name).string()));
   }
   write(kFrameList, list_of_frames());
 }
@@ -326,13 +356,22 @@ std::string RunFolder::list_of_frames() const {
   return formats::pvd(files);
 }
 
+void RunFolder::write_tables(const RunTables& tables) {
+  write("history.csv", formats::history_csv(tables.history));
+  write(kStepTable, tables.steps);
+  if (!tables.ledger.empty()) write(kLedgerTable, tables.ledger);
+  if (tables.history.of_measured_points) write("points.csv", formats::points_csv(tables.history));
+}
+
 void RunFolder::finish(const RunResults& results) {
-  const auto& [title, history, steps, ledger, field, is_of_motion, marked, marked_words, units] = results;
+  const auto& [title, tables, steps, ledger, field, is_of_motion, marked, marked_words, units] = results;
+  const History& history = tables.history;
   units_ = units;
+  outputs_.clear();  // in the same order whatever was written on the way
   write_list_of_frames();
   for (const GrowingTable* table : {&contacts_, &joints_, &bolts_})
     if (table->has_begun()) outputs_.push_back(table->file().filename().string());
-  write("history.csv", formats::history_csv(history));
+  write_tables(tables);
   write("picture.svg", report::run_picture({title,
                                             frames_.front(),
                                             frames_.back(),
@@ -342,7 +381,6 @@ void RunFolder::finish(const RunResults& results) {
                                             marked,
                                             marked_words}));
   if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger));
-  if (history.of_measured_points) write("points.csv", formats::points_csv(history));
   write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,
                                             frames_.back().measured_points, report::most_varied(field), is_of_motion}));
   if (field.plastic)

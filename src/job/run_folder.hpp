@@ -26,10 +26,17 @@ namespace keyblock {
 
 enum class Trace { no, yes };
 
+/// Tables that are written whole, at the end and from time to time before it.
+struct RunTables {
+  const History& history;
+  std::string steps;
+  std::string ledger;  ///< empty where no books are kept
+};
+
 /// What a run leaves beside its frames.
 struct RunResults {
   std::string title;
-  const History& history;
+  RunTables tables;
   const std::vector<StepReport>& steps;
   Ledger ledger;
   const FieldFrame& field;        ///< the end
@@ -71,11 +78,14 @@ class RunFolder {
   /// The results are on the disk: the checkpoint goes, if there is one.
   void remove_checkpoint();
 
-  /// Writes at once the frame's .vtu, with `field` where that has elements, .vtp files of contacts and bolts where there
-  /// are any, and their rows of contacts.csv, joints.csv and bolts.csv; and from time to time fields.pvd.
+  /// Writes at once the frame's .vtu, with `field` where that has elements, .vtp files of contacts and bolts where
+  /// there are any, and their rows of contacts.csv, joints.csv and bolts.csv; and from time to time fields.pvd.
   void add(const Frame& frame, const FieldFrame& field = {}, const ContactFrames& contacts = {});
 
-  /// history.csv, fields.pvd, picture.svg, field.svg; points.csv where points are measured, energy.svg if there is a
+  /// history.csv, step_table.csv, ledger.csv if there is a ledger, points.csv where points are measured.
+  void write_tables(const RunTables& tables);
+
+  /// All tables, fields.pvd, picture.svg, field.svg; energy.svg if there is a
   /// ledger, plastic.svg where rock may yield, reactions.svg where load steps of such rock drive an edge and, for a
   /// trace, steps.csv, blocks.csv and, where there are rounds of Newton's method, rounds.csv.
   void finish(const RunResults& results);
@@ -118,6 +128,7 @@ class RunFolder {
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   std::vector<std::string> outputs_;
+  std::set<std::string> own_;  ///< written by this process, and so its to write again
   std::size_t flushed_frames_ = 0;
   bool made_folder_ = false;
   Units units_;

@@ -4,15 +4,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/counted.hpp"
 #include "base/stop.hpp"
+#include "job/ledger_report.hpp"
 #include "job/run_doubts.hpp"
+#include "job/step_tables.hpp"
 #include "run/steppers.hpp"
 
 namespace keyblock {
 namespace {
+
+// Tables are written as the run goes, and take no more than a fiftieth of its time.
+constexpr std::chrono::seconds kTablesEvery{5};
+constexpr int kLeastPause = 50;
 
 RunFolder folder_for(const RunJobOptions& options, bool goes_on) {
   return goes_on ? RunFolder(options.folder, options.trace)
@@ -44,7 +51,8 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
       folder_(folder_for(options_, saved != nullptr)),
       watch_(prepared),
       history_{!prepared.scene.model.measured_points.empty(), {}},
-      clock_(options_.checkpoint_every) {
+      clock_(options_.checkpoint_every),
+      tables_due_(std::chrono::steady_clock::now() + kTablesEvery) {
   const int stride = stride_of(prepared.scene.settings.step_count);
   record_.steps = StepRows(stride);
   record_.ledger = LedgerRows(stride);
@@ -69,6 +77,21 @@ void RunJob::write_checkpoint(Stepper& stepper) {
   clock_.written();
 }
 
+RunTables RunJob::tables(const LedgerScope& scope) const {
+  const Ledger ledger{scope, record_.ledger.rows()};
+  return {history_, step_table_csv(record_.steps.rows()),
+          ledger.rows.empty() ? std::string() : ledger_csv(ledger, record_.ledger_sums)};
+}
+
+// Whole files each time, so that a long run writes them seldom enough.
+void RunJob::write_tables(const LedgerScope& scope) {
+  const auto begun = std::chrono::steady_clock::now();
+  if (begun < tables_due_) return;
+  folder_.write_tables(tables(scope));
+  const auto ended = std::chrono::steady_clock::now();
+  tables_due_ = ended + std::max<std::chrono::steady_clock::duration>(kTablesEvery, kLeastPause * (ended - begun));
+}
+
 Observer RunJob::observer(const RunListener& listener) {
   return {[&](const Frame& frame) { folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {})); },
           [&](const StepReport& report) {
@@ -84,7 +107,10 @@ Observer RunJob::observer(const RunListener& listener) {
             record_.ledger_sums.add(row);
             record_.ledger.add(row);
           },
-          [&](Stepper& stepper) { write_checkpoint(stepper); },
+          [&](Stepper& stepper) {
+            if (!history_.rows.empty()) write_tables(stepper.ledger_scope());
+            write_checkpoint(stepper);
+          },
           [&](const FieldFrame& field) { field_ = field; },
           [&](const ContactFrames& contacts) { contacts_ = contacts; }};
 }
@@ -123,7 +149,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
   record_.timings.run = seconds;
   judge();
   folder_.finish({title,
-                  history_,
+                  tables(record_.outcome.ledger_scope),
                   record_.traced,
                   {record_.outcome.ledger_scope, record_.ledger.rows()},
                   record_.outcome.field,

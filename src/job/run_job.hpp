@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -53,6 +54,8 @@ class RunJob {
  private:
   Observer observer(const RunListener& listener);
   void write_checkpoint(Stepper& stepper);
+  RunTables tables(const LedgerScope& scope) const;
+  void write_tables(const LedgerScope& scope);
   void judge();
 
   const Prepared& prepared_;
@@ -64,6 +67,7 @@ class RunJob {
   StepWatch watch_;
   History history_;
   CheckpointClock clock_;
+  std::chrono::steady_clock::time_point tables_due_;
   std::unique_ptr<Stepper> stepper_;  ///< restored; none of a run that begins
   FieldFrame field_;                  ///< of the frame that comes next
   ContactFrames contacts_;            ///< likewise

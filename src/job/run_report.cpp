@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "job/ledger_report.hpp"
+#include "job/step_tables.hpp"
 #include "settings/settings_table.hpp"
 
 namespace keyblock {
@@ -77,43 +78,9 @@ Json counts_json(const Prepared& prepared, const StepTotals& totals) {
   return counts;
 }
 
-// One array a step under one list of column names: the table may be long. Passes of load steps of rock that may yield
-// are rounds of Newton's method, redos are cuts, and their parts are said.
+// The rows themselves are a table of their own.
 Json steps_json(const StepRows& steps) {
-  Json rows = Json::array();
-  Json columns = {"step",
-                  "time",
-                  "dt",
-                  "passes",
-                  "redos",
-                  "fallbacks",
-                  "contacts",
-                  "closed",
-                  "penalty",
-                  "greatest_penetration",
-                  "displacement_ratio",
-                  "residual",
-                  "unsettled_contacts"};
-  const bool has_parts = std::ranges::any_of(steps.rows(), [](const StepReport& s) { return !s.residuals.empty(); });
-  if (has_parts) columns.push_back("parts");
-  for (const StepReport& s : steps.rows()) {
-    Json row = {s.step,
-                s.time,
-                s.dt,
-                s.passes,
-                s.redos,
-                s.fallbacks,
-                s.contacts,
-                s.closed,
-                s.penalty,
-                s.greatest_penetration,
-                s.displacement_ratio,
-                s.residual,
-                s.unsettled_contacts};
-    if (has_parts) row.push_back(s.parts);
-    rows.push_back(std::move(row));
-  }
-  return {{"columns", columns}, {"kept_every", steps.stride()}, {"rows", rows}};
+  return {{"table", kStepTable}, {"columns", step_columns(steps.rows())}, {"kept_every", steps.stride()}};
 }
 
 Json start_json(const StartReport& start) {
@@ -321,7 +288,8 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
   if (!record.outcome.scenes.empty()) json["stages"] = stages_json(record.outcome.scenes);
   if (record.equilibrium_way) json["equilibrium"] = json_of(*record.equilibrium_way);
   const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};
-  if (!ledger.rows.empty()) json["ledger"] = ledger_json(ledger, record.ledger_sums, record.ledger.stride());
+  if (!ledger.rows.empty())
+    json["ledger"] = ledger_json(ledger, record.ledger_sums, kLedgerTable, record.ledger.stride());
   return json;
 }
 

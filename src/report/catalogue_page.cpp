@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -18,10 +19,11 @@ table { border-collapse: collapse }
 th, td { border-bottom: 1px solid #ddd; padding: 4px 8px; text-align: left; vertical-align: top }
 th { background: #f4f4f4; cursor: pointer; position: sticky; top: 0 }
 td.number { text-align: right; font-variant-numeric: tabular-nums }
-code { font-size: 11px; color: #666; overflow-wrap: anywhere }
 svg { display: block }
-tr.failed td.outcome { color: #b03060; font-weight: bold }
-tr.warnings td.outcome { color: #a06000 }
+img { display: block; width: 160px; border: 1px solid #ddd }
+tr.failed td.verdict { color: #b03060; font-weight: bold }
+tr.differs td.verdict { color: #a06000; font-weight: bold }
+tr.ran td.verdict { color: #206030 }
 tr.listed { color: #777 }
 )";
 
@@ -50,36 +52,69 @@ std::string number_cell(std::optional<int> number) {
 std::string files_cell(const CatalogueRow& row) {
   std::string text;
   for (const CatalogueFile& file : row.files)
-    text += fmt::format("{}{}<br><code>{}</code>", text.empty() ? "" : "<br>", escape_xml(file.path), file.sha256);
+    text += fmt::format("{}<span title=\"SHA-256 {}\">{}</span>", text.empty() ? "" : "<br>", file.sha256,
+                        escape_xml(file.path));
   return fmt::format("<td>{}</td>", text);
 }
 
+/// A path below the page as a link: what a URL may not hold as %XX.
+std::string url_of(const std::string& path) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  std::string url;
+  for (const char c : path)
+    if (kPlain.find(c) == std::string_view::npos)
+      url += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    else
+      url += c;
+  return url;
+}
+
+bool has_results(const CatalogueAnswer& answer) {
+  return answer.measures.has_value();
+}
+
+// Of runs there is a folder an answer, in the same order.
 std::string answers_cell(const CatalogueRow& row) {
   std::string text;
-  for (const CatalogueAnswer& answer : row.answers)
-    text +=
-        fmt::format("{}{}: {}", text.empty() ? "" : "<br>", escape_xml(answer.profile), escape_xml(text_of(answer)));
+  for (std::size_t i = 0; i < row.answers.size(); ++i) {
+    const CatalogueAnswer& answer = row.answers[i];
+    std::string name = escape_xml(answer.profile);
+    if (i < row.outputs.size()) {
+      const std::string url = url_of(row.outputs[i]);
+      name = has_results(answer) ? fmt::format(
+                                       "<a href=\"{0}/picture.svg\">{1}</a> (<a href=\"{0}/run.json\">record</a>, "
+                                       "<a href=\"{0}.log\">log</a>)",
+                                       url, name)
+                                 : fmt::format("{1} (<a href=\"{0}.log\">log</a>)", url, name);
+    }
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "<br>", name, escape_xml(text_of(answer)));
+  }
   if (!row.expected.empty()) text += fmt::format("<br>expected values: {}", escape_xml(row.expected));
+  if (row.answers.empty())
+    for (const std::string& output : row.outputs)
+      text += fmt::format("{}<a href=\"{}\">{}</a>", text.empty() ? "" : "<br>", url_of(output), escape_xml(output));
   return fmt::format("<td>{}</td>", text);
+}
+
+// The start, and the end of each run.
+std::string pictures_cell(const CatalogueRow& row) {
+  std::string text = row.thumbnail;
+  for (std::size_t i = 0; i < std::min(row.answers.size(), row.outputs.size()); ++i)
+    if (has_results(row.answers[i]))
+      text += fmt::format("<a href=\"{0}/picture.svg\"><img loading=\"lazy\" src=\"{0}/picture.svg\" alt=\"{1}\"></a>",
+                          url_of(row.outputs[i]), escape_xml(row.answers[i].profile));
+  return text;
 }
 
 std::string row_of(const CatalogueRow& row) {
   return fmt::format(
-      "<tr class=\"{0}\"><td>{1}</td><td>{2}</td>{3}<td>{4}</td><td>{5}</td><td>{6}</td>{7}{8}{9}<td "
-      "class=\"outcome\">{0}</td>"
-      "<td>{10}</td>{11}<td class=\"number\">{12}</td></tr>\n",
-      row.outcome, row.thumbnail, escape_xml(row.name), files_cell(row), escape_xml(row.formats()),
-      escape_xml(row.paired_by), escape_xml(row.scene), number_cell(row.blocks), number_cell(row.elements),
-      number_cell(row.steps), escape_xml(row.message), answers_cell(row),
-      row.difference ? fmt::format("{:.6g}", *row.difference) : "");
-}
-
-std::string summary_of(const std::vector<CatalogueRow>& rows) {
-  std::map<std::string, int> counts;
-  for (const CatalogueRow& row : rows) ++counts[row.outcome];
-  std::string text = fmt::format("{} job{}", rows.size(), rows.size() == 1 ? "" : "s");
-  for (const auto& [outcome, count] : counts) text += fmt::format(", {} {}", count, outcome);
-  return text;
+      "<tr class=\"{0}\"><td>{1}</td><td>{2}</td><td class=\"verdict\">{3}</td><td>{4}</td>{5}<td>{6}</td>"
+      "<td>{7}</td><td>{8}</td>{9}{10}{11}<td class=\"outcome\">{12}</td><td>{13}</td>{14}"
+      "<td class=\"number\">{15}</td></tr>\n",
+      row.verdict.word, pictures_cell(row), escape_xml(row.name), row.verdict.word, escape_xml(row.verdict.why),
+      files_cell(row), escape_xml(row.formats()), escape_xml(row.paired_by), escape_xml(row.scene),
+      number_cell(row.blocks), number_cell(row.elements), number_cell(row.steps), row.outcome, escape_xml(row.message),
+      answers_cell(row), row.difference ? fmt::format("{:.6g}", *row.difference) : "");
 }
 
 }  // namespace
@@ -111,6 +146,16 @@ std::string text_of(const CatalogueAnswer& answer) {
                      std::hypot(answer.dx, answer.dy), answer.time, end);
 }
 
+std::string summary_of(const std::vector<CatalogueRow>& rows) {
+  std::map<std::string, int> counts;
+  for (const CatalogueRow& row : rows) ++counts[row.verdict.word.empty() ? row.outcome : row.verdict.word];
+  std::string text = fmt::format("{} job{}", rows.size(), rows.size() == 1 ? "" : "s");
+  for (const auto& [word, count] : counts)
+    text += fmt::format("{} {} {} ({:.0f} %)", text.find(':') == std::string::npos ? ":" : ",", count,
+                        word == "differs" && count > 1 ? "differ" : word, 100.0 * count / double(rows.size()));
+  return text;
+}
+
 std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows) {
   std::string body;
   for (const CatalogueRow& row : rows) body += row_of(row);
@@ -118,8 +163,8 @@ std::string catalogue_page(const std::string& title, const std::vector<Catalogue
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>\n"
       "<body><h1>{0}</h1><p>{2}. A click on a heading sorts; rows with "
       "<input id=\"sift\" placeholder=\"any text\"> only.</p>\n"
-      "<table><thead><tr><th></th><th>job</th><th>files, SHA-256</th><th>dialect</th><th>paired "
-      "by</th><th>scene</th><th>blocks</th>"
+      "<table><thead><tr><th></th><th>job</th><th>verdict</th><th>why</th><th>files</th><th>dialect</th>"
+      "<th>paired by</th><th>scene</th><th>blocks</th>"
       "<th>elements</th><th>steps</th><th>outcome</th><th>message</th><th>answers</th><th>difference</th></tr></"
       "thead>\n"
       "<tbody>\n{3}</tbody></table>\n<script>{4}</script></body></html>\n",

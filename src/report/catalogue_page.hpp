@@ -14,6 +14,12 @@ struct CatalogueFile {
   std::string sha256;  ///< empty where the file was too large to be read
 };
 
+/// What became of a job: a word by which jobs are counted, and the reason.
+struct CatalogueVerdict {
+  std::string word;
+  std::string why = {};
+};
+
 /// What a run says of all its elements, at its end.
 struct CatalogueMeasures {
   double displacement = 0;     ///< greatest of a vertex since the start
@@ -22,6 +28,7 @@ struct CatalogueMeasures {
   int contacts = 0;            ///< most in a step
   bool is_static = false;      ///< with a share of the way to equilibrium, or without any sign of one
   std::optional<double> equilibrium_share;
+  int displaced_element = 0;  ///< number, from 1, of the element of that vertex; 0: not known
 };
 
 /// What a run came to.
@@ -45,13 +52,14 @@ struct CatalogueRow {
   std::optional<int> elements;  ///< of a cover
   std::optional<int> steps;     ///< as the analysis asks for
   std::string scene;            ///< what it is, in words; empty where geometry or analysis is missing
-  std::string outcome;          ///< "ok", "warnings", "failed" or "listed"
+  std::string outcome;          ///< "ok", "warnings", "failed" or "listed": whether anything was wrong
+  CatalogueVerdict verdict = {};
   int warnings = 0;
   std::string message;  ///< the first error, else the first warning
   std::vector<CatalogueAnswer> answers;
   std::optional<double> difference;  ///< distance of the last answer from the first
   std::string expected;              ///< verdict over the values of expected.csv beside the files; empty without any
-  std::vector<std::string> outputs;  ///< files written, below the results' folder
+  std::vector<std::string> outputs;  ///< files written, below the results' folder; of runs a folder an answer
   std::string thumbnail;             ///< an SVG element; empty where there is no geometry
 
   std::string formats() const;  ///< of all files, joined by " + "
@@ -60,7 +68,11 @@ struct CatalogueRow {
 /// A displacement as text: its components and its length.
 std::string text_of(const CatalogueAnswer& answer);
 
-/// One HTML document that needs nothing beside it; a click on a heading sorts.
+/// "26 jobs: 9 ran (35 %), 4 differ (15 %), 13 read (50 %)".
+std::string summary_of(const std::vector<CatalogueRow>& rows);
+
+/// One HTML document, which shows the pictures of runs that stand where `outputs` say, links to them and to their
+/// records and logs, and needs nothing else beside it; a click on a heading sorts.
 std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows);
 
 }  // namespace keyblock::report

@@ -58,7 +58,10 @@ class Loop {
       keep_books();
       if (is_framed()) show();
     }
-    if (!is_framed()) show();
+    if (!is_framed()) {
+      show();
+      if (!measures_ && state().step < stepper_.settings().step_count) tell_row();
+    }
     outcome.steps = state().step;
     outcome.time = state().time;
     outcome.field = field_of(stepper_.model(), stepper_);
@@ -86,7 +89,11 @@ class Loop {
 
   void keep_row() {
     const bool is_due = measures_ || is_framed() || state().step == stepper_.settings().step_count;
-    if (!observer_.on_row || !is_due) return;
+    if (is_due) tell_row();
+  }
+
+  void tell_row() {
+    if (!observer_.on_row) return;
     HistoryRow row = history_row(stepper_.model(), state(), stepper_.unloaded(), measures_);
     if (measures_) put_point_stress(row, stepper_.model(), stepper_);
     row.reactions = reactions_of(stepper_);

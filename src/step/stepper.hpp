@@ -83,7 +83,7 @@ class Stepper {
   virtual std::optional<PlasticTotals> plastic_totals() const { return std::nullopt; }
   /// Where the step that failed last had come to, out of balance: what moves. None where nothing is known of it.
   virtual std::optional<State> attempted() const { return std::nullopt; }
-  /// What touches, and what it bore in the last accepted step; none where the scene has no contact. Made when asked for.
+  /// What touches, and what it bore in the last accepted step; none where the scene has no contact.
   virtual ContactFrames contacts() const { return {}; }
   virtual StartReport start_report() const { return {}; }
   /// On failure the state is unchanged, and where it throws StopRequested in the middle of a step.

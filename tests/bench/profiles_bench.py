@@ -5,6 +5,7 @@
 A step is the difference of two runs of different length over their steps, so that reading, the start and writing do not count; each
 is the least of three. The start is what the shorter run took more than its steps. Times alone mean nothing on another machine."""
 import argparse
+import csv
 import json
 import pathlib
 import subprocess
@@ -23,7 +24,10 @@ def run(program, files, profile, steps, folder):
     if done.returncode not in (0, 1):
         errors = [line for line in done.stderr.splitlines() if "error" in line]
         raise RuntimeError(errors[-1] if errors else f"exit code {done.returncode}")
-    return json.loads((pathlib.Path(folder) / "run.json").read_text())
+    report = json.loads((pathlib.Path(folder) / "run.json").read_text())
+    with open(pathlib.Path(folder) / report["steps"]["table"]) as table:
+        report["passes"] = [int(row["passes"]) for row in csv.DictReader(table)]
+    return report
 
 
 def measured(program, files, lengths, folder):
@@ -61,8 +65,7 @@ def main():
                 print(f"{scene:>9} {error}")
                 continue
             step = {p: (least[p, long] - least[p, short]) / (long - short) for p in ("legacy", "standard")}
-            column = reports["standard"]["steps"]["columns"].index("passes")
-            systems = [row[column] for row in reports["standard"]["steps"]["rows"]]
+            systems = reports["standard"]["passes"]
             start = (least["standard", short] - short * step["standard"]) / step["standard"]
             row = {"scene": scene, "blocks": reports["standard"]["counts"]["blocks"], "legacy": step["legacy"],
                    "standard": step["standard"], "ratio": step["standard"] / step["legacy"],

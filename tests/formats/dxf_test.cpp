@@ -192,6 +192,14 @@ TEST(Dxf, layers_without_a_known_word_are_joints_with_the_first_numbers_not_yet_
 }
 
 // The convention of the old Windows program (findings of legacy, defect F).
+TEST(Dxf, the_number_of_a_layer_stands_at_its_end_or_right_behind_its_word) {
+  const Reading reading = read_entities(line("JOINT_3 bedding") + line("joints bedding 4") + line("JOINT5") +
+                                        line("JOINT_2 set 6") + line("JOINT bedding"));
+  std::vector<int> numbers;
+  for (const JointLine& joint : reading.content.drawing->joints) numbers.push_back(joint.joint_material + 1);
+  EXPECT_EQ(numbers, (std::vector<int>{3, 4, 5, 6, 1}));
+}
+
 TEST(Dxf, texts_f_l_m_h_make_points_and_colours_joint_types_as_in_the_old_windows_program) {
   const auto mark = [](char letter, int x) {
     return fmt::format("0\nMTEXT\n8\n0\n10\n{}\n20\n0.5\n40\n1\n1\n{}\n", x, letter);
@@ -246,7 +254,102 @@ TEST(Dxf, what_is_skipped_is_listed_once_a_kind_with_its_number) {
   with_blocks.insert(with_blocks.rfind("0\nEOF"),
                      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nnut\n0\nLINE\n8\n0\n0\nENDBLK\n0\nENDSEC\n");
   EXPECT_EQ(sentence(read({"f", with_blocks}), "dxf_skipped"),
-            "f:36:1: warning: skipped: 1 × entity of the section BLOCKS [dxf_skipped]");
+            "f:36:1: warning: skipped: 1 × entity of a block that no INSERT draws [dxf_skipped]");
+}
+
+// A block of a unit square on layer 0 with a joint of its own layer, base point in its middle.
+TEST(Dxf, an_insert_draws_its_block_scaled_turned_and_on_its_own_layer) {
+  std::string text = dxf_text(
+      "0\nINSERT\n8\nBOUNDARY_2\n2\nhouse\n10\n10\n20\n20\n41\n4\n42\n2\n50\n90\n"
+      "0\nINSERT\n8\n0\n2\nnone\n10\n0\n20\n0\n");
+  text.insert(text.find("0\nSECTION\n2\nENTITIES"),
+              "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n8\n0\n2\nhouse\n10\n0.5\n20\n0.5\n"
+              "0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n10\n0\n20\n1\n"
+              "0\nLINE\n8\nJOINT_3\n10\n0\n20\n0.5\n11\n1\n21\n0.5\n0\nENDBLK\n0\nENDSEC\n");
+  const Reading reading = read({"f", text});
+  const Drawing& drawing = *reading.content.drawing;
+  ASSERT_EQ(drawing.boundary_count, 4U);
+  ASSERT_EQ(drawing.joints.size(), 5U);
+  EXPECT_EQ(drawing.joints[0].joint_material, 1);
+  EXPECT_EQ(drawing.joints[4].joint_material, 2);
+  // (-0.5, -0.5) by (4, 2), turned by 90 degrees: (1, -2) from (10, 20).
+  EXPECT_NEAR(drawing.joints[0].segment.start.x, 11, 1e-12);
+  EXPECT_NEAR(drawing.joints[0].segment.start.y, 18, 1e-12);
+  EXPECT_NEAR(drawing.joints[4].segment.start.x, 10, 1e-12);
+  EXPECT_NEAR(drawing.joints[4].segment.start.y, 18, 1e-12);
+  EXPECT_NEAR(drawing.joints[4].segment.end.y, 22, 1e-12);
+  EXPECT_NE(sentence(reading, "dxf_skipped").find("INSERT of a block that is not there"), std::string::npos);
+}
+
+TEST(Dxf, a_block_that_holds_itself_is_refused_at_its_insert) {
+  std::string text = dxf_text("0\nINSERT\n8\n0\n2\na\n10\n0\n20\n0\n");
+  text.insert(text.find("0\nSECTION\n2\nENTITIES"),
+              "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nINSERT\n8\n0\n2\na\n10\n0\n20\n0\n0\nENDBLK\n0\nENDSEC\n");
+  EXPECT_THROW(read({"f", text}), InputError);
+}
+
+// Each of 16 blocks draws the next one ten times.
+TEST(Dxf, blocks_that_would_draw_without_end_are_refused) {
+  std::string blocks;
+  for (int i = 0; i < 12; ++i) {
+    blocks += "0\nBLOCK\n2\nb" + std::to_string(i) + "\n";
+    for (int k = 0; k < 10; ++k)
+      blocks += i == 11 ? line("JOINT_1") : "0\nINSERT\n8\n0\n2\nb" + std::to_string(i + 1) + "\n10\n0\n20\n0\n";
+    blocks += "0\nENDBLK\n";
+  }
+  std::string text = dxf_text("0\nINSERT\n8\n0\n2\nb0\n10\n0\n20\n0\n");
+  text.insert(text.find("0\nSECTION\n2\nENTITIES"), "0\nSECTION\n2\nBLOCKS\n" + blocks + "0\nENDSEC\n");
+  EXPECT_THROW(read({"f", text}), InputError);
+}
+
+namespace {
+
+/// As a drawing program writes it: without the comment of this program.
+Reading drawn(const std::string& entities) {
+  std::string text = dxf_text(entities);
+  return read({"f", text.substr(text.find("0\nSECTION"))});
+}
+
+std::string straight(const std::string& layer, Point a, Point b) {
+  return fmt::format("0\nLINE\n8\n{}\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", layer, a.x, a.y, b.x, b.y);
+}
+
+const std::string kSquareOutline = straight("BOUNDARY", {0, 0}, {4, 0}) + straight("BOUNDARY", {4, 4}, {4, 0}) +
+                                   straight("BOUNDARY", {4, 4}, {0, 4}) + straight("BOUNDARY", {0, 4}, {0, 0});
+
+}  // namespace
+
+TEST(Dxf, joints_beyond_the_boundary_are_cut_off_and_it_is_said) {
+  const Reading reading = drawn(kSquareOutline + straight("JOINT_2", {-3, 1}, {7, 1}) +
+                                straight("JOINT_3", {1, 1}, {3, 3}) + straight("JOINT_4", {5, 5}, {9, 5}));
+  const Drawing& drawing = *reading.content.drawing;
+  ASSERT_EQ(drawing.boundary_count, 4U);
+  ASSERT_EQ(drawing.joints.size(), 6U);
+  EXPECT_NEAR(drawing.joints[4].segment.start.x, 0, 1e-12);
+  EXPECT_NEAR(drawing.joints[4].segment.end.x, 4, 1e-12);
+  EXPECT_EQ(drawing.joints[4].joint_material, 1);
+  EXPECT_EQ(drawing.joints[5].segment, (Segment{{1, 1}, {3, 3}})) << "to the last digit";
+  EXPECT_NE(sentence(reading, "dxf_clipped").find("1 are shorter now or in pieces, 1 lay outside"), std::string::npos);
+}
+
+TEST(Dxf, a_loop_with_a_hole_point_is_kept_free_of_joints_and_one_without_is_not) {
+  const std::string inner =
+      "0\nLWPOLYLINE\n8\nBOUNDARY\n90\n4\n70\n1\n10\n1\n20\n1\n10\n2\n20\n1\n10\n2\n20\n2\n"
+      "10\n1\n20\n2\n";
+  const std::string joint = straight("JOINT_2", {0, 1.5}, {4, 1.5});
+  EXPECT_EQ(drawn(kSquareOutline + inner + joint).content.drawing->joints.size(), 9U);
+  const Reading open = drawn(kSquareOutline + inner + joint + "0\nPOINT\n8\nHOLE\n10\n1.5\n20\n1.2\n");
+  const Drawing& drawing = *open.content.drawing;
+  ASSERT_EQ(drawing.joints.size(), 10U);
+  EXPECT_NEAR(drawing.joints[8].segment.end.x, 1, 1e-12);
+  EXPECT_NEAR(drawing.joints[9].segment.start.x, 2, 1e-12);
+}
+
+TEST(Dxf, a_boundary_that_does_not_close_cuts_nothing_off_and_says_where) {
+  const std::string open = straight("BOUNDARY", {0, 0}, {4, 0}) + straight("BOUNDARY", {4, 0}, {4, 4});
+  const Reading reading = drawn(open + straight("JOINT_2", {-3, 1}, {7, 1}));
+  EXPECT_EQ(reading.content.drawing->joints.back().segment.start.x, -3);
+  EXPECT_NE(sentence(reading, "dxf_not_clipped"), "");
 }
 
 TEST(Dxf, chords_of_skipped_curves_are_not_counted) {

@@ -39,8 +39,28 @@ TEST(CataloguePage, has_as_many_cells_in_each_row_as_headings) {
   EXPECT_EQ(count(page, "<td"), 2 * count(page, "<th>"));
   EXPECT_EQ(count(page, "<script>"), 1U);
   EXPECT_NE(page.find("a&lt;b&gt;&amp;c"), std::string::npos);
-  EXPECT_NE(page.find("2 jobs, 2 failed"), std::string::npos);
+  EXPECT_NE(page.find("2 jobs: 2 failed (100 %)"), std::string::npos);
   EXPECT_EQ(count(page, "http"), 0U);  // it loads nothing
+}
+
+TEST(CataloguePage, runs_are_linked_with_picture_record_and_log_and_counted_by_verdict) {
+  CatalogueRow row;
+  row.name = "50%25.geo";
+  row.outcome = "ok";
+  row.verdict = {"differs", "96 % apart"};
+  row.answers = {{"legacy", "finished", 10, 0.5, "", 0, 0, CatalogueMeasures{}},
+                 {"standard", "no result", 0, 0, "", 0, 0, std::nullopt}};
+  row.outputs = {"jobs/50%25.geo/legacy", "jobs/50%25.geo/standard"};
+  CatalogueRow other;
+  other.verdict.word = "read";
+  const std::string page = catalogue_page("All", {row, other, other});
+  EXPECT_EQ(count(page, "<a href=\"jobs/50%2525.geo/legacy/picture.svg\""), 2U) << "in words and as a picture";
+  EXPECT_EQ(count(page, "src=\"jobs/50%2525.geo/legacy/picture.svg\""), 1U);
+  EXPECT_EQ(count(page, "<a href=\"jobs/50%2525.geo/legacy/run.json\""), 1U);
+  EXPECT_EQ(count(page, "<a href=\"jobs/50%2525.geo/standard.log\""), 1U);
+  EXPECT_EQ(count(page, "standard/picture.svg"), 0U) << "there is none";
+  EXPECT_NE(page.find("3 jobs: 1 differs (33 %), 2 read (67 %)"), std::string::npos);
+  EXPECT_NE(page.find("96 % apart"), std::string::npos);
 }
 
 TEST(CataloguePage, an_answer_is_told_with_its_length) {

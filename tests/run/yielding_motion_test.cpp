@@ -44,11 +44,10 @@ struct Done {
 
   /// Of every row the column of this name.
   std::vector<double> column(const std::string& name) const {
-    const nlohmann::json& ledger = report["ledger"];
-    const auto columns = ledger["columns"].get<std::vector<std::string>>();
-    const auto place = std::ranges::find(columns, name) - columns.begin();
+    const formats::CsvTable table = formats::read_csv(formats::load(folder + "/out/ledger.csv"));
+    const std::size_t place = formats::csv_column(table, name);
     std::vector<double> values;
-    for (const nlohmann::json& row : ledger["rows"]) values.push_back(row[static_cast<std::size_t>(place)]);
+    for (const formats::CsvRow& row : table.rows) values.push_back(formats::csv_real(table, row, place));
     return values;
   }
   double closure() const { return report["ledger"]["closure"]["energy"]; }

@@ -187,8 +187,9 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
     const study::BatchJob& job = *open_jobs[i];
     const Clock::time_point start = Clock::now();
     const std::string problem = archive.problem_of(job);
-    const CatalogueRow row = problem.empty() ? do_job(plan, job, archive.files_of(job))
-                                             : study::row_without_check(job, archive.files_of(job), "failed", problem);
+    CatalogueRow row = problem.empty() ? do_job(plan, job, archive.files_of(job))
+                                       : study::row_without_check(job, archive.files_of(job), "failed", problem);
+    if (!problem.empty()) row.verdict = {"failed", problem};
     const std::string line = study::journal_line(row, std::chrono::duration<double>(Clock::now() - start).count());
     const std::scoped_lock lock(guard);
     file.add(line);
@@ -243,14 +244,10 @@ ExitCode run_batch(const BatchOptions& options) {
   }
   const std::vector<CatalogueRow> rows = rows_of(archive, journal);
   write_catalogue(plan, rows);
-  const auto count = [&](std::string_view outcome) {
-    return std::ranges::count(rows, outcome, &CatalogueRow::outcome);
-  };
-  spdlog::info("{} in {}: {} ok, {} with warnings, {} failed, {} only listed; catalogue in {}",
-               counted(archive.files.size(), "file"), counted(rows.size(), "job"), count("ok"), count("warnings"),
-               count("failed"), count("listed"), options.folder);
+  spdlog::info("{}, {}; {} with warnings; catalogue in {}", counted(archive.files.size(), "file"),
+               report::summary_of(rows), std::ranges::count(rows, "warnings", &CatalogueRow::outcome), options.folder);
   if (options.as_json) fmt::print("{}\n", study::catalogue_json(rows));
-  return count("failed") == 0 ? ExitCode::ok : ExitCode::check_failed;
+  return std::ranges::count(rows, "failed", &CatalogueRow::outcome) == 0 ? ExitCode::ok : ExitCode::check_failed;
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "study/batch/batch_answers.hpp"
 #include "study/batch/batch_check.hpp"
 #include "study/batch/batch_journal.hpp"
+#include "study/batch/batch_verdict.hpp"
 #include "study/cases/cases.hpp"
 #include "study/convert/convert.hpp"
 
@@ -212,14 +213,37 @@ std::string BatchPlan::task_text() const {
   return {};
 }
 
-CatalogueRow do_job(const BatchPlan& plan, const study::BatchJob& job,
-                    const std::vector<report::CatalogueFile>& files) {
+namespace {
+
+CatalogueRow done_job(const BatchPlan& plan, const study::BatchJob& job,
+                      const std::vector<report::CatalogueFile>& files) {
   if (job.kind == study::JobKind::listed) return study::row_without_check(job, files, "listed", "");
   const bool is_limited = plan.limits.cpu_seconds > 0 || plan.limits.memory_mebibytes > 0;
   CatalogueRow row = is_limited ? check_in_child(plan, job, files) : check_here(plan, job, files);
   const bool is_runnable = job.kind == study::JobKind::whole && row.outcome != "failed";
   if (plan.task == BatchTask::run && is_runnable) run_job(plan, job, row);
   if (plan.task == BatchTask::convert && row.outcome != "failed") convert_job(plan, job, row);
+  return row;
+}
+
+study::BatchAim aim_of(BatchTask task) {
+  switch (task) {
+    case BatchTask::check:
+      return study::BatchAim::check;
+    case BatchTask::run:
+      return study::BatchAim::run;
+    case BatchTask::convert:
+      return study::BatchAim::convert;
+  }
+  return study::BatchAim::check;
+}
+
+}  // namespace
+
+CatalogueRow do_job(const BatchPlan& plan, const study::BatchJob& job,
+                    const std::vector<report::CatalogueFile>& files) {
+  CatalogueRow row = done_job(plan, job, files);
+  row.verdict = study::verdict_of(row, aim_of(plan.task));
   return row;
 }
 

@@ -50,7 +50,8 @@ void add_measures(CatalogueAnswer& answer, const Json& record) {
   report::CatalogueMeasures measures{
       extremes.at("greatest_displacement").at("value"),          extremes.at("least_principal_stress").at("value"),
       extremes.at("greatest_principal_stress").at("value"),      record.at("counts").at("most_contacts"),
-      record.value("is_static", record.contains("equilibrium")), std::nullopt};
+      record.value("is_static", record.contains("equilibrium")), std::nullopt,
+      extremes.at("greatest_displacement").value("element", 0)};
   if (record.contains("equilibrium") && !record.at("equilibrium").at("share").is_null())
     measures.equilibrium_share = record.at("equilibrium").at("share").get<double>();
   answer.measures = measures;

@@ -31,14 +31,19 @@ Json json_of(const CatalogueMeasures& m) {
           {"greatest_stress", m.greatest_stress},
           {"contacts", m.contacts},
           {"is_static", m.is_static},
-          {"equilibrium_share", or_null(m.equilibrium_share)}};
+          {"equilibrium_share", or_null(m.equilibrium_share)},
+          {"displaced_element", m.displaced_element}};
 }
 
 std::optional<CatalogueMeasures> measures_of(const Json& json) {
   if (json.is_null()) return std::nullopt;
-  return CatalogueMeasures{json.at("displacement"),    json.at("least_stress"),
-                           json.at("greatest_stress"), json.at("contacts"),
-                           json.at("is_static"),       or_nothing<double>(json.at("equilibrium_share"))};
+  return CatalogueMeasures{json.at("displacement"),
+                           json.at("least_stress"),
+                           json.at("greatest_stress"),
+                           json.at("contacts"),
+                           json.at("is_static"),
+                           or_nothing<double>(json.at("equilibrium_share")),
+                           json.value("displaced_element", 0)};
 }
 
 Json json_of(const CatalogueAnswer& a) {
@@ -105,6 +110,8 @@ Json json_of(const CatalogueRow& row) {
           {"elements", or_null(row.elements)},
           {"steps", or_null(row.steps)},
           {"scene", row.scene},
+          {"verdict", row.verdict.word},
+          {"why", row.verdict.why},
           {"outcome", row.outcome},
           {"warnings", row.warnings},
           {"message", row.message},
@@ -124,6 +131,7 @@ CatalogueRow row_of(const Json& json) {
   row.elements = or_nothing<int>(json.at("elements"));
   row.steps = or_nothing<int>(json.at("steps"));
   row.scene = json.at("scene");
+  row.verdict = {json.value("verdict", ""), json.value("why", "")};
   row.outcome = json.at("outcome");
   row.warnings = json.at("warnings");
   row.message = json.at("message");
@@ -148,10 +156,11 @@ std::string catalogue_json(const std::vector<CatalogueRow>& rows) {
 std::string catalogue_csv(const std::vector<CatalogueRow>& rows) {
   std::string text =
       "job,files,dialect,sha256,paired_by,blocks,elements,steps,scene,outcome,warnings,message,profiles,ends,"
-      "greatest_displacement,least_stress,greatest_stress,equilibrium_share,answers,difference,expected,outputs\n";
+      "greatest_displacement,least_stress,greatest_stress,equilibrium_share,answers,difference,expected,outputs,"
+      "verdict,why\n";
   for (const CatalogueRow& row : rows)
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(row.name),
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(row.name),
         joined_cell(row.files, [](const CatalogueFile& f) { return f.path; }), cell(row.formats()),
         joined_cell(row.files, [](const CatalogueFile& f) { return f.sha256; }), cell(row.paired_by), cell(row.blocks),
         cell(row.elements), cell(row.steps), cell(row.scene), cell(row.outcome), row.warnings, cell(row.message),
@@ -163,7 +172,8 @@ std::string catalogue_csv(const std::vector<CatalogueRow>& rows) {
         measure_cell(row, share_of),
         joined_cell(row.answers, [](const CatalogueAnswer& a) { return a.profile + ": " + report::text_of(a); }),
         row.difference ? fmt::format("{}", *row.difference) : "", cell(row.expected),
-        joined_cell(row.outputs, [](const std::string& output) { return output; }));
+        joined_cell(row.outputs, [](const std::string& output) { return output; }), cell(row.verdict.word),
+        cell(row.verdict.why));
   return text;
 }
 

@@ -1,0 +1,52 @@
+// Looks at the outcome first, then at the answers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/batch/batch_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace keyblock::study {
+namespace {
+
+using report::CatalogueAnswer;
+using report::CatalogueVerdict;
+
+std::string place_of(const CatalogueAnswer& answer) {
+  return fmt::format("{:.4g} in {} (element {})", answer.measures->displacement, answer.profile,
+                     answer.measures->displaced_element);
+}
+
+/// Empty where the two agree.
+std::string how_they_differ(const CatalogueAnswer& one, const CatalogueAnswer& other) {
+  if (!one.measures || !other.measures) return {};
+  const double larger = std::max(one.measures->displacement, other.measures->displacement);
+  if (!(larger > 0)) return {};
+  const double anywhere = std::abs(one.measures->displacement - other.measures->displacement) / larger;
+  if (anywhere > kAgreement)
+    return fmt::format("greatest displacement {} and {}: {:.0f} % apart", place_of(one), place_of(other),
+                       100 * anywhere);
+  if (one.of_what.empty() || one.of_what != other.of_what) return {};
+  const double apart = std::hypot(one.dx - other.dx, one.dy - other.dy);
+  if (apart <= kAgreement * larger) return {};
+  return fmt::format("{} ends {:.4g} apart in {} and {}: {:.0f} % of the greatest displacement", one.of_what, apart,
+                     one.profile, other.profile, 100 * apart / larger);
+}
+
+}  // namespace
+
+CatalogueVerdict verdict_of(const report::CatalogueRow& row, BatchAim aim) {
+  if (row.outcome == "failed") return {"failed", row.message};
+  if (row.outcome == "listed") return {"listed", "no case"};
+  if (aim == BatchAim::convert) return {"converted", ""};
+  if (aim == BatchAim::check) return {"read", ""};
+  if (row.answers.empty()) return {"read", "nothing to run: no geometry or no analysis goes with it"};
+  if (row.answers.size() > 1)
+    if (std::string how = how_they_differ(row.answers.front(), row.answers.back()); !how.empty())
+      return {"differs", std::move(how)};
+  return {"ran", row.outcome == "warnings" ? row.message : ""};
+}
+
+}  // namespace keyblock::study
