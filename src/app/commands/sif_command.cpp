@@ -89,7 +89,9 @@ void print(const study::TipAtEnd& tip, std::size_t number) {
 ExitCode print_intensity(const SifOptions& options) {
   study::StudyCase chosen = study::study_case(options.paths);
   chosen.common = overrides_of(options.sets);
-  const std::string profile = profile_of(chosen.input.problem, options.profile);
+  // The rules of the old programs know no tips.
+  const bool is_unasked = options.profile.empty() && chosen.input.problem.choices.profile.empty();
+  const std::string profile = is_unasked ? "standard" : profile_of(chosen.input.problem, options.profile);
   const study::CaseIntensity found = study::intensity_at_end(chosen.input.problem, profile, chosen.overrides(profile),
                                                              [] { return is_stop_requested(); });
   log_warnings(found.warnings);
