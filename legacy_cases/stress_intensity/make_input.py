@@ -111,6 +111,21 @@ def closed_crack(friction):
           missed={1: VERTICES} if friction > 0.5 else None)
 
 
+def step_wave():
+    """A wave of tension from the upper edge meets a crack that ends in the middle of a plate 10 by 4; sides on rollers."""
+    h, density, stress = 0.25, 1.0, 0.01
+    speed = math.sqrt(YOUNG * (1 - POISSON) / (density * (1 + POISSON) * (1 - 2 * POISSON)))
+    arrival, dt = 2 / speed, h / (2 * speed)
+    values = []
+    for step in (25, 30, 35, 40):
+        k = 2 * stress / (1 - POISSON) * math.sqrt(speed * (step * dt - arrival) * (1 - 2 * POISSON) / math.pi)
+        values.append(('K_I', 1, k, 0.02 * k, 'asked for: 2 % from half of the time of arrival after it', 'Freund 1990, K of a half-infinite crack under a step wave', step * dt))
+    covers = {'mesh': dict(free_mesh(h), tip_side=5 / 320), 'cracks': [{'along': [[0, 0], [5, 0]]}],
+              'displacements': [{'along': [[x, -2], [x, 2]], 'held': 'x'} for x in (0, 10)], 'tractions': [{'along': [[0, 2], [10, 2]], 'y': stress}]}
+    text = case_text(rectangle(0, -2, 10, 2), covers, YOUNG, POISSON, [], plane_strain=True, steps=(41, dt), settings={}).replace(',\n  "measured_points": []', '')
+    write_case(os.path.join(HERE, 'step_wave'), text, values, 'stationary crack under a step wave', slow=True)
+
+
 if __name__ == '__main__':
     edge_crack(0.2, 1.3674042788)
     edge_crack(0.5, 2.82357144135)
@@ -126,3 +141,4 @@ if __name__ == '__main__':
     cracked_disc(0.3, 20, [('K_I', 0.476879483439), ('K_II', -1.52844515003)])
     for friction in (0, 0.3, 0.6):
         closed_crack(friction)
+    step_wave()

@@ -1,0 +1,99 @@
+// Growth of cracks left between two steps, and bodies that a crack cuts through.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "formats/case.hpp"
+#include "formats/registry.hpp"
+#include "run/checkpoint.hpp"
+#include "run/prepare.hpp"
+#include "run/steppers.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::crack_growth_test {
+namespace {
+
+Problem problem_of(const std::string& file) {
+  return formats::load_case({file}).problem;
+}
+
+std::string bytes_of(Stepper& stepper) {
+  Archive archive;
+  stepper.save(archive);
+  return checkpoint_bytes(archive);
+}
+
+TEST(CrackGrowth, left_before_any_step_it_goes_on_to_the_same_bytes) {
+  const std::string file =
+      KEYBLOCK_SOURCE_DIR "/legacy_cases/crack_growth/cantilever_straight/cantilever_straight.json";
+  Problem problem = problem_of(file);
+  problem.analysis->step_count = 3;
+  const Scene scene = prepare(problem, "standard", {}).scene;
+  const std::unique_ptr<Stepper> whole = stepper_for(scene);
+  std::vector<std::string> saved;
+  for (int step = 0; step < 3; ++step) {
+    saved.push_back(bytes_of(*whole));
+    ASSERT_TRUE(std::holds_alternative<StepReport>(whole->advance()));
+  }
+  ASSERT_EQ(whole->tips().size(), 1U);
+  EXPECT_NEAR(whole->tips().front().equivalent, 1000, 1e-6);
+  const std::string end = bytes_of(*whole);
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    Archive archive = archive_of_checkpoint("checkpoint.h5", saved[i]);
+    const std::unique_ptr<Stepper> again = restored_stepper(scene, archive);
+    EXPECT_TRUE(bytes_of(*again) == saved[i]) << i;
+    for (std::size_t step = i; step < 3; ++step) again->advance();
+    EXPECT_TRUE(bytes_of(*again) == end) << i;
+  }
+}
+
+// The upper part of a body on covers that a crack cuts through at 30 degrees slides on the lower one as Coulomb says.
+TEST(CrackGrowth, a_body_cut_through_is_two_that_slide) {
+  const double slope = std::tan(std::numbers::pi / 6), friction = 0.3;
+  const std::string text = fmt::format(
+      R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[0, 0, 1], [2, 0, 1], [2, 3, 1], [0, 3, 1]]}}],
+        "measured_points": [[1, 2.5, 1]]}},
+      "covers": {{"mesh": {{"side": 0.5, "angle": 10}}, "cracks": [{{"along": [[-0.1, {}], [2.1, {}]]}}],
+        "displacements": [{{"along": [[0, 0], [2, 0]]}}]}},
+      "analysis": {{"step_count": 100, "time_step": 0.002, "velocity_carry_over": 1, "allowed_displacement_ratio": 0.1,
+        "plane_strain": true, "gravity": 10, "joint_materials": [{{"friction_angle_deg": {}}}],
+        "block_materials": [{{"density": 1000, "unit_weight": 10000, "youngs_modulus": 1e9, "poissons_ratio": 0.2}}]}}}})",
+      0.6 - 0.1 * slope, 0.6 + 2.1 * slope, std::atan(friction) * 180 / std::numbers::pi);
+  const std::string file = support::fresh_folder("crack_cut") + "/in.json";
+  support::write_text(file, text);
+  const std::unique_ptr<Stepper> stepper = stepper_for(prepare(problem_of(file), "standard", {}).scene);
+  for (int step = 0; step < 100; ++step) ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+  const Point moved = stepper->state().measured_points.front().position - Point{1, 2.5};
+  const double pull = 10 * (0.5 - friction * std::sqrt(0.75));
+  EXPECT_NEAR(length(moved), pull * 0.2 * 0.2 / 2, 0.005 * pull * 0.2 * 0.2 / 2);
+  EXPECT_NEAR(moved.y / moved.x, slope, 0.005);
+}
+
+// Cracks of all kinds through one plate: each is solved, or said to have no room; none is lost.
+TEST(CrackGrowth, random_cracks_are_solved) {
+  const std::string file = KEYBLOCK_SOURCE_DIR "/legacy_cases/stress_intensity/edge_crack_05/edge_crack_05.json";
+  Problem problem = problem_of(file);
+  problem.covers->mesh.side = 0.25;
+  unsigned state = 7;
+  const auto next = [&] {
+    state = state * 1664525U + 1013904223U;
+    return 0.02 + 0.96 * static_cast<double>(state >> 8U) / static_cast<double>(1U << 24U);
+  };
+  for (int i = 0; i < 60; ++i) {
+    problem.covers->cracks = {{{{0.7 * next(), 1.8 * next() - 0.9}, {0.7 * next(), 1.8 * next() - 0.9}}, {}, 0}};
+    problem.covers->mesh.tip_side = i % 2 == 0 ? 0.02 : 0.1;
+    const std::unique_ptr<Stepper> stepper = stepper_for(prepare(problem, "standard", {}).scene);
+    const auto made = stepper->advance();
+    ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << std::get<StepFailure>(made).reason;
+    EXPECT_LT(std::get<StepReport>(made).residual, 1e-10) << i;
+  }
+}
+
+}  // namespace
+}  // namespace keyblock::crack_growth_test
