@@ -102,13 +102,15 @@ class Values {
     std::vector<std::string> names;
     const std::optional<JsonValue> materials = analysis.member(list);
     if (!materials || materials->kind() != JsonKind::array) return names;
+    std::size_t count = 0;
     for (const JsonValue material : *materials) {
-      names.emplace_back();
+      ++count;  // those without a name take no room until one has a name
       if (material.kind() != JsonKind::object) continue;
       const std::optional<JsonValue> name = material.member("name");
       if (!name || name->kind() != JsonKind::string) continue;
       if (std::ranges::find(names, name->string()) != names.end())
         name->fail(fmt::format("another name for each of {}", list));
+      names.resize(count);
       names.back() = name->string();
     }
     return names;

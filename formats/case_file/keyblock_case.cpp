@@ -179,6 +179,14 @@ void check(const std::vector<Stage>& stages) {
   }
 }
 
+void check_joints_of_cracks(const CoverPlan& covers, const Analysis& analysis) {
+  const auto count = static_cast<int>(analysis.joint_materials.size());
+  for (const CrackPlan& crack : covers.cracks)
+    if (crack.joint_material >= count)
+      throw InputError(crack.place, fmt::format("expected a joint_material of a crack from 1 to {}, found {}", count,
+                                                crack.joint_material + 1));
+}
+
 void check(const Analysis& analysis) {
   if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
@@ -337,6 +345,7 @@ Reading read(const Source& source, const ReadHint&) {
   check(content.cover);
   check(content.covers);
   check(content.analysis);
+  if (content.covers && content.analysis) check_joints_of_cracks(*content.covers, *content.analysis);
   check(content.stages);
   if (!content.frames.empty()) check(content.frames, *text.root().member("frames"));
   name_file(content.drawing, source.name);

@@ -18,8 +18,6 @@ constexpr double kTies = 0.01;
 // Of an increment: what would be left before a line is cut through (fracture recipes, several authors: a tip so near to
 // a boundary has no field of its own).
 constexpr double kLeftBefore = 0.25;
-// Of an increment: a line nearer to the tip is its own crack.
-constexpr double kOwn = 1e-6;
 
 double length_of(const std::vector<Point>& chain) {
   double sum = 0;
@@ -38,6 +36,8 @@ double station_on(Point from, Point direction, const Segment& line) {
   return t > 0 && s >= 0 && s <= 1 ? t : std::numeric_limits<double>::infinity();
 }
 
+// Cosine of the widest angle at which another tip lies ahead.
+constexpr double kAhead = 0.7;
 // Of the distance to a point: how far behind the tip it may lie, where the crack itself does.
 constexpr double kBehind = 0.5;
 
@@ -90,7 +90,8 @@ void put_factors(TipState& state, const CoverSolution& solution, GrowthCriterion
   const BlockMaterial& material =
       solution.continuum.material(std::max(0, element_of(solution.continuum.manifold, tip)));
   if (material.toughness) state.toughness = material.toughness->mode_1;
-  const std::optional<TipFactors> factors = tip_factors(solution, tip);
+  std::optional<TipFactors> factors;
+  if (!material.is_nonlinear()) factors = tip_factors(solution, tip);  // the integrals are those of elastic rock
   state.has_room = factors.has_value();
   if (!factors) return;
   state.mode_1 = factors->k.mode_1;
@@ -98,10 +99,7 @@ void put_factors(TipState& state, const CoverSolution& solution, GrowthCriterion
   state.energy_release = factors->j;
   const Kink next = kink(criterion, rock_at(solution.continuum, tip), factors->k);
   state.kink = next.angle;
-  state.equivalent = next.equivalent;
-  if (material.toughness && material.toughness->mode_2)
-    state.equivalent =
-        std::hypot(std::max(state.mode_1, 0.0), state.mode_2 * state.toughness / *material.toughness->mode_2);
+  state.equivalent = material.toughness ? equivalent_of(next, *material.toughness, factors->k) : next.equivalent;
 }
 
 std::vector<std::size_t> next_to_go_on(const std::vector<TipState>& tips) {
@@ -113,11 +111,24 @@ std::vector<std::size_t> next_to_go_on(const std::vector<TipState>& tips) {
   return chosen;
 }
 
+std::optional<Point> facing_tip(const Manifold& manifold, Point tip, Point direction, double reach) {
+  std::optional<Point> nearest;
+  double least = reach;
+  for (const CrackTip& other : manifold.tips) {
+    const Point to = other.at - tip;
+    const double d = length(to);
+    if (d == 0 || d >= least || dot(to, direction) < kAhead * d) continue;
+    least = d;
+    nearest = other.at;
+  }
+  return nearest;
+}
+
 Advance advance_of(const Manifold& manifold, Point tip, Point direction, double increment) {
   double nearest = (1 + kLeftBefore) * increment;
   bool meets = false;
   visit_boundary(manifold, [&](const Segment& line) {
-    if (distance(line, tip) <= kOwn * increment) return;
+    if (line.start == tip || line.end == tip) return;  // its own crack
     const double t = station_on(tip, direction, line);
     if (t >= nearest) return;
     nearest = t;
@@ -132,7 +143,7 @@ std::optional<Point> line_beside(const Manifold& manifold, const CrackTip& tip, 
   visit_boundary(manifold, [&](const Segment& line) {
     const Point p = point_at(line, std::clamp(foot(line, tip.at), 0.0, 1.0));
     const double d = distance(p, tip.at);
-    if (d <= kOwn * reach || d >= least || dot(p - tip.at, tip.ahead) < -kBehind * d) return;
+    if (d >= least || line.start == tip.at || line.end == tip.at || dot(p - tip.at, tip.ahead) < -kBehind * d) return;
     least = d;
     nearest = p;
   });

@@ -34,6 +34,9 @@ struct Advance {
 };
 Advance advance_of(const Manifold& manifold, Point tip, Point direction, double increment);
 
+/// Another tip ahead, within 45 degrees of the direction and nearer than `reach`.
+std::optional<Point> facing_tip(const Manifold& manifold, Point tip, Point direction, double reach);
+
 /// The nearest point of another line that is not behind the tip, within `reach`: where a tip without room goes.
 std::optional<Point> line_beside(const Manifold& manifold, const CrackTip& tip, double reach);
 

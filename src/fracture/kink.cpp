@@ -130,6 +130,11 @@ StressIntensity behind_kink(const StressIntensity& k, double angle) {
   return {f11 * k.mode_1 + f12 * k.mode_2, f21 * k.mode_1 + f22 * k.mode_2};
 }
 
+double equivalent_of(const Kink& by_criterion, const Toughness& toughness, const StressIntensity& k) {
+  if (!toughness.mode_2) return by_criterion.equivalent;
+  return std::hypot(std::max(k.mode_1, 0.0), k.mode_2 * toughness.mode_1 / *toughness.mode_2);
+}
+
 Kink kink(GrowthCriterion criterion, const PlaneElasticity& rock, const StressIntensity& k) {
   const StressIntensity open{std::max(k.mode_1, 0.0), k.mode_2};
   const double size = std::hypot(open.mode_1, open.mode_2);

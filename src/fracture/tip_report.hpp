@@ -34,6 +34,9 @@ std::vector<DomainChoice> domain_choices(const CrackTip& tip);
 
 TipReport tip_report(const CoverSolution& solution, const CrackTip& tip);
 
+/// Why the factors of a tip cannot be trusted, in words; empty where nothing speaks against them.
+std::string doubt_of(const TipReport& report);
+
 /// By the largest circle alone; none where not even that has room.
 std::optional<TipFactors> tip_factors(const CoverSolution& solution, const CrackTip& tip);
 

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <charconv>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
@@ -21,7 +23,8 @@ void GrowingTable::append(const std::string& rows) {
   std::ofstream stream(file_, std::ios::app | std::ios::binary);
   stream << rows;
   stream.close();
-  if (!stream) throw OutputError(fmt::format("cannot write to {}", file_.string()));
+  if (!stream)
+    throw OutputError(fmt::format("cannot write to {}: {}", file_.string(), std::generic_category().message(errno)));
 }
 
 void GrowingTable::keep_steps(const std::set<int>& steps) {

@@ -36,11 +36,11 @@ TEST(ConvertMessages, every_kind_of_skipped_entity_and_every_unknown_layer_is_na
   const std::string folder = fresh_folder("convert_kinds");
   support::write_text(folder + "/a.dxf",
                       drawing_of(line_on("JOINT") + line_on("fault1") + line_on("fault2") + entity("TEXT", "0") +
-                                 entity("TEXT", "0") + entity("HATCH", "0") + entity("INSERT", "0")));
+                                 entity("TEXT", "0") + entity("HATCH", "0") + entity("DIMENSION", "0")));
   const auto run = run_keyblock({"convert", folder + "/a.dxf", "-o", folder + "/a.json"});
   EXPECT_EQ(run.exit_code, 0);
   for (const char* part :
-       {"skipped: 2 × TEXT", "skipped: 1 × HATCH", "skipped: 1 × INSERT", "\"fault1\"", "\"fault2\""})
+       {"skipped: 2 × TEXT", "skipped: 1 × HATCH", "skipped: 1 × DIMENSION", "\"fault1\"", "\"fault2\""})
     EXPECT_TRUE(contains(run.messages, part)) << part << ": " << run.messages;
 }
 

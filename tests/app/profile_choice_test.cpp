@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
@@ -73,10 +75,10 @@ TEST(ProfileChoice, dynamic_is_dynamic_on_a_static_file) {
     std::vector<std::string> more{"-o", folder + "/" + name};
     for (const std::string& set : sets) more.insert(more.end(), {"--set", set});
     run_keyblock(circle("run", more));
-    const auto ledger = record_in(folder + "/" + name)["ledger"];
-    const auto columns = ledger["columns"];
-    const auto at = std::find(columns.begin(), columns.end(), "kinetic") - columns.begin();
-    return ledger["rows"].back()[static_cast<std::size_t>(at)].get<double>();
+    const formats::CsvTable ledger = formats::read_csv(formats::load(folder + "/" + name + "/ledger.csv"));
+    std::size_t at = 0;
+    while (at < ledger.header.size() && !ledger.header[at].starts_with("kinetic")) ++at;
+    return std::stod(ledger.rows.back().cells.at(at));
   };
   EXPECT_GT(kinetic("moving", {"motion=dynamic"}),
             10 * kinetic("creeping", {"motion=dynamic", "velocity_carry_over=0"}));

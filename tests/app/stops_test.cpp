@@ -119,13 +119,15 @@ TEST(Stops, within_steps_leave_a_run_that_ends_with_the_same_bytes) {
   }
 }
 
-// It waits for a reader that does not come, and cannot hear. (A shell has its background programs ignore SIGINT.)
+// It waits for a reader that does not come (the pipe is full), and cannot hear. (A shell has its background programs
+// ignore SIGINT.)
 TEST(Stops, asked_for_again_later_end_the_run_at_once) {
   for (const auto& [name, signal] : {std::pair{"TERM", SIGTERM}, {"HUP", SIGHUP}}) {
     const std::string folder = fresh_folder(std::string("stop_twice_") + name);
     const auto run = run_script(fmt::format(
         "cd {}\nmkfifo pipe\nsleep 60 < pipe &\nreader=$!\n"
-        "\"$K\" run {}.geo {}.ana --profile standard --set steps=4000 --trace --json -o out > pipe &\nrun=$!\n"
+        "{{ head -c 65536 /dev/zero; exec \"$K\" run {}.geo {}.ana --profile standard --set steps=4000 --trace --json "
+        "-o out; }} > pipe &\nrun=$!\n"
         "while ! test -e out/run.json; do sleep 0.05; done\nsleep 0.3\n"
         "kill -{} $run\nsleep 1.3\nkill -{} $run\nwait $run\ncode=$?\nkill $reader\nexit $code",
         folder, kStack, kStack, name, name));

@@ -51,7 +51,7 @@ TEST(Cracks, an_end_inside_is_a_tip_and_knows_what_is_near) {
   const auto tips = tips_with(square(), {crack({{0, 0.5}, {0.3, 0.5}})});
   ASSERT_EQ(tips.size(), 1U);
   EXPECT_EQ(tips[0].at, (Point{0.3, 0.5}));
-  EXPECT_EQ(tips[0].ahead, (Point{1, 0}));
+  EXPECT_NEAR(distance(tips[0].ahead, {1, 0}), 0, 1e-15);
   EXPECT_NEAR(tips[0].room, 0.3, 1e-15);  // the mouth on the boundary
   EXPECT_STREQ(tips[0].nearest, "the outline of a body");
 }
@@ -76,11 +76,19 @@ TEST(Cracks, an_end_on_a_line_is_no_tip) {
   EXPECT_EQ(tips_with(square(), {crack({{0, 0.3}, {1 - 1e-9, 0.7}})}).size(), 1U);
 }
 
+TEST(Cracks, ends_that_meet_are_no_tips) {
+  // Two that share an end, at a corner and straight on; three tips of a T.
+  EXPECT_EQ(tips_with(square(), {crack({{0.2, 0.3}, {0.5, 0.5}}), crack({{0.5, 0.5}, {0.8, 0.4}})}).size(), 2U);
+  EXPECT_EQ(tips_with(square(), {crack({{0.2, 0.5}, {0.5, 0.5}}), crack({{0.5, 0.5}, {0.8, 0.5}})}).size(), 2U);
+  EXPECT_EQ(tips_with(square(), {crack({{0.2, 0.5}, {0.8, 0.5}}), crack({{0.4, 0.5}, {0.4, 0.8}})}).size(), 3U);
+}
+
 TEST(Cracks, what_no_body_can_have_is_refused) {
   EXPECT_NE(fault_of({crack({{2, 2}, {3, 3}})}).find("expected a crack in a body, found none of it there: (2, 2)"),
             std::string::npos);
   EXPECT_NE(fault_of({crack({{0.5, 0.5}, {0.5, 0.5}})}).find("found (0.5, 0.5) twice in a row"), std::string::npos);
   EXPECT_NE(fault_of({crack({{0.5, 0}, {1, 0}, {1, 0.5}})}).find("along the outline of a body"), std::string::npos);
+  EXPECT_NE(fault_of({crack({{0.2, 0.5}, {0.7, 0.5}, {0.4, 0.5}})}).find("along itself"), std::string::npos);
   EXPECT_NE(fault_of({crack({{0.2, 0.5}, {0.6, 0.5}}), crack({{0.4, 0.5}, {0.8, 0.5}})})
                 .find("along a joint or another crack"),
             std::string::npos);
@@ -104,8 +112,8 @@ TEST(Cracks, a_crack_from_side_to_side_parts_all_covers) {
   }
 }
 
-// Random cracks: through nodes, along sides of the mesh, nearly closed, ending 1e-9 from a boundary, meeting, cutting in
-// two. Their area is that of the body.
+// Random cracks: through nodes, along sides of the mesh, nearly closed, ending 1e-9 from a boundary, meeting, cutting
+// in two. Their area is that of the body.
 TEST(Cracks, a_thousand_random_ones_are_cut_without_loss) {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> in(0.02, 0.98);

@@ -63,7 +63,8 @@ TEST(CrackGrowth, a_body_cut_through_is_two_that_slide) {
         "displacements": [{{"along": [[0, 0], [2, 0]]}}]}},
       "analysis": {{"step_count": 100, "time_step": 0.002, "velocity_carry_over": 1, "allowed_displacement_ratio": 0.1,
         "plane_strain": true, "gravity": 10, "joint_materials": [{{"friction_angle_deg": {}}}],
-        "block_materials": [{{"density": 1000, "unit_weight": 10000, "youngs_modulus": 1e9, "poissons_ratio": 0.2}}]}}}})",
+        "block_materials": [{{"density": 1000, "unit_weight": 10000, "youngs_modulus": 1e9,
+          "poissons_ratio": 0.2}}]}}}})",
       0.6 - 0.1 * slope, 0.6 + 2.1 * slope, std::atan(friction) * 180 / std::numbers::pi);
   const std::string file = support::fresh_folder("crack_cut") + "/in.json";
   support::write_text(file, text);

@@ -49,6 +49,7 @@ nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
     json["K_eq"] = tip.kink.equivalent;
   }
   if (tip.toughness) json["toughness"] = *tip.toughness;
+  json["doubt"] = doubt_of(report);
   json["domains"] = nlohmann::ordered_json::array();
   for (const DomainResult& domain : report.domains) {
     nlohmann::ordered_json row{{"domain", name_of(domain.choice)}};
@@ -99,17 +100,26 @@ ExitCode print_intensity(const SifOptions& options) {
     spdlog::error("keyblock: error: {}", found.failure);
     return ExitCode::numerical_failure;
   }
-  bool all_have_factors = true;
-  for (const study::TipAtEnd& tip : found.tips) all_have_factors = all_have_factors && tip.report.factors;
+  bool is_sure = true;
+  for (std::size_t i = 0; i < found.tips.size(); ++i) {
+    const std::string doubt = doubt_of(found.tips[i].report);
+    if (doubt.empty()) continue;
+    is_sure = false;
+    spdlog::warn("tip {}: {}", i + 1, doubt);
+  }
   if (options.as_json) {
-    nlohmann::ordered_json json{{"unknowns", found.unknowns}, {"tips", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json{{"unknowns", found.unknowns},
+                                {"time", found.time},
+                                {"in_motion", found.is_in_motion},
+                                {"tips", nlohmann::ordered_json::array()}};
     for (const study::TipAtEnd& tip : found.tips) json["tips"].push_back(json_of(tip));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{} unknowns\n", found.unknowns);
+    fmt::print("{} unknowns, {}\n", found.unknowns,
+               found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
     for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1);
   }
-  return all_have_factors ? ExitCode::ok : ExitCode::check_failed;
+  return is_sure ? ExitCode::ok : ExitCode::check_failed;
 }
 
 }  // namespace

@@ -59,6 +59,9 @@ class CrackedGraph {
   void add(const CrackPlan& crack) {
     std::vector<Point> along = crack.along;
     for (std::size_t i = 0; i + 1 < along.size(); ++i) require_apart(crack, {along[i], along[i + 1]});
+    for (std::size_t i = 0; i + 2 < along.size(); ++i)
+      for (std::size_t j = i + 1; j + 1 < along.size(); ++j)
+        require_apart(crack, {along[j], along[j + 1]}, {along[i], along[i + 1]}, "itself");
     along.front() = prolonged(along[1], along.front());
     along.back() = prolonged(along[along.size() - 2], along.back());
     int from = node_at(along.front());
@@ -85,20 +88,24 @@ class CrackedGraph {
 
   void require_apart(const CrackPlan& crack, const Segment& piece) const {
     for (const BodyPiece& other : graph_.pieces) {
-      const Segment there = segment_of(graph_, other);
-      if (meeting(piece, there) != Meeting::overlapping) continue;
-      // Ends that touch in one point are no overlap.
-      const double a = foot(piece, there.start), b = foot(piece, there.end);
-      if (std::min(std::max(a, b), 1.0) - std::max(std::min(a, b), 0.0) <= 0) continue;
-      throw InputError(crack.place,
-                       fmt::format("expected a crack apart from other lines, found it along {} from ({:.9g}, {:.9g}) "
-                                   "to ({:.9g}, {:.9g})",
-                                   other.is_slit ? "a joint or another crack" : "the outline of a body", there.start.x,
-                                   there.start.y, there.end.x, there.end.y));
+      require_apart(crack, piece, segment_of(graph_, other),
+                    other.is_slit ? "a joint or another crack" : "the outline of a body");
     }
   }
 
+  static void require_apart(const CrackPlan& crack, const Segment& piece, const Segment& there, const char* what) {
+    if (meeting(piece, there) != Meeting::overlapping) return;
+    // Ends that touch in one point are no overlap.
+    const double a = foot(piece, there.start), b = foot(piece, there.end);
+    if (std::min(std::max(a, b), 1.0) - std::max(std::min(a, b), 0.0) <= 0) return;
+    throw InputError(crack.place,
+                     fmt::format("expected a crack apart from other lines, found it along {} from ({:.9g}, "
+                                 "{:.9g}) to ({:.9g}, {:.9g})",
+                                 what, there.start.x, there.start.y, there.end.x, there.end.y));
+  }
+
   Point prolonged(Point from, Point end) const {
+    if (std::ranges::find(graph_.nodes, end) != graph_.nodes.end()) return end;
     for (const BodyPiece& other : graph_.pieces)
       if (distance(segment_of(graph_, other), end) <= kRounding * extent_)
         return end + (kBeyond * extent_ / distance(from, end)) * (end - from);
@@ -156,7 +163,7 @@ class SlitEnds {
  private:
   bool lies_on_another(Point at, const BodyPiece& own) const {
     return std::ranges::any_of(graph_.pieces, [&](const BodyPiece& other) {
-      return &other != &own && distance(segment_of(graph_, other), at) <= kRounding * extent_;
+      return &other != &own && distance(segment_of(graph_, other), at) <= 2 * kBeyond * extent_;
     });
   }
 

@@ -133,6 +133,23 @@ std::vector<std::vector<int>> stars(const TriangleMesh& mesh) {
   return of_node;
 }
 
+/// Nodes on the rim of the mesh, which bodies may reach to.
+std::vector<char> rim_of(const TriangleMesh& mesh) {
+  std::unordered_map<std::uint64_t, int> sides;
+  const auto key = [](int a, int b) {
+    const auto [low, high] = std::minmax(a, b);
+    return static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint32_t>(high);
+  };
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++sides[key(t[k], t[(k + 1) % 3])];
+  std::vector<char> is_rim(mesh.nodes.size(), 0);
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (sides[key(t[k], t[(k + 1) % 3])] == 1)
+        is_rim[static_cast<std::size_t>(t[k])] = is_rim[static_cast<std::size_t>(t[(k + 1) % 3])] = 1;
+  return is_rim;
+}
+
 double least_angle_with(const TriangleMesh& mesh, const std::vector<int>& star, int moved, Point to) {
   double least = std::numbers::pi;
   for (const int t : star) {
@@ -163,7 +180,7 @@ int bisect(TriangleMesh& mesh, const MeshSize& size, Point rows) {
 int place_nodes(TriangleMesh& mesh, std::span<const Point> points) {
   const std::vector<std::vector<int>> of_node = stars(mesh);
   std::vector<int> nearest(mesh.nodes.size());
-  std::vector<char> is_taken(mesh.nodes.size(), 0);
+  std::vector<char> is_taken = points.empty() ? std::vector<char>() : rim_of(mesh);
   int placed = 0;
   for (const Point to : points) {
     for (std::size_t n = 0; n < nearest.size(); ++n) nearest[n] = static_cast<int>(n);

@@ -18,8 +18,8 @@ int bisect(TriangleMesh& mesh, const MeshSize& size, Point rows);
 
 inline constexpr double kMostTriangles = 4e6;  ///< of any mesh: minutes and gigabytes
 
-/// Moves a node near each point onto it, unless an angle about it would fall below 15 degrees; a node is moved once.
-/// Returns the number of points that have a node.
+/// Moves a node near each point onto it, unless an angle about it would fall below 15 degrees; a node is moved once,
+/// and those on the rim of the mesh stay. Returns the number of points that have a node.
 int place_nodes(TriangleMesh& mesh, std::span<const Point> points);
 
 }  // namespace keyblock

@@ -35,7 +35,8 @@ class PlannedBodies {
   Warnings warnings_;
 };
 
-/// Of the triangles at tips: what the plan says, or a sixteenth of the increment by which its cracks grow, 0 without any.
+/// Of the triangles at tips: what the plan says, or a sixteenth of the increment by which its cracks grow, 0 without
+/// any.
 double tip_side_of(const CoverPlan& plan);
 
 /// Whether there is more than one body, or a joint that ends inside one. Throws as the constructor.

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/growth_of.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "base/error.hpp"
+#include "geometry/box.hpp"
 #include "model/continuum.hpp"
 #include "run/bodies/planned_bodies.hpp"
 
 namespace keyblock {
 namespace {
+
+constexpr double kLeastIncrements = 4;  // across all bodies: longer ones follow nothing
 
 std::string why_not(const Problem& problem, const Scene& scene) {
   const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
@@ -30,6 +35,12 @@ std::string why_not(const Problem& problem, const Scene& scene) {
     return "expected no initial stress where cracks grow, for growth scales all loads, found one";
   if (!scene.model.loading_points.empty())
     return "expected loads of covers (forces, tractions) where cracks grow, found loading points";
+  Box box;
+  for (const ElementCorner& corner : scene.model.continuum->manifold.corners) box.add(corner.position);
+  const double longest = std::min(box.size().x, box.size().y) / kLeastIncrements;
+  if (problem.covers->growth->increment > longest)
+    return fmt::format("expected an increment of at most {:.4g}, a quarter of the bodies' lesser extent, found {:.4g}",
+                       longest, problem.covers->growth->increment);
   if (std::ranges::none_of(materials, [](const BlockMaterial& m) { return m.toughness.has_value(); }))
     return "expected a toughness of a block material where cracks grow, found none";
   return {};

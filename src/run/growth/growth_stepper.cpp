@@ -19,6 +19,10 @@
 namespace keyblock {
 namespace {
 
+constexpr double kReach = 1.25;       // of an increment: another tip nearer than this is joined
+constexpr int kMostRounds = 6;        // of the search for the factor of the loads
+constexpr double kNearEnough = 0.01;  // of the toughness
+
 std::string words_of(const TipState& tip, std::size_t number) {
   return fmt::format("tip {} (crack {}) at ({:.6g}, {:.6g})", number + 1, tip.crack + 1, tip.at.x, tip.at.y);
 }
@@ -122,7 +126,11 @@ std::vector<TipState> GrowthStepper::tips_of(const Stepper& solved, const std::v
 std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std::vector<CrackPlan>& cracks,
                                                                        double factor) const {
   Solved result;
-  result.stepper = scene_stepper(scene_with(cracks, factor));
+  try {
+    result.stepper = scene_stepper(scene_with(cracks, factor));
+  } catch (const InputError& error) {
+    return failure(fmt::format("cracks cannot go on so: {}", error.what()));
+  }
   std::variant<StepReport, StepFailure> made = result.stepper->advance();
   if (const auto* why = std::get_if<StepFailure>(&made)) return *why;
   result.report = std::get<StepReport>(made);
@@ -155,21 +163,30 @@ std::optional<StepFailure> GrowthStepper::unfit_tip(const Stepper& solved, std::
   return std::nullopt;
 }
 
+Point GrowthStepper::next_place(std::size_t i, double more) const {
+  const double increment = first_.growth->plan.increment;
+  const Manifold& manifold = manifold_of(*now_);
+  const CrackTip& tip = tip_of(manifold, tips_[i]);
+  if (!tips_[i].has_room)
+    if (const std::optional<Point> through = way_through(manifold, tip)) return *through;
+  const Point direction = turned_to_left(tip.ahead, tips_[i].kink + more);
+  // Two that go on meet half way.
+  if (const std::optional<Point> other = facing_tip(manifold, tip.at, direction, 2 * kReach * increment)) {
+    const bool comes = std::ranges::any_of(tips_, [&](const TipState& t) { return t.goes_on && t.at == *other; });
+    if (comes) return 0.5 * (tip.at + *other);
+    if (distance(tip.at, *other) < kReach * increment) return *other;
+  }
+  return advance_of(manifold, tip.at, direction, increment).to;
+}
+
 std::vector<CrackPlan> GrowthStepper::prolonged(const std::vector<double>& more) const {
   std::vector<CrackPlan> cracks = shown_;
   for (const CrackStart& start : starts_) {
     const Point half = start.half_length * start.along;
     cracks.push_back({{start.at - half, start.at + half}, {}, 0});
   }
-  const Manifold& manifold = manifold_of(*now_);
-  for (std::size_t i = 0; i < tips_.size(); ++i) {
-    if (!tips_[i].goes_on) continue;
-    const CrackTip& tip = tip_of(manifold, tips_[i]);
-    const Point direction = turned_to_left(tip.ahead, tips_[i].kink + more[i]);
-    const std::optional<Point> through = tips_[i].has_room ? std::nullopt : way_through(manifold, tip);
-    prolong(cracks, tips_[i],
-            through.value_or(advance_of(manifold, tip.at, direction, first_.growth->plan.increment).to));
-  }
+  for (std::size_t i = 0; i < tips_.size(); ++i)
+    if (tips_[i].goes_on) prolong(cracks, tips_[i], next_place(i, more[i]));
   return cracks;
 }
 
@@ -186,11 +203,36 @@ std::vector<double> GrowthStepper::corrections(const std::vector<CrackPlan>& tri
 }
 
 void GrowthStepper::put_next() {
+  const auto ends_with_cracks = [&] {
+    try {
+      return is_end(first_.growth->remade(cracks_));
+    } catch (const InputError&) {
+      return false;  // the next step says why these cracks cannot be
+    }
+  };
   cracks_ = prolonged(std::vector<double>(tips_.size(), 0));
-  is_done_ = is_end(first_.growth->remade(cracks_));
+  is_done_ = ends_with_cracks();
   if (is_done_ || !first_.growth->plan.has_corrector) return;
   cracks_ = prolonged(corrections(cracks_));
-  is_done_ = is_end(first_.growth->remade(cracks_));
+  is_done_ = ends_with_cracks();
+}
+
+// Proportional loads of elastic rock need one division, contact with gaps or large rotation some more.
+std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved_at_toughness(
+    double& factor, const std::vector<std::size_t>& tips) const {
+  for (int round = 0; round < kMostRounds; ++round) {
+    auto made = solved(cracks_, factor);
+    if (std::holds_alternative<StepFailure>(made) || tips.empty()) return made;
+    double greatest = 0;
+    const std::vector<TipState>& found = std::get<Solved>(made).tips;
+    for (const std::size_t i : tips)
+      if (i < found.size() && found[i].toughness > 0)
+        greatest = std::max(greatest, found[i].equivalent / found[i].toughness);
+    if (std::abs(greatest - 1) <= kNearEnough) return made;
+    if (!(greatest > 0)) break;
+    factor /= greatest;
+  }
+  return failure(fmt::format("no factor of the loads brings a tip to its toughness within {} %", 100 * kNearEnough));
 }
 
 std::variant<StepReport, StepFailure> GrowthStepper::advance() {
@@ -199,15 +241,18 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   auto& under_unit = std::get<Solved>(unit);
   if (auto why = unfit_tip(*under_unit.stepper, under_unit.tips)) return *why;
   const bool goes_through = std::ranges::any_of(under_unit.tips, &TipState::goes_on);
-  const Next next = goes_through ? Next{load_factor_, {}, {}} : next_of(under_unit.tips, under_unit.starts);
+  Next next = next_of(under_unit.tips, under_unit.starts);
   if (!goes_through && next.tips.empty() && next.starts.empty())
     return failure("no tip goes on and no crack starts: nothing pulls at any, or the rock there has no toughness");
-  const double factor = next.factor;
-  auto loaded = solved(cracks_, factor);
+  const bool is_loaded = !next.tips.empty() || !next.starts.empty();
+  double factor = is_loaded ? next.factor : load_factor_;
+  auto loaded = solved_at_toughness(factor, next.tips);
   if (const auto* why = std::get_if<StepFailure>(&loaded)) return *why;
   auto& under_load = std::get<Solved>(loaded);
   for (std::size_t i = 0; i < under_load.tips.size(); ++i) under_load.tips[i].goes_on = under_unit.tips[i].goes_on;
-  for (const std::size_t i : next.tips) under_load.tips[i].goes_on = true;
+  if (goes_through) next.starts.clear();
+  if (!goes_through)
+    for (const std::size_t i : next.tips) under_load.tips[i].goes_on = true;
   StepReport report = under_load.report;
   report.passes += under_unit.report.passes;
   now_ = std::move(under_load.stepper);

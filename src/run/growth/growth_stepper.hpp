@@ -56,6 +56,10 @@ class GrowthStepper : public Stepper {
   std::optional<Point> way_through(const Manifold& manifold, const CrackTip& tip) const;
   /// Marks tips just before a line; fails where one has no room otherwise.
   std::optional<StepFailure> unfit_tip(const Stepper& solved, std::vector<TipState>& tips) const;
+  /// The same under the factor at which one of these tips reaches its toughness; begins with `factor`, and puts it.
+  std::variant<Solved, StepFailure> solved_at_toughness(double& factor, const std::vector<std::size_t>& tips) const;
+  /// Where tip i of `tips_` goes, its kink turned by `more`.
+  Point next_place(std::size_t i, double more) const;
   /// The cracks one increment further, by the kinks of `tips_` and `more` of each.
   std::vector<CrackPlan> prolonged(const std::vector<double>& more) const;
   /// By the mean of the kinks before and after the step; none where its trial fails.

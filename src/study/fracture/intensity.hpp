@@ -24,7 +24,9 @@ struct TipAtEnd {
 struct CaseIntensity {
   std::vector<TipAtEnd> tips;
   int unknowns = 0;
-  std::string failure;  ///< why the run did not reach its end; empty where it did
+  double time = 0;            ///< at the end
+  bool is_in_motion = false;  ///< in time; else an equilibrium
+  std::string failure;        ///< why the run did not reach its end; empty where it did
   Warnings warnings;
 };
 
