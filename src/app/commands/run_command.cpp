@@ -18,6 +18,7 @@
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "geometry/box.hpp"
 #include "job/run_job.hpp"
 #include "run/cover_settings.hpp"
 #include "run/settings_file.hpp"
@@ -164,6 +165,32 @@ void print_yielding(const RunRecord& record) {
                    curve.component, curve.number + 1, curve.reaction.back(), curve.steps[*first], curve.driven[*first]);
 }
 
+// Of what stress across the bodies would push with: resultants of loads that cancel are less.
+constexpr double kNoResultant = 1e-6;
+
+/// Force that the greatest stress at the end has over the length of the bodies.
+double force_of_stress(const FieldFrame& field) {
+  Box box;
+  double greatest = 0;
+  for (const FieldElement& element : field.elements)
+    for (const std::vector<FieldCorner>& loop : element.loops)
+      for (const FieldCorner& corner : loop) {
+        box.add(corner.position);
+        greatest =
+            std::max({greatest, std::abs(corner.stress.xx), std::abs(corner.stress.yy), std::abs(corner.stress.xy)});
+      }
+  return field.elements.empty() ? 0 : greatest * length(box.size());
+}
+
+void print_balance(const ForceBalance& forces, const FieldFrame& field) {
+  double largest = length(forces.loads.force);
+  for (const Resultant& support : forces.supports) largest = std::max(largest, length(support.force));
+  if (largest <= kNoResultant * force_of_stress(field))
+    spdlog::info("loads are in equilibrium by themselves");
+  else
+    spdlog::info("loads and supports balance to {:.1e} of the largest", forces.unbalanced());
+}
+
 /// `told`: how many of the warnings were printed at the start.
 void print_summary(const Prepared& prepared, const RunRecord& record, std::size_t told, const std::string& folder) {
   log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
@@ -176,8 +203,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
     spdlog::info("static: {:.3g} % of the way to equilibrium", 100 * *record.equilibrium_way->share);
   if (!record.outcome.start.balanced.empty()) spdlog::info("start: {}", record.outcome.start.balanced);
   print_stages(record.outcome.scenes);
-  if (record.outcome.forces)
-    spdlog::info("loads and supports balance to {:.1e} of the largest", record.outcome.forces->unbalanced());
+  if (record.outcome.forces) print_balance(*record.outcome.forces, record.outcome.field);
   print_yielding(record);
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
   spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
