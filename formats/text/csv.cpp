@@ -128,6 +128,7 @@ struct HistoryColumns {
   std::size_t reactions = 0;
   std::size_t driven = 0;
   bool has_share = false;
+  bool has_factor = false;
   bool has_plastic = false;
 
   explicit HistoryColumns(const History& history) {
@@ -137,6 +138,7 @@ struct HistoryColumns {
       reactions = std::max(reactions, row.reactions.size());
       driven = std::max(driven, row.driven.size());
       has_share = has_share || row.load_share.has_value();
+      has_factor = has_factor || row.load_factor != 1;
       has_plastic = has_plastic || row.plastic.has_value();
     }
   }
@@ -148,6 +150,7 @@ struct HistoryColumns {
     for (std::size_t i = 1; i <= reactions; ++i) text += fmt::format(",reaction{0}_x [F],reaction{0}_y [F]", i);
     for (std::size_t i = 1; i <= driven; ++i) text += fmt::format(",driven{} [L]", i);
     if (has_share) text += ",load_share";
+    if (has_factor) text += ",load_factor";
     if (has_plastic) text += ",yielded_fraction,yielding_fraction,plastic_work [F L]";
     return text + '\n';
   }
@@ -177,6 +180,7 @@ std::string history_csv(const History& history) {
     }
     for (std::size_t i = 0; i < columns.driven; ++i) append_number_or_nothing(text, row.driven, i);
     if (columns.has_share) append(text, {row.load_share.value_or(0)});
+    if (columns.has_factor) append(text, {row.load_factor});
     if (columns.has_plastic) append_totals(text, row.plastic);
     text += '\n';
   }

@@ -9,7 +9,8 @@
 //            then the force of every bolt, tension positive: bolti [F]; then, where load steps sum it, what every
 //            prescribed displacement exerts on the bodies: reactioni_x,reactioni_y [F]; where rock may yield also
 //            driveni [L], the mean length of that displacement, where load steps follow it, load_share of the loads
-//            where steps follow the path of equilibria (load_control = arc_length), and of all such rock
+//            where steps follow the path of equilibria (load_control = arc_length), load_factor of all loads where
+//            cracks grow, and of all such rock
 //            yielded_fraction, the share of its area that has yielded since the start, yielding_fraction, that which
 //            ended the step on its surface, and plastic_work [F L], stress times plastic strain summed, per unit
 //            thickness (empty where it is not summed: in time without a ledger)

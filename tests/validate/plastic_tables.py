@@ -37,6 +37,7 @@ class Run:
         out = folder / "out"
         self.report = json.loads((out / "run.json").read_text())
         self.history = self.rows(out / "history.csv")
+        self.steps = self.rows(out / self.report["steps"]["table"])
         self.points = self.rows(out / "points.csv") if (out / "points.csv").exists() else []
         self.residuals = {}
         if (out / "rounds.csv").exists():
@@ -57,10 +58,8 @@ class Run:
         return self.report["seconds"]["run"]
 
     def rounds(self):
-        steps = self.report["steps"]
-        columns = {name: i for i, name in enumerate(steps["columns"])}
-        passes = [row[columns["passes"]] for row in steps["rows"]]
-        cuts = sum(row[columns["redos"]] for row in steps["rows"])
+        passes = [int(row["passes"]) for row in self.steps]
+        cuts = sum(int(row["redos"]) for row in self.steps)
         mean = sum(passes) / len(passes) if passes else 0
         return "%5.1f %4d %4d" % (mean, max(passes, default=0), cuts)
 
