@@ -368,7 +368,7 @@ CoverPlan covers(Dice& dice) {
     const int step = 1 + one.below(9);
     return ExcavationPlan{step, polygon(one), {}, 0};
   });
-  plan.cracks = some(dice, 2, [](Dice& one) { return CrackPlan{polygon(one), {}, one.below(4)}; });
+  plan.cracks = some(dice, 2, [](Dice& one) { return CrackPlan{polygon(one), {}, 0}; });
   if (dice.happens(0.3))
     plan.growth = GrowthPlan{static_cast<GrowthCriterion>(dice.below(3)), positive_real(dice), dice.happens(0.5), {}};
   return plan;
