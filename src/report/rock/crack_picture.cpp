@@ -27,6 +27,7 @@ constexpr std::string_view kPath = "#c0392b";
 constexpr std::size_t kMostCurves = 4;  // tips of which curves are drawn: more cannot be told apart
 
 struct Path {
+  int first_step = 0;
   std::vector<Point> points;
   std::vector<double> length, mode_1, mode_2, factor;
 };
@@ -37,6 +38,7 @@ std::map<std::pair<int, bool>, Path> paths_of(const History& history) {
   for (const HistoryRow& row : history.rows)
     for (const TipState& tip : row.tips) {
       Path& path = paths[{tip.crack, tip.at_end}];
+      if (path.points.empty()) path.first_step = row.step;
       path.points.push_back(tip.at);
       if (!tip.has_room) continue;
       path.length.push_back(tip.length);
@@ -53,7 +55,16 @@ void draw_bodies(SvgPage& page, const PageMap& map, const Frame& start) {
     page.polygon({map(outline)}, {.stroke = kOutline, .stroke_width = 1.2});
 }
 
-/// Over steps where no crack changed its length.
+/// A crack that started on the way is straight between its first two tips.
+void draw_starts(SvgPage& page, const PageMap& map, const std::map<std::pair<int, bool>, Path>& paths) {
+  for (const auto& [key, path] : paths) {
+    const auto other = paths.find({key.first, !key.second});
+    if (!key.second || other == paths.end() || path.first_step <= 1) continue;
+    page.polyline({map(other->second.points.front()), map(path.points.front())}, {.stroke = kPath, .stroke_width = 2});
+  }
+}
+
+/// Whether the crack changed its length.
 bool grows(const Path& path) {
   return !path.length.empty() && path.length.back() > path.length.front();
 }
@@ -79,6 +90,7 @@ std::string crack_picture(const std::string& title, const Frame& start, const Hi
   SvgPage page(kPageWidth, height);
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
   draw_bodies(page, map, start);
+  draw_starts(page, map, paths);
   for (const auto& [key, path] : paths) {
     page.polyline(map(path.points), {.stroke = kPath, .stroke_width = 2});
     for (const Point p : path.points) page.circle(map(p), 2.2, {.fill = kPath});
