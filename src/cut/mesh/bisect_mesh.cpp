@@ -24,6 +24,12 @@ const Point& node(const TriangleMesh& mesh, int n) {
   return mesh.nodes[static_cast<std::size_t>(n)];
 }
 
+/// Of a side, in whichever direction.
+std::uint64_t key(int a, int b) {
+  const auto [low, high] = std::minmax(a, b);
+  return static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint32_t>(high);
+}
+
 Triangle turned(const Triangle& t, int k) {
   const auto at = [&](int i) { return t[static_cast<std::size_t>((i + k) % 3)]; };
   return {at(0), at(1), at(2)};
@@ -84,10 +90,6 @@ class Bisection {
   }
 
  private:
-  static std::uint64_t key(int a, int b) {
-    const auto [low, high] = std::minmax(a, b);
-    return static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint32_t>(high);
-  }
   bool is_cut(int a, int b) const { return cut_.contains(key(a, b)); }
 
   int middle_of(int a, int b) {
@@ -136,10 +138,6 @@ std::vector<std::vector<int>> stars(const TriangleMesh& mesh) {
 /// Nodes on the rim of the mesh, which bodies may reach to.
 std::vector<char> rim_of(const TriangleMesh& mesh) {
   std::unordered_map<std::uint64_t, int> sides;
-  const auto key = [](int a, int b) {
-    const auto [low, high] = std::minmax(a, b);
-    return static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint32_t>(high);
-  };
   for (const Triangle& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) ++sides[key(t[k], t[(k + 1) % 3])];
   std::vector<char> is_rim(mesh.nodes.size(), 0);
@@ -178,9 +176,10 @@ int bisect(TriangleMesh& mesh, const MeshSize& size, Point rows) {
 }
 
 int place_nodes(TriangleMesh& mesh, std::span<const Point> points) {
+  if (points.empty()) return 0;
   const std::vector<std::vector<int>> of_node = stars(mesh);
   std::vector<int> nearest(mesh.nodes.size());
-  std::vector<char> is_taken = points.empty() ? std::vector<char>() : rim_of(mesh);
+  std::vector<char> is_taken = rim_of(mesh);
   int placed = 0;
   for (const Point to : points) {
     for (std::size_t n = 0; n < nearest.size(); ++n) nearest[n] = static_cast<int>(n);

@@ -115,7 +115,7 @@ FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph, std::span<c
   fitted.mesh = plan.kind == MeshKind::regular ? bisected(regular(plan, box), plan, refined_points(plan, box, tips))
                                                : unstructured(plan, graph, box, tips);
   if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box));
-  place_nodes(fitted.mesh, tips);
+  if (plan.tip_side > 0) place_nodes(fitted.mesh, tips);  // else meshes stay as they are
   return fitted;
 }
 
