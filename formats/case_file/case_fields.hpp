@@ -40,6 +40,7 @@ inline constexpr std::array<std::string_view, 4> kYieldSurfaces{"tresca", "von_m
                                                                 "drucker_prager"};
 inline constexpr std::array<std::string_view, 3> kConeMatchings{"compression", "extension", "plane_strain"};
 inline constexpr std::array<std::string_view, 3> kGrowthCriteria{"hoop_stress", "strain_energy", "energy_release"};
+inline constexpr std::array<std::string_view, 3> kGrowthLoads{"automatic", "scaled", "given"};
 inline constexpr std::array<std::string_view, 2> kRotations{"first_order", "exact"};
 
 // Names only: a misspelt one would stand in every later file.
@@ -419,6 +420,7 @@ void describe(F& f, In<F, CrackPlan>& crack) {
 template <class F>
 void describe(F& f, In<F, GrowthPlan>& growth) {
   f.word("criterion", growth.criterion, kGrowthCriteria);
+  f.word("loads", growth.loads, kGrowthLoads);
   f.real("increment", growth.increment, kPositive);
   f.flag("corrector", growth.has_corrector);
 }

@@ -134,7 +134,10 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"cracks", "cracks in the bodies, drawn where the bodies are undeformed"},
     {"cracks.along", "chain of points; an end on a boundary, a joint or another crack is no tip"},
     {"cracks.joint_material", "of both faces; the first is 1"},
-    {"growth", "tips go on, one increment in each load step, under the load at which one reaches its toughness"},
+    {"growth", "tips go on by increments where they reach their toughness"},
+    {"growth.loads",
+     "scaled in each load step to those under which one tip reaches its toughness; given: as they are, in time or at "
+     "rest; automatic: scaled at rest where all bodies are on covers, else given"},
     {"criterion",
      "direction of growth: of the greatest hoop stress, the least strain energy density or the greatest energy "
      "release"},

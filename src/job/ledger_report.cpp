@@ -34,6 +34,7 @@ const std::vector<Column> kFlows{{"contact", [](const LedgerRow& r) { return r.s
                                  {"projection", [](const LedgerRow& r) { return r.flow.projection; }},
                                  {"geometric", [](const LedgerRow& r) { return r.flow.geometric; }},
                                  {"creep", [](const LedgerRow& r) { return r.flow.creep; }}};
+const std::vector<Column> kFracture{{"fracture", [](const LedgerRow& r) { return r.flow.fracture; }}};
 const std::vector<Column> kPlastic{{"plastic", [](const LedgerRow& r) { return r.flow.plastic; }}};
 const std::vector<Column> kChanges{{"change", [](const LedgerRow& r) { return r.flow.change; }}};
 const std::vector<Column> kMomentum{{"momentum_x", [](const LedgerRow& r) { return r.momentum.linear.x; }},
@@ -59,6 +60,7 @@ std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start)
   const auto append = [&](const std::vector<Column>& more) { columns.insert(columns.end(), more.begin(), more.end()); };
   if (scope.has_flows) append(kFlows);
   if (scope.has_flows && scope.may_yield) append(kPlastic);
+  if (scope.has_flows && scope.may_crack) append(kFracture);
   if (scope.has_flows && scope.has_changes) append(kChanges);
   append(kMomentum);
   if (!scope.has_flows) return columns;

@@ -131,11 +131,19 @@ enum class GrowthCriterion {
   energy_release,  ///< of the greatest energy release rate (Amestoy & Leblond 1992)
 };
 
-/// Tips go on by `increment` in each load step, under the load at which one of them reaches its toughness.
+/// Under which loads tips go on.
+enum class GrowthLoads {
+  automatic,  ///< scaled at rest where all bodies are on covers, else given
+  scaled,     ///< in each load step those under which one tip reaches its toughness: all loads by one factor
+  given,      ///< those of the file, in time or at rest: tips go on that have reached their toughness
+};
+
+/// Tips go on by `increment`.
 struct GrowthPlan {
   GrowthCriterion criterion = GrowthCriterion::hoop_stress;
+  GrowthLoads loads = GrowthLoads::automatic;
   double increment = 0;
-  bool has_corrector = true;  ///< the kink is the mean of those before and after a trial of the step
+  bool has_corrector = true;  ///< under scaled loads: the kink is the mean of those before and after a trial of the step
   Place place;
 };
 

@@ -165,6 +165,7 @@ void describe(Archive& a, LedgerRow& row) {
   a.value("closing", row.flow.closing);
   a.value("clean_up", row.flow.clean_up);
   a.value("rupture", row.flow.rupture);
+  a.value("fracture", row.flow.fracture);
   a.value("plastic", row.flow.plastic);
   a.value("algorithmic", row.flow.algorithmic);
   describe(a, "momentum", row.momentum);

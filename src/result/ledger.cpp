@@ -15,7 +15,7 @@ double largest_of(const StoredEnergy& e, const StoredEnergy& start) {
 double largest_of(const EnergyFlow& f) {
   double largest = 0;
   for (double flow : {f.external, f.projection, f.geometric, f.creep, f.friction, f.damping, f.impact, f.closing,
-                      f.clean_up, f.rupture, f.plastic, f.algorithmic, f.change})
+                      f.clean_up, f.rupture, f.fracture, f.plastic, f.algorithmic, f.change})
     largest = std::max(largest, std::abs(flow));
   return largest;
 }
@@ -38,6 +38,7 @@ EnergyFlow& EnergyFlow::operator+=(const EnergyFlow& other) {
   closing += other.closing;
   clean_up += other.clean_up;
   rupture += other.rupture;
+  fracture += other.fracture;
   plastic += other.plastic;
   algorithmic += other.algorithmic;
   return *this;

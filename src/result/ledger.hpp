@@ -34,11 +34,14 @@ struct EnergyFlow {
   double closing = 0;  ///< normal forces times the gaps they closed; negative where they pushed an overlap apart
   double clean_up = 0;
   double rupture = 0;      ///< what bolts held that broke
+  double fracture = 0;     ///< of new faces of cracks, which let go of each other
   double plastic = 0;      ///< stress at the end of steps times the plastic strain of rock that yields
   double algorithmic = 0;  ///< of the integrator and of its rule for contact springs
 
   double gained() const { return external + projection + geometric + creep + change; }
-  double lost() const { return friction + damping + impact + closing + clean_up + rupture + plastic + algorithmic; }
+  double lost() const {
+    return friction + damping + impact + closing + clean_up + rupture + fracture + plastic + algorithmic;
+  }
   EnergyFlow& operator+=(const EnergyFlow& other);
 };
 
@@ -75,6 +78,7 @@ struct LedgerScope {
   Point centre;              ///< that angular momentum is taken about
   bool has_changes = false;  ///< the scene changes during the run
   bool may_yield = false;    ///< some of its rock may yield
+  bool may_crack = false;    ///< cracks may go on in it
 };
 
 struct Ledger {

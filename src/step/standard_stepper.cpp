@@ -231,7 +231,7 @@ StandardStepper::StandardStepper(Scene scene)
   if (scene_.settings.ledger == Bookkeeping::on) ledger_ = ledger_row(scene_, motion_);
 }
 
-StandardStepper::StandardStepper(const StandardStepper& before, const SceneChange& change)
+StandardStepper::StandardStepper(const StandardStepper& before, const SceneChange& change, std::vector<FacePull> pulls)
     : scene_(standard_scene(installed(change.scene.model, change.map, before.scene_, before.motion_),
                             change.scene.settings)),
       motion_(carried_motion(before.scene_, before.motion_, change.map, scene_, before.state_.time)),
@@ -242,6 +242,7 @@ StandardStepper::StandardStepper(const StandardStepper& before, const SceneChang
       plastic_work_(before.plastic_work_) {
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
+  scene_.pulls = std::move(pulls);
   scene_.mass_centre = before.scene_.mass_centre;
   scene_.load_share = before.scene_.load_share;
   unloaded_ = places_of(state_of(scene_, start_motion(scene_)));

@@ -13,8 +13,9 @@ class StandardStepper : public SceneStepper {
  public:
   /// Throws std::invalid_argument for a scene that is `unsupported`.
   explicit StandardStepper(Scene scene);
-  /// Goes on in the scene that follows, from the motion and the time of the one before. Throws as the first.
-  StandardStepper(const StandardStepper& before, const SceneChange& change);
+  /// Goes on in the scene that follows, from the motion and the time of the one before; its faces have these pulls.
+  /// Throws as the first.
+  StandardStepper(const StandardStepper& before, const SceneChange& change, std::vector<FacePull> pulls = {});
   /// As it was saved, of the same scene.
   StandardStepper(Scene scene, Archive& saved);
 
@@ -37,6 +38,8 @@ class StandardStepper : public SceneStepper {
   std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
   bool is_at_rest(double share) const override;
 
+  /// Of the coming steps.
+  void put_pulls(std::vector<FacePull> pulls) { scene_.pulls = std::move(pulls); }
   const StandardScene& scene() const { return scene_; }
   const Motion& motion() const { return motion_; }
 

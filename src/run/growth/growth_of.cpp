@@ -17,24 +17,50 @@ namespace {
 
 constexpr double kLeastIncrements = 4;  // across all bodies: longer ones follow nothing
 
+bool is_at_rest(const Scene& scene) {
+  return scene.settings.dynamics == Dynamics::standard && scene.settings.standard.motion == MotionRule::equilibrium;
+}
+
+GrowthLoads loads_of(const Problem& problem, const Scene& scene) {
+  if (problem.covers->growth->loads != GrowthLoads::automatic) return problem.covers->growth->loads;
+  return is_at_rest(scene) && problem.covers->mesh.materials.empty() ? GrowthLoads::scaled : GrowthLoads::given;
+}
+
+std::string why_not_scaled(const Problem& problem, const Scene& scene) {
+  if (!is_at_rest(scene))
+    return "expected statics where cracks grow under scaled loads (velocity_carry_over 0, profile standard), found "
+           "motion; growth under given loads goes on in time";
+  if (!problem.covers->mesh.materials.empty())
+    return "expected all bodies on covers where cracks grow under scaled loads (no materials of the mesh), found "
+           "blocks "
+           "beside them";
+  if (scene.model.continuum->initial_stress ||
+      std::ranges::any_of(problem.analysis->block_materials, [](const BlockMaterial& m) {
+        return m.initial_stress != Stress{} || m.stress_gradient != Stress{};
+      }))
+    return "expected no initial stress where cracks grow under scaled loads, for all loads have one factor, found one";
+  if (!scene.model.loading_points.empty())
+    return "expected loads of covers (forces, tractions) where cracks grow under scaled loads, found loading points";
+  return {};
+}
+
+std::string why_not_given(const Scene& scene) {
+  if (scene.settings.dynamics != Dynamics::standard)
+    return "expected profile standard where cracks grow, found the dynamics of Shi";
+  if (scene.is_untouched) return "expected contact felt where cracks grow under given loads, found it ignored";
+  return {};
+}
+
 std::string why_not(const Problem& problem, const Scene& scene) {
   const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
-  const bool is_statics =
-      scene.settings.dynamics == Dynamics::standard && scene.settings.standard.motion == MotionRule::equilibrium;
-  if (!is_statics) return "expected statics where cracks grow (velocity_carry_over 0, profile standard), found motion";
   if (!scene.model.continuum) return "expected bodies on covers where cracks grow, found none";
-  if (!problem.covers->mesh.materials.empty())
-    return "expected all bodies on covers where cracks grow (no materials of the mesh), found blocks beside them";
   if (!problem.stages.empty() || !problem.covers->excavations.empty())
     return "expected no stages or excavations where cracks grow, found them";
   if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear))
     return "expected elastic rock where cracks grow, found a strength or crack_closure";
-  if (scene.model.continuum->initial_stress || std::ranges::any_of(materials, [](const BlockMaterial& m) {
-        return m.initial_stress != Stress{} || m.stress_gradient != Stress{};
-      }))
-    return "expected no initial stress where cracks grow, for growth scales all loads, found one";
-  if (!scene.model.loading_points.empty())
-    return "expected loads of covers (forces, tractions) where cracks grow, found loading points";
+  const std::string why =
+      loads_of(problem, scene) == GrowthLoads::scaled ? why_not_scaled(problem, scene) : why_not_given(scene);
+  if (!why.empty()) return why;
   Box box;
   for (const ElementCorner& corner : scene.model.continuum->manifold.corners) box.add(corner.position);
   const double longest = std::min(box.size().x, box.size().y) / kLeastIncrements;
@@ -57,8 +83,10 @@ std::shared_ptr<const CrackGrowth> growth_of(const Problem& problem, const Scene
   Problem still = problem;
   still.covers->mesh.tip_side = tip_side_of(*still.covers);
   still.covers->growth.reset();
+  GrowthPlan chosen = plan;
+  chosen.loads = loads_of(problem, scene);
   return std::make_shared<CrackGrowth>(
-      CrackGrowth{plan, problem.covers->cracks,
+      CrackGrowth{chosen, problem.covers->cracks,
                   [still = std::move(still), remade = std::move(remade)](const std::vector<CrackPlan>& cracks) {
                     Problem with = still;
                     with.covers->cracks = cracks;

@@ -12,8 +12,9 @@
 
 namespace keyblock {
 
-/// Throws InputError where cracks cannot grow: in time, beside stages or excavations, under an initial stress (which no
-/// factor of the loads scales), without a toughness, or where rock may yield. None where the file asks for none.
+/// Throws InputError where cracks cannot grow: beside stages or excavations, without a toughness, or where rock may
+/// yield; under scaled loads also in time, beside blocks, and under an initial stress, which no factor scales. None
+/// where the file asks for none. Its plan says whether loads are scaled.
 /// `remade`: the scene of the same case with other cracks.
 std::shared_ptr<const CrackGrowth> growth_of(const Problem& problem, const Scene& scene,
                                              std::function<Scene(const Problem&)> remade);

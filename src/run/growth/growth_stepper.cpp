@@ -19,13 +19,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double kReach = 1.25;       // of an increment: another tip nearer than this is joined
 constexpr int kMostRounds = 6;        // of the search for the factor of the loads
 constexpr double kNearEnough = 0.01;  // of the toughness
-
-std::string words_of(const TipState& tip, std::size_t number) {
-  return fmt::format("tip {} (crack {}) at ({:.6g}, {:.6g})", number + 1, tip.crack + 1, tip.at.x, tip.at.y);
-}
 
 Scene with_factor(Scene scene, double factor) {
   scene.growth.reset();
@@ -66,14 +61,14 @@ Next next_of(const std::vector<TipState>& tips, const std::vector<CrackStart>& s
 }  // namespace
 
 GrowthStepper::GrowthStepper(Scene first) : first_(std::move(first)), cracks_(first_.growth->cracks) {
-  shown_ = cracks_;
+  front_.cracks = cracks_;
   now_ = scene_stepper(with_factor(first_, 1));
   state_ = now_->state();
 }
 
 GrowthStepper::GrowthStepper(Scene first, Archive& saved) : first_(std::move(first)) {
   describe_growth(saved);
-  saved.group("scene", [&] { now_ = restored_scene_stepper(scene_with(shown_, load_factor_), saved); });
+  saved.group("scene", [&] { now_ = restored_scene_stepper(scene_with(front_.cracks, load_factor_), saved); });
   const int step = state_.step;
   const double time = state_.time;
   state_ = now_->state();
@@ -87,40 +82,16 @@ void GrowthStepper::save(Archive& archive) {
 }
 
 void GrowthStepper::describe_growth(Archive& archive) {
-  const auto describe_cracks = [&](const char* name, std::vector<CrackPlan>& cracks) {
-    archive.list(name, cracks, [&](CrackPlan& crack) {
-      archive.list("along", crack.along, [&](Point& point) {
-        archive.value("x", point.x);
-        archive.value("y", point.y);
-      });
-      archive.value("joint_material", crack.joint_material);
-    });
-  };
   archive.value("step", state_.step);
   archive.value("time", state_.time);
   archive.value("load_factor", load_factor_);
   archive.value("is_done", is_done_);
-  describe_cracks("cracks", cracks_);
-  describe_cracks("cracks_shown", shown_);
-  archive.list("tips", tips_, [&](TipState& tip) { describe(archive, tip); });
-  archive.list("starts", starts_, [&](CrackStart& start) {
-    archive.value("x", start.at.x);
-    archive.value("y", start.at.y);
-    archive.value("along_x", start.along.x);
-    archive.value("along_y", start.along.y);
-    archive.value("half_length", start.half_length);
-  });
+  describe(archive, "cracks", cracks_);
+  describe(archive, front_);
 }
 
 Scene GrowthStepper::scene_with(const std::vector<CrackPlan>& cracks, double factor) const {
   return with_factor(first_.growth->remade(cracks), factor);
-}
-
-std::vector<TipState> GrowthStepper::tips_of(const Stepper& solved, const std::vector<CrackPlan>& cracks) const {
-  const CoverSolution solution = *solution_of(solved);
-  std::vector<TipState> tips = followed_tips(solution.continuum.manifold, cracks);
-  for (TipState& tip : tips) put_factors(tip, solution, first_.growth->plan.criterion);
-  return tips;
 }
 
 std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std::vector<CrackPlan>& cracks,
@@ -134,16 +105,10 @@ std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std
   std::variant<StepReport, StepFailure> made = result.stepper->advance();
   if (const auto* why = std::get_if<StepFailure>(&made)) return *why;
   result.report = std::get<StepReport>(made);
-  result.tips = tips_of(*result.stepper, cracks);
-  result.starts = crack_starts(*solution_of(*result.stepper));
+  const CoverSolution solution = *solution_of(*result.stepper);
+  result.tips = tips_of(solution, cracks, first_.growth->plan.criterion);
+  result.starts = crack_starts(solution);
   return result;
-}
-
-// Straight ahead, or to what lies beside it.
-std::optional<Point> GrowthStepper::way_through(const Manifold& manifold, const CrackTip& tip) const {
-  const double increment = first_.growth->plan.increment;
-  const Advance ahead = advance_of(manifold, tip.at, tip.ahead, increment);
-  return ahead.meets_line ? std::optional(ahead.to) : line_beside(manifold, tip, increment);
 }
 
 // A tip just before a line has no field of its own: it goes through to it at once.
@@ -151,7 +116,7 @@ std::optional<StepFailure> GrowthStepper::unfit_tip(const Stepper& solved, std::
   for (std::size_t i = 0; i < tips.size(); ++i) {
     if (tips[i].has_room) continue;
     const CrackTip& tip = tip_of(manifold_of(solved), tips[i]);
-    if (way_through(manifold_of(solved), tip)) {
+    if (way_through(manifold_of(solved), tip, first_.growth->plan.increment)) {
       tips[i].goes_on = true;
       continue;
     }
@@ -163,41 +128,19 @@ std::optional<StepFailure> GrowthStepper::unfit_tip(const Stepper& solved, std::
   return std::nullopt;
 }
 
-Point GrowthStepper::next_place(std::size_t i, double more) const {
-  const double increment = first_.growth->plan.increment;
-  const Manifold& manifold = manifold_of(*now_);
-  const CrackTip& tip = tip_of(manifold, tips_[i]);
-  if (!tips_[i].has_room)
-    if (const std::optional<Point> through = way_through(manifold, tip)) return *through;
-  const Point direction = turned_to_left(tip.ahead, tips_[i].kink + more);
-  // Two that go on meet half way.
-  if (const std::optional<Point> other = facing_tip(manifold, tip.at, direction, 2 * kReach * increment)) {
-    const bool comes = std::ranges::any_of(tips_, [&](const TipState& t) { return t.goes_on && t.at == *other; });
-    if (comes) return 0.5 * (tip.at + *other);
-    if (distance(tip.at, *other) < kReach * increment) return *other;
-  }
-  return advance_of(manifold, tip.at, direction, increment).to;
-}
-
-std::vector<CrackPlan> GrowthStepper::prolonged(const std::vector<double>& more) const {
-  std::vector<CrackPlan> cracks = shown_;
-  for (const CrackStart& start : starts_) {
-    const Point half = start.half_length * start.along;
-    cracks.push_back({{start.at - half, start.at + half}, {}, 0});
-  }
-  for (std::size_t i = 0; i < tips_.size(); ++i)
-    if (tips_[i].goes_on) prolong(cracks, tips_[i], next_place(i, more[i]));
-  return cracks;
+std::vector<CrackPlan> GrowthStepper::further(const std::vector<double>& more) const {
+  return prolonged(front_, manifold_of(*now_), first_.growth->plan.increment, more);
 }
 
 // Half of the kink that a trial finds at its tips.
 std::vector<double> GrowthStepper::corrections(const std::vector<CrackPlan>& trial) const {
-  std::vector<double> more(tips_.size(), 0);
+  std::vector<double> more(front_.tips.size(), 0);
   auto tried = solved(trial, load_factor_);
   if (std::holds_alternative<StepFailure>(tried)) return more;
-  for (std::size_t i = 0; i < tips_.size(); ++i)
+  for (std::size_t i = 0; i < front_.tips.size(); ++i)
     for (const TipState& found : std::get<Solved>(tried).tips)
-      if (tips_[i].goes_on && found.crack == tips_[i].crack && found.at_end == tips_[i].at_end && found.has_room)
+      if (front_.tips[i].goes_on && found.crack == front_.tips[i].crack && found.at_end == front_.tips[i].at_end &&
+          found.has_room)
         more[i] = found.kink / 2;
   return more;
 }
@@ -210,10 +153,10 @@ void GrowthStepper::put_next() {
       return false;  // the next step says why these cracks cannot be
     }
   };
-  cracks_ = prolonged(std::vector<double>(tips_.size(), 0));
+  cracks_ = further(std::vector<double>(front_.tips.size(), 0));
   is_done_ = ends_with_cracks();
   if (is_done_ || !first_.growth->plan.has_corrector) return;
-  cracks_ = prolonged(corrections(cracks_));
+  cracks_ = further(corrections(cracks_));
   is_done_ = ends_with_cracks();
 }
 
@@ -256,10 +199,8 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   StepReport report = under_load.report;
   report.passes += under_unit.report.passes;
   now_ = std::move(under_load.stepper);
-  tips_ = std::move(under_load.tips);
-  starts_ = next.starts;
+  front_ = {cracks_, std::move(under_load.tips), next.starts};
   load_factor_ = factor;
-  shown_ = cracks_;
   const int step = state_.step + 1;
   state_ = now_->state();
   state_.step = step;

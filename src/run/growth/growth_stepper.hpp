@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fracture/initiation.hpp"
+#include "run/growth/crack_front.hpp"
 #include "step/stepper.hpp"
 
 namespace keyblock {
@@ -35,7 +35,7 @@ class GrowthStepper : public Stepper {
   LedgerScope ledger_scope() const override { return {}; }
   std::optional<ForceBalance> forces() const override { return now_->forces(); }
   std::optional<CoverDisplacement> on_covers() const override { return now_->on_covers(); }
-  std::vector<TipState> tips() const override { return tips_; }
+  std::vector<TipState> tips() const override { return front_.tips; }
   double load_factor() const override { return load_factor_; }
   void save(Archive& archive) override;
 
@@ -51,17 +51,12 @@ class GrowthStepper : public Stepper {
   void describe_growth(Archive& archive);
   Scene scene_with(const std::vector<CrackPlan>& cracks, double factor) const;
   std::variant<Solved, StepFailure> solved(const std::vector<CrackPlan>& cracks, double factor) const;
-  std::vector<TipState> tips_of(const Stepper& solved, const std::vector<CrackPlan>& cracks) const;
-  /// Where a tip without room goes: to the line that is in its way; none where that is farther than an increment.
-  std::optional<Point> way_through(const Manifold& manifold, const CrackTip& tip) const;
   /// Marks tips just before a line; fails where one has no room otherwise.
   std::optional<StepFailure> unfit_tip(const Stepper& solved, std::vector<TipState>& tips) const;
   /// The same under the factor at which one of these tips reaches its toughness; begins with `factor`, and puts it.
   std::variant<Solved, StepFailure> solved_at_toughness(double& factor, const std::vector<std::size_t>& tips) const;
-  /// Where tip i of `tips_` goes, its kink turned by `more`.
-  Point next_place(std::size_t i, double more) const;
-  /// The cracks one increment further, by the kinks of `tips_` and `more` of each.
-  std::vector<CrackPlan> prolonged(const std::vector<double>& more) const;
+  /// The cracks one increment further, by the kinks of the tips and `more` of each.
+  std::vector<CrackPlan> further(const std::vector<double>& more) const;
   /// By the mean of the kinks before and after the step; none where its trial fails.
   std::vector<double> corrections(const std::vector<CrackPlan>& trial) const;
   /// Puts the cracks of the next step, or that there is none.
@@ -70,11 +65,9 @@ class GrowthStepper : public Stepper {
 
   Scene first_;
   std::unique_ptr<Stepper> now_;
-  State state_;                     ///< of `now_`, with the steps of the run
-  std::vector<CrackPlan> cracks_;   ///< those of the step to come
-  std::vector<CrackPlan> shown_;    ///< those of the last step
-  std::vector<TipState> tips_;      ///< at its end
-  std::vector<CrackStart> starts_;  ///< cracks that start at its end; where there are any no tip goes on
+  State state_;                    ///< of `now_`, with the steps of the run
+  std::vector<CrackPlan> cracks_;  ///< those of the step to come
+  CrackFront front_;               ///< at the end of the last step; where cracks start no tip goes on
   double load_factor_ = 1;
   bool is_done_ = false;
 };

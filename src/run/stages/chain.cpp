@@ -72,6 +72,17 @@ void name_elements(const Model& before, Model& after, const Table<ElementIndex, 
 
 }  // namespace
 
+SceneChange change_between(const Model& before, Scene after, Table<ElementIndex, ElementIndex> parents,
+                           int& next_number) {
+  Descent descent;
+  for (std::size_t i = 0; i < after.model.fixed_points.size(); ++i) descent.fixed_points.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < after.model.bolts.size(); ++i) descent.bolts.push_back(static_cast<int>(i));
+  SceneChange change{std::move(after), {}};
+  change.map = map_between(before, change.scene.model, std::move(parents), descent);
+  name_elements(before, change.scene.model, change.map.elements, next_number);
+  return change;
+}
+
 Table<ElementIndex, ElementIndex> block_parents(const Model&, const Model&, const Descent& descent) {
   Table<ElementIndex, ElementIndex> parents;
   for (const int parent : descent.blocks) parents.push_back({parent});

@@ -40,6 +40,11 @@ Table<ElementIndex, ElementIndex> block_parents(const Model& before, const Model
 /// When the scene of a stage ends.
 SceneEnd end_of(const Stage& stage, const StageChoices& choices);
 
+/// A scene of the same fixed points and bolts in their order, as it follows a model; `parents` says what its elements
+/// were. Of several pieces of one element the first keeps its name, others are numbered on from `next_number`.
+SceneChange change_between(const Model& before, Scene after, Table<ElementIndex, ElementIndex> parents,
+                           int& next_number);
+
 /// The scenes of the second stage and those after it, `rock` being that of the first, and `first` its model as it is
 /// stepped; none where there is one stage. Adds what is to be said of the stages to the warnings. Throws InputError
 /// where something cannot be changed as a stage says.

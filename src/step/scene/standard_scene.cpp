@@ -113,6 +113,8 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
     add_force(points.of_point(point.element, point.start), point.element, point.curve.at(time), loads);
   add_constant_bolts(scene, q, loads);
   loads *= scene.load_share;
+  for (const FacePull& pull : scene.pulls)
+    add_force(points.of_point(pull.element, pull.start), pull.element, pull.force, loads);
   return loads;
 }
 

@@ -12,6 +12,13 @@
 
 namespace keyblock {
 
+/// A force on a point of a face, beside the loads of the model: what the other face of a crack still pulls it by.
+struct FacePull {
+  ElementIndex element;
+  Point start;  ///< of the point, undeformed
+  Point force;  ///< per unit thickness
+};
+
 struct StandardScene {
   Model model;
   Settings settings;
@@ -23,6 +30,7 @@ struct StandardScene {
   std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
   Point mass_centre;                     ///< of the blocks that can move, at the start
   double load_share = 1;                 ///< of all loads, while they are put on
+  std::vector<FacePull> pulls = {};      ///< not of the loads, and not put on with them
 
   const Bodies& bodies() const { return blocks->bodies(); }
   SceneParts parts() const { return {model, reference, settings}; }
@@ -58,8 +66,8 @@ Motion start_motion(const StandardScene& scene);
 /// the mean stress ρ ω² L²/12.
 void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, UnknownsTable& loads);
 
-/// The scene's share of weight, given acceleration, point loads and bolts of constant force on the unknowns, at `time`
-/// and in the configuration q.
+/// The scene's share of weight, given acceleration, point loads and bolts of constant force, and the pull of faces, on
+/// the unknowns, at `time` and in the configuration q.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
 
 /// M v.

@@ -38,6 +38,18 @@ double ruptured(const StandardScene& scene, const StepTrail& trail) {
   return energy;
 }
 
+// What faces that part take from their bodies; the loads of the step have it among them.
+double fractured(const StandardScene& scene, const StepTrail& trail) {
+  double work = 0;
+  for (const FacePull& pull : scene.pulls) {
+    const auto place = [&](const UnknownsTable& q) {
+      return point_at(scene.model, scene.reference, q, pull.element, pull.start);
+    };
+    work += dot(pull.force, place(trail.smooth.q) - place(trail.start.q));
+  }
+  return -work;
+}
+
 EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
   const SmoothMotion& smooth = trail.smooth;
   const BodiesStep step{trail.start,   smooth.q,    smooth.v,   smooth.a, trail.end.q,
@@ -185,6 +197,9 @@ StepAccount account_of(const StandardScene& scene, const StepTrail& trail) {
   StepAccount account{body_flow(scene, trail), load_impulse(scene, trail)};
   account.flow += ContactFlow(scene, trail).run();
   account.flow.rupture += ruptured(scene, trail);
+  const double taken = fractured(scene, trail);
+  account.flow.fracture += taken;
+  account.flow.external += taken;
   const double smooth = kinetic_energy(scene, trail.smooth.v);
   const double cleaned = kinetic_energy(scene, trail.cleaned);
   account.flow.clean_up += smooth - cleaned;

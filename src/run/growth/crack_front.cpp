@@ -1,0 +1,82 @@
+// Tip by tip; see crack_front.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/growth/crack_front.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/continuum.hpp"
+#include "result/describe.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kReach = 1.25;  // of an increment: another tip nearer than this is joined
+
+Point next_place(const CrackFront& front, const Manifold& manifold, double increment, std::size_t i, double more) {
+  const CrackTip& tip = tip_of(manifold, front.tips[i]);
+  if (!front.tips[i].has_room)
+    if (const std::optional<Point> through = way_through(manifold, tip, increment)) return *through;
+  const Point direction = turned_to_left(tip.ahead, front.tips[i].kink + more);
+  if (const std::optional<Point> other = facing_tip(manifold, tip.at, direction, 2 * kReach * increment)) {
+    const bool comes = std::ranges::any_of(front.tips, [&](const TipState& t) { return t.goes_on && t.at == *other; });
+    if (comes) return 0.5 * (tip.at + *other);
+    if (distance(tip.at, *other) < kReach * increment) return *other;
+  }
+  return advance_of(manifold, tip.at, direction, increment).to;
+}
+
+}  // namespace
+
+std::vector<TipState> tips_of(const CoverSolution& solution, const std::vector<CrackPlan>& cracks,
+                              GrowthCriterion criterion) {
+  std::vector<TipState> tips = followed_tips(solution.continuum.manifold, cracks);
+  for (TipState& tip : tips) put_factors(tip, solution, criterion);
+  return tips;
+}
+
+std::optional<Point> way_through(const Manifold& manifold, const CrackTip& tip, double increment) {
+  const Advance ahead = advance_of(manifold, tip.at, tip.ahead, increment);
+  return ahead.meets_line ? std::optional(ahead.to) : line_beside(manifold, tip, increment);
+}
+
+std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifold, double increment,
+                                 const std::vector<double>& more) {
+  std::vector<CrackPlan> cracks = front.cracks;
+  for (const CrackStart& start : front.starts) {
+    const Point half = start.half_length * start.along;
+    cracks.push_back({{start.at - half, start.at + half}, {}, 0});
+  }
+  for (std::size_t i = 0; i < front.tips.size(); ++i)
+    if (front.tips[i].goes_on) prolong(cracks, front.tips[i], next_place(front, manifold, increment, i, more[i]));
+  return cracks;
+}
+
+std::string words_of(const TipState& tip, std::size_t number) {
+  return fmt::format("tip {} (crack {}) at ({:.6g}, {:.6g})", number + 1, tip.crack + 1, tip.at.x, tip.at.y);
+}
+
+void describe(Archive& archive, const char* name, std::vector<CrackPlan>& cracks) {
+  archive.list(name, cracks, [&](CrackPlan& crack) {
+    archive.list("along", crack.along, [&](Point& point) {
+      archive.value("x", point.x);
+      archive.value("y", point.y);
+    });
+    archive.value("joint_material", crack.joint_material);
+  });
+}
+
+void describe(Archive& archive, CrackFront& front) {
+  describe(archive, "cracks_shown", front.cracks);
+  archive.list("tips", front.tips, [&](TipState& tip) { describe(archive, tip); });
+  archive.list("starts", front.starts, [&](CrackStart& start) {
+    archive.value("x", start.at.x);
+    archive.value("y", start.at.y);
+    archive.value("along_x", start.along.x);
+    archive.value("along_y", start.along.y);
+    archive.value("half_length", start.half_length);
+  });
+}
+
+}  // namespace keyblock

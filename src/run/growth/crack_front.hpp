@@ -1,0 +1,42 @@
+// Cracks that grow, as a step left them, and how they go on: at rest and in time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "fracture/growth.hpp"
+#include "fracture/initiation.hpp"
+#include "problem/cover_plan.hpp"
+
+namespace keyblock {
+
+struct CrackFront {
+  std::vector<CrackPlan> cracks;
+  std::vector<TipState> tips;      ///< those that go on are marked
+  std::vector<CrackStart> starts;  ///< cracks that start next in intact rock
+};
+
+/// The tips of these cracks with their factors.
+std::vector<TipState> tips_of(const CoverSolution& solution, const std::vector<CrackPlan>& cracks,
+                              GrowthCriterion criterion);
+
+/// Where a tip without room goes, straight ahead or to what lies beside it: to the line that is in its way; none where
+/// that is farther than an increment.
+std::optional<Point> way_through(const Manifold& manifold, const CrackTip& tip, double increment);
+
+/// The cracks when they have gone on by an increment, and those that started have their length. Tip i goes by its kink
+/// and more[i] (rad, to the left); two that go on towards each other meet half way. The manifold is that of the front.
+std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifold, double increment,
+                                 const std::vector<double>& more);
+
+/// "tip 2 (crack 1) at (3, 4)".
+std::string words_of(const TipState& tip, std::size_t number);
+
+void describe(Archive& archive, const char* name, std::vector<CrackPlan>& cracks);
+/// `cracks_shown`, `tips` and `starts`.
+void describe(Archive& archive, CrackFront& front);
+
+}  // namespace keyblock

@@ -1,0 +1,274 @@
+// Step, look at the tips, cut anew; see growth_under_loads.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/growth/growth_under_loads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/error.hpp"
+#include "model/continuum.hpp"
+#include "run/growth/parents.hpp"
+#include "run/growth/solution_of.hpp"
+#include "run/stages/chain.hpp"
+
+namespace keyblock {
+namespace {
+
+/// Of waves along a free surface, length / time (Viktorov 1967): what a tip in mode I nears and never passes (Freund
+/// 1990, chapter 7).
+double rayleigh_speed(const PlaneElasticity& rock, double density) {
+  const double nu = rock.is_plane_strain ? rock.poissons_ratio : rock.poissons_ratio / (1 + rock.poissons_ratio);
+  return std::sqrt(rock.shear_modulus() / density) * (0.862 + 1.14 * nu) / (1 + nu);
+}
+
+double energy_of_fracture(const PlaneElasticity& rock, double toughness) {
+  return toughness * toughness / rock.effective_modulus();
+}
+
+/// The pieces that cracks gained.
+std::vector<std::pair<Point, Point>> gained(const std::vector<CrackPlan>& before, const std::vector<CrackPlan>& after) {
+  std::vector<std::pair<Point, Point>> pieces;
+  for (std::size_t c = 0; c < after.size(); ++c) {
+    const std::vector<Point>& now = after[c].along;
+    if (c >= before.size()) {
+      pieces.emplace_back(now.front(), now.back());
+      continue;
+    }
+    if (now.front() != before[c].along.front()) pieces.emplace_back(now[1], now[0]);
+    if (now.back() != before[c].along.back()) pieces.emplace_back(now[now.size() - 2], now.back());
+  }
+  return pieces;
+}
+
+}  // namespace
+
+GrowthUnderLoads::GrowthUnderLoads(Scene first) : first_(std::move(first)) {
+  front_.cracks = first_.growth->cracks;
+  next_number_ = static_cast<int>(first_.model.elements.size());
+  now_ = std::make_unique<StandardStepper>(first_);
+}
+
+GrowthUnderLoads::GrowthUnderLoads(Scene first, Archive& saved) : first_(std::move(first)) {
+  describe(saved);
+  Scene scene = front_.cracks.empty() && first_.growth->cracks.empty() ? first_ : scene_with_cracks();
+  saved.group("scene", [&] {
+    std::vector<Identity>& names = scene.model.identities.elements;
+    saved.list("names", names, [&](Identity& name) {
+      saved.value("number", name.number);
+      saved.value("origin", name.origin);
+    });
+    if (!names.empty() && names.size() != scene.model.elements.size())
+      saved.refuse("names", fmt::format("expected the names of {} elements, found {}", scene.model.elements.size(),
+                                        names.size()));
+    now_ = std::make_unique<StandardStepper>(std::move(scene), saved);
+  });
+  place_parting(model().continuum->manifold);
+  now_->put_pulls(pulls(first_on_covers()));
+}
+
+void GrowthUnderLoads::save(Archive& archive) {
+  describe(archive);
+  archive.group("scene", [&] {
+    std::vector<Identity> names = model().identities.elements;
+    archive.list("names", names, [&](Identity& name) {
+      archive.value("number", name.number);
+      archive.value("origin", name.origin);
+    });
+    now_->save(archive);
+  });
+}
+
+void GrowthUnderLoads::describe(Archive& archive) {
+  const auto point = [&](const char* x, const char* y, Point& p) {
+    archive.value(x, p.x);
+    archive.value(y, p.y);
+  };
+  keyblock::describe(archive, "cracks", next_);
+  keyblock::describe(archive, front_);
+  archive.list("pieces", pieces_, [&](Piece& piece) {
+    point("x", "y", piece.from);
+    archive.value("energy", piece.energy);
+  });
+  archive.list("arrivals", arrivals_, [&](Arrival& arrival) {
+    point("x", "y", arrival.at);
+    archive.value("time", arrival.time);
+  });
+  archive.list("parting", parting_, [&](PartingFaces& faces) {
+    point("from_x", "from_y", faces.from);
+    point("to_x", "to_y", faces.to);
+    archive.value("energy", faces.energy);
+    archive.value("taken", faces.taken);
+    archive.value("share", faces.share);
+    archive.list("points", faces.points, [&](PartingPoint& p) {
+      point("x", "y", p.at);
+      point("pull_x", "pull_y", p.pull);
+      point("apart_x", "apart_y", p.apart);
+    });
+  });
+  archive.value("next_number", next_number_);
+}
+
+bool GrowthUnderLoads::is_in_time() const {
+  return settings().standard.motion == MotionRule::dynamic;
+}
+
+LedgerScope GrowthUnderLoads::ledger_scope() const {
+  LedgerScope scope = now_->ledger_scope();
+  scope.has_changes = true;
+  scope.may_crack = is_in_time();
+  return scope;
+}
+
+int GrowthUnderLoads::first_on_covers() const {
+  return static_cast<int>(model().elements.size() - model().continuum->manifold.elements.size());
+}
+
+Point GrowthUnderLoads::displacement(int element, Point start) const {
+  const CoverDisplacement moved = *now_->on_covers();
+  const ElementShape shape = moved.basis.shape(element);
+  const Eigen::RowVectorXd n = shape.values(start);
+  Eigen::Vector2d u = Eigen::Vector2d::Zero();
+  for (int a = 0; a < shape.function_count(); ++a)
+    u += n(a) * moved.d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
+  return {u.x(), u.y()};
+}
+
+// Of faces that contact presses as well contact has its own.
+CoverSolution GrowthUnderLoads::solution() const {
+  CoverSolution solution = *solution_of(*now_);
+  for (const FacePull& pull : now_->scene().pulls)
+    solution.face_forces.push_back({pull.element.value - first_on_covers(), pull.start, pull.force});
+  return solution;
+}
+
+void GrowthUnderLoads::place_parting(const Manifold& manifold) {
+  for (PartingFaces& faces : parting_) put_elements(faces, manifold);
+}
+
+std::vector<FacePull> GrowthUnderLoads::pulls(int first) const {
+  std::vector<FacePull> pulls;
+  for (const PartingFaces& faces : parting_)
+    for (const PartingPoint& point : faces.points) {
+      if (point.left < 0) continue;
+      const Point pull = faces.share * point.pull;
+      pulls.push_back({{first + point.left}, point.at, pull});
+      pulls.push_back({{first + point.right}, point.at, -1.0 * pull});
+    }
+  return pulls;
+}
+
+Scene GrowthUnderLoads::scene_with_cracks() const {
+  Scene scene = first_.growth->remade(front_.cracks);
+  scene.growth.reset();
+  scene.model.scale = first_.model.scale;  // tolerances of a run stay those of its beginning
+  return scene;
+}
+
+void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
+  const Manifold& manifold = model().continuum->manifold;
+  for (const auto& [from, to] : gained(front_.cracks, after)) {
+    const auto piece = std::ranges::find(pieces_, from, &Piece::from);
+    if (piece == pieces_.end() || !(piece->energy > 0)) continue;
+    const auto element = [&](Point p) { return element_of(manifold, CrackTip{p, {}}); };
+    const auto place = [&](Point p) { return p + displacement(std::max(0, element(p)), p); };
+    const Point along = place(to) - place(from);
+    const double stretch = length(along) / distance(from, to);
+    const Point out = (stretch / length(along)) * Point{along.y, -along.x};
+    const auto traction = [&](Point p) {
+      const int e = element(p);
+      if (e < 0) return Point{};
+      const Stress s = now_->stress_at({first_on_covers() + e}, p);
+      return Point{s.xx * out.x + s.xy * out.y, s.xy * out.x + s.yy * out.y};
+    };
+    parting_.push_back(parting_faces(from, to, piece->energy * distance(from, to), along, traction));
+  }
+}
+
+void GrowthUnderLoads::recut() {
+  auto change = std::make_shared<SceneChange>();
+  CrackFront before = front_;
+  const std::vector<PartingFaces> parting_before = parting_;
+  try {
+    if (is_in_time()) begin_to_part(next_);
+    front_ = {std::exchange(next_, {}), {}, {}};
+    change->scene = scene_with_cracks();
+    *change =
+        change_between(model(), std::move(change->scene), parents_by_place(model(), change->scene.model), next_number_);
+    const Manifold& manifold = change->scene.model.continuum->manifold;
+    const int first = static_cast<int>(change->scene.model.elements.size() - manifold.elements.size());
+    place_parting(manifold);
+    now_ = std::make_unique<StandardStepper>(*now_, *change, pulls(first));
+  } catch (...) {
+    next_ = std::exchange(front_, std::move(before)).cracks;
+    parting_ = parting_before;
+    throw;
+  }
+  for (PartingFaces& faces : parting_) look_at_openings(faces, [&](int e, Point p) { return displacement(e, p); });
+  pieces_.clear();
+}
+
+double GrowthUnderLoads::energy_of(const TipState& tip) const {
+  const Continuum& continuum = *model().continuum;
+  if (tip.has_room && tip.equivalent > 0) {
+    const double over = tip.toughness / tip.equivalent;
+    return tip.energy_release * over * over;
+  }
+  return energy_of_fracture(rock_at(continuum, tip_of(continuum.manifold, tip)), tip.toughness);
+}
+
+// Without a field of its own a tip goes on only where it came from afar.
+bool GrowthUnderLoads::may_go_on(const TipState& tip, double speed) const {
+  const auto arrival = std::ranges::find(arrivals_, tip.at, &Arrival::at);
+  const bool has_come = arrival != arrivals_.end();
+  if (!(tip.toughness > 0)) return false;
+  const double increment = first_.growth->plan.increment;
+  if (is_in_time() && has_come && (state().time - arrival->time) * speed < increment) return false;
+  if (tip.has_room) return tip.equivalent >= tip.toughness;
+  const Manifold& manifold = model().continuum->manifold;
+  return has_come && way_through(manifold, tip_of(manifold, tip), increment).has_value();
+}
+
+void GrowthUnderLoads::look_at_tips() {
+  const GrowthPlan& plan = first_.growth->plan;
+  const CoverSolution now = solution();
+  const Continuum& continuum = *model().continuum;
+  front_.tips = tips_of(now, front_.cracks, plan.criterion);
+  front_.starts = crack_starts(now);
+  std::erase_if(front_.starts, [](const CrackStart& start) { return start.nearness() < 1; });
+  for (TipState& tip : front_.tips) {
+    const CrackTip& place = tip_of(continuum.manifold, tip);
+    const double density = continuum.material(std::max(0, element_of(continuum.manifold, place))).density;
+    tip.goes_on = may_go_on(tip, rayleigh_speed(rock_at(continuum, place), density));
+    if (tip.goes_on) pieces_.push_back({tip.at, energy_of(tip)});
+  }
+  if (pieces_.empty() && front_.starts.empty()) return;
+  for (const CrackStart& start : front_.starts) {
+    const CrackTip at{start.at, start.along};
+    const auto& toughness = continuum.material(std::max(0, element_of(continuum.manifold, at))).toughness;
+    pieces_.push_back({start.at - start.half_length * start.along,
+                       energy_of_fracture(rock_at(continuum, at), toughness ? toughness->mode_1 : 0)});
+  }
+  next_ = prolonged(front_, continuum.manifold, plan.increment, std::vector<double>(front_.tips.size(), 0));
+  for (const auto& [from, to] : gained(front_.cracks, next_)) arrivals_.push_back({to, state().time});
+}
+
+std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
+  if (!next_.empty()) try {
+      recut();
+    } catch (const InputError& error) {
+      return StepFailure{fmt::format("step {}: cracks cannot go on so: {}", state().step + 1, error.what()), {}};
+    }
+  std::variant<StepReport, StepFailure> made = now_->advance();
+  if (std::holds_alternative<StepFailure>(made)) return made;
+  for (PartingFaces& faces : parting_) let_go(faces, [&](int e, Point p) { return displacement(e, p); });
+  look_at_tips();
+  std::erase_if(parting_, &PartingFaces::have_parted);
+  now_->put_pulls(pulls(first_on_covers()));
+  return made;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,85 @@
+// Cracks that grow under the loads as they are, in time or at rest, beside blocks and in contact: each step is made on
+// the scene that the steps before left, cut anew where a tip went on.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fracture/parting_faces.hpp"
+#include "run/growth/crack_front.hpp"
+#include "step/standard_stepper.hpp"
+
+namespace keyblock {
+
+/// After each step the tips whose K_eq has reached the toughness go on by an increment, those cracks start that have
+/// reached the strength, and the next step is made on bodies cut so, which keep their motion (carry_motion.hpp). In
+/// time a tip goes on no faster than waves run along a free surface, and its new faces part as PartingFaces says; at
+/// rest they part at once, the work they would have done being lost.
+class GrowthUnderLoads : public Stepper {
+ public:
+  /// Of a scene with growth that the standard step moves. Throws std::invalid_argument for one that cannot be stepped.
+  explicit GrowthUnderLoads(Scene first);
+  /// As it was saved, of the same scene. Throws InputError.
+  GrowthUnderLoads(Scene first, Archive& saved);
+
+  const Model& model() const override { return now_->model(); }
+  const Settings& settings() const override { return now_->settings(); }
+  const State& state() const override { return now_->state(); }
+  const StartPlaces& unloaded() const override { return now_->unloaded(); }
+  Stress stress_at(ElementIndex e, Point start) const override { return now_->stress_at(e, start); }
+  std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override {
+    return now_->plastic_at(e, start);
+  }
+  std::optional<PlasticTotals> plastic_totals() const override { return now_->plastic_totals(); }
+  std::optional<State> attempted() const override { return now_->attempted(); }
+  ContactFrames contacts() const override { return now_->contacts(); }
+  StartReport start_report() const override { return now_->start_report(); }
+  std::variant<StepReport, StepFailure> advance() override;
+  LedgerRow ledger() const override { return now_->ledger(); }
+  LedgerScope ledger_scope() const override;
+  std::optional<ForceBalance> forces() const override { return now_->forces(); }
+  std::optional<CoverDisplacement> on_covers() const override { return now_->on_covers(); }
+  std::vector<TipState> tips() const override { return front_.tips; }
+  void save(Archive& archive) override;
+
+ private:
+  /// Since when a tip is where it is.
+  struct Arrival {
+    Point at;
+    double time = 0;
+  };
+  /// What a tip that goes on takes per length.
+  struct Piece {
+    Point from;
+    double energy = 0;
+  };
+
+  bool is_in_time() const;
+  void describe(Archive& archive);
+  CoverSolution solution() const;
+  int first_on_covers() const;  ///< its index among the elements of the model
+  /// Displacement of points of the present bodies.
+  Point displacement(int element, Point start) const;
+  void place_parting(const Manifold& manifold);
+  /// Of the faces that part, the elements on covers being numbered on from `first`.
+  std::vector<FacePull> pulls(int first) const;
+  Scene scene_with_cracks() const;
+  /// Cuts the scene with `next_`. Throws InputError where it cannot be cut so.
+  void recut();
+  void begin_to_part(const std::vector<CrackPlan>& after);
+  void look_at_tips();
+  bool may_go_on(const TipState& tip, double speed) const;
+  double energy_of(const TipState& tip) const;
+
+  Scene first_;
+  std::unique_ptr<StandardStepper> now_;
+  CrackFront front_;
+  std::vector<CrackPlan> next_;        ///< cracks of the coming step; empty: those of `front_`
+  std::vector<Piece> pieces_;          ///< what `next_` gains
+  std::vector<PartingFaces> parting_;  ///< in time
+  std::vector<Arrival> arrivals_;      ///< of tips that went on
+  int next_number_ = 0;                ///< of an element that is new
+};
+
+}  // namespace keyblock
