@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <ranges>
 
 #include "geometry/polygon.hpp"
 #include "geometry/quadrature.hpp"
@@ -22,8 +23,13 @@ constexpr int kDegree = 2;         // of the stress in an element
 class Starts {
  public:
   explicit Starts(const CoverSolution& solution) : solution_(solution), manifold_(solution.continuum.manifold) {
-    for (const ManifoldElement& element : manifold_.elements)
-      middles_.push_back(centroid(manifold_.polygon(element).front()));
+    for (std::size_t e = 0; e < manifold_.elements.size(); ++e) {
+      const auto polygon = manifold_.polygon(manifold_.elements[e]);
+      middles_.push_back(centroid(polygon.front()));
+      std::vector<StressPoint>& points = points_.emplace_back();
+      for (const AreaPoint& p : polygon_rule(polygon, kDegree))
+        points.push_back({p.at, p.weight, stress_at(static_cast<int>(e), p.at)});
+    }
     seen_.assign(middles_.size(), -1);
   }
 
@@ -88,18 +94,17 @@ class Starts {
     while (!open.empty()) {
       const int e = open.back();
       open.pop_back();
-      const ManifoldElement& element = manifold_.elements[static_cast<std::size_t>(e)];
       bool is_near = false;
-      for (const AreaPoint& p : polygon_rule(manifold_.polygon(element), kDegree)) {
+      for (const StressPoint& p : points_[static_cast<std::size_t>(e)]) {
         const double t = std::pow(distance(p.at, about) / radius, 2);
         if (t >= 1) continue;
         is_near = true;
         const double weight = p.weight * (1 - t) * (1 - t);
-        sum += weight * stress_at(e, p.at);
+        sum += weight * p.stress;
         weights += weight;
       }
       if (!is_near && e != first) continue;
-      for (const ElementCorner& corner : manifold_.loop(element.outer)) {
+      for (const ElementCorner& corner : manifold_.loop(manifold_.elements[static_cast<std::size_t>(e)].outer)) {
         if (corner.neighbour < 0 || seen_[static_cast<std::size_t>(corner.neighbour)] == first) continue;
         seen_[static_cast<std::size_t>(corner.neighbour)] = first;
         open.push_back(corner.neighbour);
@@ -108,15 +113,28 @@ class Starts {
     return weights > 0 ? Eigen::Matrix2d(sum / weights) : stress_at(first, about);
   }
 
+  struct StressPoint {
+    Point at;
+    double weight = 0;
+    Eigen::Matrix2d stress;
+  };
+
   const CoverSolution& solution_;
   const Manifold& manifold_;
   std::vector<Point> middles_;
-  std::vector<int> seen_;  // by which disc
+  std::vector<std::vector<StressPoint>> points_;  // of each element
+  std::vector<int> seen_;                         // by which disc
 };
 
 }  // namespace
 
 std::vector<CrackStart> crack_starts(const CoverSolution& solution) {
+  const auto may_crack = [&](std::size_t e) {
+    const auto& toughness = solution.continuum.material(static_cast<int>(e)).toughness;
+    return toughness && toughness->tensile_strength;
+  };
+  const auto all = std::views::iota(std::size_t{0}, solution.continuum.manifold.elements.size());
+  if (std::ranges::none_of(all, may_crack)) return {};
   return Starts(solution).nearest();
 }
 
