@@ -242,6 +242,8 @@ void describe(F& f, In<F, Toughness>& toughness) {
   f.real("mode_1", toughness.mode_1, kPositive);
   f.optional_real("mode_2", toughness.mode_2, kPositive);
   f.optional_real("tensile_strength", toughness.tensile_strength, kPositive);
+  f.optional_real("cohesion", toughness.cohesion, kPositive);
+  f.real("friction_deg", toughness.friction_deg, kFrictionAngle);
 }
 
 template <class F>

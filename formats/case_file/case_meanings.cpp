@@ -218,7 +218,12 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"toughness", "stress intensity at which cracks go on; absent: they do not grow"},
     {"mode_1", "K_Ic, F/L^1.5"},
     {"toughness.tensile_strength",
-     "at which a crack starts in intact rock where cracks grow, F/L²; absent: they grow only where there are some"},
+     "at which a crack starts in intact rock where cracks grow, F/L²; absent: none does in tension"},
+    {"toughness.cohesion",
+     "of intact rock, with friction_deg: at which a closed crack starts in shear where cracks grow, F/L²; needs "
+     "mode_2; "
+     "absent: none does"},
+    {"toughness.friction_deg", "of intact rock in shear, degrees"},
     {"mode_2", "K_IIc, F/L^1.5; absent: what the criterion of growth makes of K_Ic"},
     {"crack_closure", "of rock with cracks that compression closes; absent: it has none"},
     {"initial_modulus",

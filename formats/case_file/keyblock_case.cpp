@@ -191,6 +191,8 @@ void check(const Analysis& analysis) {
   if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
   for (const BlockMaterial& material : analysis.block_materials) {
+    if (material.toughness && material.toughness->cohesion && !material.toughness->mode_2)
+      throw InputError(material.place, "toughness: expected a mode_2 beside the cohesion, found none");
     if (!material.is_nonlinear()) continue;
     if (material.strength)
       if (const std::string why = why_unusable(*material.strength); !why.empty())

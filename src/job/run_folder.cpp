@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "formats/dxf/dxf_writer.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/contact_csv.hpp"
 #include "formats/text/csv.hpp"
@@ -45,10 +46,10 @@ constexpr const char* kFrameList = "fields.pvd";
 constexpr std::chrono::milliseconds kListEvery{500};
 
 // The files that a run may leave in its folder, and all that it may leave.
-constexpr std::array<std::string_view, 20> kFiles{
+constexpr std::array<std::string_view, 21> kFiles{
     kStepTable,  kLedgerTable,   kRecord,      "history.csv", kFrameList,      "picture.svg", "energy.svg",
     "field.svg", "plastic.svg",  "steps.csv",  "blocks.csv",  "reactions.svg", "points.csv",  "rounds.csv",
-    kCheckpoint, "contacts.csv", "joints.csv", "bolts.csv",   "tips.csv",      "cracks.svg"};
+    kCheckpoint, "contacts.csv", "joints.csv", "bolts.csv",   "tips.csv",      "cracks.svg",  "cracks.dxf"};
 // Of those, what is written as the run goes: a run that was killed leaves them without a record.
 constexpr std::array<std::string_view, 8> kGrowing{kFrameList,    "contacts.csv", "joints.csv", "bolts.csv",
                                                    "history.csv", "points.csv",   kStepTable,   kLedgerTable};
@@ -113,6 +114,17 @@ std::vector<std::size_t> shown_of(const History& history, const Followed& follow
   return shown;
 }
 
+// Layer JOINT_2 has those that started in shear, JOINT_1 all others.
+std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
+  formats::Content content;
+  content.units = units;
+  Drawing& drawing = content.drawing.emplace();
+  for (const CrackFrame& crack : cracks)
+    for (std::size_t i = 0; i + 1 < crack.along.size(); ++i)
+      drawing.joints.push_back({{crack.along[i], crack.along[i + 1]}, crack.is_shear ? 1 : 0, {}});
+  return formats::write_dxf(content);
+}
+
 // How far each of them has come, over time.
 std::vector<report::Curve> displacement_curves(const History& history, const Frame& start, const FieldFrame& field) {
   std::vector<report::Curve> curves;
@@ -169,7 +181,8 @@ struct FramePart {
   std::string_view opening;
   std::string_view ending;
 };
-constexpr std::array<FramePart, 3> kParts{{{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}}};
+constexpr std::array<FramePart, 4> kParts{
+    {{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}, {"cracks_", ".vtp"}}};
 
 std::string frame_file(const FramePart& part, int step) {
   return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
@@ -323,11 +336,12 @@ void RunFolder::write_frame(const std::string& name, double time, const std::str
 }
 
 void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
-  const auto& [blocks, points, lines] = kParts;
+  const auto& [blocks, points, lines, cracks] = kParts;
   write_frame(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field));
   if (!contacts.empty())
     write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts));
   if (!frame.bolts.empty()) write_frame(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame));
+  if (!field.cracks.empty()) write_frame(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field));
   contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, contacts));
   joints_.append(formats::joints_csv_rows(frame.step, frame.time, contacts));
   bolts_.append(formats::bolts_csv_rows(frame));
@@ -390,8 +404,9 @@ void RunFolder::finish(const RunResults& results) {
     write("reactions.svg", report::reaction_picture(title + ", reactions", curves));
   if (const std::string tips = formats::tips_csv(history); !tips.empty()) {
     write("tips.csv", tips);
-    write("cracks.svg", report::crack_picture(title + ", cracks", frames_.front(), history));
+    write("cracks.svg", report::crack_picture({title + ", cracks", frames_.front(), history, field}));
   }
+  if (!field.cracks.empty()) write("cracks.dxf", dxf_of(field.cracks, units));
   if (trace_ == Trace::no) return;
   write("steps.csv", formats::steps_csv(steps));
   if (std::ranges::any_of(steps, [](const StepReport& step) { return !step.residuals.empty(); }))

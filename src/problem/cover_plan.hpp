@@ -122,6 +122,7 @@ struct CrackPlan {
   std::vector<Point> along;
   Place place;
   int joint_material = 0;
+  bool is_shear = false;  ///< it started in shear as cracks grew
 };
 
 /// In which direction a tip goes on.
@@ -143,7 +144,8 @@ struct GrowthPlan {
   GrowthCriterion criterion = GrowthCriterion::hoop_stress;
   GrowthLoads loads = GrowthLoads::automatic;
   double increment = 0;
-  bool has_corrector = true;  ///< under scaled loads: the kink is the mean of those before and after a trial of the step
+  bool has_corrector =
+      true;  ///< under scaled loads: the kink is the mean of those before and after a trial of the step
   Place place;
 };
 

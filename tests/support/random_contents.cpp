@@ -513,7 +513,8 @@ Content anything(Dice& dice) {
         material.crack_closure = CrackClosure{dice.between(0.1, 0.9) * material.youngs_modulus, positive_real(dice)};
   if (content.analysis && dice.happens(0.3))
     for (BlockMaterial& material : content.analysis->block_materials)
-      material.toughness = Toughness{positive_real(dice)};
+      material.toughness =
+          Toughness{positive_real(dice), positive_real(dice), {}, positive_real(dice), dice.between(0, 80)};
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }
