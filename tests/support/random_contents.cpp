@@ -374,7 +374,8 @@ CoverPlan covers(Dice& dice) {
   });
   plan.cracks = some(dice, 2, [](Dice& one) { return CrackPlan{polygon(one), {}, 0}; });
   if (dice.happens(0.3))
-    plan.growth = GrowthPlan{static_cast<GrowthCriterion>(dice.below(3)), positive_real(dice), dice.happens(0.5), {}};
+    plan.growth = GrowthPlan{static_cast<GrowthCriterion>(dice.below(3)), static_cast<GrowthLoads>(dice.below(3)),
+                             positive_real(dice), dice.happens(0.5), {}};
   return plan;
 }
 

@@ -195,9 +195,9 @@ void GrowthUnderLoads::recut() {
   try {
     if (is_in_time()) begin_to_part(next_);
     front_ = {std::exchange(next_, {}), {}, {}};
-    change->scene = scene_with_cracks();
-    *change =
-        change_between(model(), std::move(change->scene), parents_by_place(model(), change->scene.model), next_number_);
+    Scene scene = scene_with_cracks();
+    const Table<ElementIndex, ElementIndex> parents = parents_by_place(model(), scene.model);
+    *change = change_between(model(), std::move(scene), parents, next_number_);
     const Manifold& manifold = change->scene.model.continuum->manifold;
     const int first = static_cast<int>(change->scene.model.elements.size() - manifold.elements.size());
     place_parting(manifold);
