@@ -100,6 +100,10 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"tip_side",
      "longest side of triangles at the tips of cracks and of joints that end inside, growing by half of the distance, "
      "L; 0: as elsewhere"},
+    {"tip_functions",
+     "williams: covers about tips carry in addition sqrt(r) sin and cos of theta/2 and 3 theta/2, those around linear "
+     "functions (Williams 1957); linear statics alone; none"},
+    {"tip_radius", "covers with nodes nearer to a tip carry its functions, L; 0: three sides of the triangles there"},
     {"snap_ratio", "nodes nearer to lines than this times w are moved onto them"},
     {"tractions",
      "force per length of the boundary along a chain of points: (x, y) less pressure times the outward normal"},

@@ -130,6 +130,9 @@ void check(const MeshPlan& mesh, const Place& covers) {
     throw InputError(place, fmt::format("expected no angle of an unstructured mesh, found {}", mesh.angle_deg));
   if (!(std::abs(mesh.angle_deg) <= kHalfTurn))
     throw InputError(place, fmt::format("expected an angle from -180 to 180, found {}", mesh.angle_deg));
+  if (mesh.tip_functions.radius > 0 && !mesh.tip_functions.are_asked())
+    throw InputError(place, fmt::format("expected tip_functions that reach as far as a tip_radius, found none for {}",
+                                        mesh.tip_functions.radius));
   if (!(mesh.snap_ratio <= kMostSnapping))
     throw InputError(place,
                      fmt::format("expected a snap_ratio of at most {}, found {}", kMostSnapping, mesh.snap_ratio));

@@ -76,6 +76,7 @@ class Lister {
          static_cast<int>(m.shape), m.angle_deg, static_cast<int>(m.placement), text(m.through_x), text(m.through_y),
          m.snap_ratio);
     if (m.tip_side > 0) line("at tips {:a}", m.tip_side);
+    if (m.tip_functions.are_asked()) line("functions at tips {:a}", m.tip_functions.radius);
     for (const auto& meshed : m.materials) line("meshed {}", meshed.material);
     for (const auto& r : m.refined) line("refined {} {:a}", text(r.at), r.side);
   }

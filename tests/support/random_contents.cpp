@@ -329,6 +329,10 @@ MeshPlan mesh(Dice& dice) {
     return RefinedPoint{at, positive_real(one)};
   });
   if (dice.happens(0.5)) plan.tip_side = positive_real(dice);
+  if (dice.happens(0.2)) {
+    plan.tip_functions.kind = TipFunctions::williams;
+    if (dice.happens(0.5)) plan.tip_functions.radius = positive_real(dice);
+  }
   return plan;
 }
 
