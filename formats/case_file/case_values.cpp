@@ -22,7 +22,7 @@ struct FieldUnit {
 };
 
 // Loads and stiffnesses are those of a slice one unit of length thick.
-constexpr std::array<FieldUnit, 29> kFields{{{"time_step", kTimeDimension},
+constexpr std::array<FieldUnit, 30> kFields{{{"time_step", kTimeDimension},
                                              {"duration", kTimeDimension},
                                              {"gravity", kAcceleration},
                                              {"density", kDensity},
