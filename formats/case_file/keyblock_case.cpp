@@ -52,7 +52,10 @@ void check(const Units& units, const Place& place) {
           place, fmt::format("expected {} of units: one of {}, found \"{}\"", name, fmt::join(known, ", "), unit));
   };
   require("length", units.length, kLengthUnits);
-  require("mass", units.mass, kMassUnits);
+  // One that follows from a force may be a product.
+  const std::optional<Unit> mass = unit_named(units.mass);
+  const bool is_product = mass && mass->dimension == Dimension{1, 0, 0} && units.mass.find("·") != std::string::npos;
+  if (!is_product) require("mass", units.mass, kMassUnits);
   require("time", units.time, kTimeUnits);
 }
 
@@ -272,7 +275,7 @@ void resolve(JsonText& text) {
     check(units, declared->place());
     text.declare(units);
   }
-  resolve_values(text);
+  resolve_names(text);
 }
 
 Warnings doubtful_strengths(const Analysis& analysis) {

@@ -21,9 +21,9 @@ namespace {
 constexpr std::chrono::seconds kTablesEvery{5};
 constexpr int kLeastPause = 50;
 
-RunFolder folder_for(const RunJobOptions& options, bool goes_on) {
-  return goes_on ? RunFolder(options.folder, options.trace)
-                 : RunFolder(options.folder, options.overwrite, options.trace);
+RunFolder folder_for(const RunJobOptions& options, const Units& units, bool goes_on) {
+  return goes_on ? RunFolder(options.folder, options.trace, units)
+                 : RunFolder(options.folder, options.overwrite, options.trace, units);
 }
 
 std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
@@ -48,7 +48,7 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
       request_(std::move(request)),
       options_(std::move(options)),
       saved_(saved),
-      folder_(folder_for(options_, saved != nullptr)),
+      folder_(folder_for(options_, record_.units, saved != nullptr)),
       watch_(prepared),
       history_{!prepared.scene.model.measured_points.empty(), {}},
       clock_(options_.checkpoint_every),
@@ -79,8 +79,8 @@ void RunJob::write_checkpoint(Stepper& stepper) {
 
 RunTables RunJob::tables(const LedgerScope& scope) const {
   const Ledger ledger{scope, record_.ledger.rows()};
-  return {history_, step_table_csv(record_.steps.rows()),
-          ledger.rows.empty() ? std::string() : ledger_csv(ledger, record_.ledger_sums)};
+  return {history_, step_table_csv(record_.steps.rows(), record_.units),
+          ledger.rows.empty() ? std::string() : ledger_csv(ledger, record_.ledger_sums, record_.units)};
 }
 
 // Whole files each time, so that a long run writes them seldom enough.
@@ -155,8 +155,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                   record_.outcome.field,
                   !prepared_.scene.is_untouched,
                   numbers_of(record_.outcome.elements),
-                  what_failed_does(record_.outcome),
-                  record_.units});
+                  what_failed_does(record_.outcome)});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

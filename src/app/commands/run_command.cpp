@@ -206,7 +206,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   if (record.outcome.forces) print_balance(*record.outcome.forces, record.outcome.field);
   print_yielding(record);
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
-  spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
+  spdlog::info("{}, time {:.6g}{}{}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time,
+               record.units.time.empty() ? "" : " ", record.units.time, folder);
   if (record.outcome.end == RunEnd::finished && !record.doubts.empty())
     spdlog::error("keyblock: error: the results are not to be trusted: {}", record.doubts.front().sentence);
 }

@@ -13,6 +13,7 @@
 #include "app/commands/study_options.hpp"
 #include "base/stop.hpp"
 #include "job/run_report.hpp"
+#include "problem/units/measure.hpp"
 #include "run/settings_of.hpp"
 #include "settings/profile.hpp"
 #include "study/fracture/intensity.hpp"
@@ -62,7 +63,7 @@ nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
   return json;
 }
 
-void print(const study::TipAtEnd& tip, std::size_t number) {
+void print(const study::TipAtEnd& tip, std::size_t number, const Units& units) {
   const TipReport& report = tip.report;
   fmt::print("tip {} at ({:.6g}, {:.6g}), ahead ({:.4f}, {:.4f}); sides of {:.3g} there, {} {:.4g} away\n", number,
              report.tip.at.x, report.tip.at.y, report.tip.ahead.x, report.tip.ahead.y, report.side, report.tip.nearest,
@@ -78,9 +79,9 @@ void print(const study::TipAtEnd& tip, std::size_t number) {
                domain.factors->j, (k.mode_1 * k.mode_1 + k.mode_2 * k.mode_2) / report.rock.effective_modulus());
   }
   if (!report.factors) return;
-  fmt::print("  K_I {:.6g}, K_II {:.6g} [F/L^1.5], J {:.6g} [F/L]; circles differ by {:.2f} % and {:.2f} % of K\n",
-             report.factors->k.mode_1, report.factors->k.mode_2, report.factors->j, 100 * report.spread_1,
-             100 * report.spread_2);
+  fmt::print("  K_I {:.6g}, K_II {:.6g} [{}], J {:.6g} [{}]; circles differ by {:.2f} % and {:.2f} % of K\n",
+             report.factors->k.mode_1, report.factors->k.mode_2, unit_of(measures::kToughness, units),
+             report.factors->j, unit_of(measures::kEnergyPerArea, units), 100 * report.spread_1, 100 * report.spread_2);
   fmt::print("  would go on by {:.2f} degrees, K_eq {:.6g}", tip.kink.angle * kDegrees, tip.kink.equivalent);
   if (tip.toughness)
     fmt::print(", {:.4g} of the toughness {:.6g}", tip.kink.equivalent / *tip.toughness, *tip.toughness);
@@ -117,7 +118,7 @@ ExitCode print_intensity(const SifOptions& options) {
   } else {
     fmt::print("{} unknowns, {}\n", found.unknowns,
                found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
-    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1);
+    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, chosen.input.problem.units);
   }
   return is_sure ? ExitCode::ok : ExitCode::check_failed;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "problem/units/measure.hpp"
 #include "report/drawing/chart.hpp"
 #include "report/drawing/scene.hpp"
 
@@ -71,7 +72,7 @@ bool grows(const Path& path) {
 
 }  // namespace
 
-std::string crack_picture(const std::string& title, const Frame& start, const History& history) {
+std::string crack_picture(const std::string& title, const Frame& start, const History& history, const Units& units) {
   const auto paths = paths_of(history);
   Box world;
   for (const ElementFrame& element : start.elements)
@@ -96,10 +97,11 @@ std::string crack_picture(const std::string& title, const Frame& start, const Hi
     for (const Point p : path.points) page.circle(map(p), 2.2, {.fill = kPath});
   }
   if (!factors_k.empty()) {
+    const std::string length = with_unit("length of the crack", measures::kLength, units);
     draw_chart(page, {kMargin, chart_top}, {kPageWidth - 2 * kMargin, kChartHeight}, factors_k,
-               {"length of the crack [L]", "stress intensity [F/L^1.5]"});
+               {length, with_unit("stress intensity", measures::kToughness, units)});
     draw_chart(page, {kMargin, chart_top + kChartHeight + kGap}, {kPageWidth - 2 * kMargin, kChartHeight}, factors,
-               {"length of the crack [L]", "factor of all loads"});
+               {length, "factor of all loads"});
   }
   return page.str();
 }
