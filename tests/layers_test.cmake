@@ -17,7 +17,7 @@ set(may_read_files app study job formats)   # the rooms that may include formats
 # a comma) do not see each other.
 set(inner_problem . units joints)
 set(inner_cut lines bodies mesh,covers)
-set(inner_model . scene setup)
+set(inner_model tips . scene setup)
 set(inner_formats format knowledge tables text shi,dxf,case_file,views berkeley .)
 set(inner_contact find rows solve)
 set(inner_legacy contact,terms step)

@@ -36,6 +36,7 @@ inline constexpr std::array<std::string_view, 4> kHeld{"both", "normal", "x", "y
 inline constexpr std::array<std::string_view, 2> kMeshKinds{"regular", "unstructured"};
 inline constexpr std::array<std::string_view, 2> kMeshShapes{"equilateral", "old"};
 inline constexpr std::array<std::string_view, 2> kMeshPlacements{"free", "aligned"};
+inline constexpr std::array<std::string_view, 2> kTipFunctions{"none", "williams"};
 inline constexpr std::array<std::string_view, 4> kYieldSurfaces{"tresca", "von_mises", "mohr_coulomb",
                                                                 "drucker_prager"};
 inline constexpr std::array<std::string_view, 3> kConeMatchings{"compression", "extension", "plane_strain"};
@@ -242,6 +243,8 @@ void describe(F& f, In<F, Toughness>& toughness) {
   f.real("mode_1", toughness.mode_1, kPositive);
   f.optional_real("mode_2", toughness.mode_2, kPositive);
   f.optional_real("tensile_strength", toughness.tensile_strength, kPositive);
+  f.optional_real("cohesion", toughness.cohesion, kPositive);
+  f.real("friction_deg", toughness.friction_deg, kFrictionAngle);
 }
 
 template <class F>
@@ -355,6 +358,8 @@ void describe(F& f, In<F, MeshPlan>& mesh) {
   f.optional_real("through_y", mesh.through_y, kAny);
   f.rows("refined", mesh.refined);
   f.real("tip_side", mesh.tip_side, kNotNegative);
+  f.word("tip_functions", mesh.tip_functions.kind, kTipFunctions);
+  f.real("tip_radius", mesh.tip_functions.radius, kNotNegative);
   f.real("snap_ratio", mesh.snap_ratio, kNotNegative);
   f.rows("materials", mesh.materials);
 }

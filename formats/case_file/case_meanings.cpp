@@ -103,6 +103,10 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"tip_side",
      "longest side of triangles at the tips of cracks and of joints that end inside, growing by half of the distance, "
      "L; 0: as elsewhere"},
+    {"tip_functions",
+     "williams: covers about tips carry in addition sqrt(r) sin and cos of theta/2 and 3 theta/2, those around linear "
+     "functions (Williams 1957); linear statics alone; none"},
+    {"tip_radius", "covers with nodes nearer to a tip carry its functions, L; 0: three sides of the triangles there"},
     {"snap_ratio", "nodes nearer to lines than this times w are moved onto them"},
     {"tractions",
      "force per length of the boundary along a chain of points: (x, y) less pressure times the outward normal"},
@@ -221,7 +225,12 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"toughness", "stress intensity at which cracks go on; absent: they do not grow"},
     {"mode_1", "K_Ic, F/L^1.5"},
     {"toughness.tensile_strength",
-     "at which a crack starts in intact rock where cracks grow, F/L²; absent: they grow only where there are some"},
+     "at which a crack starts in intact rock where cracks grow, F/L²; absent: none does in tension"},
+    {"toughness.cohesion",
+     "of intact rock, with friction_deg: at which a closed crack starts in shear where cracks grow, F/L²; needs "
+     "mode_2; "
+     "absent: none does"},
+    {"toughness.friction_deg", "of intact rock in shear, degrees"},
     {"mode_2", "K_IIc, F/L^1.5; absent: what the criterion of growth makes of K_Ic"},
     {"crack_closure", "of rock with cracks that compression closes; absent: it has none"},
     {"initial_modulus",

@@ -29,6 +29,7 @@ constexpr auto kFields = std::to_array<FieldMeasure>({
 
     {"side", measures::kLength},
     {"tip_side", measures::kLength},
+    {"tip_radius", measures::kLength},
     {"through_x", measures::kLength},
     {"through_y", measures::kLength},
     {"angle", measures::kDegrees},

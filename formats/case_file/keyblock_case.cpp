@@ -11,6 +11,7 @@
 #include "formats/case_file/case_reading.hpp"
 #include "formats/case_file/case_values.hpp"
 #include "formats/case_file/case_writing.hpp"
+#include "formats/case_file/yaml_text.hpp"
 #include "material/crack_closure.hpp"
 #include "material/strength.hpp"
 #include "problem/units/unit_conversion.hpp"
@@ -25,6 +26,7 @@ constexpr std::size_t kFewestCorners = 3;
 
 Recognition recognise(const Source& source) {
   using Fit = Recognition::Fit;
+  if (is_yaml_case(source.text)) return {Fit::exact, "YAML with the key keyblock"};
   const std::string_view text = without_bom(source.text);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos ||
@@ -133,6 +135,9 @@ void check(const MeshPlan& mesh, const Place& covers) {
     throw InputError(place, fmt::format("expected no angle of an unstructured mesh, found {}", mesh.angle_deg));
   if (!(std::abs(mesh.angle_deg) <= kHalfTurn))
     throw InputError(place, fmt::format("expected an angle from -180 to 180, found {}", mesh.angle_deg));
+  if (mesh.tip_functions.radius > 0 && !mesh.tip_functions.are_asked())
+    throw InputError(place, fmt::format("expected tip_functions that reach as far as a tip_radius, found none for {}",
+                                        mesh.tip_functions.radius));
   if (!(mesh.snap_ratio <= kMostSnapping))
     throw InputError(place,
                      fmt::format("expected a snap_ratio of at most {}, found {}", kMostSnapping, mesh.snap_ratio));
@@ -194,6 +199,8 @@ void check(const Analysis& analysis) {
   if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
   for (const BlockMaterial& material : analysis.block_materials) {
+    if (material.toughness && material.toughness->cohesion && !material.toughness->mode_2)
+      throw InputError(material.place, "toughness: expected a mode_2 beside the cohesion, found none");
     if (!material.is_nonlinear()) continue;
     if (material.strength)
       if (const std::string why = why_unusable(*material.strength); !why.empty())
@@ -314,7 +321,7 @@ void name_file(std::optional<Part>& part, const std::string& file) {
 }
 
 Reading read(const Source& source, const ReadHint&) {
-  JsonText text(source);
+  JsonText text = is_yaml_case(source.text) ? yaml_text(source) : JsonText(source);
   if (text.root().kind() != JsonKind::object) text.root().fail("an object");
   resolve(text);
   Reading reading;

@@ -81,7 +81,8 @@ constexpr std::array kTips{
     Column("x", m::kLength),       Column("y", m::kLength),       Column("length", m::kLength),
     Column("K_I", m::kToughness),  Column("K_II", m::kToughness), Column("J", m::kEnergyPerArea),
     Column("K_eq", m::kToughness), Column("kink", m::kDegrees),   Column("toughness", m::kToughness),
-    Column("goes_on", m::kNumber)};
+    Column("goes_on", m::kNumber),
+                           Column("kind", m::kNumber)};
 constexpr std::array kStepRows{Column("step", m::kNumber),
                                Column("time", m::kTime),
                                Column("dt", m::kTime),
@@ -206,6 +207,9 @@ constexpr std::array kOfContacts{
     Column("force", m::kForce)};
 constexpr std::array kOfBolts{Column("bolt", m::kNumber), Column("force", m::kForce), Column("is_broken", m::kNumber)};
 
+constexpr std::array kOfCracks{Column("displacement", m::kLength), Column("crack", m::kNumber),
+                               Column("side", m::kNumber), Column("is_shear", m::kNumber)};
+
 // "x#" for "x12".
 bool is_of(const Column& column, std::string_view name) {
   const std::size_t mark = column.name.find('#');
@@ -242,12 +246,13 @@ const RunTable kBlockArrays{"frames", kOfBlocks};
 const RunTable kCornerArrays{"frames", kOfCorners};
 const RunTable kContactArrays{"frames", kOfContacts};
 const RunTable kBoltArrays{"frames", kOfBolts};
+const RunTable kCrackArrays{"frames", kOfCracks};
 
 std::span<const RunTable* const> run_tables() {
-  static const std::array<const RunTable*, 15> tables{&kHistoryTable, &kPointsTable,   &kContactsTable, &kJointsTable,
+  static const std::array<const RunTable*, 16> tables{&kHistoryTable, &kPointsTable,   &kContactsTable, &kJointsTable,
                                                       &kBoltsTable,   &kTipsTable,     &kStepTable,     &kLedgerTable,
                                                       &kTraceOfSteps, &kTraceOfBlocks, &kTraceOfRounds, &kBlockArrays,
-                                                      &kCornerArrays, &kContactArrays, &kBoltArrays};
+                                                      &kCornerArrays, &kContactArrays, &kBoltArrays, &kCrackArrays};
   return tables;
 }
 

@@ -39,6 +39,7 @@ extern const RunTable kTraceOfRounds;
 extern const RunTable kBlockArrays;    ///< cells of a frame's blocks or elements
 extern const RunTable kCornerArrays;   ///< their corners
 extern const RunTable kContactArrays;  ///< points of a frame's contacts
+extern const RunTable kCrackArrays;    ///< lines of its cracks, and their corners
 extern const RunTable kBoltArrays;     ///< lines of a frame's bolts
 
 /// All of them, in the order above.

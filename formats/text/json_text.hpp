@@ -79,6 +79,12 @@ class JsonText {
  private:
   friend class JsonValue;
   friend class JsonReader;
+  friend class YamlReader;                      // case_file/yaml_text.cpp
+  friend JsonText yaml_text(const Source& source);
+
+  /// Without values, for a reader of another language to fill.
+  struct Unread {};
+  JsonText(const Source& source, Unread) : map_(source.name, source.text), size_(source.text.size()) {}
 
   struct Node {
     std::uint64_t offset : 56;  ///< in the text

@@ -25,7 +25,7 @@ void append(std::string& text, const TipState& tip, std::size_t number) {
   for (const double value : {tip.mode_1, tip.mode_2, tip.energy_release, tip.equivalent, tip.kink * kDegrees})
     append(text, tip.has_room, value);
   append(text, tip.toughness > 0, tip.toughness);
-  text += tip.goes_on ? ",1\n" : ",0\n";
+  text += fmt::format(",{},{}\n", tip.goes_on ? 1 : 0, tip.is_shear ? "shear" : "tension");
 }
 
 }  // namespace

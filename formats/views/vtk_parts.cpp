@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <vector>
 
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
@@ -100,6 +101,33 @@ std::string bolts_vtp(const Frame& frame, const Units& units) {
   for (B b : frame.bolts) text += vector_text(b.first) + "\n" + vector_text(b.second) + "\n";
   text += kPointsEnd;
   return text + cells_of("Lines", frame.bolts.size(), 2) + std::string(kEnd);
+}
+
+std::string cracks_vtp(const FieldFrame& field, const Units& units) {
+  struct Face {
+    std::size_t crack;
+    bool is_shear;
+    const CrackFace* edge;
+  };
+  std::vector<Face> faces;
+  for (std::size_t c = 0; c < field.cracks.size(); ++c)
+    for (const CrackFace& edge : field.cracks[c].faces) faces.push_back({c, field.cracks[c].is_shear, &edge});
+  using F = const Face&;
+  std::string text = opening(field.time, "Lines", faces.size(), 2);
+  text += "<PointData>\n";
+  append(text, faces, "Float64", heading(kCrackArrays, "displacement", units), 3, [](F f) {
+    return vector_text(f.edge->ends[0].displacement) + "\n" + vector_text(f.edge->ends[1].displacement);
+  });
+  text += "</PointData>\n<CellData>\n";
+  append(text, faces, "Int32", heading(kCrackArrays, "crack", units), 1, [](F f) { return fmt::format("{}", f.crack + 1); });
+  append(text, faces, "Int32", heading(kCrackArrays, "side", units), 1, [](F f) { return fmt::format("{:d}", f.edge->is_left); });
+  append(text, faces, "Int32", heading(kCrackArrays, "is_shear", units), 1, [](F f) { return fmt::format("{:d}", f.is_shear); });
+  text += "</CellData>\n";
+  text += kPointsOpening;
+  for (F f : faces)
+    for (const FieldCorner& end : f.edge->ends) text += vector_text(end.position + end.displacement) + "\n";
+  text += kPointsEnd;
+  return text + cells_of("Lines", faces.size(), 2) + std::string(kEnd);
 }
 
 }  // namespace keyblock::formats

@@ -14,6 +14,9 @@ from cover_files import arc, case_text, free_mesh, rectangle, write_case  # noqa
 YOUNG, POISSON = 1e5, 0.3
 FINEST = 320  # sides at a tip are the crack's length over this
 ASKED = 'asked for: 0.7 % of K without singular functions, sides of a/320 at the tip'
+COARSE = 20  # the same with near-tip functions
+ASKED_OF_FUNCTIONS = 'asked for: 0.3 % of K_I, 0.5 % of K_II by near-tip functions'
+OF_FUNCTIONS = {'K_I': 0.003, 'K_II': 0.005}
 VERTICES = 'faces touch at every vertex where the mesh crosses the crack: pressures oscillate there, and friction makes wrong slip of that (0.0104 of s sqrt(pi c))'
 SOURCE = {'01': 'Tada, Paris & Irwin 1973; value of an independent finite-element reckoning (graded eight-node elements, interaction integral)',
           '02': 'Feddersen; Tada et al.; independent finite-element value', '03': 'Sih; Erdogan & Sih 1963; independent finite-element value of the finite plate',
@@ -22,7 +25,8 @@ SOURCE = {'01': 'Tada, Paris & Irwin 1973; value of an independent finite-elemen
 
 
 def write(name, corners, cracks, side, covers, values, about, source, young=YOUNG, poisson=POISSON, tip=None, tolerance=0.007, reason=ASKED, absolute=None, joint=None, missed=None):
-    """`values`: quantity, tip, value; each is to be met within `tolerance` of the greatest of them."""
+    """`values`: quantity, tip, value; each is to be met within `tolerance` of the greatest of them. The same with near-tip functions on longer sides
+    in the case `name`_functions, each within its own share, or that of the greatest where it is 0; not where faces touch."""
     length = max(math.dist(a[0], a[-1]) for a in cracks)
     mesh = dict(free_mesh(side), tip_side=tip or length / FINEST)
     parts = {'contact': 'ignored', 'mesh': mesh, 'cracks': [{'along': a} for a in cracks]}
@@ -32,6 +36,12 @@ def write(name, corners, cracks, side, covers, values, about, source, young=YOUN
     if joint:
         text = text.replace('   {}\n', '   %s\n' % json.dumps(joint))
     write_case(os.path.join(HERE, name), text, [(q, t, v, absolute or tolerance * size, reason, source) for q, t, v in values], about, missed=missed)
+    if parts['contact'] == 'felt':
+        return
+    parts['mesh'] = dict(free_mesh(side), tip_side=(tip or length / FINEST) * FINEST / COARSE, tip_functions='williams')
+    text = case_text(corners, parts, young, poisson, [], plane_strain=True).replace(',\n  "measured_points": []', '')
+    write_case(os.path.join(HERE, name + '_functions'), text,
+               [(q, t, v, OF_FUNCTIONS[q] * (abs(v) or size), ASKED_OF_FUNCTIONS, source) for q, t, v in values], about + ', near-tip functions')
 
 
 def pulled(corners, low, high, stress=1):

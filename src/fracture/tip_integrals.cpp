@@ -99,8 +99,7 @@ class TipSums {
   }
 
   void add_area(int e) {
-    const ManifoldElement& element = manifold().elements[static_cast<std::size_t>(e)];
-    for (const AreaPoint& p : polygon_rule(manifold().polygon(element), kAreaDegree)) {
+    for (const AreaPoint& p : area_rule(manifold(), e, solution_.basis.shape(e), kAreaDegree)) {
       const double q = domain_.weight(e, p.at);
       if (q == 0) continue;
       const Eigen::Vector2d dq = in_axes(domain_.gradient(e, p.at));

@@ -23,7 +23,8 @@ constexpr std::array<int, 5> kLevels{1, 2, 3, 4, 6};
 constexpr double kMostSpread = 0.03;
 constexpr double kMostDifference = 0.1;
 constexpr double kLargestSide = 1.0 / 40;
-constexpr double kLeastSides = 1;  // of the tip's triangle in the inner radius of a circle
+constexpr double kLargestSideOfFunctions = 1.0 / 4;  // with near-tip functions K is within 0.4 % at a fifth
+constexpr double kLeastSides = 1;                    // of the tip's triangle in the inner radius of a circle
 
 DomainChoice circle(const CrackTip& tip, double share) {
   return {DomainKind::circle, kInner * share * tip.room, share * tip.room, 0};
@@ -89,7 +90,10 @@ std::string doubt_of(const TipReport& report) {
   const double by_factors = (k.mode_1 * k.mode_1 + k.mode_2 * k.mode_2) / report.rock.effective_modulus();
   if (std::abs(report.factors->j - by_factors) > kMostDifference * std::max(by_factors, report.factors->j))
     return fmt::format("J {:.4g} and (K_I² + K_II²)/E' {:.4g} differ", report.factors->j, by_factors);
-  if (report.side > kLargestSide * report.tip.room)
+  if (report.has_functions && report.side > kLargestSideOfFunctions * report.tip.room)
+    return fmt::format("sides of {:.3g} at the tip are more than a quarter of the {:.3g} about it (tip_side refines)",
+                       report.side, report.tip.room);
+  if (!report.has_functions && report.side > kLargestSide * report.tip.room)
     return fmt::format(
         "sides of {:.3g} at the tip are more than a fortieth of the {:.3g} about it: K is low by 3 % or "
         "more (tip_side refines)",
@@ -107,7 +111,11 @@ std::vector<DomainChoice> domain_choices(const CrackTip& tip) {
 
 TipReport tip_report(const CoverSolution& solution, const CrackTip& alone) {
   const CrackTip tip = with_loads_in_the_way(solution.continuum, alone);
-  TipReport report{tip, rock_at(solution.continuum, tip), side_at(solution.continuum.manifold, tip), {}};
+  TipReport report{tip,
+                   rock_at(solution.continuum, tip),
+                   side_at(solution.continuum.manifold, tip),
+                   solution.basis.has_tip_functions(),
+                   {}};
   for (const DomainChoice& choice : domain_choices(tip)) {
     report.domains.push_back(result_of(solution, tip, choice, report.side));
     const bool is_circle = choice.kind == DomainKind::circle;

@@ -20,7 +20,8 @@ struct DomainResult {
 struct TipReport {
   CrackTip tip;
   PlaneElasticity rock;
-  double side = 0;  ///< of the triangle that holds the tip: the longest
+  double side = 0;             ///< of the triangle that holds the tip: the longest
+  bool has_functions = false;  ///< near-tip functions on its covers
   std::vector<DomainResult> domains;
   /// Of the largest circle that is not refused; none where all are.
   std::optional<TipFactors> factors = {};

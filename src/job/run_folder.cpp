@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "formats/dxf/dxf_writer.hpp"
 #include "formats/registry.hpp"
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/contact_csv.hpp"
@@ -47,9 +48,9 @@ constexpr const char* kReactionFile = "reactions.svg";
 constexpr std::chrono::milliseconds kListEvery{500};
 
 // What a run may leave in its folder, beside its tables, and all that it may leave.
-constexpr std::array<std::string_view, 9> kOtherFiles{kRecord,       kFrameList,   "picture.svg",
-                                                      "energy.svg",  "field.svg",  "plastic.svg",
-                                                      kReactionFile, "cracks.svg", kCheckpoint};
+constexpr std::array<std::string_view, 10> kOtherFiles{
+    kRecord,       kFrameList,   "picture.svg", "energy.svg", "field.svg", "plastic.svg",
+    kReactionFile, "cracks.svg", "cracks.dxf",  kCheckpoint};
 // What is written as the run goes: a run that was killed leaves it without a record.
 constexpr std::array<const formats::RunTable*, 7> kGrowing{
     &formats::kContactsTable, &formats::kJointsTable, &formats::kBoltsTable, &formats::kHistoryTable,
@@ -128,6 +129,17 @@ std::vector<std::size_t> shown_of(const History& history, const Followed& follow
   return shown;
 }
 
+// Layer JOINT_2 has those that started in shear, JOINT_1 all others.
+std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
+  formats::Content content;
+  content.units = units;
+  Drawing& drawing = content.drawing.emplace();
+  for (const CrackFrame& crack : cracks)
+    for (std::size_t i = 0; i + 1 < crack.along.size(); ++i)
+      drawing.joints.push_back({{crack.along[i], crack.along[i + 1]}, crack.is_shear ? 1 : 0, {}});
+  return formats::write_dxf(content);
+}
+
 // How far each of them has come, over time.
 std::vector<report::Curve> displacement_curves(const History& history, const Frame& start, const FieldFrame& field) {
   std::vector<report::Curve> curves;
@@ -186,7 +198,8 @@ struct FramePart {
   std::string_view opening;
   std::string_view ending;
 };
-constexpr std::array<FramePart, 3> kParts{{{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}}};
+constexpr std::array<FramePart, 4> kParts{
+    {{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}, {"cracks_", ".vtp"}}};
 
 std::string frame_file(const FramePart& part, int step) {
   return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
@@ -340,11 +353,13 @@ void RunFolder::write_frame(const std::string& name, double time, const std::str
 }
 
 void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
-  const auto& [blocks, points, lines] = kParts;
+  const auto& [blocks, points, lines, cracks] = kParts;
   write_frame(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units_));
   if (!contacts.empty())
     write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts, units_));
   if (!frame.bolts.empty()) write_frame(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units_));
+  if (!field.cracks.empty())
+    write_frame(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field, units_));
   contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, contacts));
   joints_.append(formats::joints_csv_rows(frame.step, frame.time, contacts));
   bolts_.append(formats::bolts_csv_rows(frame));
@@ -413,8 +428,10 @@ void RunFolder::finish(const RunResults& results) {
   write_pictures(results);
   if (const std::string tips = formats::tips_csv(history, units_); !tips.empty()) {
     write(formats::kTipsTable.file, tips);
-    write("cracks.svg", report::crack_picture(results.title + ", cracks", frames_.front(), history, units_));
+    write("cracks.svg",
+          report::crack_picture({results.title + ", cracks", frames_.front(), history, results.field, units_}));
   }
+  if (!results.field.cracks.empty()) write("cracks.dxf", dxf_of(results.field.cracks, units_));
   if (trace_ == Trace::no) return;
   write(formats::kTraceOfSteps.file, formats::steps_csv(results.steps, units_));
   if (std::ranges::any_of(results.steps, [](const StepReport& step) { return !step.residuals.empty(); }))

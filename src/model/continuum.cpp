@@ -14,6 +14,7 @@ namespace {
 
 // Cutting rounds crossings to some 1e-16 of the extent; the shortest edges of interest have 1e-8 of an element.
 constexpr double kAlong = 1e-10;
+constexpr double kInside = 1e-9;  // of an element: its own side of a crack
 
 double extent(const Manifold& manifold) {
   Box box;
@@ -52,6 +53,28 @@ ElasticLaw Continuum::law(int element) const {
 
 Eigen::Matrix3d Continuum::modulus(int element) const {
   return modulus_of(material(element), plane);
+}
+
+CoverBasis basis_of(const Continuum& continuum) {
+  return {continuum.manifold, continuum.functions, continuum.tip_functions};
+}
+
+std::vector<AreaPoint> area_rule(const Manifold& manifold, int element, const ElementShape& shape, int degree) {
+  const auto loops = manifold.polygon(manifold.elements[static_cast<std::size_t>(element)]);
+  return shape.tip == nullptr ? polygon_rule(loops, degree)
+                              : polygon_rule_about(shape.tip->tips, loops, shape.frame.size, degree);
+}
+
+std::vector<EdgePoint> edge_rule(const ElementSide& side, const ElementShape& shape, int count) {
+  std::vector<EdgePoint> points;
+  if (shape.tip == nullptr) {
+    const double all = length(side.edge.end - side.edge.start);
+    for (const GaussPoint& g : gauss_rule(count)) points.push_back({point_at(side.edge, g.at), all * g.weight});
+    return points;
+  }
+  const Point inwards = (-kInside * shape.frame.size) * side.normal();
+  for (const EdgePoint& p : edge_rule_about(shape.tip->tips, side.edge)) points.push_back({p.at + inwards, p.weight});
+  return points;
 }
 
 Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& materials, const Settings& settings,

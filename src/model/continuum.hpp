@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "geometry/tip_rule.hpp"
 #include "model/cover_basis.hpp"
 #include "problem/analysis.hpp"
 #include "problem/manifold.hpp"
@@ -50,6 +51,7 @@ struct Continuum {
   std::vector<ElasticLaw> laws = {};     ///< one a material; none: that of St. Venant and Kirchhoff
   Plane plane = Plane::stress;
   CoverFunctions functions = CoverFunctions::derived;
+  TipFunctionPlan tip_functions = {};
   std::function<Point(Point x)> body_force;  ///< force / area, beside the weight of the materials; may be empty
   std::function<Stress(Point x)>
       initial_stress;             ///< before any displacement, beside that of the materials; may be empty
@@ -70,6 +72,12 @@ struct Continuum {
   Stress initial_stress_at(int element, Point x) const;
 };
 
+/// The functions of the bodies' elements.
+CoverBasis basis_of(const Continuum& continuum);
+
+/// Points of an element, exact to `degree` where its functions are polynomials, else fit for near-tip functions.
+std::vector<AreaPoint> area_rule(const Manifold& manifold, int element, const ElementShape& shape, int degree);
+
 /// Bodies on covers of a run in steps: materials weigh as `weight_per_area` says, those that do not exist are the
 /// nearest that do.
 Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& materials, const Settings& settings,
@@ -82,6 +90,10 @@ struct ElementSide {
 
   Point normal() const;  ///< outward, of length 1
 };
+
+/// Points along an edge: `count` of Gauss, or, where functions are no polynomials, closer near the tip and just inside
+/// the element, which says on which face of the crack they lie.
+std::vector<EdgePoint> edge_rule(const ElementSide& side, const ElementShape& shape, int count);
 
 /// The boundary edges along a chain: both sides of it where it is a joint. "Along" is within 1e-10 of the manifold's
 /// extent.

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/cover_basis.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "model/derived_gradients.hpp"
+#include "model/tips/tip_enrichment.hpp"
 
 namespace keyblock {
 namespace {
@@ -51,6 +55,22 @@ Eigen::VectorXd less_y(Point p) {
   return Eigen::Vector3d(-p.y, 0, 1);
 }
 
+/// Sides of the triangles of covers: those of one of their elements.
+std::vector<double> sizes_of_covers(const Manifold& manifold, const std::vector<LocalFrame>& frames) {
+  std::vector<double> sizes(manifold.covers.size(), 1);
+  for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
+    for (const int c : manifold.elements[e].covers) sizes[static_cast<std::size_t>(c)] = frames[e].size;
+  }
+  return sizes;
+}
+
+/// Covers with a derived gradient do not derive it from what carries functions beside its polynomial.
+void give_own_gradients(TipEnrichment& tips, const std::vector<CoverGradient>& gradients) {
+  for (std::size_t c = 0; c < gradients.size(); ++c)
+    for (const CoverGradient::Share& share : gradients[c].shares)
+      if (tips.carries_functions(share.cover)) tips.give_own_gradient(static_cast<int>(c));
+}
+
 }  // namespace
 
 const char* name_of(CoverFunctions functions) {
@@ -67,12 +87,20 @@ const char* name_of(CoverFunctions functions) {
   return "";
 }
 
-Eigen::RowVectorXd ElementShape::values(Point x) const {
+Eigen::RowVectorXd ElementShape::polynomial_values(Point x) const {
   return monomials(degree, frame.local(x)).transpose() * monomial;
 }
 
+Eigen::RowVectorXd ElementShape::values(Point x) const {
+  Eigen::RowVectorXd n = polynomial_values(x);
+  if (tip != nullptr) tip->add_values(x, n);
+  return n;
+}
+
 Eigen::Matrix2Xd ElementShape::gradients(Point x) const {
-  return monomial_gradients(degree, frame.local(x)).transpose() * monomial / frame.size;
+  Eigen::Matrix2Xd g = monomial_gradients(degree, frame.local(x)).transpose() * monomial / frame.size;
+  if (tip != nullptr) tip->add_gradients(x, g);
+  return g;
 }
 
 Eigen::Matrix2Xd ElementShape::displacement(Point x) const {
@@ -92,17 +120,20 @@ Eigen::Matrix3Xd ElementShape::strain(Point x) const {
   return b;
 }
 
-CoverBasis::CoverBasis(const Manifold& manifold, CoverFunctions functions)
+CoverBasis::CoverBasis(const Manifold& manifold, CoverFunctions functions, const TipFunctionPlan& plan)
     : functions_(functions), degree_(order_of(functions) + 1) {
   frames_.reserve(manifold.elements.size());
   first_number_.reserve(manifold.elements.size() + 1);
   for (const ManifoldElement& element : manifold.elements) frames_.push_back(frame_of(manifold.triangle(element)));
+  std::unique_ptr<TipEnrichment> tips;
+  if (plan.are_asked() && !manifold.tips.empty()) tips = std::make_unique<TipEnrichment>(manifold, plan);
   if (functions == CoverFunctions::derived) {
     function_count_ = static_cast<int>(manifold.covers.size());
-    add_derived(manifold);
+    add_derived(manifold, tips.get());
   } else {
     function_count_ = static_cast<int>(manifold.covers.size()) * monomial_count(degree_ - 1);
-    add_cover_polynomials(manifold);
+    if (tips) function_count_ = tips->number_functions(function_count_);
+    add_cover_polynomials(manifold, tips.get());
   }
   first_number_.push_back(numbers_.size());
 }
@@ -115,24 +146,39 @@ ElementShape CoverBasis::shape(int element) const {
   return {degree_, std::span(numbers_).subspan(first, count),
           Eigen::Map<const Eigen::MatrixXd>(coefficients_.data() + first * static_cast<std::size_t>(rows), rows,
                                             static_cast<Eigen::Index>(count)),
-          frames_[e]};
+          frames_[e],
+          tip_shape_of_.empty() || tip_shape_of_[e] < 0 ? nullptr
+                                                        : &tip_shapes_[static_cast<std::size_t>(tip_shape_of_[e])]};
 }
 
-void CoverBasis::add(const std::vector<int>& functions, const Eigen::MatrixXd& monomial) {
+CoverFunctions CoverBasis::functions(int element) const {
+  return !is_linear_.empty() && is_linear_[static_cast<std::size_t>(element)] != 0 ? CoverFunctions::linear
+                                                                                   : functions_;
+}
+
+// Near-tip functions go behind the polynomials, of which they have none.
+void CoverBasis::add(std::vector<int> functions, const Eigen::MatrixXd& monomial, const TipEnrichment* tips) {
+  const auto element = static_cast<int>(first_number_.size());
+  const std::size_t polynomials = functions.size();
+  if (tips != nullptr) {
+    TipShape shape = tips->shape(element, functions);
+    shape.first = static_cast<int>(polynomials);
+    tip_shape_of_.push_back(shape.functions.empty() ? -1 : static_cast<int>(tip_shapes_.size()));
+    if (!shape.functions.empty()) tip_shapes_.push_back(std::move(shape));
+  }
   first_number_.push_back(numbers_.size());
   numbers_.insert(numbers_.end(), functions.begin(), functions.end());
   coefficients_.insert(coefficients_.end(), monomial.data(), monomial.data() + monomial.size());
+  coefficients_.resize(coefficients_.size() +
+                       (functions.size() - polynomials) * static_cast<std::size_t>(monomial.rows()));
 }
 
 // Function m of cover i is number i·count + m: λ_i times the m-th monomial of (x - x_i) in sides of the triangle. The
 // side is that of the element at hand: it is the same for all elements of a regular mesh only, so that the cover's own
 // is taken.
-void CoverBasis::add_cover_polynomials(const Manifold& manifold) {
+void CoverBasis::add_cover_polynomials(const Manifold& manifold, const TipEnrichment* tips) {
   const int count = monomial_count(degree_ - 1);
-  std::vector<double> sizes(manifold.covers.size(), 1);
-  for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
-    for (const int c : manifold.elements[e].covers) sizes[static_cast<std::size_t>(c)] = frames_[e].size;
-  }
+  const std::vector<double> sizes = sizes_of_covers(manifold, frames_);
   for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
     const std::array<int, 3>& covers = manifold.elements[e].covers;
     const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[e]);
@@ -154,36 +200,56 @@ void CoverBasis::add_cover_polynomials(const Manifold& manifold) {
         functions.push_back(covers[k] * count + monomial_place(power));
       }
     }
-    add(functions, monomial);
+    add(std::move(functions), monomial, tips);
   }
 }
 
-void CoverBasis::add_derived(const Manifold& manifold) {
+void CoverBasis::add_derived(const Manifold& manifold, TipEnrichment* tips) {
   const std::vector<CoverGradient> gradients = derived_gradients(manifold);
+  std::vector<int> own_gradient(manifold.covers.size(), -1);  // its first function, the one behind it is by y
+  std::vector<double> sizes;
+  if (tips != nullptr) {
+    give_own_gradients(*tips, gradients);
+    sizes = sizes_of_covers(manifold, frames_);
+    for (std::size_t c = 0; c < own_gradient.size(); ++c)
+      if (tips->has_own_gradient(static_cast<int>(c)))
+        own_gradient[c] = std::exchange(function_count_, function_count_ + 2);
+    function_count_ = tips->number_functions(function_count_);
+    for (const ManifoldElement& element : manifold.elements)
+      is_linear_.push_back(std::ranges::any_of(element.covers, [&](int c) { return tips->has_own_gradient(c); }) ? 1
+                                                                                                                 : 0);
+  }
   for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
     const std::array<int, 3>& covers = manifold.elements[e].covers;
     const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[e]);
     const std::array<Eigen::VectorXd, 3> weights = weights_of(triangle, frames_[e]);
-    std::map<int, Eigen::VectorXd> sum;  // by cover
-    const auto of = [&](int cover) -> Eigen::VectorXd& {
-      return sum.try_emplace(cover, Eigen::VectorXd::Zero(monomial_count(2))).first->second;
+    std::map<int, Eigen::VectorXd> sum;  // by function: a cover's own number, then gradients
+    const auto of = [&](int function) -> Eigen::VectorXd& {
+      return sum.try_emplace(function, Eigen::VectorXd::Zero(monomial_count(2))).first->second;
     };
     for (std::size_t k = 0; k < 3; ++k) {
       of(covers[k]).head(3) += weights[k];
       const Point node = frames_[e].local(triangle[k]);
+      const auto c = static_cast<std::size_t>(covers[k]);
+      if (own_gradient[c] >= 0) {
+        const double scale = frames_[e].size / sizes[c];
+        of(own_gradient[c]) += scale * product(weights[k], 1, less_x(node), 1);
+        of(own_gradient[c] + 1) += scale * product(weights[k], 1, less_y(node), 1);
+        continue;
+      }
       const double half = frames_[e].size / 2;
       const Eigen::VectorXd per_x = half * product(weights[k], 1, less_x(node), 1);
       const Eigen::VectorXd per_y = half * product(weights[k], 1, less_y(node), 1);
-      for (const CoverGradient::Share& share : gradients[static_cast<std::size_t>(covers[k])].shares)
+      for (const CoverGradient::Share& share : gradients[c].shares)
         of(share.cover) += share.weight.x * per_x + share.weight.y * per_y;
     }
     std::vector<int> functions;
     Eigen::MatrixXd monomial(monomial_count(2), static_cast<Eigen::Index>(sum.size()));
-    for (const auto& [cover, polynomial] : sum) {
+    for (const auto& [function, polynomial] : sum) {
       monomial.col(static_cast<Eigen::Index>(functions.size())) = polynomial;
-      functions.push_back(cover);
+      functions.push_back(function);
     }
-    add(functions, monomial);
+    add(std::move(functions), monomial, tips);
   }
 }
 

@@ -43,6 +43,21 @@ struct RefinedPoint {
   double side = 0;
 };
 
+/// What covers about the tips of cracks say beside the functions of all.
+enum class TipFunctions {
+  none,
+  williams,  ///< the leading fields of a crack tip (Williams 1957): eight unknowns a cover; those around get gradients
+             ///< of their own
+};
+
+/// On covers whose nodes are nearer to a tip than `radius`; 0: three sides of the triangles at the tip.
+struct TipFunctionPlan {
+  TipFunctions kind = TipFunctions::none;
+  double radius = 0;
+
+  bool are_asked() const { return kind != TipFunctions::none; }
+};
+
 /// Blocks of this material are given covers.
 struct MeshedMaterial {
   int material = 0;  ///< block material, index from 0
@@ -63,7 +78,8 @@ struct MeshPlan {
   std::optional<double> through_x;  ///< where a node of a regular mesh stands; else the placement decides
   std::optional<double> through_y;
   std::vector<RefinedPoint> refined;
-  double tip_side = 0;    ///< at the tips of cracks; 0: as elsewhere
+  double tip_side = 0;  ///< at the tips of cracks; 0: as elsewhere
+  TipFunctionPlan tip_functions = {};
   double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale are moved onto them
   std::vector<MeshedMaterial>
       materials;  ///< of the blocks that are given covers, the others stay blocks; none: all are
@@ -122,6 +138,7 @@ struct CrackPlan {
   std::vector<Point> along;
   Place place;
   int joint_material = 0;
+  bool is_shear = false;  ///< it started in shear as cracks grew
 };
 
 /// In which direction a tip goes on.
@@ -143,7 +160,8 @@ struct GrowthPlan {
   GrowthCriterion criterion = GrowthCriterion::hoop_stress;
   GrowthLoads loads = GrowthLoads::automatic;
   double increment = 0;
-  bool has_corrector = true;  ///< under scaled loads: the kink is the mean of those before and after a trial of the step
+  bool has_corrector =
+      true;  ///< under scaled loads: the kink is the mean of those before and after a trial of the step
   Place place;
 };
 

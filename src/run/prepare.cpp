@@ -259,6 +259,7 @@ struct Asked {
 Asked as_asked(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   Asked asked{problem, choices_of_stages(problem, profile, overrides)};
   Settings& settings = asked.choices.front().settings;
+  require_linear_tips(problem, settings);
   asked.is_untouched = is_untouched(problem, settings);
   if (asked.is_untouched) {
     LinearCase linear = linear_case(problem, settings);

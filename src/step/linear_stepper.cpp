@@ -59,8 +59,7 @@ void LinearStepper::describe(Archive& archive) {
 }
 
 void LinearStepper::describe_solution(Archive& archive) {
-  if (archive.is_restoring())
-    solution_.emplace(CoverBasis(continuum().manifold, continuum().functions), SparseSolution());
+  if (archive.is_restoring()) solution_.emplace(basis_of(continuum()), SparseSolution());
   SparseSolution& found = solution_->solution;
   if (archive.is_restoring()) found.x.setZero(2 * solution_->basis.function_count());
   archive.values("unknowns", {found.x.data(), static_cast<std::size_t>(found.x.size())});

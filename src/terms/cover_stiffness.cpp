@@ -30,20 +30,14 @@ GradientProducts gradient_products(int degree, const LocalFrame& frame, const Ei
   return g;
 }
 
-}  // namespace
-
-Eigen::MatrixXd cover_stiffness(const ElementShape& shape, const Eigen::VectorXd& moments,
-                                const Eigen::Matrix3d& modulus) {
-  const GradientProducts of_monomials = gradient_products(shape.degree, shape.frame, moments);
-  const auto& c = shape.monomial;
-  const Eigen::MatrixXd xx = c.transpose() * of_monomials.xx * c;
-  const Eigen::MatrixXd xy = c.transpose() * of_monomials.xy * c;
-  const Eigen::MatrixXd yy = c.transpose() * of_monomials.yy * c;
+/// ∫ Bᵀ D B of the products of the functions' gradients.
+Eigen::MatrixXd stiffness_of(const GradientProducts& products, const Eigen::Matrix3d& modulus) {
+  const auto& [xx, xy, yy] = products;
   const double d11 = modulus(0, 0);
   const double d12 = modulus(0, 1);
   const double d22 = modulus(1, 1);
   const double d33 = modulus(2, 2);
-  const Eigen::Index n = c.cols();
+  const Eigen::Index n = xx.cols();
   Eigen::MatrixXd stiffness(2 * n, 2 * n);
   for (Eigen::Index a = 0; a < n; ++a) {
     for (Eigen::Index b = 0; b < n; ++b) {
@@ -56,9 +50,38 @@ Eigen::MatrixXd cover_stiffness(const ElementShape& shape, const Eigen::VectorXd
   return stiffness;
 }
 
+/// By points: of functions that are no polynomials.
+GradientProducts products_at_points(const Manifold& manifold, int element, const ElementShape& shape) {
+  const Eigen::Index n = shape.function_count();
+  GradientProducts sum{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
+  for (const AreaPoint& p : area_rule(manifold, element, shape, 2 * (shape.degree - 1))) {
+    const Eigen::Matrix2Xd g = shape.gradients(p.at);
+    sum.xx += p.weight * g.row(0).transpose() * g.row(0);
+    sum.xy += p.weight * g.row(0).transpose() * g.row(1);
+    sum.yy += p.weight * g.row(1).transpose() * g.row(1);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigen::MatrixXd cover_stiffness(const ElementShape& shape, const Eigen::VectorXd& moments,
+                                const Eigen::Matrix3d& modulus) {
+  const GradientProducts of_monomials = gradient_products(shape.degree, shape.frame, moments);
+  const auto& c = shape.monomial;
+  return stiffness_of(
+      {c.transpose() * of_monomials.xx * c, c.transpose() * of_monomials.xy * c, c.transpose() * of_monomials.yy * c},
+      modulus);
+}
+
 void add_cover_stiffness(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {
   for (int e = 0; e < basis.element_count(); ++e) {
     const ElementShape shape = basis.shape(e);
+    if (shape.tip != nullptr) {
+      const GradientProducts products = products_at_points(continuum.manifold, e, shape);
+      system.add_matrix(shape.functions, stiffness_of(products, continuum.modulus(e)));
+      continue;
+    }
     const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
     const Eigen::VectorXd moments = polygon_moments(loops, shape.frame, 2 * (shape.degree - 1));
     system.add_matrix(shape.functions, cover_stiffness(shape, moments, continuum.modulus(e)));

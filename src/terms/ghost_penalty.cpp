@@ -36,6 +36,13 @@ std::vector<int> neighbours_of(const Manifold& manifold, const ManifoldElement& 
   return found;
 }
 
+/// Whether the element's triangle holds a tip, or has one on its edge: no polynomial goes on from there.
+bool is_at_tip(const Manifold& manifold, int element) {
+  const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[static_cast<std::size_t>(element)]);
+  return std::any_of(manifold.tips.begin(), manifold.tips.end(),
+                     [&](const CrackTip& tip) { return side(triangle, tip.at) != Side::outside; });
+}
+
 }  // namespace
 
 std::vector<GhostPair> ghost_pairs(const Manifold& manifold, const CoverBasis& basis) {
@@ -48,6 +55,7 @@ std::vector<GhostPair> ghost_pairs(const Manifold& manifold, const CoverBasis& b
       const bool is_counted = cut[static_cast<std::size_t>(e)] != 0 || cut[static_cast<std::size_t>(other)] != 0;
       const int beyond = manifold.elements[static_cast<std::size_t>(other)].triangle;
       if (other < e || !is_counted || beyond == element.triangle) continue;
+      if (basis.has_tip_functions() && (is_at_tip(manifold, e) || is_at_tip(manifold, other))) continue;
       std::vector<int> functions(basis.shape(e).functions.begin(), basis.shape(e).functions.end());
       const auto of_other = basis.shape(other).functions;
       functions.insert(functions.end(), of_other.begin(), of_other.end());
@@ -75,7 +83,7 @@ void add_ghost_penalty(const Continuum& continuum, const CoverBasis& basis, cons
     const ElementShape first = basis.shape(pair.first);
     const ElementShape second = basis.shape(pair.second);
     const auto add_values = [&](const ElementShape& shape, Point x, double sign, Eigen::VectorXd& difference) {
-      const Eigen::RowVectorXd values = shape.values(x);
+      const Eigen::RowVectorXd values = shape.polynomial_values(x);
       for (int a = 0; a < shape.function_count(); ++a) {
         const auto place = std::lower_bound(pair.functions.begin(), pair.functions.end(),
                                             shape.functions[static_cast<std::size_t>(a)]);
@@ -93,7 +101,9 @@ void add_ghost_penalty(const Continuum& continuum, const CoverBasis& basis, cons
       }
     }
     const double h = (first.frame.size + second.frame.size) / 2;
-    products *= stabilisation(basis.functions()).ghost * continuum.modulus(pair.first)(0, 0) / (h * h);
+    products *=
+        std::max(stabilisation(basis.functions(pair.first)).ghost, stabilisation(basis.functions(pair.second)).ghost) *
+        continuum.modulus(pair.first)(0, 0) / (h * h);
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     for (Eigen::Index a = 0; a < n; ++a) {
       for (Eigen::Index b = 0; b < n; ++b) matrix(2 * a, 2 * b) = matrix(2 * a + 1, 2 * b + 1) = products(a, b);

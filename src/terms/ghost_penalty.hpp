@@ -7,7 +7,8 @@
 
 namespace keyblock {
 
-/// Two neighbours of which at least one is less than its triangle, and the functions of both.
+/// Two neighbours of which at least one is less than its triangle, and the functions of both. With near-tip functions
+/// there is none at a tip, and elsewhere the penalty is on the polynomials alone.
 struct GhostPair {
   int first = 0;
   int second = 0;

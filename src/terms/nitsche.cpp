@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/nitsche.hpp"
 
-#include "geometry/quadrature.hpp"
-#include "geometry/segment.hpp"
 #include "material/material_stress.hpp"
 #include "terms/held_edges.hpp"
 #include "terms/stabilisation.hpp"
@@ -37,21 +35,21 @@ void visit_points(const Continuum& continuum, const ElementShape& shape, const P
   const bool is_linear = !continuum.material(side.element).is_nonlinear();
   const Eigen::Matrix3d modulus =
       is_linear ? continuum.modulus(side.element) : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
-  const double all = length(side.edge.end - side.edge.start);
-  for (const GaussPoint& g : gauss_rule(shape.degree + 2)) {
-    const Point x = point_at(side.edge, g.at);
+  for (const EdgePoint& q : edge_rule(side, shape, shape.degree + 2)) {
+    const Point x = q.at;
     const Point value = prescribed.value(x, n);
-    visit(HeldPoint{x, all * g.weight, p, Eigen::Vector2d(value.x, value.y), p * shape.displacement(x),
+    visit(HeldPoint{x, q.weight, p, Eigen::Vector2d(value.x, value.y), p * shape.displacement(x),
                     on_plane(n) * modulus * shape.strain(x),
                     on_plane(n) * in_plane(continuum.initial_stress_at(side.element, x))});
   }
 }
 
+// Near-tip functions of an element vary as a polynomial of one degree more would.
 double penalty(const Continuum& continuum, CoverFunctions functions, const ElementShape& shape, int element) {
   if (continuum.material(element).is_nonlinear())
     return kHeldSprings * continuum.modulus(element)(0, 0) / shape.frame.size;
-  return stabilisation(functions).nitsche * shape.degree * shape.degree * continuum.modulus(element)(0, 0) /
-         shape.frame.size;
+  const int degree = shape.tip == nullptr ? shape.degree : shape.degree + 1;
+  return stabilisation(functions).nitsche * degree * degree * continuum.modulus(element)(0, 0) / shape.frame.size;
 }
 
 }  // namespace
@@ -60,7 +58,7 @@ void add_prescribed(const Continuum& continuum, const CoverBasis& basis, const P
                     SparseSystem& system) {
   for (const ElementSide& side : sides_along(continuum.manifold, prescribed.along)) {
     const ElementShape shape = basis.shape(side.element);
-    const double beta = penalty(continuum, basis.functions(), shape, side.element);
+    const double beta = penalty(continuum, basis.functions(side.element), shape, side.element);
     const Eigen::Index n = 2 * shape.function_count();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
@@ -80,7 +78,7 @@ Resultant reaction_of(const Continuum& continuum, const CoverBasis& basis, const
   Resultant sum;
   for (const ElementSide& side : sides_along(continuum.manifold, prescribed.along)) {
     const ElementShape shape = basis.shape(side.element);
-    const double beta = penalty(continuum, basis.functions(), shape, side.element);
+    const double beta = penalty(continuum, basis.functions(side.element), shape, side.element);
     Eigen::VectorXd d(2 * shape.function_count());
     for (std::size_t a = 0; a < shape.functions.size(); ++a)
       d.segment<2>(static_cast<Eigen::Index>(2 * a)) = unknowns.segment<2>(2 * shape.functions[a]);

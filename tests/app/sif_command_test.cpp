@@ -71,6 +71,66 @@ TEST(SifCommand, prints_factors_of_every_domain_that_agree_with_theory) {
   EXPECT_GE(used, 12);
 }
 
+// Two fields that share nothing at the tip: a mesh bisected towards it and near-tip functions. Whichever the case asks
+// for, the other is solved beside it.
+TEST(SifCommand, both_treatments_of_a_tip_agree) {
+  const double exact = 2.82357 * std::sqrt(std::numbers::pi / 2);
+  const std::string crack = R"("cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
+  for (const char* mesh : {R"("tip_side": 0.0016)", R"("tip_side": 0.04, "tip_functions": "williams")",
+                           R"("tip_functions": "williams", "tip_radius": 0.3)"}) {
+    const std::string text =
+        plate(R"("mesh": {"side": 0.1, "angle": 10, )" + std::string(mesh) + "}, " + crack + kPulled);
+    const Json tip = tips_of(file_of("both", text)).at(0);
+    EXPECT_NEAR(tip.at("K_I").get<double>(), exact, 0.007 * exact) << mesh;
+    const Json other = tip.at("other_treatment");
+    EXPECT_NEAR(other.at("K_I").get<double>(), exact, 0.007 * exact) << mesh;
+    EXPECT_LT(std::abs(other.at("difference_K_I").get<double>()), 0.01) << mesh;
+    EXPECT_LT(std::abs(other.at("difference_K_II").get<double>()), 0.005) << mesh;
+    EXPECT_NE(other.at("K_I"), tip.at("K_I")) << mesh;
+    EXPECT_EQ(tip.at("side").get<double>() < 0.01, other.at("side").get<double>() > 0.01) << mesh;
+  }
+}
+
+TEST(SifCommand, near_tip_functions_bear_loads_on_the_faces) {
+  const std::string mesh = R"("mesh": {"side": 0.1, "angle": 10, "tip_side": 0.05, "tip_functions": "williams"},
+       "cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
+  const double exact = 2.82357 * std::sqrt(std::numbers::pi / 2);
+  const Json tip = tips_of(file_of("function_faces", plate(mesh + R"("tractions": [{"along": [[0, 0], [0.5, 0]],
+       "pressure": 1}], "springs": [[1, -1, 1, 0, 1e5], [1, -1, 0, 1, 1e5], [1, 1, 1, 0, 1e5]])")))
+                       .at(0);
+  EXPECT_NEAR(tip.at("K_I").get<double>(), exact, 0.005 * exact);
+}
+
+TEST(SifCommand, near_tip_functions_are_of_linear_statics_alone) {
+  const std::string mesh =
+      R"("mesh": {"side": 0.2, "tip_functions": "williams"}, "cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
+  const std::string text = plate(mesh + kPulled);
+  const auto refused = [&](const std::string& name, std::string changed, const std::vector<std::string>& more,
+                           const std::string& words) {
+    const std::string out = fresh_folder("sif_refused_out") + "/out";
+    std::vector<std::string> arguments{"run", file_of("refused_" + name, changed), "-o", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run = run_keyblock(arguments);
+    EXPECT_EQ(run.exit_code, 3) << name;
+    EXPECT_NE(run.messages.find("expected linear statics of elastic rock beside tip_functions"), std::string::npos)
+        << run.messages;
+    EXPECT_NE(run.messages.find(words), std::string::npos) << run.messages;
+    EXPECT_FALSE(std::filesystem::exists(out));
+  };
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    return changed;
+  };
+  refused("felt", with(R"("contact": "ignored")", R"("contact": "felt")"), {}, "found contact that is felt");
+  refused("time", text, {"--set", "motion=dynamic"}, "found motion in time");
+  refused("constant", with(R"("contact")", R"("functions": "constant", "contact")"), {}, "found constant functions");
+  const ProgramRun radius = run_keyblock(
+      {"check", file_of("refused_radius", with(R"("tip_functions": "williams")", R"("tip_radius": 0.3)"))});
+  EXPECT_EQ(radius.exit_code, 3);
+  EXPECT_NE(radius.messages.find("expected tip_functions"), std::string::npos) << radius.messages;
+}
+
 // Pressure on the faces in place of tension on the ends: the same K by superposition, if the faces are in the
 // integrals.
 TEST(SifCommand, loads_on_the_faces_are_part_of_the_integrals) {

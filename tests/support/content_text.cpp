@@ -76,6 +76,7 @@ class Lister {
          static_cast<int>(m.shape), m.angle_deg, static_cast<int>(m.placement), text(m.through_x), text(m.through_y),
          m.snap_ratio);
     if (m.tip_side > 0) line("at tips {:a}", m.tip_side);
+    if (m.tip_functions.are_asked()) line("functions at tips {:a}", m.tip_functions.radius);
     for (const auto& meshed : m.materials) line("meshed {}", meshed.material);
     for (const auto& r : m.refined) line("refined {} {:a}", text(r.at), r.side);
   }
@@ -194,7 +195,8 @@ class Lister {
     line("{} {:a} {:a}", m.gives_zz, m.initial_stress.zz, m.stress_gradient.zz);
     if (m.strength) list(*m.strength);
     if (m.toughness)
-      line("toughness {:a} {} {}", m.toughness->mode_1, text(m.toughness->mode_2), text(m.toughness->tensile_strength));
+      line("toughness {:a} {} {} {} {:a}", m.toughness->mode_1, text(m.toughness->mode_2),
+           text(m.toughness->tensile_strength), text(m.toughness->cohesion), m.toughness->friction_deg);
     if (m.crack_closure) line("cracks {:a} {:a}", m.crack_closure->initial_modulus, m.crack_closure->closure_strain);
     line("{:a} {:a} {:a}", m.stress_gradient.xx, m.stress_gradient.yy, m.stress_gradient.xy);
     line("{:a} {:a} {:a}", m.initial_velocity.x, m.initial_velocity.y, m.initial_velocity.rotation);

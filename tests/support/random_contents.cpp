@@ -329,6 +329,10 @@ MeshPlan mesh(Dice& dice) {
     return RefinedPoint{at, positive_real(one)};
   });
   if (dice.happens(0.5)) plan.tip_side = positive_real(dice);
+  if (dice.happens(0.2)) {
+    plan.tip_functions.kind = TipFunctions::williams;
+    if (dice.happens(0.5)) plan.tip_functions.radius = positive_real(dice);
+  }
   return plan;
 }
 
@@ -370,7 +374,8 @@ CoverPlan covers(Dice& dice) {
   });
   plan.cracks = some(dice, 2, [](Dice& one) { return CrackPlan{polygon(one), {}, 0}; });
   if (dice.happens(0.3))
-    plan.growth = GrowthPlan{static_cast<GrowthCriterion>(dice.below(3)), positive_real(dice), dice.happens(0.5), {}};
+    plan.growth = GrowthPlan{static_cast<GrowthCriterion>(dice.below(3)), static_cast<GrowthLoads>(dice.below(3)),
+                             positive_real(dice), dice.happens(0.5), {}};
   return plan;
 }
 
@@ -512,7 +517,8 @@ Content anything(Dice& dice) {
         material.crack_closure = CrackClosure{dice.between(0.1, 0.9) * material.youngs_modulus, positive_real(dice)};
   if (content.analysis && dice.happens(0.3))
     for (BlockMaterial& material : content.analysis->block_materials)
-      material.toughness = Toughness{positive_real(dice)};
+      material.toughness =
+          Toughness{positive_real(dice), positive_real(dice), {}, positive_real(dice), dice.between(0, 80)};
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -35,6 +36,19 @@ nlohmann::ordered_json json_of(const TipFactors& f) {
   return {{"K_I", f.k.mode_1}, {"K_II", f.k.mode_2}, {"J", f.j}};
 }
 
+/// Of the two treatments of a tip, how far apart they are over |K| by the case's own.
+StressIntensity difference(const study::TipAtEnd& tip) {
+  const StressIntensity& own = tip.report.factors->k;
+  const StressIntensity& other = tip.other->factors->k;
+  const double size = std::hypot(own.mode_1, own.mode_2);
+  if (size == 0) return {};
+  return {(own.mode_1 - other.mode_1) / size, (own.mode_2 - other.mode_2) / size};
+}
+
+bool has_both(const study::TipAtEnd& tip) {
+  return tip.report.factors && tip.other && tip.other->factors;
+}
+
 nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
   const TipReport& report = tip.report;
   nlohmann::ordered_json json{{"at", {report.tip.at.x, report.tip.at.y}},
@@ -50,6 +64,12 @@ nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
     json["K_eq"] = tip.kink.equivalent;
   }
   if (tip.toughness) json["toughness"] = *tip.toughness;
+  if (has_both(tip)) {
+    json["other_treatment"] = json_of(*tip.other->factors);
+    json["other_treatment"]["side"] = tip.other->side;
+    json["other_treatment"]["difference_K_I"] = difference(tip).mode_1;
+    json["other_treatment"]["difference_K_II"] = difference(tip).mode_2;
+  }
   json["doubt"] = doubt_of(report);
   json["domains"] = nlohmann::ordered_json::array();
   for (const DomainResult& domain : report.domains) {
@@ -63,7 +83,21 @@ nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
   return json;
 }
 
-void print(const study::TipAtEnd& tip, std::size_t number, const Units& units) {
+/// Both treatments, that of the case first.
+void print_treatments(const study::TipAtEnd& tip, const study::CaseIntensity& found) {
+  const auto row = [&](bool has_functions, int unknowns, double side, const TipFactors& f) {
+    fmt::print("  {:22} {:8} {:11.3g} {:13.6g} {:13.6g} {:13.6g}\n",
+               has_functions ? "near-tip functions" : "without functions", unknowns, side, f.k.mode_1, f.k.mode_2, f.j);
+  };
+  fmt::print("  {:22} {:>8} {:>11} {:>13} {:>13} {:>13}\n", "treatment of the tip", "unknowns", "sides there", "K_I",
+             "K_II", "J");
+  row(found.has_functions, found.unknowns, tip.report.side, *tip.report.factors);
+  row(!found.has_functions, found.other_unknowns, tip.other->side, *tip.other->factors);
+  const StressIntensity d = difference(tip);
+  fmt::print("  {:43} {:11.3f} % {:11.3f} % of K\n", "difference", 100 * d.mode_1, 100 * d.mode_2);
+}
+
+void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseIntensity& found, const Units& units) {
   const TipReport& report = tip.report;
   fmt::print("tip {} at ({:.6g}, {:.6g}), ahead ({:.4f}, {:.4f}); sides of {:.3g} there, {} {:.4g} away\n", number,
              report.tip.at.x, report.tip.at.y, report.tip.ahead.x, report.tip.ahead.y, report.side, report.tip.nearest,
@@ -82,6 +116,7 @@ void print(const study::TipAtEnd& tip, std::size_t number, const Units& units) {
   fmt::print("  K_I {:.6g}, K_II {:.6g} [{}], J {:.6g} [{}]; circles differ by {:.2f} % and {:.2f} % of K\n",
              report.factors->k.mode_1, report.factors->k.mode_2, unit_of(measures::kToughness, units),
              report.factors->j, unit_of(measures::kEnergyPerArea, units), 100 * report.spread_1, 100 * report.spread_2);
+  if (has_both(tip)) print_treatments(tip, found);
   fmt::print("  would go on by {:.2f} degrees, K_eq {:.6g}", tip.kink.angle * kDegrees, tip.kink.equivalent);
   if (tip.toughness)
     fmt::print(", {:.4g} of the toughness {:.6g}", tip.kink.equivalent / *tip.toughness, *tip.toughness);
@@ -112,13 +147,20 @@ ExitCode print_intensity(const SifOptions& options) {
     nlohmann::ordered_json json{{"unknowns", found.unknowns},
                                 {"time", found.time},
                                 {"in_motion", found.is_in_motion},
+                                {"tip_functions", found.has_functions},
                                 {"tips", nlohmann::ordered_json::array()}};
+    if (found.no_other.empty())
+      json["other_treatment_unknowns"] = found.other_unknowns;
+    else
+      json["no_other_treatment"] = found.no_other;
     for (const study::TipAtEnd& tip : found.tips) json["tips"].push_back(json_of(tip));
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{} unknowns, {}\n", found.unknowns,
                found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
-    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, chosen.input.problem.units);
+    for (std::size_t i = 0; i < found.tips.size(); ++i)
+      print(found.tips[i], i + 1, found, chosen.input.problem.units);
+    if (!found.no_other.empty()) fmt::print("no other treatment of tips: {}\n", found.no_other);
   }
   return is_sure ? ExitCode::ok : ExitCode::check_failed;
 }

@@ -115,7 +115,8 @@ FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph, std::span<c
   fitted.mesh = plan.kind == MeshKind::regular ? bisected(regular(plan, box), plan, refined_points(plan, box, tips))
                                                : unstructured(plan, graph, box, tips);
   if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box));
-  if (plan.tip_side > 0) place_nodes(fitted.mesh, tips);  // else meshes stay as they are
+  // Else meshes stay as they are.
+  if (plan.tip_side > 0 || plan.tip_functions.are_asked()) place_nodes(fitted.mesh, tips);
   return fitted;
 }
 

@@ -34,6 +34,7 @@ std::size_t on_covers(const Model& model) {
 /// Two for each function of each cover.
 int unknowns_on_covers(const Model& model) {
   if (!model.continuum) return 0;
+  if (model.continuum->tip_functions.are_asked()) return 2 * basis_of(*model.continuum).function_count();
   const auto covers = static_cast<int>(model.continuum->manifold.covers.size());
   switch (model.continuum->functions) {
     case CoverFunctions::constant:

@@ -38,6 +38,7 @@ Continuum planned(Manifold manifold, const Problem& problem, const Settings& set
   put_loads(continuum, *problem.covers);
   put_points(continuum, *problem.covers);
   continuum.cracks = problem.covers->cracks;
+  continuum.tip_functions = problem.covers->mesh.tip_functions;
   return continuum;
 }
 

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "base/error.hpp"
+#include "model/cover_basis.hpp"
 #include "run/bodies/planned_bodies.hpp"
 
 namespace keyblock {
@@ -88,6 +89,24 @@ bool is_untouched(const Problem& problem, const Settings& settings) {
   if (!is_statics(settings) || !problem.covers->mesh.materials.empty()) return false;
   if (problem.covers->contact == CoverContact::ignored) return true;
   return !has_fixed_or_loading_points(problem) && !has_bolts(problem) && !bodies_touch(problem);
+}
+
+void require_linear_tips(const Problem& problem, const Settings& settings) {
+  if (!problem.covers || !problem.covers->mesh.tip_functions.are_asked()) return;
+  const auto refuse = [&](const std::string& found) {
+    const Place& mesh = problem.covers->mesh.place;
+    throw InputError(mesh.line > 0 ? mesh : problem.covers->place,
+                     "expected linear statics of elastic rock beside tip_functions (velocity_carry_over 0, contact "
+                     "ignored or nothing that touches, functions derived or linear), found " +
+                         found);
+  };
+  if (!is_statics(settings)) refuse("motion in time");
+  if (!is_untouched(problem, settings)) refuse("contact that is felt, or blocks beside the bodies on covers");
+  const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
+  if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear)) refuse("a strength or crack_closure");
+  const CoverFunctions functions = functions_of(*problem.covers, materials);
+  if (functions == CoverFunctions::constant || functions == CoverFunctions::quadratic)
+    refuse(fmt::format("{} functions", name_of(functions)));
 }
 
 LinearCase linear_case(const Problem& problem, const Settings& settings) {

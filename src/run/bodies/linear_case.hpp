@@ -14,6 +14,10 @@ namespace keyblock {
 /// Throws InputError where something is dug out and the case is no statics of `standard`.
 bool is_untouched(const Problem& problem, const Settings& settings);
 
+/// Throws InputError for a case with functions at the tips of cracks whose steps are not linear static solutions in
+/// elastic rock with derived or linear functions.
+void require_linear_tips(const Problem& problem, const Settings& settings);
+
 struct LinearCase {
   Problem problem;         ///< without points and bolts that have no effect; what is dug out begins a stage
   std::vector<int> steps;  ///< of each stage; none where nothing is dug out

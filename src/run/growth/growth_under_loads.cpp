@@ -93,6 +93,10 @@ void GrowthUnderLoads::describe(Archive& archive) {
     point("x", "y", piece.from);
     archive.value("energy", piece.energy);
   });
+  archive.list("refined", refined_, [&](RefinedPoint& refined) {
+    point("x", "y", refined.at);
+    archive.value("side", refined.side);
+  });
   archive.list("arrivals", arrivals_, [&](Arrival& arrival) {
     point("x", "y", arrival.at);
     archive.value("time", arrival.time);
@@ -162,7 +166,7 @@ std::vector<FacePull> GrowthUnderLoads::pulls(int first) const {
 }
 
 Scene GrowthUnderLoads::scene_with_cracks() const {
-  Scene scene = first_.growth->remade(front_.cracks);
+  Scene scene = first_.growth->remade(front_.cracks, refined_);
   scene.growth.reset();
   scene.model.scale = first_.model.scale;  // tolerances of a run stay those of its beginning
   return scene;
@@ -192,12 +196,16 @@ void GrowthUnderLoads::recut() {
   auto change = std::make_shared<SceneChange>();
   CrackFront before = front_;
   const std::vector<PartingFaces> parting_before = parting_;
+  const std::vector<RefinedPoint> refined_before = refined_;
   try {
     if (is_in_time()) begin_to_part(next_);
     front_ = {std::exchange(next_, {}), {}, {}};
-    change->scene = scene_with_cracks();
-    *change =
-        change_between(model(), std::move(change->scene), parents_by_place(model(), change->scene.model), next_number_);
+    refined_.clear();
+    for (const PartingFaces& faces : parting_)
+      for (const Point end : {faces.from, faces.to}) refined_.push_back({end, first_.growth->tip_side});
+    Scene scene = scene_with_cracks();
+    const Table<ElementIndex, ElementIndex> parents = parents_by_place(model(), scene.model);
+    *change = change_between(model(), std::move(scene), parents, next_number_);
     const Manifold& manifold = change->scene.model.continuum->manifold;
     const int first = static_cast<int>(change->scene.model.elements.size() - manifold.elements.size());
     place_parting(manifold);
@@ -205,6 +213,7 @@ void GrowthUnderLoads::recut() {
   } catch (...) {
     next_ = std::exchange(front_, std::move(before)).cracks;
     parting_ = parting_before;
+    refined_ = refined_before;
     throw;
   }
   for (PartingFaces& faces : parting_) look_at_openings(faces, [&](int e, Point p) { return displacement(e, p); });

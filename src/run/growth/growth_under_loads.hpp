@@ -78,6 +78,7 @@ class GrowthUnderLoads : public Stepper {
   std::vector<CrackPlan> next_;        ///< cracks of the coming step; empty: those of `front_`
   std::vector<Piece> pieces_;          ///< what `next_` gains
   std::vector<PartingFaces> parting_;  ///< in time
+  std::vector<RefinedPoint> refined_;  ///< of the present mesh: where faces parted, the field is still that of a tip
   std::vector<Arrival> arrivals_;      ///< of tips that went on
   int next_number_ = 0;                ///< of an element that is new
 };

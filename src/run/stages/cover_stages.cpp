@@ -83,6 +83,7 @@ Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const S
   put_loads(continuum, plan);
   put_points(continuum, plan);
   continuum.cracks = plan.cracks;
+  continuum.tip_functions = plan.mesh.tip_functions;
   return continuum;
 }
 

@@ -62,8 +62,11 @@ SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis
 }
 
 ContinuumSolution solve_static(const Continuum& continuum) {
-  CoverBasis basis(continuum.manifold, continuum.functions);
-  SparseSolution solution = solve(assemble_static(continuum, basis), definiteness_of(continuum.functions));
+  CoverBasis basis = basis_of(continuum);
+  // Near-tip functions far from the tip are nearly polynomials.
+  const Definiteness definiteness =
+      basis.has_tip_functions() ? Definiteness::semidefinite : definiteness_of(continuum.functions);
+  SparseSolution solution = solve(assemble_static(continuum, basis), definiteness);
   return {std::move(basis), std::move(solution)};
 }
 

@@ -383,7 +383,9 @@ std::vector<FieldPoint> BlockGroup::field_over(const SceneParts& scene, ElementI
   for (const AreaPoint& point : polygon_rule(region, std::max(degree + 1, 2))) {
     FieldPoint& of = field.emplace_back(FieldPoint{point.at, point.weight, point.at, {}});
     if (!moves) continue;
-    of.place = BlockMap(basis, q, centroid).place(point.at - centroid);
+    const BlockMap map(basis, q, centroid);
+    of.place = map.place(point.at - centroid);
+    of.gradient = map.gradient();
     const Eigen::Vector2d v = jacobian(basis, unstrained, point.at - centroid) * motion.v[e];
     of.velocity = {v.x(), v.y()};
   }

@@ -14,25 +14,38 @@
 
 namespace keyblock::study {
 
+/// The same tip by the other treatment: near-tip functions in place of a mesh bisected towards it, or that in place of
+/// functions.
+struct OtherTreatment {
+  double side = 0;  ///< of the mesh at the tip
+  std::optional<TipFactors> factors;
+};
+
 /// A tip, and how near it is to going on.
 struct TipAtEnd {
   TipReport report;
   Kink kink;
   std::optional<double> toughness;  ///< K_Ic of the rock there; none: its material has none
+  std::optional<OtherTreatment> other = {};
 };
 
 struct CaseIntensity {
   std::vector<TipAtEnd> tips;
   int unknowns = 0;
-  double time = 0;            ///< at the end
-  bool is_in_motion = false;  ///< in time; else an equilibrium
-  std::string failure;        ///< why the run did not reach its end; empty where it did
+  double time = 0;             ///< at the end
+  bool is_in_motion = false;   ///< in time; else an equilibrium
+  std::string failure;         ///< why the run did not reach its end; empty where it did
+  bool has_functions = false;  ///< the case asks for near-tip functions
+  int other_unknowns = 0;      ///< of the other treatment
+  std::string no_other;        ///< why there is none; empty where there is
   Warnings warnings;
 };
 
-/// Steps the case to its end and takes the integrals there; growth of its cracks is left out. Throws InputError for a
-/// case without bodies on covers or without a tip in them, and as `prepare`.
-CaseIntensity intensity_at_end(Problem problem, const std::string& profile, const std::vector<Override>& overrides,
-                               const std::function<bool()>& wants_stop);
+/// Steps the case to its end and takes the integrals there; growth of its cracks is left out. Then the same with the
+/// other treatment of tips, where that can be: near-tip functions on sides of an eighth of the room about the narrowest
+/// tip, or none on sides of 1/320 of it. Throws InputError for a case without bodies on covers or without a tip in
+/// them, and as `prepare`.
+CaseIntensity intensity_at_end(const Problem& problem, const std::string& profile,
+                               const std::vector<Override>& overrides, const std::function<bool()>& wants_stop);
 
 }  // namespace keyblock::study
