@@ -81,8 +81,7 @@ constexpr std::array kTips{
     Column("x", m::kLength),       Column("y", m::kLength),       Column("length", m::kLength),
     Column("K_I", m::kToughness),  Column("K_II", m::kToughness), Column("J", m::kEnergyPerArea),
     Column("K_eq", m::kToughness), Column("kink", m::kDegrees),   Column("toughness", m::kToughness),
-    Column("goes_on", m::kNumber),
-                           Column("kind", m::kNumber)};
+    Column("goes_on", m::kNumber), Column("kind", m::kNumber)};
 constexpr std::array kStepRows{Column("step", m::kNumber),
                                Column("time", m::kTime),
                                Column("dt", m::kTime),
@@ -252,7 +251,7 @@ std::span<const RunTable* const> run_tables() {
   static const std::array<const RunTable*, 16> tables{&kHistoryTable, &kPointsTable,   &kContactsTable, &kJointsTable,
                                                       &kBoltsTable,   &kTipsTable,     &kStepTable,     &kLedgerTable,
                                                       &kTraceOfSteps, &kTraceOfBlocks, &kTraceOfRounds, &kBlockArrays,
-                                                      &kCornerArrays, &kContactArrays, &kBoltArrays, &kCrackArrays};
+                                                      &kCornerArrays, &kContactArrays, &kBoltArrays,    &kCrackArrays};
   return tables;
 }
 

@@ -48,9 +48,9 @@ constexpr const char* kReactionFile = "reactions.svg";
 constexpr std::chrono::milliseconds kListEvery{500};
 
 // What a run may leave in its folder, beside its tables, and all that it may leave.
-constexpr std::array<std::string_view, 10> kOtherFiles{
-    kRecord,       kFrameList,   "picture.svg", "energy.svg", "field.svg", "plastic.svg",
-    kReactionFile, "cracks.svg", "cracks.dxf",  kCheckpoint};
+constexpr std::array<std::string_view, 10> kOtherFiles{kRecord,      kFrameList,    "picture.svg", "energy.svg",
+                                                       "field.svg",  "plastic.svg", kReactionFile, "cracks.svg",
+                                                       "cracks.dxf", kCheckpoint};
 // What is written as the run goes: a run that was killed leaves it without a record.
 constexpr std::array<const formats::RunTable*, 7> kGrowing{
     &formats::kContactsTable, &formats::kJointsTable, &formats::kBoltsTable, &formats::kHistoryTable,

@@ -33,11 +33,13 @@ std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
 }
 
 // As the legend of the picture has it.
-std::string what_failed_does(const RunOutcome& outcome) {
+std::string what_failed_does(const RunOutcome& outcome, Dynamics dynamics) {
   const std::string blocks = outcome.elements.size() == 1 ? fmt::format("block {}", outcome.elements.front().value + 1)
                                                           : counted(outcome.elements.size(), "block");
-  return fmt::format("{}: {}", blocks,
-                     outcome.failure == FailureKind::accelerates ? "no equilibrium" : "too far for a step");
+  const char* const does = dynamics == Dynamics::shi                   ? "too far for a step"
+                           : outcome.failure == FailureKind::undecided ? "no rest"
+                                                                       : "no equilibrium";
+  return fmt::format("{}: {}", blocks, does);
 }
 
 }  // namespace
@@ -155,7 +157,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                   record_.outcome.field,
                   !prepared_.scene.is_untouched,
                   numbers_of(record_.outcome.elements),
-                  what_failed_does(record_.outcome)});
+                  what_failed_does(record_.outcome, prepared_.scene.settings.dynamics)});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

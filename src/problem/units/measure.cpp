@@ -118,7 +118,8 @@ std::string unit_of(const Measure& measure, const Units& units) {
   if (measure.dimension == Dimension{}) return std::string(measure.angle);
   const bool is_known = is_declared(measure, units);
   std::string text = spelt(measure.dimension, is_known ? words_of(units) : kLetters);
-  if (!measure.angle.empty() && text.starts_with("1/")) text = std::string(measure.angle) + text.substr(1);
+  if (!measure.angle.empty() && text.starts_with("1/"))
+    text = fmt::format("{}{}", measure.angle, std::string_view(text).substr(1));
   return is_known && measure.of_slice ? text + "/" + units.length : text;
 }
 
