@@ -321,7 +321,12 @@ void name_file(std::optional<Part>& part, const std::string& file) {
 }
 
 Reading read(const Source& source, const ReadHint&) {
-  JsonText text = is_yaml_case(source.text) ? yaml_text(source) : JsonText(source);
+  std::optional<JsonText> parsed;
+  if (is_yaml_case(source.text))
+    read_yaml(parsed.emplace(source, JsonText::Unread{}), source);
+  else
+    parsed.emplace(source);
+  JsonText& text = *parsed;
   if (text.root().kind() != JsonKind::object) text.root().fail("an object");
   resolve(text);
   Reading reading;
