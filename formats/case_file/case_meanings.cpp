@@ -12,11 +12,14 @@ namespace {
 constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"case.$schema", "where editors find this schema; passed over"},
     {"case.units",
-     "names of the base units; one consistent set for all numbers, into which values with units of their own (\"20 "
-     "GPa\") are converted"},
+     "names of the base units, length, time and one of mass, force and stress; one consistent set for all numbers, "
+     "into "
+     "which values with units of their own (\"20 GPa\") are converted"},
     {"units.length", "L; absent: not said"},
     {"units.mass", "M; absent: not said"},
     {"units.time", "T; absent: not said"},
+    {"units.force", "F, in place of mass, which follows: force times time² over length"},
+    {"units.stress", "F/L², in place of mass, which follows: stress times length times time²"},
 
     {"case.drawing",
      "lines that cut blocks, and marks on them, or the name of the file that holds them, from the folder of the case; "

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "formats/case_file/material_library.hpp"
+#include "formats/case_file/unit_names.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/json_text.hpp"
 #include "problem/formula.hpp"
@@ -43,6 +44,8 @@ class CaseReading {
   void index(std::string_view name, int& value);
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
+  /// A unit of force, or of stress, from which that of mass follows.
+  void mass_by(std::string_view force, std::string_view stress, Units& units);
   /// A word by which other parts of the file refer to this one; nothing else keeps it.
   void name(std::string_view name);
   /// What a material of the library is, where the key names one: values beside it overrule it.

@@ -11,16 +11,17 @@
 
 #include <string>
 
+#include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 
 namespace keyblock::formats {
 
-std::string contacts_vtp(double time, const ContactFrames& contacts);
+std::string contacts_vtp(double time, const ContactFrames& contacts, const Units& units = {});
 
-std::string bolts_vtp(const Frame& frame);
+std::string bolts_vtp(const Frame& frame, const Units& units = {});
 
-std::string cracks_vtp(const FieldFrame& field);
+std::string cracks_vtp(const FieldFrame& field, const Units& units = {});
 
 }  // namespace keyblock::formats

@@ -506,7 +506,7 @@ StepFailure StandardStepper::failure_of(const StandardStep& step) const {
             step.moving.empty() ? FailureKind::undecided : FailureKind::accelerates,
             step.solves,
             yields,
-            step.moving};
+            step.moving.empty() ? step.restless : step.moving};
   std::string names;
   std::size_t named = 0;
   for (std::size_t i : step.undecided) {

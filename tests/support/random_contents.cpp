@@ -496,7 +496,7 @@ Content anything(Dice& dice) {
     content.analysis->body_acceleration = curve_or_none(dice);
   }
   if (dice.happens(0.3)) content.covers = covers(dice);
-  if (dice.happens(0.5)) content.units = Units{"m", "t", "ms"};
+  if (dice.happens(0.5)) content.units = dice.happens(0.5) ? Units{"m", "t", "ms"} : Units{"in", "lbf·s²/in", "s"};
   if (dice.happens(0.3)) content.motion = curve(dice);
   if (dice.happens(0.2)) content.frames = some(dice, 3, frame);
   if (dice.happens(0.2)) content.tracks = some(dice, 3, track);

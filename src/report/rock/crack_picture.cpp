@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "problem/units/measure.hpp"
 #include "report/drawing/chart.hpp"
 #include "report/drawing/scene.hpp"
 
@@ -123,14 +124,15 @@ std::string crack_picture(const CrackPicture& picture) {
   draw_cracks(page, map, picture.end);
   for (const auto& [key, path] : paths)
     for (const Point p : path.points) page.circle(map(p), 2.2, {.fill = kPath});
+  const std::string crack_length = with_unit("length of the crack", measures::kLength, picture.units);
   for (const auto& loops : elements)
     page.polygon(end_map(loops), {.fill = kRock, .stroke = kEdge, .stroke_width = 0.3});
   if (!factors_k.empty())
     draw_chart(page, {kMargin, chart_top}, {kPageWidth - 2 * kMargin, kChartHeight}, factors_k,
-               {"length of the crack [L]", "stress intensity [F/L^1.5]"});
+               {crack_length, with_unit("stress intensity", measures::kToughness, picture.units)});
   if (!factors.empty())
     draw_chart(page, {kMargin, chart_top + kChartHeight + kGap}, {kPageWidth - 2 * kMargin, kChartHeight}, factors,
-               {"length of the crack [L]", "factor of all loads"});
+               {crack_length, "factor of all loads"});
   return page.str();
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
@@ -15,6 +16,7 @@ struct CrackPicture {
   const Frame& start;
   const History& history;
   const FieldFrame& end;
+  Units units = {};
 };
 
 /// An SVG document: the bodies of the first frame with the paths of all tips and the cracks as they are at the end, those

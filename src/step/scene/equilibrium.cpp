@@ -41,6 +41,12 @@ std::vector<double> ways_left(const StandardScene& scene, const Motion& motion, 
   return ways;
 }
 
+std::vector<int> numbers_of(const std::vector<ElementIndex>& blocks) {
+  std::vector<int> numbers;
+  for (const ElementIndex e : blocks) numbers.push_back(e.value + 1);
+  return numbers;
+}
+
 // Slivers are what most often finds no rest.
 std::string smallest_in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
   const auto area_of = [&](ElementIndex e) { return scene.reference.moments[e].area; };
@@ -98,9 +104,13 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
   return travel;
 }
 
+std::string in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
+  return fmt::format("block{} {} ({})", blocks.size() > 1 ? "s" : "", listed(numbers_of(blocks)),
+                     smallest_in_words(scene, blocks));
+}
+
 std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
-  std::vector<int> numbers;
-  for (ElementIndex e : blocks) numbers.push_back(e.value + 1);
+  const std::vector<int> numbers = numbers_of(blocks);
   const bool several = numbers.size() > 1;
   std::string_view why;
   for (const ElementIndex e : blocks)
