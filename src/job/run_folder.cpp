@@ -13,14 +13,11 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "base/sha256.hpp"
 #include "formats/dxf/dxf_writer.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/contact_csv.hpp"
 #include "formats/text/csv.hpp"
 #include "formats/text/tips_csv.hpp"
-#include "formats/views/vtk.hpp"
-#include "formats/views/vtk_parts.hpp"
 #include "job/declared_units.hpp"
 #include "job/run_report.hpp"
 #include "report/energy_picture.hpp"
@@ -39,7 +36,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRecord = "run.json";
-constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
 constexpr const char* kFrameList = "fields.pvd";
 // The list is written whole each time: of many frames not with each.
@@ -151,6 +147,7 @@ std::vector<report::Curve> displacement_curves(const History& history, const Fra
 
 RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace)
     : folder_(std::move(folder)),
+      frame_files_(folder_),
       contacts_(folder_ / "contacts.csv", formats::contacts_csv_header()),
       joints_(folder_ / "joints.csv", formats::joints_csv_header()),
       bolts_(folder_ / "bolts.csv", formats::bolts_csv_header()),
@@ -174,46 +171,29 @@ RunFolder::RunFolder(fs::path folder, Trace trace) : RunFolder(std::move(folder)
   lock_ = FolderLock(folder_);
 }
 
-namespace {
-
-/// Files of a frame, by the opening of their names and their endings; each is a part of its own for viewers.
-struct FramePart {
-  std::string_view opening;
-  std::string_view ending;
-};
-constexpr std::array<FramePart, 4> kParts{
-    {{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}, {"cracks_", ".vtp"}}};
-
-std::string frame_file(const FramePart& part, int step) {
-  return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
+void RunFolder::flush_frames() {
+  frame_files_.flush();
+  for (const GrowingTable* table : {&contacts_, &joints_, &bolts_}) table->flush();
 }
 
-bool is_of(const FramePart& part, const fs::path& file) {
-  const std::string stem = file.stem().string();
-  return file.extension() == part.ending && stem.starts_with(part.opening) && stem.size() >= part.opening.size() + 8 &&
-         std::ranges::all_of(stem.substr(part.opening.size()), [](char c) { return c >= '0' && c <= '9'; });
+void RunFolder::describe(Archive& archive) {
+  frame_files_.describe(archive);
+  archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
+  if (!archive.is_restoring()) return;
+  if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
+  frame_files_.require_unchanged(archive);
 }
 
-int part_number(const fs::path& file) {
-  const auto part = std::ranges::find_if(kParts, [&](const FramePart& p) { return is_of(p, file); });
-  return static_cast<int>(part - kParts.begin());
+void RunFolder::write_list_of_frames() {
+  try {
+    frame_files_.require_there();
+  } catch (const OutputError&) {  // the list would name what is not there
+    std::error_code error;
+    if (own_.contains(kFrameList)) fs::remove(folder_ / kFrameList, error);
+    throw;
+  }
+  write(kFrameList, frame_files_.list());
 }
-
-/// As `frame_file` names them; whatever else lies beside them is the user's.
-bool is_frame(const fs::directory_entry& entry) {
-  return part_number(entry.path()) < static_cast<int>(kParts.size()) && fs::is_regular_file(entry.symlink_status());
-}
-
-void remove_frames(const fs::path& folder, const std::set<fs::path>& kept) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (is_frame(entry) && !kept.contains(entry.path())) files.push_back(entry.path());
-  for (const fs::path& file : files) fs::remove(file, error);
-  remove_drafts(folder);
-}
-
-}  // namespace
 
 // By its record; a run that was killed before it wrote one left its frames and checkpoint alone.
 std::set<std::string> RunFolder::written_before() const {
@@ -235,7 +215,7 @@ void RunFolder::clear() {
     fs::remove(folder_ / name, error);
     if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
   }
-  remove_frames(folder_ / kFrameFolder, {});
+  FrameFiles::remove_others(folder_, {});
   remove_drafts(folder_);
 }
 
@@ -258,7 +238,7 @@ void RunFolder::begin(const std::string& checkpoint) {
 
 void RunFolder::take_back() {
   std::error_code error;
-  for (const FrameFile& file : frame_files_) fs::remove(folder_ / file.name, error);
+  frame_files_.remove();
   for (const std::string_view name : kGrowing) fs::remove(folder_ / name, error);
   fs::remove(checkpoint_in(folder_), error);
   fs::remove(folder_ / kFrameFolder, error);  // unless something else lies there
@@ -268,26 +248,10 @@ void RunFolder::take_back() {
 void RunFolder::drop_what_followed() {
   std::error_code error;
   fs::remove(folder_ / kRecord, error);  // where it stands the run is over; the other results are written again
-  std::set<fs::path> kept;
-  for (const FrameFile& file : frame_files_) kept.insert(folder_ / file.name);
-  remove_frames(folder_ / kFrameFolder, kept);
+  FrameFiles::remove_others(folder_, frame_files_.paths());
   remove_drafts(folder_);
   fs::create_directory(folder_ / kFrameFolder, error);
-  for (GrowingTable* table : {&contacts_, &joints_, &bolts_}) table->keep_steps(framed_steps());
-}
-
-std::set<int> RunFolder::framed_steps() const {
-  std::set<int> steps;
-  for (const FrameFile& file : frame_files_)
-    if (is_of(kParts.front(), file.name)) steps.insert(std::stoi(fs::path(file.name).stem().string()));
-  return steps;
-}
-
-void RunFolder::flush_frames() {
-  for (; flushed_frames_ < frame_files_.size(); ++flushed_frames_)
-    flush_to_disk(folder_ / frame_files_[flushed_frames_].name);
-  flush_to_disk(folder_ / kFrameFolder);
-  for (const GrowingTable* table : {&contacts_, &joints_, &bolts_}) table->flush();
+  for (GrowingTable* table : {&contacts_, &joints_, &bolts_}) table->keep_steps(frame_files_.steps());
 }
 
 void RunFolder::write_checkpoint(const std::string& bytes) {
@@ -303,24 +267,6 @@ void RunFolder::remove_checkpoint() {
   fs::remove(checkpoint_in(folder_));
 }
 
-void RunFolder::describe(Archive& archive) {
-  archive.list("files", frame_files_, [&](FrameFile& file) {
-    archive.value("time", file.time);
-    archive.value("name", file.name);
-    archive.value("sha256", file.sha256);
-  });
-  archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
-  if (!archive.is_restoring()) return;
-  flushed_frames_ = frame_files_.size();
-  if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
-  for (const FrameFile& file : frame_files_) {
-    if (!fs::is_regular_file(folder_ / file.name))
-      archive.refuse(file.name, "expected every frame written so far, found one gone");
-    if (sha256(formats::load((folder_ / file.name).string()).text) != file.sha256)
-      archive.refuse(file.name, "expected every frame as it was written, found one changed");
-  }
-}
-
 void RunFolder::write(const std::string& name, const std::string& plain) {
   const std::string text = name.ends_with(".csv")   ? table_in_units(plain, units_)
                            : name.ends_with(".svg") ? picture_in_units(plain, units_)
@@ -330,44 +276,17 @@ void RunFolder::write(const std::string& name, const std::string& plain) {
   if (std::ranges::find(outputs_, name) == outputs_.end()) outputs_.push_back(name);
 }
 
-void RunFolder::write_frame(const std::string& name, double time, const std::string& text) {
-  write_file(folder_ / name, text);
-  frame_files_.push_back({time, name, sha256(text)});
-}
-
 void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
-  const auto& [blocks, points, lines, cracks] = kParts;
-  write_frame(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field));
-  if (!contacts.empty())
-    write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts));
-  if (!frame.bolts.empty()) write_frame(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame));
-  if (!field.cracks.empty()) write_frame(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field));
+  frame_files_.write(frame, field, contacts);
   contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, contacts));
   joints_.append(formats::joints_csv_rows(frame.step, frame.time, contacts));
   bolts_.append(formats::bolts_csv_rows(frame));
   if (const auto now = std::chrono::steady_clock::now(); now - listed_ > kListEvery) {
-    write(kFrameList, list_of_frames());
+    write(kFrameList, frame_files_.list());
     listed_ = now;
   }
   if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
   frames_.push_back(frame);
-}
-
-// The list would name what is not there.
-void RunFolder::write_list_of_frames() {
-  for (const FrameFile& file : frame_files_) {
-    if (fs::is_regular_file(folder_ / file.name)) continue;
-    std::error_code error;
-    if (own_.contains(kFrameList)) fs::remove(folder_ / kFrameList, error);
-    throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / file.name).string()));
-  }
-  write(kFrameList, list_of_frames());
-}
-
-std::string RunFolder::list_of_frames() const {
-  std::vector<formats::PvdEntry> files;
-  for (const FrameFile& file : frame_files_) files.push_back({file.time, part_number(file.name), file.name});
-  return formats::pvd(files);
 }
 
 void RunFolder::write_tables(const RunTables& tables) {

@@ -11,13 +11,11 @@
 
 #include "base/archive.hpp"
 #include "job/files.hpp"
-#include "job/folder_lock.hpp"
-#include "job/growing_table.hpp"
+#include "job/folder/folder_lock.hpp"
+#include "job/folder/frame_files.hpp"
+#include "job/folder/growing_table.hpp"
 #include "problem/run_choices.hpp"
-#include "result/contact_frame.hpp"
 #include "result/extremes.hpp"
-#include "result/field_frame.hpp"
-#include "result/frame.hpp"
 #include "result/history.hpp"
 #include "result/ledger.hpp"
 #include "result/step_report.hpp"
@@ -70,7 +68,7 @@ class RunFolder {
   /// Removes what an interrupted run left beyond its checkpoint, and nothing that is not a run's.
   void drop_what_followed();
 
-  bool has_frames() const { return !frame_files_.empty(); }
+  bool has_frames() const { return !frame_files_.is_empty(); }
 
   /// Puts `bytes` where `checkpoint_in` says, once the frames that they count on are on the disk.
   void write_checkpoint(const std::string& bytes);
@@ -102,25 +100,16 @@ class RunFolder {
   const std::vector<std::string>& outputs() const { return outputs_; }
 
  private:
-  struct FrameFile {
-    double time = 0;
-    std::string name;
-    std::string sha256;
-  };
-
   void require_names_free() const;
   void write(const std::string& name, const std::string& text);
-  void write_frame(const std::string& name, double time, const std::string& text);
-  std::string list_of_frames() const;
   void write_list_of_frames();
-  std::set<int> framed_steps() const;
   void clear();
   std::set<std::string> written_before() const;
   void flush_frames();
 
   std::filesystem::path folder_;
   FolderLock lock_;  ///< of a new run from `begin` on
-  std::vector<FrameFile> frame_files_;
+  FrameFiles frame_files_;
   GrowingTable contacts_;
   GrowingTable joints_;
   GrowingTable bolts_;
@@ -129,7 +118,6 @@ class RunFolder {
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   std::vector<std::string> outputs_;
   std::set<std::string> own_;  ///< written by this process, and so its to write again
-  std::size_t flushed_frames_ = 0;
   bool made_folder_ = false;
   Units units_;
   Overwrite overwrite_ = Overwrite::yes;  ///< of what stands there before; a run that goes on meets its own files
