@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/equilibrium.hpp"
 #include "step/time/ledger.hpp"
@@ -14,8 +15,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads, or over its own greatest
-constexpr int kMostSteps = 100000;
+using namespace tolerances::of_relaxation;
 
 void freeze(TimeCurve& curve, double time) {
   curve = {{time}, {curve.at(time)}, curve.place};
