@@ -41,6 +41,7 @@ class CaseReading {
     value = static_cast<Integer>(number);
   }
   void index(std::string_view name, int& value);
+  void optional_index(std::string_view name, std::optional<int>& value);
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
   /// A word by which other parts of the file refer to this one; nothing else keeps it.
@@ -84,6 +85,10 @@ class CaseReading {
   template <class T>
   void row(std::string_view name, T& value) {
     if (take(name)) fill(of_kind(JsonKind::array, name), name, value);
+  }
+  template <class T>
+  void optional_row(std::string_view name, std::optional<T>& value) {
+    if (take(name)) fill(of_kind(JsonKind::array, name), name, value.emplace());
   }
   template <class T>
   void object(std::string_view name, T& value) {
