@@ -62,6 +62,7 @@ std::string contacts_vtp(double time, const ContactFrames& contacts) {
   append(text, contacts, "Int32", "block", 1, [&](C c) { return number(c.element); });
   append(text, contacts, "Int32", "other", 1, [&](C c) { return number(c.other); });
   append(text, contacts, "Int32", "joint_material", 1, [&](C c) { return number(c.joint_material); });
+  append(text, contacts, "Int32", "joint", 1, [&](C c) { return number(c.joint_line); });
   append(text, contacts, "Int32", "state", 1, [](C c) { return fmt::format("{}", static_cast<int>(c.condition)); });
   append(text, contacts, "Float64", "gap", 1, [](C c) { return real(c.gap); });
   append(text, contacts, "Float64", "slip", 1, [](C c) { return real(c.slip); });
