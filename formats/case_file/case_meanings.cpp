@@ -289,7 +289,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"histories.name", "in the table; absent: made of what it is"},
     {"histories.point", "of a block, or of a body on covers, before any load"},
     {"histories.block", "number of a block; of bodies on covers that of an element"},
-    {"contact", "two blocks: all contacts between them"},
+    {"histories.contact", "two blocks: all contacts between them"},
     {"contact.first_block", "number of a block, on which the forces act"},
     {"contact.second_block", "number of the other one"},
     {"histories.joint", "number of a joint of the drawing: all contacts along it"},
