@@ -22,15 +22,18 @@ void BlocksOfFaces::make() {
 }
 
 void BlocksOfFaces::add(const Face& face, int number_of_face) {
-  BlockPolygon block{0, loop_of(face.outer), {}};
+  std::vector<int> lines;
+  BlockPolygon block{0, loop_of(face.outer, lines), {}};
   if (block.outer.size() < 3) {
     notes_.warn("sliver_removed", notes_.place(face.outer.front().line),
                 "the lines close a block without an area; it is left out");
     return;
   }
   for (const Chain& hole : face.holes) {
-    BlockLoop loop = loop_of(hole);
+    std::vector<int> lines_of_hole;
+    BlockLoop loop = loop_of(hole, lines_of_hole);
     if (loop.size() < 3) continue;
+    lines.insert(lines.end(), lines_of_hole.begin(), lines_of_hole.end());
     notes_.warn("block_inside_block", notes_.place(hole.front().line),
                 fmt::format("a closed loop lies inside block {}: it is cut out there (the old programs count its "
                             "area twice)",
@@ -39,6 +42,7 @@ void BlocksOfFaces::add(const Face& face, int number_of_face) {
   }
   result_.blocks.blocks.push_back(std::move(block));
   face_of_block_.push_back(number_of_face);
+  lines_of_block_.push_back(std::move(lines));
 }
 
 BodyGraph BlocksOfFaces::graph(const std::vector<int>& kept, const std::vector<Edge>& slits) const {
@@ -62,14 +66,16 @@ BodyGraph BlocksOfFaces::graph(const std::vector<int>& kept, const std::vector<E
   return graph;
 }
 
-// Leaves out straight vertices; an edge so joined keeps the material of its last part.
-BlockLoop BlocksOfFaces::loop_of(const Chain& chain) const {
+// Leaves out straight vertices; an edge so joined keeps the material of its last part, and so does its line, which is
+// put behind `lines`.
+BlockLoop BlocksOfFaces::loop_of(const Chain& chain, std::vector<int>& lines) const {
   BlockLoop loop;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const ChainLink& before = chain[i == 0 ? chain.size() - 1 : i - 1];
     const ChainLink& after = chain[i + 1 == chain.size() ? 0 : i + 1];
     if (is_straight(before, chain[i], after)) continue;
     loop.push_back({arrangement_.nodes[chain[i].node].position, material(chain[i].line)});
+    lines.push_back(static_cast<int>(notes_.number(chain[i].line)) - 1);
   }
   return loop;
 }

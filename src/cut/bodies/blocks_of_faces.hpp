@@ -21,10 +21,14 @@ class BlocksOfFaces {
   /// `kept`: of each block its number before the holes were removed.
   BodyGraph graph(const std::vector<int>& kept, const std::vector<Edge>& slits) const;
 
+  /// The joint of the edge that arrives at each corner, outer loop before holes, index from 0; of a block as before the
+  /// holes were removed.
+  const std::vector<int>& lines_of_block(int block) const { return lines_of_block_[static_cast<std::size_t>(block)]; }
+
  private:
   int material(int line) const { return lines_.sources[line]->joint_material; }
   void add(const Face& face, int number_of_face);
-  BlockLoop loop_of(const Chain& chain) const;
+  BlockLoop loop_of(const Chain& chain, std::vector<int>& lines) const;
   bool is_straight(const ChainLink& before, const ChainLink& here, const ChainLink& after) const;
 
   const Arrangement& arrangement_;
@@ -32,7 +36,8 @@ class BlocksOfFaces {
   const UsedLines& lines_;
   CutNotes& notes_;
   CutResult& result_;
-  std::vector<int> face_of_block_;  // before holes are removed
+  std::vector<int> face_of_block_;                // before holes are removed
+  std::vector<std::vector<int>> lines_of_block_;  // likewise
 };
 
 }  // namespace keyblock

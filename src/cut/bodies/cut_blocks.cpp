@@ -59,6 +59,10 @@ class Cutting {
     blocks.make();
     if (result_.blocks.blocks.empty()) refuse();
     PlacedMarks placed = place_marks(drawing_, tolerances(), result_.blocks);
+    for (const int block : placed.kept) {
+      const std::vector<int>& lines = blocks.lines_of_block(block);
+      result_.joint_lines.insert(result_.joint_lines.end(), lines.begin(), lines.end());
+    }
     result_.warnings = joined(std::move(result_.warnings), std::move(placed.warnings));
     BodyGraph graph;
     if (loose_ends_ == LooseEnds::slits) graph = blocks.graph(placed.kept, slits_);

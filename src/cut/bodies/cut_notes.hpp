@@ -25,6 +25,7 @@ class CutNotes {
       : drawing_(drawing), lines_(lines), result_(result) {}
 
   const Place& place(int line) const { return lines_.sources[line]->place; }
+  std::size_t number(int line) const;  ///< in the file, from 1
   void warn(std::string name, Place at, std::string sentence);
   /// By the numbers of the lines in the file.
   void of_repeated(const std::vector<std::size_t>& lines);
@@ -36,7 +37,6 @@ class CutNotes {
 
  private:
   const CutTolerances& tolerances() const { return result_.report.tolerances; }
-  std::size_t number(int line) const;
   void of_reach(const Crossing& c);
 
   const Drawing& drawing_;

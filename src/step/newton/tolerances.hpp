@@ -253,6 +253,7 @@ namespace of_relaxation {
 
 inline constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads, or over its own greatest
 inline constexpr int kMostSteps = 100000;
+inline constexpr double kBalancedAsARule = 1e-8;  // out of balance where rest is found, for what is told of the way
 
 }  // namespace of_relaxation
 
@@ -285,8 +286,9 @@ inline constexpr double kFalls = 0.5;
 inline constexpr double kLonger = 2;
 inline constexpr double kBalanceAcceptable = 1e-6;  // where no more can be had
 inline constexpr int kMostIterations = 2000;
-inline constexpr int kMostCuts = 20;     // one after another
-inline constexpr int kMostSearches = 4;  // each adds corners that the last solution made overlap
+inline constexpr double kBalancedToBegin = 1e-8;  // where it is found as a rule, for what is told of the way
+inline constexpr int kMostCuts = 20;              // one after another
+inline constexpr int kMostSearches = 4;           // each adds corners that the last solution made overlap
 // Touches nearer than this share of block size at the start of slip counting were closed then.
 inline constexpr double kClosedThen = 1e-6;
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/share_control.hpp"
 
+#include <algorithm>
 #include <utility>
+
+#include "base/progress/headway.hpp"
 
 namespace keyblock {
 namespace {
@@ -29,6 +32,8 @@ class AtShare {
       now_ = std::move(guessed);
     }
     rounds_.residuals.push_back(left_of(now_));
+    tell_headway("rounds of Newton's method", std::max(share_of_fall(1, rounds_.residuals.back(), kBalanced),
+                                                       static_cast<double>(rounds_.count()) / kMostRounds));
   }
 
   RoundsEnd state() const { return state_of(rounds_.residuals.back()); }

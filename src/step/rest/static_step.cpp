@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/progress/headway.hpp"
 #include "contact/rows/gap.hpp"
 #include "step/bodies/integrator.hpp"
 #include "step/newton/tolerances.hpp"
@@ -50,6 +51,7 @@ class StaticSolve {
       if (!iterate()) continue;
       const Balance balance = balance_of(scene_, now_, time_, load_);
       bound_by(balance.share);
+      tell_headway("search for the equilibrium", share_of_fall(1, balance.share, kBalancedToBegin));
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
       result_.moving = far_out_of_balance(balance);
