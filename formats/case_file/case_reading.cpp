@@ -139,6 +139,12 @@ void CaseReading::index(std::string_view name, int& value) {
   value = static_cast<int>(from_one - 1);
 }
 
+void CaseReading::optional_index(std::string_view name, std::optional<int>& value) {
+  std::optional<int> number;
+  optional_integer(name, number, kAtLeastOne);
+  if (number) value = *number - 1;
+}
+
 void CaseReading::flag(std::string_view name, bool& value) {
   if (!take(name)) return;
   if (value_->kind() != JsonKind::yes && value_->kind() != JsonKind::no)

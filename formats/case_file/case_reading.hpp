@@ -42,6 +42,7 @@ class CaseReading {
     value = static_cast<Integer>(number);
   }
   void index(std::string_view name, int& value);
+  void optional_index(std::string_view name, std::optional<int>& value);
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
   /// A unit of force, or of stress, from which that of mass follows.
@@ -87,6 +88,10 @@ class CaseReading {
   template <class T>
   void row(std::string_view name, T& value) {
     if (take(name)) fill(of_kind(JsonKind::array, name), name, value);
+  }
+  template <class T>
+  void optional_row(std::string_view name, std::optional<T>& value) {
+    if (take(name)) fill(of_kind(JsonKind::array, name), name, value.emplace());
   }
   template <class T>
   void object(std::string_view name, T& value) {

@@ -65,6 +65,8 @@ std::string contacts_vtp(double time, const ContactFrames& contacts, const Units
   append(text, contacts, "Int32", heading(kContactArrays, "other", units), 1, [&](C c) { return number(c.other); });
   append(text, contacts, "Int32", heading(kContactArrays, "joint_material", units), 1,
          [&](C c) { return number(c.joint_material); });
+  append(text, contacts, "Int32", heading(kContactArrays, "joint", units), 1,
+         [&](C c) { return number(c.joint_line); });
   append(text, contacts, "Int32", heading(kContactArrays, "state", units), 1,
          [](C c) { return fmt::format("{}", static_cast<int>(c.condition)); });
   append(text, contacts, "Float64", heading(kContactArrays, "gap", units), 1, [](C c) { return real(c.gap); });
@@ -119,9 +121,12 @@ std::string cracks_vtp(const FieldFrame& field, const Units& units) {
     return vector_text(f.edge->ends[0].displacement) + "\n" + vector_text(f.edge->ends[1].displacement);
   });
   text += "</PointData>\n<CellData>\n";
-  append(text, faces, "Int32", heading(kCrackArrays, "crack", units), 1, [](F f) { return fmt::format("{}", f.crack + 1); });
-  append(text, faces, "Int32", heading(kCrackArrays, "side", units), 1, [](F f) { return fmt::format("{:d}", f.edge->is_left); });
-  append(text, faces, "Int32", heading(kCrackArrays, "is_shear", units), 1, [](F f) { return fmt::format("{:d}", f.is_shear); });
+  append(text, faces, "Int32", heading(kCrackArrays, "crack", units), 1,
+         [](F f) { return fmt::format("{}", f.crack + 1); });
+  append(text, faces, "Int32", heading(kCrackArrays, "side", units), 1,
+         [](F f) { return fmt::format("{:d}", f.edge->is_left); });
+  append(text, faces, "Int32", heading(kCrackArrays, "is_shear", units), 1,
+         [](F f) { return fmt::format("{:d}", f.is_shear); });
   text += "</CellData>\n";
   text += kPointsOpening;
   for (F f : faces)

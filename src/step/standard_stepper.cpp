@@ -116,7 +116,7 @@ First settled_first(const StandardScene& scene, Motion motion, const std::string
   Settled made = settled(scene, std::move(motion));
   return {std::move(made.motion),
           {},
-          {"settled in glued and softening contact",
+          {"one of joints that were held together under the loads and then let go",
            balanced_by(scene,
                        scene.model.bolts.empty() ? "contact forces and strains" : "contact forces, strains and bolts"),
            why, 0, made.unsolved_steps}};

@@ -65,6 +65,10 @@ class Cutting {
     make_blocks(faces);
     if (result_.blocks.blocks.empty()) refuse();
     PlacedMarks placed = place_marks(drawing_, tolerances(), result_.blocks);
+    for (const int block : placed.kept) {
+      const std::vector<int>& lines = lines_of_block_[static_cast<std::size_t>(block)];
+      result_.joint_lines.insert(result_.joint_lines.end(), lines.begin(), lines.end());
+    }
     result_.warnings = joined(std::move(result_.warnings), std::move(placed.warnings));
     BodyGraph graph;
     if (loose_ends_ == LooseEnds::slits) graph = body_graph(faces, placed.kept);
@@ -295,14 +299,17 @@ class Cutting {
   }
 
   void add_block(const Face& face, int number_of_face) {
-    BlockPolygon block{0, make_loop(face.outer), {}};
+    std::vector<int> lines;
+    BlockPolygon block{0, make_loop(face.outer, lines), {}};
     if (block.outer.size() < 3) {
       warn("sliver_removed", place(face.outer.front().line), "the lines close a block without an area; it is left out");
       return;
     }
     for (const Chain& hole : face.holes) {
-      BlockLoop loop = make_loop(hole);
+      std::vector<int> lines_of_hole;
+      BlockLoop loop = make_loop(hole, lines_of_hole);
       if (loop.size() < 3) continue;
+      lines.insert(lines.end(), lines_of_hole.begin(), lines_of_hole.end());
       warn("block_inside_block", place(hole.front().line),
            fmt::format("a closed loop lies inside block {}: it is cut out there (the old programs count its "
                        "area twice)",
@@ -311,6 +318,7 @@ class Cutting {
     }
     result_.blocks.blocks.push_back(std::move(block));
     face_of_block_.push_back(number_of_face);
+    lines_of_block_.push_back(std::move(lines));
   }
 
   /// `kept`: of each block its number before the holes were removed.
@@ -335,14 +343,16 @@ class Cutting {
     return graph;
   }
 
-  /// Leaves out straight vertices; an edge so joined keeps the material of its last part.
-  BlockLoop make_loop(const Chain& chain) const {
+  /// Leaves out straight vertices; an edge so joined keeps the material of its last part, and so does its line, which
+  /// is put behind `lines`.
+  BlockLoop make_loop(const Chain& chain, std::vector<int>& lines) const {
     BlockLoop loop;
     for (std::size_t i = 0; i < chain.size(); ++i) {
       const ChainLink& before = chain[i == 0 ? chain.size() - 1 : i - 1];
       const ChainLink& after = chain[i + 1 == chain.size() ? 0 : i + 1];
       if (is_straight(before, chain[i], after)) continue;
       loop.push_back({arrangement_.nodes[chain[i].node].position, material(chain[i].line)});
+      lines.push_back(static_cast<int>(number(chain[i].line)) - 1);
     }
     return loop;
   }
@@ -373,9 +383,10 @@ class Cutting {
   LooseEnds loose_ends_;
   UsedLines lines_;
   Arrangement arrangement_;
-  std::vector<char> is_dangling_;   // of each line: a part of it hangs loose
-  std::vector<Edge> slits_;         // what pruning removed, and free ends, where they are kept
-  std::vector<int> face_of_block_;  // before holes are removed
+  std::vector<char> is_dangling_;                 // of each line: a part of it hangs loose
+  std::vector<Edge> slits_;                       // what pruning removed, and free ends, where they are kept
+  std::vector<int> face_of_block_;                // before holes are removed
+  std::vector<std::vector<int>> lines_of_block_;  // likewise: the joint of each edge
   CutResult result_;
 };
 

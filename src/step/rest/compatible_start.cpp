@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "base/progress/headway.hpp"
 #include "base/stop.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/solve/friction_newton.hpp"
@@ -38,6 +39,7 @@ class Settling {
          ++round) {
       settle(round >= kStaticRounds);
       while (break_open_bonds() || stretch_bolts()) settle(round >= kStaticRounds);
+      tell_headway("start in equilibrium", share_of_fall(1, misfit(), kFits));
       add_overlapping();
     }
     remember();

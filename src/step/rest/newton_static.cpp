@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/newton_static.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/progress/headway.hpp"
 #include "base/stop.hpp"
 
 namespace keyblock {
@@ -68,6 +70,8 @@ std::optional<LoadedState> NewtonStatic::attempt(const LoadedState& from, const 
     last_ = d;
     now = std::move(next);
     rounds.residuals.push_back(left(now));
+    tell_headway("rounds of Newton's method",
+                 std::max(share_of_fall(1, left(now), kBalanced), 1 - double(most - rounds.count()) / kMostRounds));
   }
   return LoadedState{std::move(d), std::move(now.rock.after)};
 }

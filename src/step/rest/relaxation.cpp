@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress/headway.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/equilibrium.hpp"
 #include "step/time/ledger.hpp"
@@ -14,7 +15,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads, or over its own greatest
+constexpr double kAtRest = 1e-10;          // kinetic energy over the work of the loads, or over its own greatest
+constexpr double kBalancedAsARule = 1e-8;  // out of balance where rest is found, for what is told of the way
 constexpr int kMostSteps = 100000;
 
 void freeze(TimeCurve& curve, double time) {
@@ -54,6 +56,7 @@ class Relaxation {
     if (kinetic_ > kAtRest * std::max(work_, greatest_kinetic_)) return false;
     const Balance balance = balance_of(scene_, result_.motion, time_, driving_);
     result_.residual = balance.share;
+    tell_headway("dynamic relaxation", share_of_fall(1, balance.share, kBalancedAsARule));
     if (balance.holds()) stop();
     return balance.holds();
   }

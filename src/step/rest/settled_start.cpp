@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/progress/headway.hpp"
 #include "base/union_find.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/rows/joined_blocks.hpp"
@@ -57,9 +58,13 @@ class Settling {
     before.q = drawn;
     add_overlapping(before);
     double stiffness = kShortest;
+    double first_share = 0;
     for (int i = 0; i < kMostSteps; ++i) {
       const double moved = step(stiffness);
       const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
+      if (i == 0) first_share = moved / free;
+      tell_headway("start, glued blocks let go",
+                   std::max(double(i + 1) / kMostSteps, share_of_fall(first_share, moved / free, kAtRest)));
       if (moved <= kAtRest * free) break;
       if (moved <= kFarthest * scales_.size) stiffness = std::min(kGrowth * stiffness, kLongest);
     }

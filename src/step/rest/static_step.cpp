@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/progress/headway.hpp"
 #include "contact/rows/gap.hpp"
 #include "step/bodies/integrator.hpp"
 #include "step/scene/contact_laws.hpp"
@@ -43,6 +44,7 @@ constexpr int kLook = 10;        // iterations between two looks at what is out 
 constexpr double kFalls = 0.5;
 constexpr double kLonger = 2;
 constexpr double kBalanceAcceptable = 1e-6;  // where no more can be had
+constexpr double kBalancedToBegin = 1e-8;    // where it is found as a rule, for what is told of the way
 constexpr int kMostIterations = 2000;
 constexpr int kMostCuts = 20;     // one after another
 constexpr int kMostSearches = 4;  // each adds corners that the last solution made overlap
@@ -78,6 +80,7 @@ class StaticSolve {
       if (!iterate()) continue;
       const Balance balance = balance_of(scene_, now_, time_, load_);
       bound_by(balance.share);
+      tell_headway("search for the equilibrium", share_of_fall(1, balance.share, kBalancedToBegin));
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
       result_.moving = far_out_of_balance(balance);
