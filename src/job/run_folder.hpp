@@ -83,8 +83,8 @@ class RunFolder {
   /// What is known of the frames. Throws InputError where one that was written is gone or is another.
   void describe(Archive& archive);
 
-  /// Removes what an interrupted run left beyond its checkpoint, which was written after `last_step`, and nothing that is
-  /// not a run's.
+  /// Removes what an interrupted run left beyond its checkpoint, which was written after `last_step`, and nothing that
+  /// is not a run's.
   void drop_what_followed(int last_step);
 
   bool has_frames() const { return !frame_files_.empty(); }

@@ -23,7 +23,6 @@ namespace {
 using support::plain_analysis;
 using support::radians;
 using support::rectangle;
-using support::turned;
 using support::turned_rectangle;
 
 constexpr double kStep = 1e-3;

@@ -28,8 +28,8 @@ class Followed {
  public:
   Followed() = default;
 
-  /// Points are measured points of the scene already (`with_followed_points`). Throws InputError where a block or a joint
-  /// is not there, or a point lies in no block.
+  /// Points are measured points of the scene already (`with_followed_points`). Throws InputError where a block or a
+  /// joint is not there, or a point lies in no block.
   Followed(const std::vector<HistoryPlan>& plans, const Scene& first, const DrawnJoints& joints, const Units& units);
 
   bool is_empty() const { return all_.empty(); }
