@@ -6,20 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "base/error.hpp"
-#include "base/sha256.hpp"
 #include "formats/dxf/dxf_writer.hpp"
 #include "formats/registry.hpp"
 #include "formats/tables/run_tables.hpp"
-#include "formats/text/contact_csv.hpp"
 #include "formats/text/csv.hpp"
 #include "formats/text/tips_csv.hpp"
-#include "formats/views/vtk.hpp"
-#include "formats/views/vtk_parts.hpp"
 #include "job/curves/most_moved.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
@@ -39,7 +34,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRecord = "run.json";
-constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
 constexpr const char* kFrameList = "fields.pvd";
 constexpr const char* kReactionFile = "reactions.svg";
@@ -92,10 +86,8 @@ std::string histories_header(const Units& units) {
 RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace, Units units)
     : folder_(std::move(folder)),
       units_(std::move(units)),
-      contacts_(folder_ / formats::kContactsTable.file, formats::contacts_csv_header(units_)),
-      joints_(folder_ / formats::kJointsTable.file, formats::joints_csv_header(units_)),
-      joint_lines_(folder_ / formats::kJointLinesTable.file, formats::joint_lines_csv_header(units_)),
-      bolts_(folder_ / formats::kBoltsTable.file, formats::bolts_csv_header(units_)),
+      frame_files_(folder_),
+      frame_tables_(folder_, units_),
       histories_(folder_ / formats::kHistoriesTable.file, histories_header(units_)),
       trace_(trace),
       overwrite_(overwrite) {
@@ -117,47 +109,6 @@ RunFolder::RunFolder(fs::path folder, Trace trace, Units units)
     : RunFolder(std::move(folder), Overwrite::yes, trace, std::move(units)) {
   lock_ = FolderLock(folder_);
 }
-
-namespace {
-
-/// Files of a frame, by the opening of their names and their endings; each is a part of its own for viewers.
-struct FramePart {
-  std::string_view opening;
-  std::string_view ending;
-};
-constexpr std::array<FramePart, 4> kParts{
-    {{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}, {"cracks_", ".vtp"}}};
-
-std::string frame_file(const FramePart& part, int step) {
-  return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
-}
-
-bool is_of(const FramePart& part, const fs::path& file) {
-  const std::string stem = file.stem().string();
-  return file.extension() == part.ending && stem.starts_with(part.opening) && stem.size() >= part.opening.size() + 8 &&
-         std::ranges::all_of(stem.substr(part.opening.size()), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-int part_number(const fs::path& file) {
-  const auto part = std::ranges::find_if(kParts, [&](const FramePart& p) { return is_of(p, file); });
-  return static_cast<int>(part - kParts.begin());
-}
-
-/// As `frame_file` names them; whatever else lies beside them is the user's.
-bool is_frame(const fs::directory_entry& entry) {
-  return part_number(entry.path()) < static_cast<int>(kParts.size()) && fs::is_regular_file(entry.symlink_status());
-}
-
-void remove_frames(const fs::path& folder, const std::set<fs::path>& kept) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (is_frame(entry) && !kept.contains(entry.path())) files.push_back(entry.path());
-  for (const fs::path& file : files) fs::remove(file, error);
-  remove_drafts(folder);
-}
-
-}  // namespace
 
 // By its record; a run that was killed before it wrote one left its frames and checkpoint alone.
 std::set<std::string> RunFolder::written_before() const {
@@ -181,7 +132,7 @@ void RunFolder::clear() {
     fs::remove(folder_ / name, error);
     if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
   }
-  remove_frames(folder_ / kFrameFolder, {});
+  FrameFiles::remove_others(folder_, {});
   remove_drafts(folder_);
 }
 
@@ -204,7 +155,7 @@ void RunFolder::begin(const std::string& checkpoint) {
 
 void RunFolder::take_back() {
   std::error_code error;
-  for (const FrameFile& file : frame_files_) fs::remove(folder_ / file.name, error);
+  frame_files_.remove();
   for (const std::string& name : growing_files()) fs::remove(folder_ / name, error);
   fs::remove(checkpoint_in(folder_), error);
   fs::remove(folder_ / kFrameFolder, error);  // unless something else lies there
@@ -214,27 +165,16 @@ void RunFolder::take_back() {
 void RunFolder::drop_what_followed(int last_step) {
   std::error_code error;
   fs::remove(folder_ / kRecord, error);  // where it stands the run is over; the other results are written again
-  std::set<fs::path> kept;
-  for (const FrameFile& file : frame_files_) kept.insert(folder_ / file.name);
-  remove_frames(folder_ / kFrameFolder, kept);
+  FrameFiles::remove_others(folder_, frame_files_.paths());
   remove_drafts(folder_);
   fs::create_directory(folder_ / kFrameFolder, error);
-  for (GrowingTable* table : tables_of_frames()) table->keep_steps(framed_steps());
+  frame_tables_.keep_steps(frame_files_.steps());
   histories_.keep_until(last_step);
 }
 
-std::set<int> RunFolder::framed_steps() const {
-  std::set<int> steps;
-  for (const FrameFile& file : frame_files_)
-    if (is_of(kParts.front(), file.name)) steps.insert(std::stoi(fs::path(file.name).stem().string()));
-  return steps;
-}
-
 void RunFolder::flush_frames() {
-  for (; flushed_frames_ < frame_files_.size(); ++flushed_frames_)
-    flush_to_disk(folder_ / frame_files_[flushed_frames_].name);
-  flush_to_disk(folder_ / kFrameFolder);
-  for (const GrowingTable* table : tables_of_frames()) table->flush();
+  frame_files_.flush();
+  frame_tables_.flush();
   flush_histories();
   histories_.flush();
 }
@@ -253,24 +193,12 @@ void RunFolder::remove_checkpoint() {
 }
 
 void RunFolder::describe(Archive& archive) {
-  archive.list("files", frame_files_, [&](FrameFile& file) {
-    archive.value("time", file.time);
-    archive.value("name", file.name);
-    archive.value("sha256", file.sha256);
-  });
+  frame_files_.describe(archive);
   archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
-  archive.value("framed", framed_);
-  archive.value("thinned_every", thinned_every_);
-  archive.value("expected_rows", expected_rows_);
+  frame_tables_.describe(archive);
   if (!archive.is_restoring()) return;
-  flushed_frames_ = frame_files_.size();
   if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
-  for (const FrameFile& file : frame_files_) {
-    if (!fs::is_regular_file(folder_ / file.name))
-      archive.refuse(file.name, "expected every frame written so far, found one gone");
-    if (sha256(formats::load((folder_ / file.name).string()).text) != file.sha256)
-      archive.refuse(file.name, "expected every frame as it was written, found one changed");
-  }
+  frame_files_.require_unchanged(archive);
 }
 
 void RunFolder::write(std::string_view file, const std::string& text) {
@@ -280,48 +208,16 @@ void RunFolder::write(std::string_view file, const std::string& text) {
   if (std::ranges::find(outputs_, name) == outputs_.end()) outputs_.push_back(name);
 }
 
-void RunFolder::write_frame(const std::string& name, double time, const std::string& text) {
-  write_file(folder_ / name, text);
-  frame_files_.push_back({time, name, sha256(text)});
-}
-
 void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
-  const auto& [blocks, points, lines, cracks] = kParts;
-  write_frame(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units_));
-  const ContactTables which = contact_output_.which;
-  if (which != ContactTables::none && framed_ % contact_output_.every == 0) {
-    ContactFrames shown = contacts;
-    if (which == ContactTables::chosen)
-      std::erase_if(shown, [&](const ContactFrame& c) { return !contact_output_.is_chosen(c); });
-    if (!shown.empty())
-      write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, shown, units_));
-    add_tables_of_contacts(frame, shown, contacts);
-  }
-  if (!frame.bolts.empty()) write_frame(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units_));
-  if (!field.cracks.empty())
-    write_frame(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field, units_));
-  bolts_.append(formats::bolts_csv_rows(frame));
-  ++framed_;
+  const ContactFrames shown = frame_tables_.shown(contacts);
+  frame_files_.write(frame, field, shown, units_);
+  frame_tables_.append(frame, shown, contacts);
   if (const auto now = std::chrono::steady_clock::now(); now - listed_ > kListEvery) {
-    write(kFrameList, list_of_frames());
+    write(kFrameList, frame_files_.list());
     listed_ = now;
   }
   if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
   frames_.push_back(frame);
-}
-
-// The first frame with contacts says how long the tables would grow.
-void RunFolder::add_tables_of_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& all) {
-  const int every = contact_output_.every;
-  if (thinned_every_ == 0 && !shown.empty()) {
-    expected_rows_ = static_cast<double>(shown.size()) * ((contact_output_.frames + every - 1) / every);
-    const bool is_thinned = contact_output_.which == ContactTables::automatic && expected_rows_ > kMostContactRows;
-    thinned_every_ = is_thinned ? static_cast<int>(std::ceil(expected_rows_ / kMostContactRows)) : 1;
-  }
-  if (framed_ / every % thinned_every() != 0) return;
-  contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, shown));
-  joints_.append(formats::joints_csv_rows(frame.step, frame.time, all));
-  joint_lines_.append(formats::joint_lines_csv_rows(frame.step, frame.time, all));
 }
 
 void RunFolder::add_histories(const std::string& rows) {
@@ -336,19 +232,14 @@ void RunFolder::flush_histories() {
 
 // The list would name what is not there.
 void RunFolder::write_list_of_frames() {
-  for (const FrameFile& file : frame_files_) {
-    if (fs::is_regular_file(folder_ / file.name)) continue;
+  try {
+    frame_files_.require_there();
+  } catch (const OutputError&) {
     std::error_code error;
     if (own_.contains(kFrameList)) fs::remove(folder_ / kFrameList, error);
-    throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / file.name).string()));
+    throw;
   }
-  write(kFrameList, list_of_frames());
-}
-
-std::string RunFolder::list_of_frames() const {
-  std::vector<formats::PvdEntry> files;
-  for (const FrameFile& file : frame_files_) files.push_back({file.time, part_number(file.name), file.name});
-  return formats::pvd(files);
+  write(kFrameList, frame_files_.list());
 }
 
 void RunFolder::write_tables(const RunTables& tables) {
@@ -387,8 +278,7 @@ void RunFolder::finish(const RunResults& results) {
   write_list_of_frames();
   flush_histories();
   if (histories_.has_begun()) outputs_.emplace_back(formats::kHistoriesTable.file);
-  for (const GrowingTable* table : tables_of_frames())
-    if (table->has_begun()) outputs_.push_back(table->file().filename().string());
+  for (const std::string& name : frame_tables_.names()) outputs_.push_back(name);
   write_tables(results.tables);
   if (!results.follows_by_choice)
     write(formats::kHistoriesTable.file,

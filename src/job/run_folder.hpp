@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,9 +12,10 @@
 
 #include "base/archive.hpp"
 #include "job/files.hpp"
-#include "job/folder_lock.hpp"
-#include "job/growing_table.hpp"
-#include "problem/output_plan.hpp"
+#include "job/folder/folder_lock.hpp"
+#include "job/folder/frame_files.hpp"
+#include "job/folder/frame_tables.hpp"
+#include "job/folder/growing_table.hpp"
 #include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/extremes.hpp"
@@ -31,22 +29,11 @@ namespace keyblock {
 
 enum class Trace { no, yes };
 
-/// Rows of contacts.csv, about 150 bytes each, up to which it has the contacts of every frame unless asked otherwise.
-inline constexpr double kMostContactRows = 500000;
-
 /// Tables that are written whole, at the end and from time to time before it.
 struct RunTables {
   const History& history;
   std::string steps;
   std::string ledger;  ///< empty where no books are kept
-};
-
-/// Which contacts of which frames go into tables and into the part of contacts for viewers.
-struct ContactOutput {
-  ContactTables which = ContactTables::automatic;
-  int every = 1;                                            ///< frames
-  std::function<bool(const ContactFrame&)> is_chosen = {};  ///< where those of histories are asked for
-  int frames = 1;                                           ///< that are expected
 };
 
 /// What a run leaves beside its frames.
@@ -87,7 +74,7 @@ class RunFolder {
   /// is not a run's.
   void drop_what_followed(int last_step);
 
-  bool has_frames() const { return !frame_files_.empty(); }
+  bool has_frames() const { return !frame_files_.is_empty(); }
 
   /// Puts `bytes` where `checkpoint_in` says, once the frames that they count on are on the disk.
   void write_checkpoint(const std::string& bytes);
@@ -101,10 +88,8 @@ class RunFolder {
   void add(const Frame& frame, const FieldFrame& field = {}, const ContactFrames& contacts = {});
 
   /// Says what is to become of contacts, before the first frame.
-  void choose_contacts(ContactOutput output) { contact_output_ = std::move(output); }
-  /// The tables of contacts have those of every so-manieth frame, because they would have `expected_rows` with all.
-  int thinned_every() const { return std::max(thinned_every_, 1); }
-  double expected_rows() const { return expected_rows_; }
+  void choose_contacts(ContactOutput output) { frame_tables_.choose(std::move(output)); }
+  const FrameTables& frame_tables() const { return frame_tables_; }
 
   /// Lines of histories.csv, kept for a while before they are written.
   void add_histories(const std::string& rows);
@@ -129,46 +114,27 @@ class RunFolder {
   const std::vector<std::string>& outputs() const { return outputs_; }
 
  private:
-  struct FrameFile {
-    double time = 0;
-    std::string name;
-    std::string sha256;
-  };
-
   void require_names_free() const;
   void write(std::string_view file, const std::string& text);
-  void write_frame(const std::string& name, double time, const std::string& text);
-  std::string list_of_frames() const;
   void write_list_of_frames();
   void write_pictures(const RunResults& results);
-  std::set<int> framed_steps() const;
   void clear();
   std::set<std::string> written_before() const;
   void flush_frames();
   void flush_histories();
-  void add_tables_of_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& all);
-  std::array<GrowingTable*, 4> tables_of_frames() { return {&contacts_, &joints_, &joint_lines_, &bolts_}; }
 
   std::filesystem::path folder_;
   Units units_;
   FolderLock lock_;  ///< of a new run from `begin` on
-  std::vector<FrameFile> frame_files_;
-  GrowingTable contacts_;
-  GrowingTable joints_;
-  GrowingTable joint_lines_;
-  GrowingTable bolts_;
+  FrameFiles frame_files_;
+  FrameTables frame_tables_;
   GrowingTable histories_;
-  std::string history_rows_;  ///< that are not written yet
-  ContactOutput contact_output_;
-  int framed_ = 0;         ///< frames so far
-  int thinned_every_ = 0;  ///< 0: there was no contact yet
-  double expected_rows_ = 0;
+  std::string history_rows_;                           ///< that are not written yet
   std::chrono::steady_clock::time_point listed_ = {};  ///< when the list of frames was written last
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   std::vector<std::string> outputs_;
   std::set<std::string> own_;  ///< written by this process, and so its to write again
-  std::size_t flushed_frames_ = 0;
   bool made_folder_ = false;
   Overwrite overwrite_ = Overwrite::yes;  ///< of what stands there before; a run that goes on meets its own files
 };

@@ -86,12 +86,12 @@ void RunJob::follow(const Stepper& stepper) {
 }
 
 Warnings RunJob::remarks_on_outputs() const {
-  if (folder_.thinned_every() < 2) return {};
+  if (folder_.frame_tables().thinned_every() < 2) return {};
   return {
       {"contacts_thinned", options_.place,
        fmt::format("contacts.csv and joints.csv would have {:.3g} rows and more; beyond {:g} they hold one frame of "
                    "{} (--contacts all: every frame; none or chosen: less)",
-                   folder_.expected_rows(), kMostContactRows, folder_.thinned_every())}};
+                   folder_.frame_tables().expected_rows(), kMostContactRows, folder_.frame_tables().thinned_every())}};
 }
 
 void RunJob::open() {

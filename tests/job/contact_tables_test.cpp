@@ -20,7 +20,7 @@ std::size_t lines_with(ContactTables which, int expected, int written, int& thin
   folder.choose_contacts({which, 1, {}, expected});
   Frame frame;
   for (frame.step = 0; frame.step < written; ++frame.step) folder.add(frame, {}, {ContactFrame{}});
-  thinned = folder.thinned_every();
+  thinned = folder.frame_tables().thinned_every();
   const std::string text = support::read_text(out + "/contacts.csv");
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }

@@ -1,6 +1,6 @@
 // Appends through a stream that is closed each time, so that whoever reads meets all rows so far.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "job/growing_table.hpp"
+#include "job/folder/growing_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // flock on the folder itself.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "job/folder_lock.hpp"
+#include "job/folder/folder_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,0 +1,130 @@
+// Names of parts of frames, and what became of them; see frame_files.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/folder/frame_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "formats/registry.hpp"
+#include "formats/views/vtk.hpp"
+#include "formats/views/vtk_parts.hpp"
+#include "job/files.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Files of a frame, by the opening of their names and their endings; each is a part of its own for viewers.
+struct FramePart {
+  std::string_view opening;
+  std::string_view ending;
+};
+constexpr std::array<FramePart, 4> kParts{
+    {{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}, {"cracks_", ".vtp"}}};
+
+std::string frame_file(const FramePart& part, int step) {
+  return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
+}
+
+bool is_of(const FramePart& part, const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return file.extension() == part.ending && stem.starts_with(part.opening) && stem.size() >= part.opening.size() + 8 &&
+         std::ranges::all_of(stem.substr(part.opening.size()), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+int part_number(const fs::path& file) {
+  const auto part = std::ranges::find_if(kParts, [&](const FramePart& p) { return is_of(p, file); });
+  return static_cast<int>(part - kParts.begin());
+}
+
+/// As `frame_file` names them; whatever else lies beside them is the user's.
+bool is_frame(const fs::directory_entry& entry) {
+  return part_number(entry.path()) < static_cast<int>(kParts.size()) && fs::is_regular_file(entry.symlink_status());
+}
+
+}  // namespace
+
+void FrameFiles::write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units) {
+  const auto& [blocks, points, lines, cracks] = kParts;
+  write(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units));
+  if (!contacts.empty())
+    write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts, units));
+  if (!frame.bolts.empty()) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units));
+  if (!field.cracks.empty()) write(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field, units));
+}
+
+void FrameFiles::write(const std::string& name, double time, const std::string& text) {
+  write_file(folder_ / name, text);
+  files_.push_back({time, name, sha256(text)});
+}
+
+std::set<fs::path> FrameFiles::paths() const {
+  std::set<fs::path> paths;
+  for (const File& file : files_) paths.insert(folder_ / file.name);
+  return paths;
+}
+
+std::set<int> FrameFiles::steps() const {
+  std::set<int> steps;
+  for (const File& file : files_)
+    if (is_of(kParts.front(), file.name)) steps.insert(std::stoi(fs::path(file.name).stem().string()));
+  return steps;
+}
+
+std::string FrameFiles::list() const {
+  std::vector<formats::PvdEntry> files;
+  for (const File& file : files_) files.push_back({file.time, part_number(file.name), file.name});
+  return formats::pvd(files);
+}
+
+void FrameFiles::require_there() const {
+  for (const File& file : files_)
+    if (!fs::is_regular_file(folder_ / file.name))
+      throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / file.name).string()));
+}
+
+void FrameFiles::flush() {
+  for (; flushed_ < files_.size(); ++flushed_) flush_to_disk(folder_ / files_[flushed_].name);
+  flush_to_disk(folder_ / kFrameFolder);
+}
+
+void FrameFiles::remove() const {
+  std::error_code error;
+  for (const File& file : files_) fs::remove(folder_ / file.name, error);
+}
+
+void FrameFiles::remove_others(const fs::path& folder, const std::set<fs::path>& kept) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / kFrameFolder, error))
+    if (is_frame(entry) && !kept.contains(entry.path())) files.push_back(entry.path());
+  for (const fs::path& file : files) fs::remove(file, error);
+  remove_drafts(folder / kFrameFolder);
+}
+
+void FrameFiles::describe(Archive& archive) {
+  archive.list("files", files_, [&](File& file) {
+    archive.value("time", file.time);
+    archive.value("name", file.name);
+    archive.value("sha256", file.sha256);
+  });
+  if (archive.is_restoring()) flushed_ = files_.size();
+}
+
+void FrameFiles::require_unchanged(Archive& archive) const {
+  for (const File& file : files_) {
+    if (!fs::is_regular_file(folder_ / file.name))
+      archive.refuse(file.name, "expected every frame written so far, found one gone");
+    if (sha256(formats::load((folder_ / file.name).string()).text) != file.sha256)
+      archive.refuse(file.name, "expected every frame as it was written, found one changed");
+  }
+}
+
+}  // namespace keyblock

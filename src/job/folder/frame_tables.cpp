@@ -1,0 +1,67 @@
+// Rows frame by frame; see frame_tables.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/folder/frame_tables.hpp"
+
+#include <cmath>
+
+#include "formats/tables/run_tables.hpp"
+#include "formats/text/contact_csv.hpp"
+
+namespace keyblock {
+
+FrameTables::FrameTables(const std::filesystem::path& folder, const Units& units)
+    : contacts_(folder / formats::kContactsTable.file, formats::contacts_csv_header(units)),
+      joints_(folder / formats::kJointsTable.file, formats::joints_csv_header(units)),
+      joint_lines_(folder / formats::kJointLinesTable.file, formats::joint_lines_csv_header(units)),
+      bolts_(folder / formats::kBoltsTable.file, formats::bolts_csv_header(units)) {}
+
+ContactFrames FrameTables::shown(const ContactFrames& contacts) const {
+  if (!is_asked()) return {};
+  ContactFrames shown = contacts;
+  if (output_.which == ContactTables::chosen)
+    std::erase_if(shown, [&](const ContactFrame& c) { return !output_.is_chosen(c); });
+  return shown;
+}
+
+void FrameTables::append(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts) {
+  if (is_asked()) append_contacts(frame, shown, contacts);
+  bolts_.append(formats::bolts_csv_rows(frame));
+  ++framed_;
+}
+
+// The first frame with contacts says how long the tables would grow.
+void FrameTables::append_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts) {
+  const int every = output_.every;
+  if (thinned_every_ == 0 && !shown.empty()) {
+    expected_rows_ = static_cast<double>(shown.size()) * ((output_.frames + every - 1) / every);
+    const bool is_thinned = output_.which == ContactTables::automatic && expected_rows_ > kMostContactRows;
+    thinned_every_ = is_thinned ? static_cast<int>(std::ceil(expected_rows_ / kMostContactRows)) : 1;
+  }
+  if (framed_ / every % thinned_every() != 0) return;
+  contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, shown));
+  joints_.append(formats::joints_csv_rows(frame.step, frame.time, contacts));
+  joint_lines_.append(formats::joint_lines_csv_rows(frame.step, frame.time, contacts));
+}
+
+void FrameTables::keep_steps(const std::set<int>& steps) {
+  for (GrowingTable* table : {&contacts_, &joints_, &joint_lines_, &bolts_}) table->keep_steps(steps);
+}
+
+void FrameTables::flush() const {
+  for (const GrowingTable* table : all()) table->flush();
+}
+
+std::vector<std::string> FrameTables::names() const {
+  std::vector<std::string> names;
+  for (const GrowingTable* table : all())
+    if (table->has_begun()) names.push_back(table->file().filename().string());
+  return names;
+}
+
+void FrameTables::describe(Archive& archive) {
+  archive.value("framed", framed_);
+  archive.value("thinned_every", thinned_every_);
+  archive.value("expected_rows", expected_rows_);
+}
+
+}  // namespace keyblock
