@@ -381,7 +381,7 @@ void add_to(Scales& scales, const Numbers& numbers) {
 // How often systems were solved, and which of two equal elements is named, is left to rounding.
 bool is_left_to_rounding(const std::string& place) {
   return std::ranges::any_of(
-      std::array<std::string_view, 6>{"passes", "oci", ".element", "solves", "misfit", "residual"},
+      std::array<std::string_view, 7>{"unbalanced", "passes", "oci", ".element", "solves", "misfit", "residual"},
       [&](std::string_view word) { return place.find(word) != std::string::npos; });
 }
 
@@ -404,11 +404,15 @@ void expect_same(const Numbers& one, const Numbers& other, const Scales& scales,
 // Ticks are round in each system: the same ones where the units differ by a power of ten.
 void expect_same_picture(const Picture& one, const Picture& other, const std::string& where) {
   ASSERT_EQ(one.units.size(), other.units.size()) << where;
+  for (std::size_t i = 0; i < one.units.size(); ++i) {
+    EXPECT_EQ(kind_of(one.units[i]), kind_of(other.units[i])) << where;
+    const double power = std::log10(factor_of(one.units[i]) / factor_of(other.units[i]));
+    if (std::abs(power - std::round(power)) > 1e-6) return;  // N/mm^1.5: its ticks stand elsewhere
+  }
   ASSERT_EQ(one.numbers.size(), other.numbers.size()) << where;
   ASSERT_EQ(one.bars.size(), other.bars.size()) << where;
   for (std::size_t i = 0; i < one.bars.size(); ++i)
     EXPECT_NEAR(other.bars[i], one.bars[i], 1e-5 * std::abs(one.bars[i])) << where;
-  for (std::size_t i = 0; i < one.units.size(); ++i) EXPECT_EQ(kind_of(one.units[i]), kind_of(other.units[i])) << where;
   for (std::size_t i = 0; i < one.numbers.size(); ++i) {
     bool is_same = false;
     for (std::size_t u = 0; u < one.units.size(); ++u) {
