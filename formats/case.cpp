@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "formats/dxf/dxf.hpp"
+#include "formats/dxf/dxf_layer_table.hpp"
 #include "formats/shi/analysis_parts.hpp"
 #include "formats/shi/dda_analysis.hpp"
 #include "formats/shi/nmm_analysis.hpp"
@@ -35,6 +36,7 @@ void choose(FileReading& file, GeometryKind geometry) {
 void read_into(FileReading& file, const ReadHint& hint) {
   try {
     file.reading = read_as(*file.choice, file.source, hint);
+    file.error.reset();
   } catch (const InputError& error) {
     file.error = error;
   }
@@ -72,15 +74,44 @@ ReadHint hint_of(const Reading& reading) {
   return counted_points(content);
 }
 
-/// Drawing programs' files are read again in the length unit that another file declares.
-void bring_to_declared_unit(std::vector<FileReading>& files) {
+/// The rows of a file behind those of the files before. False, with the error of the file, where one names no part.
+bool take_layers(FileReading& file, LayerTable& all) {
+  const LayerTable& layers = file.reading->content.layers;
+  try {
+    check_layers(layers, {file.path});
+  } catch (const InputError& error) {
+    file.error = error;
+    return false;
+  }
+  all.rows.insert(all.rows.end(), layers.rows.begin(), layers.rows.end());
+  all.places.insert(all.places.end(), layers.places.begin(), layers.places.end());
+  return true;
+}
+
+/// Drawing programs' files are read again in the length unit, and with the layers, that other files declare: a table of
+/// layers alone before those of a case file.
+void read_drawings_again(std::vector<FileReading>& files) {
   const auto is_dxf = [](const FileReading& file) { return file.choice && file.choice->format == &kDxf; };
   ReadHint hint;
-  for (const FileReading& file : files)
-    if (file.reading && file.reading->content.units && !is_dxf(file)) hint.length = file.reading->content.units->length;
-  if (hint.length.empty()) return;
+  FileReading* with_layers = nullptr;
+  for (const bool is_table : {true, false})
+    for (FileReading& file : files) {
+      if (!file.reading || is_dxf(file) || (file.choice->format == &kDxfLayers) != is_table) continue;
+      if (file.reading->content.units) hint.length = file.reading->content.units->length;
+      if (file.reading->content.layers.rows.empty()) continue;
+      if (!take_layers(file, hint.layers)) return;
+      with_layers = &file;
+    }
+  if (hint.length.empty() && hint.layers.rows.empty()) return;
+  bool is_read = false;
   for (FileReading& file : files)
-    if (file.reading && is_dxf(file)) read_into(file, hint);
+    if (file.choice && is_dxf(file) && (file.reading || !hint.layers.rows.empty())) {
+      read_into(file, hint);
+      is_read = true;
+    }
+  if (with_layers != nullptr && !is_read)
+    with_layers->reading->warnings.push_back(
+        {"layers_without_drawing", {with_layers->path}, "layers of a drawing are named, and no DXF file is there"});
 }
 
 [[noreturn]] void refuse_second(const Place& second, const Place& first, std::string_view noun) {
@@ -137,6 +168,7 @@ Problem with_content(Problem problem, const Content& content) {
   problem.units = *units;
   if (content.covers) problem.covers = content.covers;
   if (content.choices) problem.choices = *content.choices;
+  if (content.outputs) problem.outputs = *content.outputs;
   if (!content.stages.empty()) problem.stages = content.stages;
   problem.has_own_case = problem.has_own_case || content.is_own_case;
   return problem;
@@ -148,7 +180,7 @@ std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
   std::vector<FileReading> files;
   for (const std::string& path : paths) files.push_back(open(path));
   open_named_drawings(files);
-  bring_to_declared_unit(files);
+  read_drawings_again(files);
   ReadHint hint;
   for (FileReading& file : files) {
     if (file.reading && hint.geometry == GeometryKind::unknown) hint = hint_of(*file.reading);

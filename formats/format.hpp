@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "problem/cover.hpp"
 #include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
+#include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "problem/stage.hpp"
 #include "result/frame.hpp"
@@ -25,6 +27,15 @@ namespace keyblock::formats {
 struct Source {
   std::string name;
   std::string text;
+};
+
+/// What layers of a drawing (DXF) are, where their names do not say it: pairs of a layer and a part in words. Whoever
+/// reads the drawing reads the words.
+struct LayerTable {
+  std::vector<std::pair<std::string, std::string>> rows;
+  std::vector<Place> places = {};  ///< one a row
+
+  bool operator==(const LayerTable& other) const { return rows == other.rows; }
 };
 
 /// What a file can hold. DDAML may hold a drawing and an analysis in one file. `motion` is a horizontal acceleration as
@@ -40,7 +51,9 @@ struct Content {
   std::optional<Units> units = std::nullopt;
   std::optional<CoverPlan> covers = std::nullopt;
   std::optional<RunChoices> choices = std::nullopt;
+  std::optional<OutputPlan> outputs = std::nullopt;
   std::vector<Stage> stages = {};
+  LayerTable layers = {};
   std::string drawing_file = {};  ///< of a case file that names one, as it names it
   Place drawing_file_place = {};
   bool is_own_case = false;  ///< of a case file of Keyblock, not of an old program
@@ -62,6 +75,7 @@ struct ReadHint {
   std::optional<int> loading_points;
   GeometryKind geometry = GeometryKind::unknown;
   std::string length = "";  ///< the unit that other files declare, to which a file of another is brought; empty: metres
+  LayerTable layers = {};   ///< likewise: what its layers are
 };
 
 /// How sure a format is that a file is its own, and from what it concludes so (one sentence for the user).

@@ -9,7 +9,7 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::array<Knowledge, 18> kTable{{
+constexpr std::array<Knowledge, 19> kTable{{
     {"keyblock-case", "documented here: formats/case_file/keyblock_case.hpp, `keyblock formats --schema`",
      R"({
  "keyblock": 1,
@@ -51,6 +51,8 @@ constexpr std::array<Knowledge, 18> kTable{{
      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nBOUNDARY\n90\n4\n70\n1\n10\n0\n20\n0\n10\n4\n20\n0\n10\n4\n20\n1\n10\n"
      "0\n"
      "20\n1\n0\nLINE\n8\nJOINT_2\n10\n2\n20\n0\n11\n2\n21\n1\n0\nPOINT\n8\nFIXED\n10\n1\n20\n0.5\n0\nENDSEC\n0\nEOF\n"},
+    {"dxf-layers", "documented here: formats/dxf/dxf_layer_table.hpp",
+     "layer,part\nOutline,boundary\nBedding,joint 2\nSupport,fixed\nTitle block,ignored\n*,joint 1\n"},
     {"nmm-cover", "data, to the last number of 15 files",
      "2 1 1 2\n8 6 2 8\n0.25 0 1\n0.5 1 2\n0.75 0.5 1\n0.25 0.75 2\n5 7 1\n1 3 0\n0 0\n1 1\n0 1\n0 0\n0 0\n1 0\n1 1\n"
      "0 0\n0 0\n0 0\n1 0\n0 1\n1 1\n1 1\n1 3 5\n2 6 4\n1 3\n5 7\n5 1\n6 1\n7 2\n5 1\n1 2\n2 1\n3 1\n1 2\n"},

@@ -20,6 +20,7 @@
 #include "formats/berkeley/recognised_only.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/dxf/dxf.hpp"
+#include "formats/dxf/dxf_layer_table.hpp"
 #include "formats/shi/dda_analysis.hpp"
 #include "formats/shi/dda_blocks.hpp"
 #include "formats/shi/dda_geometry.hpp"
@@ -36,11 +37,12 @@ namespace {
 using Fit = Recognition::Fit;
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 18> kFormats{
+constexpr std::array<const Format*, 19> kFormats{
     &kKeyblockCase,
     &kDdaExtended,
     &kDdaml,
     &kDxf,
+    &kDxfLayers,
     &kNmmCover,
     &kBerkeleyMeasured,
     &kBerkeleyReplay,

@@ -15,9 +15,9 @@ namespace keyblock::formats {
 /// What a visitor F is handed: const where it writes. A visitor has `real`, `integer` (with the demand that a value
 /// must meet), `index` (from 1 in the file, from 0 inside), `formula` (a number or a text), `flag`, `word` (of an
 /// enumeration), `text`, `mass_by` (what may stand in place of a unit of mass); `optional_real`, `optional_integer`;
-/// `row` (a struct as an array), `object`, `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors, with
-/// how many they hold at least where the list is needed; `curve`, `curves` (rows of time and value) and `pairs` (an
-/// object of words).
+/// `row` (a struct as an array), `object`, `optional_object`, `optional_row`; `rows`, `objects` and `lists` (of rows)
+/// of vectors, with how many they hold at least where the list is needed; `curve`, `curves` (rows of time and value)
+/// and `pairs` (an object of words).
 template <class F, class T>
 using In = std::conditional_t<F::is_writing, const T, T>;
 
@@ -43,6 +43,7 @@ inline constexpr std::array<std::string_view, 4> kYieldSurfaces{"tresca", "von_m
 inline constexpr std::array<std::string_view, 3> kConeMatchings{"compression", "extension", "plane_strain"};
 inline constexpr std::array<std::string_view, 3> kGrowthCriteria{"hoop_stress", "strain_energy", "energy_release"};
 inline constexpr std::array<std::string_view, 3> kGrowthLoads{"automatic", "scaled", "given"};
+inline constexpr std::array<std::string_view, 4> kContactTables{"automatic", "all", "chosen", "none"};
 inline constexpr std::array<std::string_view, 2> kRotations{"first_order", "exact"};
 
 // Names only: a misspelt one would stand in every later file.
@@ -462,6 +463,29 @@ void describe(F& f, In<F, RunChoices>& run) {
 }
 
 template <class F>
+void describe(F& f, In<F, BlockPair>& pair) {
+  f.index("first_block", pair.first);
+  f.index("second_block", pair.second);
+}
+
+template <class F>
+void describe(F& f, In<F, HistoryPlan>& history) {
+  f.text("name", history.name);
+  f.optional_row("point", history.point);
+  f.optional_index("block", history.block);
+  f.optional_row("contact", history.contact);
+  f.optional_index("joint", history.joint);
+  f.optional_row("line", history.line);
+}
+
+template <class F>
+void describe(F& f, In<F, OutputPlan>& outputs) {
+  f.objects("histories", outputs.histories);
+  f.word("contacts", outputs.contacts, kContactTables);
+  f.integer("contacts_every", outputs.contacts_every, kAtLeastOne);
+}
+
+template <class F>
 void describe(F& f, In<F, StageExcavation>& excavation) {
   f.rows("outline", excavation.outline);
   f.index("joint_material", excavation.joint_material);
@@ -598,6 +622,8 @@ void describe(F& f, In<F, Content>& content) {
   f.objects("frames", content.frames);
   f.objects("tracks", content.tracks);
   f.optional_object("run", content.choices);
+  f.optional_object("outputs", content.outputs);
+  f.pairs("layers", content.layers.rows);
   f.objects("stages", content.stages);
 }
 

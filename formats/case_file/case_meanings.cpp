@@ -294,6 +294,29 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"profile", "name of the preset of all choices; absent: standard"},
     {"set", "settings on top of the profile, as `keyblock run --set`; `keyblock run --settings` lists them"},
 
+    {"outputs", "what a run writes beside the tables that it always leaves"},
+    {"histories",
+     "followed in time, in histories.csv; each has one of point, block, contact, joint and line. None: what moves "
+     "most"},
+    {"histories.name", "in the table; absent: made of what it is"},
+    {"histories.point", "of a block, or of a body on covers, before any load"},
+    {"histories.block", "number of a block; of bodies on covers that of an element"},
+    {"histories.contact", "two blocks: all contacts between them"},
+    {"contact.first_block", "number of a block, on which the forces act"},
+    {"contact.second_block", "number of the other one"},
+    {"histories.joint", "number of a joint of the drawing: all contacts along it"},
+    {"line",
+     "all forces between blocks on both sides of it, as they act on the left side; blocks belong to the side of their "
+     "centroid before any load"},
+    {"contacts",
+     "which go into tables and frames: automatic (all; in tables that would grow long those of every n-th frame), all, "
+     "chosen (those of histories), none"},
+    {"contacts_every", "frames from one whose contacts are written to the next"},
+    {"layers",
+     "what the layers of a DXF drawing are: boundary, joint 2, material 2, bolt 2, block 2, fixed, load, measured, "
+     "hole "
+     "or ignored; \"*\" for all others"},
+
     {"stages",
      "scenes one after another: each changes what the one before left, in the order of these keys, and goes on from "
      "its "

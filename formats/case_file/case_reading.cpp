@@ -45,15 +45,6 @@ std::optional<Measure> measure_of_choice(const std::string& name) {
 
 }  // namespace
 
-CaseReading::CaseReading(JsonValue value, std::string_view noun) : from_(value), noun_(noun) {
-  if (value.kind() == JsonKind::array) in_row_ = value.begin();
-}
-
-std::string CaseReading::nearest_of(std::string_view name) const {
-  const std::string found = nearest(name, {known_.begin(), known_.end()});
-  return found.empty() ? found : fmt::format(" (did you mean \"{}\"?)", found);
-}
-
 void CaseReading::name(std::string_view name) {
   std::string passed_over;
   text(name, passed_over);
@@ -66,54 +57,6 @@ Analysis CaseReading::start_of_analysis() const {
   analysis.plane_strain = true;
   analysis.allowed_displacement_ratio = kDisplacementRatioOfToday;
   return analysis;
-}
-
-void CaseReading::finish() const {
-  if (in_row_) {
-    if (*in_row_ != from_.end()) (**in_row_).fail(fmt::format("the end of {}: {}", noun_, fmt::join(known_, ", ")));
-    return;
-  }
-  std::vector<std::string_view> seen;
-  for (auto i = from_.begin(); i != from_.end(); ++i) {
-    const JsonValue key = *i;
-    ++i;
-    const std::string_view name = key.string();
-    if (std::ranges::find(known_, name) == known_.end())
-      key.fail(fmt::format("a key of {}{}: {}", noun_, nearest_of(name), fmt::join(known_, ", ")));
-    if (std::ranges::find(seen, name) != seen.end()) key.fail(fmt::format("each key of {} once", noun_));
-    seen.push_back(name);
-  }
-  if (!missing_.empty()) from_.fail_missing(missing_);
-}
-
-bool CaseReading::take(std::string_view name) {
-  known_.push_back(name);
-  if (in_row_) {
-    if (*in_row_ == from_.end()) from_.fail(fmt::format("{} of {}", name, noun_));
-    value_ = **in_row_;
-    ++*in_row_;
-    return true;
-  }
-  value_ = from_.member(name);
-  return value_.has_value();
-}
-
-const JsonValue& CaseReading::of_kind(JsonKind kind, std::string_view name) const {
-  if (value_->kind() != kind)
-    value_->fail(fmt::format("{} of {}: an {}", name, noun_, kind == JsonKind::array ? "array" : "object"));
-  return *value_;
-}
-
-std::size_t CaseReading::size_of(const JsonValue& array) {
-  std::size_t size = 0;
-  for (auto i = array.begin(); i != array.end(); ++i) ++size;
-  return size;
-}
-
-void CaseReading::require(std::string_view name, std::size_t size, std::optional<std::size_t> least) {
-  if (!least) return;
-  if (value_ && size < *least) value_->fail(fmt::format("{} of {}: {} or more", name, noun_, *least));
-  if (!value_ && missing_.empty()) missing_ = fmt::format("the key {} of {}: an array", name, noun_);
 }
 
 void CaseReading::real(std::string_view name, double& value, const Demand& demand) {
@@ -137,6 +80,12 @@ void CaseReading::index(std::string_view name, int& value) {
   double from_one = static_cast<double>(value) + 1;
   real(name, from_one, number);
   value = static_cast<int>(from_one - 1);
+}
+
+void CaseReading::optional_index(std::string_view name, std::optional<int>& value) {
+  std::optional<int> number;
+  optional_integer(name, number, kAtLeastOne);
+  if (number) value = *number - 1;
 }
 
 void CaseReading::flag(std::string_view name, bool& value) {

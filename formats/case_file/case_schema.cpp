@@ -42,6 +42,13 @@ class CaseSchema {
     if (takes_name(name)) type = {"integer", "string"};
     add(name, {{"type", type}, {"default", value + 1}});
   }
+  void optional_index(std::string_view name, std::optional<int>&) {
+    add(name, {{"type", "integer"}}, kAtLeastOne.wording);
+  }
+  template <class T>
+  void optional_row(std::string_view name, std::optional<T>&) {
+    add(name, row_of<T>(name));
+  }
   void flag(std::string_view name, bool& value) { add(name, {{"type", "boolean"}, {"default", value}}); }
   void text(std::string_view name, std::string&) { add(name, {{"type", "string"}}); }
   void mass_by(std::string_view force, std::string_view stress, Units&) {

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 2> kBlockRows{"material_lines", "material
 constexpr std::array<std::string_view, 6> kJointRows{"joints", "outer",         "holes",
                                                      "cuts",   "loop_vertices", "joint_materials"};
 
-constexpr std::string_view kSettings = "set";  // whose values are texts, all of them
+constexpr std::array<std::string_view, 2> kTexts{"set", "layers"};  // whose values are texts, all of them
 
 template <std::size_t N>
 bool is_one_of(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -45,7 +45,7 @@ class Values {
       for (auto i = value.begin(); i != value.end(); ++i) {
         const std::string_view name = (*i).string();
         ++i;
-        if (name == kSettings) continue;
+        if (is_one_of(kTexts, name)) continue;
         if ((*i).kind() == JsonKind::string)
           put(*i, name);
         else

@@ -30,6 +30,9 @@ class CaseWriting {
     text_ += std::to_string(value);
   }
   void index(std::string_view name, int value) { integer(name, static_cast<long long>(value) + 1, {}); }
+  void optional_index(std::string_view name, const std::optional<int>& value) {
+    if (value) index(name, *value);
+  }
   void flag(std::string_view name, bool value);
   void text(std::string_view name, const std::string& value);
   static void mass_by(std::string_view, std::string_view, const Units&) {}
@@ -58,6 +61,10 @@ class CaseWriting {
   void row(std::string_view name, const T& value) {
     next(name);
     put(value, Shape::row);
+  }
+  template <class T>
+  void optional_row(std::string_view name, const std::optional<T>& value) {
+    if (value) row(name, *value);
   }
   template <class T>
   void object(std::string_view name, const T& value) {

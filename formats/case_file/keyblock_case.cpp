@@ -232,6 +232,24 @@ void place_choices(RunChoices& choices, const JsonValue& run) {
   }
 }
 
+// Where each row of a table of layers stands.
+void place_layers(LayerTable& layers, const JsonValue& from) {
+  for (auto i = from.begin(); i != from.end(); ++i) {
+    layers.places.push_back((*i).place());
+    ++i;
+  }
+}
+
+void check(const OutputPlan& outputs) {
+  for (const HistoryPlan& history : outputs.histories) {
+    const int given = int(history.point.has_value()) + int(history.block.has_value()) +
+                      int(history.contact.has_value()) + int(history.joint.has_value()) + int(history.line.has_value());
+    if (given != 1) fail(history.place, "one of point, block, contact, joint and line in a history", given);
+    if (history.line && history.line->start == history.line->end)
+      throw InputError(history.place, "expected a line with a length, found one point");
+  }
+}
+
 Warnings take_default_ratio(Drawing& drawing, const JsonValue& from) {
   if (from.member("edge_node_ratio")) return {};
   drawing.edge_node_ratio = kDefaultEdgeNodeRatio;
@@ -343,6 +361,8 @@ Reading read(const Source& source, const ReadHint&) {
   if (!fits_a_case(content))
     reading.warnings.push_back({"empty_case", text.root().place(), "the case file holds nothing but its version"});
   if (content.choices) place_choices(*content.choices, *text.root().member("run"));
+  if (!content.layers.rows.empty()) place_layers(content.layers, *text.root().member("layers"));
+  if (content.outputs) check(*content.outputs);
   if (content.drawing) reading.warnings = take_default_ratio(*content.drawing, *text.root().member("drawing"));
   if (content.analysis && version == kCaseVersionOfToday)
     reading.warnings =
@@ -386,8 +406,8 @@ std::string write(const Content& content) {
 
 bool fits_a_case(const Content& content) {
   return content.drawing || content.blocks || content.cover || content.covers || content.analysis || content.motion ||
-         content.units || content.choices || !content.stages.empty() || !content.frames.empty() ||
-         !content.tracks.empty();
+         content.units || content.choices || content.outputs || !content.layers.rows.empty() ||
+         !content.stages.empty() || !content.frames.empty() || !content.tracks.empty();
 }
 
 const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read, write};

@@ -62,7 +62,7 @@ Reading read(const Source& source, const ReadHint& hint) {
   Warnings warnings = joined(document.warnings(), unit.warnings);
   const double ratio = edge_node_ratio(document, {source.name}, warnings);
   DxfDefinitions definitions(document, find_section(document, "BLOCKS"));
-  DxfDrawing made = drawing_of(read_entities(document, entities->records, definitions), unit.factor);
+  DxfDrawing made = drawing_of(read_entities(document, entities->records, definitions), unit.factor, hint.layers);
   made.drawing.edge_node_ratio = ratio;
   made.drawing.place = {source.name};
   warnings = joined(joined(std::move(warnings), made.warnings), definitions.unused(document).warnings());

@@ -3,6 +3,7 @@
 #include "formats/dxf/dxf_drawing.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "formats/dxf/dxf_curves.hpp"
+#include "formats/dxf/dxf_layer_table.hpp"
 #include "formats/dxf/dxf_layers.hpp"
 #include "formats/text/tokens.hpp"
 #include "geometry/polygon.hpp"
@@ -23,7 +25,8 @@ constexpr int kByLayer = 256;
 
 class DrawingMaker {
  public:
-  DrawingMaker(DxfShapes shapes, double scale) : shapes_(std::move(shapes)), scale_(scale) {}
+  DrawingMaker(DxfShapes shapes, double scale, const LayerTable& table)
+      : shapes_(std::move(shapes)), scale_(scale), table_(table), parts_(table) {}
 
   DxfDrawing make() {
     for (DxfShape& shape : shapes_.shapes) to_metres(shape);
@@ -56,7 +59,14 @@ class DrawingMaker {
     }
   }
 
-  /// Layers by their names; those without a known word get the first joint materials not yet taken, but for drawings of
+  /// By the table, then by its own name, then by the row for all others.
+  std::optional<DxfLayer> part_of(std::string_view layer) {
+    if (const auto named = parts_.named(layer)) return named;
+    if (const auto own = layer_of(layer)) return own;
+    return parts_.other();
+  }
+
+  /// Layers by table and names; those without a known word get the first joint materials not yet taken, but for drawings of
   /// the old Windows program: there the colour says the joint material.
   void name_layers() {
     find_marks();
@@ -64,7 +74,8 @@ class DrawingMaker {
     std::vector<UnknownLayer> unknown;
     std::map<std::string_view, std::size_t> positions;
     for (const DxfShape& shape : shapes_.shapes) {
-      if (const auto layer = layer_of(shape.layer)) {
+      if (layers_.contains(shape.layer)) continue;
+      if (const auto layer = part_of(shape.layer)) {
         if (layer->number_is_too_long)
           throw InputError(shape.place,
                            fmt::format("expected a number up to 2147483647 at the end of the layer, found {}",
@@ -77,6 +88,7 @@ class DrawingMaker {
         ++unknown[at->second].entities;
       }
     }
+    warn_of_unused_rows();
     int index = 0;
     for (const UnknownLayer& layer : unknown) {
       while (taken.contains(index)) ++index;
@@ -89,9 +101,18 @@ class DrawingMaker {
     }
   }
 
+  void warn_of_unused_rows() {
+    std::vector<std::string> names;
+    for (const std::size_t row : parts_.unused()) names.push_back(in_quotes(table_.rows[row].first));
+    if (names.empty()) return;
+    const std::size_t first = parts_.unused().front();
+    result_.warnings.push_back({"dxf_layer_not_there", first < table_.places.size() ? table_.places[first] : Place{},
+                                fmt::format("on {} of the table nothing lies in the drawing", fmt::join(names, ", "))});
+  }
+
   /// The convention of the old Windows program, known by its marks on layers that name nothing.
   void find_marks() {
-    const auto is_mark = [](const DxfShape& shape) { return shape.mark != 0 && !layer_of(shape.layer); };
+    const auto is_mark = [&](const DxfShape& shape) { return shape.mark != 0 && !part_of(shape.layer); };
     const auto first = std::ranges::find_if(shapes_.shapes, is_mark);
     has_marks_ = first != shapes_.shapes.end();
     if (!has_marks_) return;
@@ -125,6 +146,7 @@ class DrawingMaker {
   void add(const DxfShape& shape) {
     const auto found = layers_.find(shape.layer);
     if (found == layers_.end()) return has_marks_ ? add_by_old_marks(shape) : skip(shape);
+    if (found->second.role == DxfRole::ignored) return;
     if (shape.is_point) return add_point(shape, found->second);
     const bool is_block = found->second.role == DxfRole::block;
     if (holds_points_only(found->second.role) || (is_block && !shape.is_closed)) return skip(shape);
@@ -221,6 +243,8 @@ class DrawingMaker {
 
   DxfShapes shapes_;
   double scale_;
+  const LayerTable& table_;
+  LayerParts parts_;
   std::map<std::string_view, DxfLayer> layers_;
   std::vector<JointLine> boundaries_;
   std::vector<Point> outline_;  ///< of the last block
@@ -233,8 +257,8 @@ class DrawingMaker {
 
 }  // namespace
 
-DxfDrawing drawing_of(DxfShapes shapes, double scale) {
-  return DrawingMaker(std::move(shapes), scale).make();
+DxfDrawing drawing_of(DxfShapes shapes, double scale, const LayerTable& layers) {
+  return DrawingMaker(std::move(shapes), scale, layers).make();
 }
 
 }  // namespace keyblock::formats

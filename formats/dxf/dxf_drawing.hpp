@@ -3,6 +3,7 @@
 #pragma once
 
 #include "formats/dxf/dxf_entities.hpp"
+#include "formats/format.hpp"
 #include "problem/drawing.hpp"
 
 namespace keyblock::formats {
@@ -14,6 +15,7 @@ struct DxfDrawing {
   Warnings warnings;
 };
 
-DxfDrawing drawing_of(DxfShapes shapes, double scale);
+/// `layers`: a table whose rows were checked.
+DxfDrawing drawing_of(DxfShapes shapes, double scale, const LayerTable& layers = {});
 
 }  // namespace keyblock::formats

@@ -9,7 +9,8 @@
 //   MATERIAL  lines and points that give block material n  MEASURED  measured points
 //   BOLT      bolts, n: bolt type                        HOLE      points whose blocks are taken out
 //   BLOCK     outlines of blocks of block material n, closed polylines
-// Any other layer holds joints; each such layer has a joint material of its own: the first number not yet taken.
+// A table of layers (dxf_layer_table.hpp) overrules names. Any other layer holds joints; each such layer has a joint material of its own: the first number not yet
+// taken.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@
 
 namespace keyblock::formats {
 
-enum class DxfRole { boundary, joint, material, bolt, block, fixed, load, measured, hole };
+enum class DxfRole { boundary, joint, material, bolt, block, fixed, load, measured, hole, ignored };
 
 /// A role and a material from 0; `number_is_too_long`: it has more digits than a number of the program.
 struct DxfLayer {

@@ -50,11 +50,16 @@ constexpr std::array kPoints{Column("step", m::kNumber),
                              Column("mean_stress", m::kStress),
                              Column("von_mises_stress", m::kStress),
                              Column("lode_angle", m::kDegrees)};
+// Each row names the unit of its value.
+constexpr std::array kHistories{Column("step", m::kNumber), Column("time", m::kTime),       Column("what", m::kNumber),
+                                Column("name", m::kNumber), Column("quantity", m::kNumber), Column("value", m::kNumber),
+                                Column("unit", m::kNumber)};
 constexpr std::array kContacts{Column("step", m::kNumber),
                                Column("time", m::kTime),
                                Column("block", m::kNumber),
                                Column("other", m::kNumber),
                                Column("joint_material", m::kNumber),
+                               Column("joint", m::kNumber),
                                Column("state", m::kNumber),
                                Column("x", m::kLength),
                                Column("y", m::kLength),
@@ -72,6 +77,11 @@ constexpr std::array kJoints{Column("step", m::kNumber),           Column("time"
                              Column("closed", m::kNumber),         Column("sliding", m::kNumber),
                              Column("normal_force", m::kForce),    Column("shear_force", m::kForce),
                              Column("force_x", m::kForce),         Column("force_y", m::kForce)};
+constexpr std::array kJointLines{
+    Column("step", m::kNumber),           Column("time", m::kTime),           Column("joint", m::kNumber),
+    Column("joint_material", m::kNumber), Column("contacts", m::kNumber),     Column("closed", m::kNumber),
+    Column("sliding", m::kNumber),        Column("normal_force", m::kForce),  Column("shear_force", m::kForce),
+    Column("greatest_gap", m::kLength),   Column("greatest_slip", m::kLength)};
 constexpr std::array kBolts{Column("step", m::kNumber), Column("time", m::kTime),   Column("bolt", m::kNumber),
                             Column("x1", m::kLength),   Column("y1", m::kLength),   Column("x2", m::kLength),
                             Column("y2", m::kLength),   Column("force", m::kForce), Column("is_broken", m::kNumber)};
@@ -200,10 +210,10 @@ constexpr std::array kOfCorners{Column("displacement", m::kLength),
                                 Column("von_mises_stress", m::kStress),
                                 Column("lode_angle", m::kDegrees)};
 constexpr std::array kOfContacts{
-    Column("block", m::kNumber),       Column("other", m::kNumber),      Column("joint_material", m::kNumber),
-    Column("state", m::kNumber),       Column("gap", m::kLength),        Column("slip", m::kLength),
-    Column("normal_force", m::kForce), Column("shear_force", m::kForce), Column("normal", m::kNumber),
-    Column("force", m::kForce)};
+    Column("block", m::kNumber),  Column("other", m::kNumber),       Column("joint_material", m::kNumber),
+    Column("joint", m::kNumber),  Column("state", m::kNumber),       Column("gap", m::kLength),
+    Column("slip", m::kLength),   Column("normal_force", m::kForce), Column("shear_force", m::kForce),
+    Column("normal", m::kNumber), Column("force", m::kForce)};
 constexpr std::array kOfBolts{Column("bolt", m::kNumber), Column("force", m::kForce), Column("is_broken", m::kNumber)};
 
 constexpr std::array kOfCracks{Column("displacement", m::kLength), Column("crack", m::kNumber),
@@ -232,8 +242,10 @@ std::string heading_of(const RunTable& table, const Column& column, std::string_
 
 const RunTable kHistoryTable{"history.csv", kHistory, true};
 const RunTable kPointsTable{"points.csv", kPoints, true};
+const RunTable kHistoriesTable{"histories.csv", kHistories, true};
 const RunTable kContactsTable{"contacts.csv", kContacts, true};
 const RunTable kJointsTable{"joints.csv", kJoints, true};
+const RunTable kJointLinesTable{"joint_lines.csv", kJointLines, true};
 const RunTable kBoltsTable{"bolts.csv", kBolts, true};
 const RunTable kTipsTable{"tips.csv", kTips, true};
 const RunTable kStepTable{"step_table.csv", kStepRows};
@@ -248,10 +260,10 @@ const RunTable kBoltArrays{"frames", kOfBolts};
 const RunTable kCrackArrays{"frames", kOfCracks};
 
 std::span<const RunTable* const> run_tables() {
-  static const std::array<const RunTable*, 16> tables{&kHistoryTable, &kPointsTable,   &kContactsTable, &kJointsTable,
-                                                      &kBoltsTable,   &kTipsTable,     &kStepTable,     &kLedgerTable,
-                                                      &kTraceOfSteps, &kTraceOfBlocks, &kTraceOfRounds, &kBlockArrays,
-                                                      &kCornerArrays, &kContactArrays, &kBoltArrays,    &kCrackArrays};
+  static const std::array<const RunTable*, 18> tables{
+      &kHistoryTable,  &kPointsTable, &kHistoriesTable, &kContactsTable, &kJointsTable,  &kJointLinesTable,
+      &kBoltsTable,    &kTipsTable,   &kStepTable,      &kLedgerTable,   &kTraceOfSteps, &kTraceOfBlocks,
+      &kTraceOfRounds, &kBlockArrays, &kCornerArrays,   &kContactArrays, &kBoltArrays,   &kCrackArrays};
   return tables;
 }
 

@@ -27,8 +27,10 @@ struct RunTable {
 
 extern const RunTable kHistoryTable;
 extern const RunTable kPointsTable;
+extern const RunTable kHistoriesTable;
 extern const RunTable kContactsTable;
 extern const RunTable kJointsTable;
+extern const RunTable kJointLinesTable;
 extern const RunTable kBoltsTable;
 extern const RunTable kTipsTable;
 extern const RunTable kStepTable;

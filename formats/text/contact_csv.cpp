@@ -30,8 +30,8 @@ std::string contacts_csv_rows(int step, double time, const ContactFrames& contac
   const std::string first = opening(step, time);
   std::string text;
   for (const ContactFrame& c : contacts) {
-    text +=
-        fmt::format("{},{},{},{},{}", first, c.element + 1, c.other + 1, c.joint_material + 1, word_for(c.condition));
+    text += fmt::format("{},{},{},{},{},{}", first, c.element + 1, c.other + 1, c.joint_material + 1, c.joint_line + 1,
+                        word_for(c.condition));
     const Point force = c.force();
     append(text, {c.position.x, c.position.y, c.normal.x, c.normal.y, c.gap, c.slip, c.normal_force, c.shear_force,
                   force.x, force.y});
@@ -51,6 +51,22 @@ std::string joints_csv_rows(int step, double time, const ContactFrames& contacts
     text += fmt::format("{},{},{},{},{},{},{}", first, sum.element + 1, sum.other + 1, sum.joint_material + 1,
                         sum.contacts, sum.closed, sum.sliding);
     append(text, {sum.normal_force, sum.shear_force, sum.force.x, sum.force.y});
+    text += '\n';
+  }
+  return text;
+}
+
+std::string joint_lines_csv_header(const Units& units) {
+  return headings(kJointLinesTable, units) + '\n';
+}
+
+std::string joint_lines_csv_rows(int step, double time, const ContactFrames& contacts) {
+  const std::string first = opening(step, time);
+  std::string text;
+  for (const JointLineSum& sum : joint_line_sums(contacts)) {
+    text += fmt::format("{},{},{},{},{},{}", first, sum.joint_line + 1, sum.joint_material + 1, sum.contacts,
+                        sum.closed, sum.sliding);
+    append(text, {sum.normal_force, sum.shear_force, sum.greatest_gap, sum.greatest_slip});
     text += '\n';
   }
   return text;

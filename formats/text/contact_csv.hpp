@@ -3,8 +3,9 @@
 //
 // Long form: a line a contact, joint or bolt and frame; twelve significant digits. Numbers of blocks, materials and
 // bolts from 1; forces per unit thickness; headings name the units of the case (tables/run_tables.hpp).
-//   contacts  step,time,block,other,joint_material,state,x,y,normal_x,normal_y,gap,slip,normal_force,shear_force,
-//             force_x,force_y: a point of `block` against an edge or a corner of `other`; state is open, stick or
+//   contacts  step,time,block,other,joint_material,joint,state,x,y,normal_x,normal_y,gap,slip,normal_force,shear_force,
+//             force_x,force_y: a point of `block` against an edge or a corner of `other`; joint is the
+//             joint of the drawing that made the edge, 0 where none did; state is open, stick or
 //             slide; the normal points out of `other`, the tangent is the normal turned by +90 degrees; gap is positive
 //             where the faces are apart, slip is how far the point has gone along the tangent from the point of the
 //             other face that it meets, both counted from where they lay before any load; forces are those of the last
@@ -13,6 +14,9 @@
 //   joints    step,time,block,other,joint_material,contacts,closed,sliding,normal_force,shear_force,force_x,force_y:
 //             sums over the contacts of two blocks along one joint material; the force is that on `block`, the lower
 //             number
+//   joint_lines  step,time,joint,joint_material,contacts,closed,sliding,normal_force,shear_force,greatest_gap,
+//             greatest_slip: sums over all contacts along one joint of the drawing; pressure and shear are the same for
+//             both sides
 //   bolts     step,time,bolt,x1,y1,x2,y2,force,is_broken: both ends, tension positive
 #pragma once
 
@@ -29,6 +33,8 @@ std::string contacts_csv_header(const Units& units = {});
 std::string contacts_csv_rows(int step, double time, const ContactFrames& contacts);
 std::string joints_csv_header(const Units& units = {});
 std::string joints_csv_rows(int step, double time, const ContactFrames& contacts);
+std::string joint_lines_csv_header(const Units& units = {});
+std::string joint_lines_csv_rows(int step, double time, const ContactFrames& contacts);
 std::string bolts_csv_header(const Units& units = {});
 std::string bolts_csv_rows(const Frame& frame);
 

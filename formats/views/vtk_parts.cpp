@@ -65,6 +65,8 @@ std::string contacts_vtp(double time, const ContactFrames& contacts, const Units
   append(text, contacts, "Int32", heading(kContactArrays, "other", units), 1, [&](C c) { return number(c.other); });
   append(text, contacts, "Int32", heading(kContactArrays, "joint_material", units), 1,
          [&](C c) { return number(c.joint_material); });
+  append(text, contacts, "Int32", heading(kContactArrays, "joint", units), 1,
+         [&](C c) { return number(c.joint_line); });
   append(text, contacts, "Int32", heading(kContactArrays, "state", units), 1,
          [](C c) { return fmt::format("{}", static_cast<int>(c.condition)); });
   append(text, contacts, "Float64", heading(kContactArrays, "gap", units), 1, [](C c) { return real(c.gap); });

@@ -24,7 +24,7 @@ SOURCE = {'01': 'Tada, Paris & Irwin 1973; value of an independent finite-elemen
           '07': 'Srawley 1976; independent finite-element value', '11': 'Atkinson, Smelser & Sanchez 1982; independent finite-element value'}
 
 
-def write(name, corners, cracks, side, covers, values, about, source, young=YOUNG, poisson=POISSON, tip=None, tolerance=0.007, reason=ASKED, absolute=None, joint=None, missed=None):
+def write(name, corners, cracks, side, covers, values, about, source, young=YOUNG, poisson=POISSON, tip=None, tolerance=0.007, reason=ASKED, absolute=None, joint=None, missed=None, side_with_functions=None):
     """`values`: quantity, tip, value; each is to be met within `tolerance` of the greatest of them. The same with near-tip functions on longer sides
     in the case `name`_functions, each within its own share, or that of the greatest where it is 0; not where faces touch."""
     length = max(math.dist(a[0], a[-1]) for a in cracks)
@@ -38,7 +38,7 @@ def write(name, corners, cracks, side, covers, values, about, source, young=YOUN
     write_case(os.path.join(HERE, name), text, [(q, t, v, absolute or tolerance * size, reason, source) for q, t, v in values], about, missed=missed)
     if parts['contact'] == 'felt':
         return
-    parts['mesh'] = dict(free_mesh(side), tip_side=(tip or length / FINEST) * FINEST / COARSE, tip_functions='williams')
+    parts['mesh'] = dict(free_mesh(side_with_functions or side), tip_side=(tip or length / FINEST) * FINEST / COARSE, tip_functions='williams')
     text = case_text(corners, parts, young, poisson, [], plane_strain=True).replace(',\n  "measured_points": []', '')
     write_case(os.path.join(HERE, name + '_functions'), text,
                [(q, t, v, OF_FUNCTIONS[q] * (abs(v) or size), ASKED_OF_FUNCTIONS, source) for q, t, v in values], about + ', near-tip functions')
@@ -67,7 +67,7 @@ def inclined_crack(degrees, mode_1, mode_2):
     root = math.sqrt(math.pi)
     write('inclined_crack_%d' % degrees, rectangle(-20, -20, 20, 20), [[[-c, -s], [c, s]]], 4, pulled(None, (-20, -20), (20, 20)),
           [(q, t, sign * v * root) for t in (1, 2) for q, v, sign in (('K_I', mode_1, 1), ('K_II', mode_2, 1))],
-          'crack at %d degrees in a wide plate in tension (fra-03)' % degrees, SOURCE['03'], tip=1 / FINEST)
+          'crack at %d degrees in a wide plate in tension (fra-03)' % degrees, SOURCE['03'], tip=1 / FINEST, side_with_functions=2.8)
 
 
 def edge_crack_in_shear():
@@ -105,7 +105,7 @@ def cracked_disc(alpha, degrees, values):
           {'tractions': [{'along': [list(p) for p in top], 'y': -1 / length}, {'along': [list(p) for p in bottom], 'y': 1 / length}],
            'springs': [[0, 1, 1, 0, YOUNG], [0, -1, 1, 0, YOUNG], [0, -1, 0, 1, YOUNG]]},
           [(q, t, v * unit) for t in (1, 2) for q, v in values], 'cracked Brazilian disc, half length %g R at %d degrees (fra-11, fra-12)' % (alpha, degrees),
-          SOURCE['11'], tip=alpha / FINEST)
+          SOURCE['11'], tip=alpha / FINEST, side_with_functions=0.075)
 
 
 def closed_crack(friction):

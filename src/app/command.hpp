@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
 
 #include "app/exit_code.hpp"
 
@@ -23,6 +24,10 @@ struct Command {
 
 /// `--threads`, which takes effect as it is read.
 void add_thread_option(CLI::App& options);  // thread_option.cpp
+
+/// `check` of a folder of cases: a verdict a line, or catalogue.json; the exit code of the worst.
+ExitCode check_folder(const std::string& folder, const std::string& profile,
+                      bool as_json);  // batch/check_folder.cpp
 
 Action configure_new(CLI::App& options);       ///< new_command.cpp
 Action configure_check(CLI::App& options);     ///< check_command.cpp

@@ -35,14 +35,15 @@ constexpr std::array<Command, 17> kCommands{{
     {"new", "writes a commented case to begin one's own from: slope, arch, beam, tunnel or block", configure_new,
      "keyblock new slope\nkeyblock new arch -o my_arch.json"},
     {"check", "says what files are, what they hold, what is odd about them, and what a run costs", configure_check,
-     "keyblock check old.geo old.ana\nkeyblock check slope.json --trial 10"},
+     "keyblock check old.geo old.ana\nkeyblock check slope.json --trial 10\nkeyblock check archive"},
     {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut,
      "keyblock cut slope.dxf -o slope.blk --svg slope.svg\nkeyblock cut slope.dxf --mesh 20 -o slope.cv"},
     {"joints", "draws joint sets from statistics into an outline", configure_joints,
      "keyblock joints --slope height=10,angle=60 --set dip=35,spacing=2,trace=50 -o slope.dxf"},
     {"run", "reruns a case and writes its results into a folder", configure_run,
      "keyblock run old.geo old.ana -o out\nkeyblock run old.geo old.ana --both -o out\n"
-     "keyblock run slope.json -o out --set motion=static\nkeyblock run --resume out"},
+     "keyblock run slope.json -o out --set motion=static\n"
+     "keyblock run slope.json -o out --history crest=point:12,20 --history line:0,5,30,5\nkeyblock run --resume out"},
     {"fos", "divides the strength of joints or rock until a case no longer stands", configure_fos,
      "keyblock fos slope.json -o out\nkeyblock fos slope.json --reduce joints --to-within 0.005"},
     {"sif", "stress intensity factors and J of the crack tips of a case", configure_sif,

@@ -9,13 +9,15 @@
 #include <string>
 
 #include "app/messages.hpp"
+#include "base/progress/headway.hpp"
 
 namespace keyblock {
 namespace {
 
 constexpr double kTerminalSeconds = 0.2;  // between two renewals on a terminal
 constexpr double kLogSeconds = 5;         // between two lines in a log
-constexpr double kPatience = 5;           // without a step, until that is told
+constexpr double kPatience = 2;           // without a step, until that is told
+constexpr double kLeastShare = 0.02;      // of a search, from which on its end is guessed
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
@@ -37,11 +39,26 @@ ProgressLine::ProgressLine(int step_count, int steps_done)
       shown_(started_),
       stepped_(started_),
       step_(steps_done) {
+  forget_headway();
   if (shows_progress()) waiting_ = std::thread([this] { tell_of_waiting(); });
 }
 
 ProgressLine::~ProgressLine() {
   finish();
+}
+
+// A search tells its share of the way; what is left would take as long as that took.
+std::string ProgressLine::words_of_waiting(Clock::time_point now) const {
+  const Headway way = headway();
+  std::string words = step_ == steps_done_ ? fmt::format("start and step {}", step_ + 1)
+                                           : fmt::format("step {} of {}", step_ + 1, step_count_);
+  words += fmt::format(": {:.0f} s so far", seconds(now - stepped_));
+  if (way.what == nullptr) return words;
+  words += fmt::format("; {}", way.what);
+  if (way.share < kLeastShare) return words;
+  words += fmt::format(", about {:.0f} % of the way", 100 * way.share);
+  const double left = seconds(now - stepped_) * (1 - way.share) / way.share;
+  return words + fmt::format(", {:.0f} s left", left);
 }
 
 void ProgressLine::tell_of_waiting() {
@@ -50,10 +67,8 @@ void ProgressLine::tell_of_waiting() {
     const Clock::time_point now = Clock::now();
     if (seconds(now - stepped_) < kPatience || (!on_terminal_ && seconds(now - shown_) < kLogSeconds)) continue;
     shown_ = now;
-    const std::string what = step_ == steps_done_ ? fmt::format("start and step {}", step_ + 1)
-                                                  : fmt::format("step {} of {}", step_ + 1, step_count_);
-    keyblock::show(fmt::format("{}{}: {:.0f} s so far{}", on_terminal_ ? "\r\x1b[K" : "", what, seconds(now - stepped_),
-                               on_terminal_ ? "" : "\n"));
+    keyblock::show(
+        fmt::format("{}{}{}", on_terminal_ ? "\r\x1b[K" : "", words_of_waiting(now), on_terminal_ ? "" : "\n"));
     line_open_ = on_terminal_;
   }
 }
@@ -64,6 +79,7 @@ void ProgressLine::show(const StepReport& report) {
   const Clock::time_point now = Clock::now();
   stepped_ = now;
   step_ = report.step;
+  forget_headway();
   const bool last = report.step == step_count_;
   if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : kLogSeconds)) return;
   shown_ = now;

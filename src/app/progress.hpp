@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <thread>
 
 #include "result/step_report.hpp"
@@ -12,7 +13,8 @@
 namespace keyblock {
 
 /// On a terminal one line renewed a few times a second; elsewhere a line now and then. Between steps that take long,
-/// and in the search for the start, it says for how long by now. Nothing under --quiet.
+/// and in the search for the start or for an equilibrium, it says for how long by now, how far it is and how much time is
+/// left, as far as the search tells that. Nothing under --quiet.
 class ProgressLine {
  public:
   /// `steps_done`: by an earlier part of the run.
@@ -28,6 +30,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   void tell_of_waiting();
+  std::string words_of_waiting(Clock::time_point now) const;
 
   int step_count_;
   int steps_done_;

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <nlohmann/json.hpp>
+
 #include "app/command.hpp"
 
 namespace keyblock {
@@ -27,9 +30,13 @@ std::string version_words() {
                      compiler_words());
 }
 
-Action configure_version(CLI::App&) {
-  return [] {
-    fmt::print("{}\n", version_words());
+Action configure_version(CLI::App& options) {
+  const auto as_json = std::make_shared<bool>(false);
+  options.add_flag("--json", *as_json, "print as JSON");
+  return [as_json] {
+    const nlohmann::ordered_json json = {
+        {"version", KEYBLOCK_VERSION}, {"commit", KEYBLOCK_COMMIT}, {"compiler", compiler_words()}};
+    fmt::print("{}\n", *as_json ? json.dump() : version_words());
     return ExitCode::ok;
   };
 }

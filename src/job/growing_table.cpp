@@ -28,6 +28,14 @@ void GrowingTable::append(const std::string& rows) {
 }
 
 void GrowingTable::keep_steps(const std::set<int>& steps) {
+  keep([&](int step) { return steps.contains(step); });
+}
+
+void GrowingTable::keep_until(int last_step) {
+  keep([&](int step) { return step <= last_step; });
+}
+
+void GrowingTable::keep(const std::function<bool(int)>& is_kept) {
   if (!std::filesystem::is_regular_file(file_)) return;
   const std::string text = formats::load(file_.string()).text;
   std::string kept;
@@ -38,7 +46,7 @@ void GrowingTable::keep_steps(const std::set<int>& steps) {
     if (end == std::string_view::npos) break;  // half a line
     int step = -1;
     std::from_chars(rest.data(), rest.data() + end, step);
-    if (steps.contains(step)) kept += rest.substr(0, end + 1);
+    if (is_kept(step)) kept += rest.substr(0, end + 1);
     rest.remove_prefix(end + 1);
   }
   has_begun_ = !kept.empty();

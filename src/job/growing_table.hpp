@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -21,11 +22,15 @@ class GrowingTable {
 
   /// Of a table that another process of the same run may have written: leaves the rows of these steps alone.
   void keep_steps(const std::set<int>& steps);
+  /// The rows up to a step.
+  void keep_until(int last_step);
 
   /// Throws OutputError.
   void flush() const;
 
  private:
+  void keep(const std::function<bool(int)>& is_kept);
+
   std::filesystem::path file_;
   std::string header_;
   bool has_begun_ = false;

@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
-#include <optional>
 #include <string_view>
 
 #include "base/error.hpp"
@@ -22,6 +20,7 @@
 #include "formats/text/tips_csv.hpp"
 #include "formats/views/vtk.hpp"
 #include "formats/views/vtk_parts.hpp"
+#include "job/curves/most_moved.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
 #include "report/energy_picture.hpp"
@@ -47,14 +46,18 @@ constexpr const char* kReactionFile = "reactions.svg";
 // The list is written whole each time: of many frames not with each.
 constexpr std::chrono::milliseconds kListEvery{500};
 
+// Rows of histories are written in lots.
+constexpr std::size_t kLotOfRows = 1 << 16;
+
 // What a run may leave in its folder, beside its tables, and all that it may leave.
 constexpr std::array<std::string_view, 10> kOtherFiles{kRecord,      kFrameList,    "picture.svg", "energy.svg",
                                                        "field.svg",  "plastic.svg", kReactionFile, "cracks.svg",
                                                        "cracks.dxf", kCheckpoint};
 // What is written as the run goes: a run that was killed leaves it without a record.
-constexpr std::array<const formats::RunTable*, 7> kGrowing{
-    &formats::kContactsTable, &formats::kJointsTable, &formats::kBoltsTable, &formats::kHistoryTable,
-    &formats::kPointsTable,   &formats::kStepTable,   &formats::kLedgerTable};
+constexpr std::array<const formats::RunTable*, 9> kGrowing{
+    &formats::kContactsTable, &formats::kJointsTable,    &formats::kJointLinesTable,
+    &formats::kBoltsTable,    &formats::kHistoriesTable, &formats::kHistoryTable,
+    &formats::kPointsTable,   &formats::kStepTable,      &formats::kLedgerTable};
 
 std::vector<std::string> growing_files() {
   std::vector<std::string> files{kFrameList};
@@ -69,66 +72,6 @@ std::vector<std::string> all_files() {
   return files;
 }
 
-constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
-
-bool is_in(const HistoryRow& row, std::size_t point) {
-  return point < row.points.size() && is_there(row.points[point]);
-}
-
-// What the rows of a history hold: measured points, blocks, or the elements of bodies, whose displacements are weighed
-// to the bodies'.
-struct Followed {
-  const char* word;
-  std::vector<std::vector<std::pair<std::size_t, double>>> parts;  ///< of each: points of a row with their shares
-};
-
-Followed followed_by(const History& history, const Frame& start, const FieldFrame& field) {
-  Followed followed{history.of_measured_points ? "measured point" : "block", {}};
-  const std::size_t count = history.rows.front().points.size();
-  const bool are_blocks = field.elements.size() != count || body_count(field) == count;
-  if (history.of_measured_points || are_blocks) {
-    for (std::size_t i = 0; i < count; ++i) followed.parts.push_back({{i, 1.0}});
-    return followed;
-  }
-  followed.word = "body";
-  std::vector<double> masses;
-  for (std::size_t e = 0; e < count; ++e) {
-    const auto body = static_cast<std::size_t>(field.elements[e].body);
-    followed.parts.resize(std::max(followed.parts.size(), body + 1));
-    masses.resize(followed.parts.size());
-    followed.parts[body].emplace_back(e, start.elements[e].mass);
-    masses[body] += start.elements[e].mass;
-  }
-  for (std::size_t body = 0; body < masses.size(); ++body)
-    for (auto& [element, share] : followed.parts[body]) share /= masses[body];
-  return followed;
-}
-
-/// Of some of what a history follows the displacement in a row; none where it is not there.
-std::optional<double> displacement_of(const HistoryRow& row, const std::vector<std::pair<std::size_t, double>>& parts) {
-  Point mean;
-  for (const auto& [point, share] : parts) {
-    if (!is_in(row, point)) return std::nullopt;
-    mean = mean + share * row.points[point].displacement;
-  }
-  return length(mean);
-}
-
-// All of few; of many those that came farthest, the first of them first.
-std::vector<std::size_t> shown_of(const History& history, const Followed& followed) {
-  std::vector<double> farthest;
-  for (const auto& parts : followed.parts) {
-    double& most = farthest.emplace_back(0);
-    for (const HistoryRow& row : history.rows) most = std::max(most, displacement_of(row, parts).value_or(0));
-  }
-  std::vector<std::size_t> shown(followed.parts.size());
-  std::iota(shown.begin(), shown.end(), 0U);
-  if (shown.size() <= kMostCurves) return shown;
-  std::ranges::stable_sort(shown, std::ranges::greater(), [&](std::size_t i) { return farthest[i]; });
-  shown.resize(kMostCurves);
-  return shown;
-}
-
 // Layer JOINT_2 has those that started in shear, JOINT_1 all others.
 std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
   formats::Content content;
@@ -140,26 +83,8 @@ std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
   return formats::write_dxf(content);
 }
 
-// How far each of them has come, over time.
-std::vector<report::Curve> displacement_curves(const History& history, const Frame& start, const FieldFrame& field) {
-  std::vector<report::Curve> curves;
-  if (history.rows.empty()) return curves;
-  const Followed followed = followed_by(history, start, field);
-  const std::vector<std::size_t> shown = shown_of(history, followed);
-  for (const std::size_t i : shown) {
-    report::Curve curve;
-    const bool is_last_of_more = i == shown.back() && followed.parts.size() > shown.size();
-    curve.label =
-        fmt::format("{} {}{}", followed.word, i + 1,
-                    is_last_of_more ? fmt::format(" (of {}: those that move most)", followed.parts.size()) : "");
-    for (const HistoryRow& row : history.rows)
-      if (const std::optional<double> way = displacement_of(row, followed.parts[i])) {
-        curve.x.push_back(row.time);
-        curve.y.push_back(*way);
-      }
-    curves.push_back(std::move(curve));
-  }
-  return curves;
+std::string histories_header(const Units& units) {
+  return formats::headings(formats::kHistoriesTable, units) + '\n';
 }
 
 }  // namespace
@@ -169,7 +94,9 @@ RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace, Units un
       units_(std::move(units)),
       contacts_(folder_ / formats::kContactsTable.file, formats::contacts_csv_header(units_)),
       joints_(folder_ / formats::kJointsTable.file, formats::joints_csv_header(units_)),
+      joint_lines_(folder_ / formats::kJointLinesTable.file, formats::joint_lines_csv_header(units_)),
       bolts_(folder_ / formats::kBoltsTable.file, formats::bolts_csv_header(units_)),
+      histories_(folder_ / formats::kHistoriesTable.file, histories_header(units_)),
       trace_(trace),
       overwrite_(overwrite) {
   if (fs::exists(folder_) && !fs::is_directory(folder_))
@@ -284,7 +211,7 @@ void RunFolder::take_back() {
   if (made_folder_) fs::remove(folder_, error);
 }
 
-void RunFolder::drop_what_followed() {
+void RunFolder::drop_what_followed(int last_step) {
   std::error_code error;
   fs::remove(folder_ / kRecord, error);  // where it stands the run is over; the other results are written again
   std::set<fs::path> kept;
@@ -292,7 +219,8 @@ void RunFolder::drop_what_followed() {
   remove_frames(folder_ / kFrameFolder, kept);
   remove_drafts(folder_);
   fs::create_directory(folder_ / kFrameFolder, error);
-  for (GrowingTable* table : {&contacts_, &joints_, &bolts_}) table->keep_steps(framed_steps());
+  for (GrowingTable* table : tables_of_frames()) table->keep_steps(framed_steps());
+  histories_.keep_until(last_step);
 }
 
 std::set<int> RunFolder::framed_steps() const {
@@ -306,7 +234,9 @@ void RunFolder::flush_frames() {
   for (; flushed_frames_ < frame_files_.size(); ++flushed_frames_)
     flush_to_disk(folder_ / frame_files_[flushed_frames_].name);
   flush_to_disk(folder_ / kFrameFolder);
-  for (const GrowingTable* table : {&contacts_, &joints_, &bolts_}) table->flush();
+  for (const GrowingTable* table : tables_of_frames()) table->flush();
+  flush_histories();
+  histories_.flush();
 }
 
 void RunFolder::write_checkpoint(const std::string& bytes) {
@@ -329,6 +259,9 @@ void RunFolder::describe(Archive& archive) {
     archive.value("sha256", file.sha256);
   });
   archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
+  archive.value("framed", framed_);
+  archive.value("thinned_every", thinned_every_);
+  archive.value("expected_rows", expected_rows_);
   if (!archive.is_restoring()) return;
   flushed_frames_ = frame_files_.size();
   if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
@@ -355,20 +288,50 @@ void RunFolder::write_frame(const std::string& name, double time, const std::str
 void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
   const auto& [blocks, points, lines, cracks] = kParts;
   write_frame(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units_));
-  if (!contacts.empty())
-    write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts, units_));
+  const ContactTables which = contact_output_.which;
+  if (which != ContactTables::none && framed_ % contact_output_.every == 0) {
+    ContactFrames shown = contacts;
+    if (which == ContactTables::chosen)
+      std::erase_if(shown, [&](const ContactFrame& c) { return !contact_output_.is_chosen(c); });
+    if (!shown.empty())
+      write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, shown, units_));
+    add_tables_of_contacts(frame, shown, contacts);
+  }
   if (!frame.bolts.empty()) write_frame(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units_));
   if (!field.cracks.empty())
     write_frame(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field, units_));
-  contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, contacts));
-  joints_.append(formats::joints_csv_rows(frame.step, frame.time, contacts));
   bolts_.append(formats::bolts_csv_rows(frame));
+  ++framed_;
   if (const auto now = std::chrono::steady_clock::now(); now - listed_ > kListEvery) {
     write(kFrameList, list_of_frames());
     listed_ = now;
   }
   if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
   frames_.push_back(frame);
+}
+
+// The first frame with contacts says how long the tables would grow.
+void RunFolder::add_tables_of_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& all) {
+  const int every = contact_output_.every;
+  if (thinned_every_ == 0 && !shown.empty()) {
+    expected_rows_ = static_cast<double>(shown.size()) * ((contact_output_.frames + every - 1) / every);
+    const bool is_thinned = contact_output_.which == ContactTables::automatic && expected_rows_ > kMostContactRows;
+    thinned_every_ = is_thinned ? static_cast<int>(std::ceil(expected_rows_ / kMostContactRows)) : 1;
+  }
+  if (framed_ / every % thinned_every() != 0) return;
+  contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, shown));
+  joints_.append(formats::joints_csv_rows(frame.step, frame.time, all));
+  joint_lines_.append(formats::joint_lines_csv_rows(frame.step, frame.time, all));
+}
+
+void RunFolder::add_histories(const std::string& rows) {
+  history_rows_ += rows;
+  if (history_rows_.size() > kLotOfRows) flush_histories();
+}
+
+void RunFolder::flush_histories() {
+  histories_.append(history_rows_);
+  history_rows_.clear();
 }
 
 // The list would name what is not there.
@@ -396,7 +359,7 @@ void RunFolder::write_tables(const RunTables& tables) {
 }
 
 void RunFolder::write_pictures(const RunResults& results) {
-  const auto& [title, tables, steps, ledger, field, is_of_motion, marked, marked_words] = results;
+  const auto& [title, tables, steps, ledger, field, is_of_motion, marked, marked_words, follows] = results;
   const History& history = tables.history;
   const std::string at_end =
       fmt::format("{}, time {:g}{}{}", title, field.time, units_.time.empty() ? "" : " ", units_.time);
@@ -422,9 +385,14 @@ void RunFolder::finish(const RunResults& results) {
   const History& history = results.tables.history;
   outputs_.clear();  // in the same order whatever was written on the way
   write_list_of_frames();
-  for (const GrowingTable* table : {&contacts_, &joints_, &bolts_})
+  flush_histories();
+  if (histories_.has_begun()) outputs_.emplace_back(formats::kHistoriesTable.file);
+  for (const GrowingTable* table : tables_of_frames())
     if (table->has_begun()) outputs_.push_back(table->file().filename().string());
   write_tables(results.tables);
+  if (!results.follows_by_choice)
+    write(formats::kHistoriesTable.file,
+          histories_header(units_) + most_moved_rows(history, frames_.front(), results.field, units_));
   write_pictures(results);
   if (const std::string tips = formats::tips_csv(history, units_); !tips.empty()) {
     write(formats::kTipsTable.file, tips);

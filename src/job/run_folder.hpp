@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,6 +17,7 @@
 #include "job/files.hpp"
 #include "job/folder_lock.hpp"
 #include "job/growing_table.hpp"
+#include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/extremes.hpp"
@@ -27,11 +31,22 @@ namespace keyblock {
 
 enum class Trace { no, yes };
 
+/// Rows of contacts.csv, about 150 bytes each, up to which it has the contacts of every frame unless asked otherwise.
+inline constexpr double kMostContactRows = 500000;
+
 /// Tables that are written whole, at the end and from time to time before it.
 struct RunTables {
   const History& history;
   std::string steps;
   std::string ledger;  ///< empty where no books are kept
+};
+
+/// Which contacts of which frames go into tables and into the part of contacts for viewers.
+struct ContactOutput {
+  ContactTables which = ContactTables::automatic;
+  int every = 1;                                            ///< frames
+  std::function<bool(const ContactFrame&)> is_chosen = {};  ///< where those of histories are asked for
+  int frames = 1;                                           ///< that are expected
 };
 
 /// What a run leaves beside its frames.
@@ -40,10 +55,11 @@ struct RunResults {
   RunTables tables;
   const std::vector<StepReport>& steps;
   Ledger ledger;
-  const FieldFrame& field;        ///< the end
-  bool is_of_motion = true;       ///< displacements are as they are, however large; those of linear statics are not
-  std::vector<int> marked = {};   ///< elements, from 0, at which it failed
-  std::string marked_words = {};  ///< what these do
+  const FieldFrame& field;         ///< the end
+  bool is_of_motion = true;        ///< displacements are as they are, however large; those of linear statics are not
+  std::vector<int> marked = {};    ///< elements, from 0, at which it failed
+  std::string marked_words = {};   ///< what these do
+  bool follows_by_choice = false;  ///< histories.csv was written on the way
 };
 
 class RunFolder {
@@ -67,8 +83,9 @@ class RunFolder {
   /// What is known of the frames. Throws InputError where one that was written is gone or is another.
   void describe(Archive& archive);
 
-  /// Removes what an interrupted run left beyond its checkpoint, and nothing that is not a run's.
-  void drop_what_followed();
+  /// Removes what an interrupted run left beyond its checkpoint, which was written after `last_step`, and nothing that
+  /// is not a run's.
+  void drop_what_followed(int last_step);
 
   bool has_frames() const { return !frame_files_.empty(); }
 
@@ -79,8 +96,18 @@ class RunFolder {
   void remove_checkpoint();
 
   /// Writes at once the frame's .vtu, with `field` where that has elements, .vtp files of contacts and bolts where
-  /// there are any, and their rows of contacts.csv, joints.csv and bolts.csv; and from time to time fields.pvd.
+  /// there are any, and their rows of contacts.csv, joints.csv, joint_lines.csv and bolts.csv; and from time to time
+  /// fields.pvd.
   void add(const Frame& frame, const FieldFrame& field = {}, const ContactFrames& contacts = {});
+
+  /// Says what is to become of contacts, before the first frame.
+  void choose_contacts(ContactOutput output) { contact_output_ = std::move(output); }
+  /// The tables of contacts have those of every so-manieth frame, because they would have `expected_rows` with all.
+  int thinned_every() const { return std::max(thinned_every_, 1); }
+  double expected_rows() const { return expected_rows_; }
+
+  /// Lines of histories.csv, kept for a while before they are written.
+  void add_histories(const std::string& rows);
 
   /// history.csv, step_table.csv, ledger.csv if there is a ledger, points.csv where points are measured.
   void write_tables(const RunTables& tables);
@@ -118,6 +145,9 @@ class RunFolder {
   void clear();
   std::set<std::string> written_before() const;
   void flush_frames();
+  void flush_histories();
+  void add_tables_of_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& all);
+  std::array<GrowingTable*, 4> tables_of_frames() { return {&contacts_, &joints_, &joint_lines_, &bolts_}; }
 
   std::filesystem::path folder_;
   Units units_;
@@ -125,7 +155,14 @@ class RunFolder {
   std::vector<FrameFile> frame_files_;
   GrowingTable contacts_;
   GrowingTable joints_;
+  GrowingTable joint_lines_;
   GrowingTable bolts_;
+  GrowingTable histories_;
+  std::string history_rows_;  ///< that are not written yet
+  ContactOutput contact_output_;
+  int framed_ = 0;         ///< frames so far
+  int thinned_every_ = 0;  ///< 0: there was no contact yet
+  double expected_rows_ = 0;
   std::chrono::steady_clock::time_point listed_ = {};  ///< when the list of frames was written last
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last

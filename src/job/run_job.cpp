@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/counted.hpp"
+#include "base/error.hpp"
 #include "base/stop.hpp"
 #include "job/ledger_report.hpp"
 #include "job/run_doubts.hpp"
@@ -36,7 +37,10 @@ std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
 std::string what_failed_does(const RunOutcome& outcome, Dynamics dynamics) {
   const std::string blocks = outcome.elements.size() == 1 ? fmt::format("block {}", outcome.elements.front().value + 1)
                                                           : counted(outcome.elements.size(), "block");
-  const char* const does = dynamics == Dynamics::shi                   ? "too far for a step"
+  const bool is_inside_out =
+      outcome.failure != FailureKind::accelerates && outcome.reason.find("turned inside out") != std::string::npos;
+  const char* const does = is_inside_out                               ? "turned inside out"
+                           : dynamics == Dynamics::shi                 ? "too far for a step"
                            : outcome.failure == FailureKind::undecided ? "no rest"
                                                                        : "no equilibrium";
   return fmt::format("{}: {}", blocks, does);
@@ -52,12 +56,42 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
       saved_(saved),
       folder_(folder_for(options_, record_.units, saved != nullptr)),
       watch_(prepared),
+      joints_(prepared.scene.model, prepared.joint_lines),
+      followed_(options_.outputs.histories, prepared.scene, joints_, record_.units),
       history_{!prepared.scene.model.measured_points.empty(), {}},
       clock_(options_.checkpoint_every),
       tables_due_(std::chrono::steady_clock::now() + kTablesEvery) {
   const int stride = stride_of(prepared.scene.settings.step_count);
   record_.steps = StepRows(stride);
   record_.ledger = LedgerRows(stride);
+  choose_outputs();
+}
+
+void RunJob::choose_outputs() {
+  const OutputPlan& plan = options_.outputs;
+  if (plan.contacts == ContactTables::chosen && !followed_.follows_contacts())
+    throw UsageError("contacts are to be those of histories, and there is no history of a block, a contact or a joint");
+  const int frames = 1 + prepared_.scene.settings.step_count / std::max(1, record_.record_every);
+  folder_.choose_contacts({plan.contacts, plan.contacts_every,
+                           [this](const ContactFrame& contact) { return followed_.follows(contact); }, frames});
+}
+
+// As often as rows of steps are kept.
+void RunJob::follow(const Stepper& stepper) {
+  stepping_ = &stepper;
+  if (followed_.is_empty()) return;
+  const int step = stepper.state().step;
+  const int last = prepared_.scene.settings.step_count;
+  if (step % stride_of(last) == 0 || step == last) folder_.add_histories(followed_.rows(stepper, joints_));
+}
+
+Warnings RunJob::remarks_on_outputs() const {
+  if (folder_.thinned_every() < 2) return {};
+  return {
+      {"contacts_thinned", options_.place,
+       fmt::format("contacts.csv and joints.csv would have {:.3g} rows and more; beyond {:g} they hold one frame of "
+                   "{} (--contacts all: every frame; none or chosen: less)",
+                   folder_.expected_rows(), kMostContactRows, folder_.thinned_every())}};
 }
 
 void RunJob::open() {
@@ -65,8 +99,9 @@ void RunJob::open() {
   if (holds_steps(*saved_)) {
     describe_told(*saved_, folder_, history_, record_, watch_);
     saved_->group("stepper", [&] { stepper_ = restored_stepper(prepared_.scene, *saved_); });
+    stepping_ = stepper_.get();
   }
-  folder_.drop_what_followed();
+  folder_.drop_what_followed(stepper_ ? stepper_->state().step : -1);
 }
 
 std::optional<int> RunJob::steps_before() const {
@@ -114,7 +149,11 @@ Observer RunJob::observer(const RunListener& listener) {
             write_checkpoint(stepper);
           },
           [&](const FieldFrame& field) { field_ = field; },
-          [&](const ContactFrames& contacts) { contacts_ = contacts; }};
+          [&](const ContactFrames& contacts) {
+            contacts_ = contacts;
+            joints_.name(contacts_, stepping_ != nullptr ? stepping_->model() : prepared_.scene.model);
+          },
+          [&](const Stepper& stepper) { follow(stepper); }};
 }
 
 bool RunJob::run(const RunListener& listener) {
@@ -139,6 +178,7 @@ void RunJob::judge() {
   record_.extremes = folder_.extremes();
   record_.plastic = plastic_extremes_of(folder_.last_frame());
   record_.reactions = reaction_curves(history_);
+  record_.warnings = joined(record_.warnings, remarks_on_outputs());
   record_.warnings = joined(record_.warnings, outcome_warnings(prepared_, record_.outcome, place));
   record_.is_static = watch_.is_static();
   const Judgement judgement = judged(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);
@@ -157,7 +197,8 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                   record_.outcome.field,
                   !prepared_.scene.is_untouched,
                   numbers_of(record_.outcome.elements),
-                  what_failed_does(record_.outcome, prepared_.scene.settings.dynamics)});
+                  what_failed_does(record_.outcome, prepared_.scene.settings.dynamics),
+                  !followed_.is_empty()});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -12,6 +12,7 @@
 #include "job/run_report.hpp"
 #include "job/run_warnings.hpp"
 #include "job/saved_run.hpp"
+#include "run/follow/followed.hpp"
 #include "run/prepare.hpp"
 
 namespace keyblock {
@@ -22,6 +23,7 @@ struct RunJobOptions {
   Trace trace = Trace::no;
   double checkpoint_every = 0;  ///< seconds; 0: none but at the start and where the run is stopped
   Place place;                  ///< of the analysis, for what is said of the whole run
+  OutputPlan outputs = {};      ///< points of histories are measured points of the scene
 };
 
 /// Who is told of steps, and who may stop them. Either may be left empty.
@@ -33,8 +35,9 @@ struct RunListener {
 class RunJob {
  public:
   /// `record` holds what is known before the first step: profile, inputs, warnings, timings, frames. Touches nothing on
-  /// the disk; throws UsageError where results stand in the folder that may not be overwritten. Where `saved` is given,
-  /// the folder is that of the run to go on with. Views `prepared`.
+  /// the disk; throws UsageError where results stand in the folder that may not be overwritten and for outputs that
+  /// cannot be, InputError for a history of what is not there. Where `saved` is given, the folder is that of the run to
+  /// go on with. Views `prepared`.
   RunJob(const Prepared& prepared, RunRecord record, RunRequest request, RunJobOptions options, Archive* saved);
 
   /// Makes the folder with what was asked, or takes up what the checkpoint holds. Throws UsageError, InputError.
@@ -57,6 +60,9 @@ class RunJob {
   RunTables tables(const LedgerScope& scope) const;
   void write_tables(const LedgerScope& scope);
   void judge();
+  void follow(const Stepper& stepper);
+  void choose_outputs();
+  Warnings remarks_on_outputs() const;
 
   const Prepared& prepared_;
   RunRecord record_;
@@ -65,6 +71,9 @@ class RunJob {
   Archive* saved_;
   RunFolder folder_;
   StepWatch watch_;
+  DrawnJoints joints_;
+  Followed followed_;
+  const Stepper* stepping_ = nullptr;  ///< the run is in, once a state of it was told
   History history_;
   CheckpointClock clock_;
   std::chrono::steady_clock::time_point tables_due_;

@@ -33,8 +33,10 @@ constexpr double kNoStep = 1e-9;
 std::vector<std::string> start_complaints(const StartReport& start) {
   std::vector<std::string> sentences;
   if (!start.why.empty())
-    sentences.push_back(fmt::format("the run does not begin with the exact forces of rigid blocks, but {}, because {}",
-                                    start.made, start.why));
+    sentences.push_back(fmt::format(
+        "the equilibrium at t = 0 is {}, not that of rigid blocks, because {}; where friction may bear in many "
+        "ways another would do as well (--set start=sudden begins without one)",
+        start.made, start.why));
   if (start.misfit > kLargeMisfit)
     sentences.push_back(fmt::format("the start leaves {:.1e} of the gaps that it was to close", start.misfit));
   if (start.unsolved_steps > 0)

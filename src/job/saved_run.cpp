@@ -39,6 +39,8 @@ void describe(Archive& archive, RunRequest& request) {
   describe(archive, "read", request.read);
   describe(archive, "digests", request.digests);
   describe(archive, "settings", request.settings);
+  describe(archive, "histories", request.histories);
+  archive.value("contacts", request.contacts);
 }
 
 std::string this_program() {

@@ -25,9 +25,11 @@ struct RunRequest {
   std::vector<std::string> sets;  ///< key=value
   int record_every = 1;
   bool has_trace = false;
-  std::vector<std::string> read;      ///< every file read
-  std::vector<std::string> digests;   ///< SHA-256 of those
-  std::vector<std::string> settings;  ///< all, key=value
+  std::vector<std::string> read;            ///< every file read
+  std::vector<std::string> digests;         ///< SHA-256 of those
+  std::vector<std::string> settings;        ///< all, key=value
+  std::vector<std::string> histories = {};  ///< as the command line has them
+  std::string contacts = {};                ///< likewise
 };
 
 void describe(Archive& archive, RunRequest& request);

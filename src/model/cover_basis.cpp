@@ -87,12 +87,8 @@ const char* name_of(CoverFunctions functions) {
   return "";
 }
 
-Eigen::RowVectorXd ElementShape::polynomial_values(Point x) const {
-  return monomials(degree, frame.local(x)).transpose() * monomial;
-}
-
 Eigen::RowVectorXd ElementShape::values(Point x) const {
-  Eigen::RowVectorXd n = polynomial_values(x);
+  Eigen::RowVectorXd n = monomials(degree, frame.local(x)).transpose() * monomial;
   if (tip != nullptr) tip->add_values(x, n);
   return n;
 }

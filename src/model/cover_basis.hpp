@@ -31,8 +31,6 @@ struct ElementShape {
   int function_count() const { return static_cast<int>(functions.size()); }
   /// N, 1 × n.
   Eigen::RowVectorXd values(Point x) const;
-  /// The same with zeros for functions that are no polynomials.
-  Eigen::RowVectorXd polynomial_values(Point x) const;
   /// ∂N/∂x and ∂N/∂y, 2 × n, per length.
   Eigen::Matrix2Xd gradients(Point x) const;
   /// T, 2 × 2n: unknowns dx, dy of the first function, then of the second, …

@@ -12,6 +12,7 @@
 #include "problem/cover.hpp"
 #include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
+#include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "problem/stage.hpp"
 
@@ -25,6 +26,7 @@ struct Problem {
   Units units = {};                                ///< as a case file names them
   std::optional<CoverPlan> covers = std::nullopt;  ///< of a case file: its bodies are to stand on covers
   RunChoices choices = {};                         ///< of a case file
+  OutputPlan outputs = {};                         ///< of a case file
   std::vector<Stage> stages = {};                  ///< of a case file; none: one scene from start to end
   std::optional<TimeCurve> motion =
       std::nullopt;           ///< of the ground, a multiple of gravity; once checked, in the analysis

@@ -27,6 +27,8 @@ struct ContactFrame {
   double slip = 0;
   double normal_force = 0;  ///< of the last step, pressure positive
   double shear_force = 0;   ///< of the last step, on the element along the tangent
+  int edge = -1;            ///< of the other element, by the corner at which it ends, counted through its loops from 0
+  int joint_line = -1;      ///< joint of the drawing that made the edge, index from 0; -1: none, or none is known
 
   Point tangent() const { return {-normal.y, normal.x}; }
   /// On the element; the other one has the opposite.
@@ -50,5 +52,22 @@ struct JointSum {
 
 /// In the order of elements and materials.
 std::vector<JointSum> joint_sums(const ContactFrames& contacts);
+
+/// What all contacts along one joint of the drawing bear together. Force and opposite force have the same pressure and
+/// the same shear along the tangent of their side, so that neither sum asks for a side.
+struct JointLineSum {
+  int joint_line = 0;      ///< from 0
+  int joint_material = 0;  ///< of its first contact
+  int contacts = 0;
+  int closed = 0;
+  int sliding = 0;
+  double normal_force = 0;
+  double shear_force = 0;
+  double greatest_gap = 0;   ///< where the faces are farthest apart; 0: nowhere
+  double greatest_slip = 0;  ///< the largest by amount, with its sign
+};
+
+/// In the order of the drawing, without contacts that none of its joints made.
+std::vector<JointLineSum> joint_line_sums(const ContactFrames& contacts);
 
 }  // namespace keyblock

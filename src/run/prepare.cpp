@@ -355,9 +355,10 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
   scene.growth = growth_of(
       problem, scene, [profile, overrides](const Problem& other) { return prepare(other, profile, overrides).scene; });
   const bool was_drawing = std::holds_alternative<Drawing>(problem.geometry);
-  return {std::move(cut.blocks), was_drawing ? std::optional(cut.report) : std::nullopt,
-          std::move(cut.snaps),  std::move(warnings),
-          std::move(needs),      std::move(scene)};
+  return {std::move(cut.blocks),     was_drawing ? std::optional(cut.report) : std::nullopt,
+          std::move(cut.snaps),      std::move(warnings),
+          std::move(needs),          std::move(scene),
+          std::move(cut.joint_lines)};
 }
 
 }  // namespace keyblock

@@ -23,6 +23,7 @@ struct Prepared {
   Warnings warnings;
   Requirements requirements;
   Scene scene;
+  std::vector<int> joint_lines = {};  ///< as of the cut
 };
 
 /// Whether geometry and analysis are there.

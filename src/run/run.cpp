@@ -18,6 +18,7 @@ class Loop {
         observer_(observer) {}
 
   void tell_start() {
+    if (observer_.on_state) observer_.on_state(stepper_);
     show();
     keep_row();
     keep_books();
@@ -56,6 +57,7 @@ class Loop {
       if (observer_.on_step) observer_.on_step(report);
       keep_row();
       keep_books();
+      if (observer_.on_state) observer_.on_state(stepper_);
       if (is_framed()) show();
     }
     if (!is_framed()) {

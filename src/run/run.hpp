@@ -34,6 +34,7 @@ struct Observer {
   /// Before each frame: the same instant within the elements.
   std::function<void(const FieldFrame&)> on_field = {};
   std::function<void(const ContactFrames&)> on_contacts = {};  ///< before each frame
+  std::function<void(const Stepper&)> on_state = {};           ///< at the start and after every step
 };
 
 enum class RunEnd { finished, failed, stopped };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "settings/profile.hpp"
 #include "settings/settings_table.hpp"
@@ -128,15 +129,39 @@ std::string row_of(const std::vector<Column>& columns, std::size_t row) {
   return text + wrapped(setting.meaning, 4) + fmt::format("    permitted: {}\n", setting.expected);
 }
 
+// In the order of the profiles.
+std::vector<Column> columns_of_profiles() {
+  std::vector<Column> columns;
+  for (const std::string& profile : profile_names())
+    columns.push_back({list(profile_settings(profile, one_file())), list(profile_settings(profile, another_file()))});
+  return columns;
+}
+
 }  // namespace
 
+std::string settings_json() {
+  const std::vector<Column> columns = columns_of_profiles();
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const Group& group : groups())
+    for (std::size_t row = 0; row < columns[0].one.size(); ++row) {
+      const SettingText& setting = columns[0].one[row];
+      if (!group.holds(setting)) continue;
+      nlohmann::ordered_json values;
+      for (std::size_t i = 0; i < columns.size(); ++i) values[profile_names()[i]] = columns[i].value(row);
+      rows.push_back({{"name", setting.name},
+                      {"group", group.title},
+                      {"meaning", setting.meaning},
+                      {"permitted", setting.expected},
+                      {"read_by", word_for(setting.dynamics)},
+                      {"profiles", values}});
+    }
+  return rows.dump(1) + "\n";
+}
+
 std::string settings_guide() {
-  std::vector<Column> columns;
+  const std::vector<Column> columns = columns_of_profiles();
   std::string table = fmt::format("{:32} ", "setting");
-  for (const std::string& profile : profile_names()) {
-    columns.push_back({list(profile_settings(profile, one_file())), list(profile_settings(profile, another_file()))});
-    table += fmt::format("{:15} ", profile);
-  }
+  for (const std::string& profile : profile_names()) table += fmt::format("{:15} ", profile);
   table += "read by\n";
   for (const Group& group : groups()) {
     table += fmt::format("\n# {}\n", group.title);

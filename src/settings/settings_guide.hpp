@@ -9,4 +9,7 @@ namespace keyblock {
 /// A table, one line a setting.
 std::string settings_guide();
 
+/// The same as JSON: an array of name, group, meaning, permitted, read_by and the value in each profile.
+std::string settings_json();
+
 }  // namespace keyblock

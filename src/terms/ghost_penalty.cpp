@@ -83,7 +83,7 @@ void add_ghost_penalty(const Continuum& continuum, const CoverBasis& basis, cons
     const ElementShape first = basis.shape(pair.first);
     const ElementShape second = basis.shape(pair.second);
     const auto add_values = [&](const ElementShape& shape, Point x, double sign, Eigen::VectorXd& difference) {
-      const Eigen::RowVectorXd values = shape.polynomial_values(x);
+      const Eigen::RowVectorXd values = shape.values(x);
       for (int a = 0; a < shape.function_count(); ++a) {
         const auto place = std::lower_bound(pair.functions.begin(), pair.functions.end(),
                                             shape.functions[static_cast<std::size_t>(a)]);

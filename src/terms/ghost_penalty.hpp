@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// Two neighbours of which at least one is less than its triangle, and the functions of both. With near-tip functions
-/// there is none at a tip, and elsewhere the penalty is on the polynomials alone.
+/// Two neighbours of which at least one is less than its triangle, and the functions of both. Where there are near-tip
+/// functions no element at a tip is one: what it says goes on in no neighbour.
 struct GhostPair {
   int first = 0;
   int second = 0;
@@ -23,7 +23,8 @@ std::vector<GhostPair> elastic_ghost_pairs(const Continuum& continuum, const Cov
 /// K += γ M/h² ∫ (u₁ - u₂)·(v₁ - v₂) over both full triangles, u₁ and u₂ the polynomials of the two elements extended
 /// to both (Burman 2010; direct form: Preuss 2018, Lehrenfeld & Olshanskii 2019); M is the modulus against strain in
 /// one direction, γ that of `stabilisation`. It vanishes for every field that is one polynomial of the elements'
-/// degree.
+/// degree, and for the near-tip functions, which go on beyond their elements too: were the penalty on the polynomials
+/// alone, those of elements of which some covers carry functions could not take over from them.
 void add_ghost_penalty(const Continuum& continuum, const CoverBasis& basis, const std::vector<GhostPair>& pairs,
                        SparseSystem& system);
 

@@ -27,12 +27,17 @@ struct HeldPoint {
   Eigen::Vector2d initial;    ///< traction of the initial stress
 };
 
+// Near-tip functions go on in no neighbour where they are cut small: no penalty is enough against their stress there.
+bool knows_its_stress(const Continuum& continuum, const ElementShape& shape, int element) {
+  return !continuum.material(element).is_nonlinear() && shape.tip == nullptr;
+}
+
 template <class Visit>
 void visit_points(const Continuum& continuum, const ElementShape& shape, const PrescribedDisplacement& prescribed,
                   const ElementSide& side, Visit visit) {
   const Point n = side.normal();
   const Eigen::Matrix2d p = held_projector(prescribed.held, n);
-  const bool is_linear = !continuum.material(side.element).is_nonlinear();
+  const bool is_linear = knows_its_stress(continuum, shape, side.element);
   const Eigen::Matrix3d modulus =
       is_linear ? continuum.modulus(side.element) : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
   for (const EdgePoint& q : edge_rule(side, shape, shape.degree + 2)) {
@@ -44,12 +49,11 @@ void visit_points(const Continuum& continuum, const ElementShape& shape, const P
   }
 }
 
-// Near-tip functions of an element vary as a polynomial of one degree more would.
 double penalty(const Continuum& continuum, CoverFunctions functions, const ElementShape& shape, int element) {
-  if (continuum.material(element).is_nonlinear())
+  if (!knows_its_stress(continuum, shape, element))
     return kHeldSprings * continuum.modulus(element)(0, 0) / shape.frame.size;
-  const int degree = shape.tip == nullptr ? shape.degree : shape.degree + 1;
-  return stabilisation(functions).nitsche * degree * degree * continuum.modulus(element)(0, 0) / shape.frame.size;
+  return stabilisation(functions).nitsche * shape.degree * shape.degree * continuum.modulus(element)(0, 0) /
+         shape.frame.size;
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace keyblock {
 /// a(u, v) - ∫ σ(u)n·Pv - ∫ σ(v)n·P(u - g) + β ∫ P(u - g)·v with β = c (degree)² M/h (Nitsche 1971): P leaves the held
 /// component, σ includes the initial stress, M is the modulus against strain in one direction, h the size of the
 /// element's triangle, c that of `stabilisation`. Consistent and symmetric; no unknown is added. Of rock that may yield
-/// or has cracks, whose stress no formula knows, the terms of σ(u) are left out and β is that of HeldEdges.
+/// or has cracks, whose stress no formula knows, and of elements with near-tip functions the terms of σ(u) are left out
+/// and β is that of HeldEdges.
 void add_prescribed(const Continuum& continuum, const CoverBasis& basis, const PrescribedDisplacement& prescribed,
                     SparseSystem& system);
 

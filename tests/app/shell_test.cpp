@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
@@ -90,13 +92,52 @@ TEST(Shell, version_says_which_program_it_is) {
   EXPECT_EQ(run_keyblock({"--version"}).output, version.output);
 }
 
-TEST(Shell, check_takes_the_folder_of_a_case_and_refers_archives_to_batch) {
+TEST(Shell, check_takes_the_folder_of_a_case) {
   const ProgramRun one = run_keyblock({"check", KEYBLOCK_SOURCE_DIR "/legacy_cases/circle_slope"});
   EXPECT_EQ(one.exit_code, 0) << one.messages;
   EXPECT_TRUE(contains(one.output, "circle_slope.geo")) << one.output;
-  const ProgramRun many = run_keyblock({"check", KEYBLOCK_SOURCE_DIR "/legacy_cases"});
+  const ProgramRun many = run_keyblock({"check", KEYBLOCK_SOURCE_DIR "/legacy_cases", kCircle + ".geo"});
   EXPECT_EQ(many.exit_code, 2);
-  EXPECT_TRUE(contains(many.messages, "--check -o OUT` looks at every case in it")) << many.messages;
+  EXPECT_TRUE(contains(many.messages, "beside others")) << many.messages;
+}
+
+// One verdict a line, the exit code of the worst, nothing written.
+TEST(Shell, check_of_a_folder_of_cases_says_a_verdict_a_line) {
+  const std::string folder = fresh_folder("check_folder");
+  for (const char* name : {"a", "b"})
+    for (const char* ending : {".geo", ".ana"}) write_text(folder + "/" + name + ending, read_text(kSlide + ending));
+  write_text(folder + "/notes.txt", "hello");
+  const ProgramRun good = run_keyblock({"check", folder});
+  EXPECT_EQ(good.exit_code, 0) << good.output << good.messages;
+  EXPECT_TRUE(contains(good.output, "  a.geo")) << good.output;
+  EXPECT_TRUE(contains(good.output, "  b.geo")) << good.output;
+  EXPECT_TRUE(contains(good.output, "0 failed")) << good.output;
+  write_text(folder + "/b.geo", read_text(kSlide + ".geo").substr(0, 300));
+  const ProgramRun bad = run_keyblock({"check", folder});
+  EXPECT_EQ(bad.exit_code, 3) << bad.output;
+  EXPECT_TRUE(contains(bad.output, "failed    b.geo: ")) << bad.output;
+  const ProgramRun json = run_keyblock({"check", folder, "--json"});
+  EXPECT_EQ(json.exit_code, 3);
+  const auto rows = nlohmann::json::parse(json.output);
+  bool is_told = false;
+  for (const auto& row : rows)
+    if (row.at("name") == "b.geo" && row.at("outcome") == "failed") is_told = true;
+  EXPECT_TRUE(is_told) << json.output;
+}
+
+TEST(Shell, every_list_is_printed_as_json_too) {
+  const auto version = nlohmann::json::parse(run_keyblock({"version", "--json"}).output);
+  EXPECT_TRUE(version.contains("commit"));
+  const auto settings = nlohmann::json::parse(run_keyblock({"run", "--settings", "--json"}).output);
+  ASSERT_GT(settings.size(), 40U);
+  EXPECT_EQ(settings[0].at("group"), "set first");
+  EXPECT_TRUE(settings[0].at("profiles").contains("legacy"));
+  const std::string folder = fresh_folder("new_json");
+  const ProgramRun made = run_keyblock({"new", "block", "-o", folder + "/b.json", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(made.output).at("kind"), "block");
+  for (const char* command : {"check", "cut", "joints", "run", "fos", "sif", "compare", "tradeoff", "sweep", "batch",
+                              "convert", "element", "fit", "formats", "new", "version"})
+    EXPECT_TRUE(contains(run_keyblock({command, "--help"}).output, "--json")) << command;
 }
 
 // Messages that did not help three new users, in their new wording; those of statics and of legacy's limits are in
@@ -112,6 +153,53 @@ TEST(Shell, messages_say_what_to_do) {
   EXPECT_TRUE(
       contains(missing.messages, "expected the key allowed_displacement_ratio of analysis: greater than 0, found none"))
       << missing.messages;
+}
+
+TEST(Shell, a_missing_modulus_is_missing_and_no_object) {
+  const std::string folder = fresh_folder("missing_modulus");
+  write_text(folder + "/none.json", R"({"keyblock": 2, "analysis": {"step_count": 1, "time_step": 1,
+    "block_materials": [{"density": 1, "poissons_ratio": 0}], "joint_materials": [{}]}})");
+  const ProgramRun missing = run_keyblock({"check", folder + "/none.json"});
+  EXPECT_TRUE(contains(missing.messages, "youngs_modulus")) << missing.messages;
+  EXPECT_TRUE(contains(missing.messages, "found none")) << missing.messages;
+}
+
+// It was told to whoever had not asked for a start at all.
+TEST(Shell, a_start_that_nobody_asked_for_is_no_warning) {
+  const std::string folder = fresh_folder("start");
+  ASSERT_EQ(run_keyblock({"new", "arch", "-o", folder + "/arch.json"}).exit_code, 0);
+  const ProgramRun run = run_keyblock({"run", folder + "/arch.json", "-o", folder + "/out", "--set", "steps=2"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_FALSE(contains(run.messages, "start_not_as_asked")) << run.messages;
+}
+
+// The start of many touching blocks, in words that say what was done and what else there is.
+TEST(Shell, a_start_of_many_blocks_says_how_it_was_found) {
+  const std::string folder = fresh_folder("settled_start");
+  const ProgramRun run = run_keyblock({"run", KEYBLOCK_SOURCE_DIR "/legacy_cases/masonry_arch/quake_thin_falls",
+                                       "--profile", "standard", "--set", "steps=1", "-o", folder + "/out"});
+  EXPECT_TRUE(contains(run.messages, "held together under the loads and then let go")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "--set start=sudden begins without one")) << run.messages;
+  EXPECT_FALSE(contains(run.messages, "glued and softening")) << run.messages;
+}
+
+// A setting that is none, and the nearest that is; warnings come before the first step.
+TEST(Shell, a_setting_that_is_none_has_a_nearest_and_warnings_come_first) {
+  const ProgramRun setting =
+      run_keyblock(slide_into(fresh_folder("nearest") + "/out", {"--set", "joint_strength_facto=0.9"}));
+  EXPECT_EQ(setting.exit_code, 2);
+  EXPECT_TRUE(contains(setting.messages, "did you mean \"joint_strength_factor\"?")) << setting.messages;
+  const std::string folder = fresh_folder("warned_first");
+  write_text(folder + "/slide.geo", read_text(kSlide + ".geo"));
+  write_text(folder + "/slide.ana", read_text(kSlide + ".ana"));
+  const ProgramRun run = run_keyblock({"run", folder + "/slide.geo", folder + "/slide.ana", "-o", folder + "/out",
+                                       "--profile", "standard", "--set", "steps=2"});
+  const std::size_t warning = run.messages.find("warning:");
+  const std::size_t end = run.messages.find("2 steps, time");
+  ASSERT_NE(end, std::string::npos) << run.messages;
+  if (warning != std::string::npos) {
+    EXPECT_LT(warning, end) << run.messages;
+  }
 }
 
 // The unit weights that a case with gravity does not give are not warned of.

@@ -124,6 +124,8 @@ TEST(SifCommand, near_tip_functions_are_of_linear_statics_alone) {
   };
   refused("felt", with(R"("contact": "ignored")", R"("contact": "felt")"), {}, "found contact that is felt");
   refused("time", text, {"--set", "motion=dynamic"}, "found motion in time");
+  refused("growth", with(R"("tractions")", R"("growth": {"increment": 0.1}, "tractions")"), {},
+          "found growth of cracks");
   refused("constant", with(R"("contact")", R"("functions": "constant", "contact")"), {}, "found constant functions");
   const ProgramRun radius = run_keyblock(
       {"check", file_of("refused_radius", with(R"("tip_functions": "williams")", R"("tip_radius": 0.3)"))});

@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -45,13 +46,32 @@ const char* const kCase = R"({"keyblock": 1,
     "joint_materials": [{"friction_angle_deg": 30}],
     "block_materials": [{"density": 2500, "unit_weight": 24525, "youngs_modulus": 5e9, "poissons_ratio": 0.25}]}})";
 
-std::map<std::string, double> seen_of_run(const std::string& bolts) {
-  const std::string folder = fresh_folder("viewer_files");
+std::string last_folder;  // of the run that was seen last
+
+std::map<std::string, double> seen_of_run(const std::string& bolts, const std::string& name = "viewer_files") {
+  const std::string folder = fresh_folder(name);
   std::string text = kCase;
   text.replace(text.find("[BOLT]"), 6, bolts);
   write_text(folder + "/case.json", text);
   EXPECT_EQ(run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"}).exit_code, 0);
+  last_folder = folder;
   return read_by_vtk(folder + "/out");
+}
+
+/// Sums of the columns of contacts.csv over the rows of the last step.
+std::map<std::string, double> last_sums_of(const std::string& file) {
+  std::istringstream lines(support::read_text(file));
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string>& cells = rows.emplace_back();
+    std::istringstream parts(line);
+    for (std::string cell; std::getline(parts, cell, ',');) cells.push_back(cell);
+  }
+  std::map<std::string, double> sums;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < rows[i].size(); ++k)
+      if (rows[i][0] == rows.back()[0] && rows[0][k] != "state") sums[rows[0][k]] += std::stod(rows[i][k]);
+  return sums;
 }
 
 constexpr const char* kNoVtk = "VTK for Python (python3-vtk9) is not installed";
@@ -71,6 +91,21 @@ TEST(ViewerFiles, vtk_reads_contacts_whose_forces_bear_the_blocks_and_corners_th
   EXPECT_NEAR(seen.at("lowest_drawn"), -1, 1e-12);
   EXPECT_NEAR(seen.at("highest_drawn"), 2, 1e-12);
   EXPECT_NEAR(seen.at("most_pressed") / (-1.5 * kWeight), 1, 0.05) << "the mean of the lower square";
+}
+
+// What VTK's reader has of the contacts is what the table has, column by column.
+TEST(ViewerFiles, vtk_and_the_table_of_contacts_have_the_same_sums) {
+  const auto seen = seen_of_run("[]", "viewer_sums");
+  if (seen.empty()) GTEST_SKIP() << kNoVtk;
+  const auto sums = last_sums_of(last_folder + "/out/contacts.csv");
+  EXPECT_NEAR(seen.at("sum_normal_force") / sums.at("normal_force [F]"), 1, 1e-11);
+  EXPECT_NEAR(seen.at("sum_normal_force") / (3 * kWeight), 1, 1e-9) << "one square on the other, and both on the floor";
+  EXPECT_NEAR(seen.at("sum_shear_force"), sums.at("shear_force [F]"), 1e-9 * kWeight);
+  EXPECT_NEAR(seen.at("sum_gap"), sums.at("gap [L]"), 1e-15);
+  EXPECT_NEAR(seen.at("sum_slip"), sums.at("slip [L]"), 1e-15);
+  EXPECT_EQ(seen.at("sum_joint"), sums.at("joint"));
+  EXPECT_EQ(seen.at("sum_state"), 4) << "all stick";
+  EXPECT_LT(seen.at("force_misfit"), 1e-9 * kWeight);
 }
 
 TEST(ViewerFiles, vtk_reads_bolts_with_their_force) {

@@ -477,6 +477,25 @@ MeasuredTrack track(Dice& dice) {
   return drawn;
 }
 
+HistoryPlan history(Dice& dice) {
+  HistoryPlan plan;
+  if (dice.happens(0.5)) plan.name = "crest, \"upper\"";
+  const int kind = dice.below(5);
+  if (kind == 0) plan.point = any_point(dice);
+  if (kind == 1) plan.block = dice.below(9);
+  if (kind == 2) plan.contact = BlockPair{dice.below(9), dice.below(9)};
+  if (kind == 3) plan.joint = dice.below(9);
+  if (kind == 4) {
+    const Point start = any_point(dice);
+    plan.line = Segment{start, start + Point{1 + dice.between(0, 9), dice.between(-9, 9)}};
+  }
+  return plan;
+}
+
+OutputPlan outputs(Dice& dice) {
+  return {some(dice, 4, history), static_cast<ContactTables>(dice.below(4)), 1 + dice.below(9)};
+}
+
 /// Whatever the program knows, what no old format holds included.
 Content anything(Dice& dice) {
   constexpr std::array<Content (*)(Dice&), 3> kGeometries{native_drawing, blocks, cover};
@@ -501,6 +520,8 @@ Content anything(Dice& dice) {
   if (dice.happens(0.2)) content.frames = some(dice, 3, frame);
   if (dice.happens(0.2)) content.tracks = some(dice, 3, track);
   if (dice.happens(0.5)) content.choices = RunChoices{"standard", {{"motion", "static"}, {"odd \"name\"", "5"}}};
+  if (dice.happens(0.3)) content.outputs = outputs(dice);
+  if (dice.happens(0.3)) content.layers = {{{"any \"name\", 1", "joint 2"}, {"*", "ignored"}}};
   if (dice.happens(0.3)) content.stages = some(dice, 3, stage);
   if (content.analysis && dice.happens(0.3))
     for (BlockMaterial& material : content.analysis->block_materials) {

@@ -36,6 +36,19 @@ for i in range(contacts.GetNumberOfPoints()):
 for number, sum_y in sorted(on.items()):
     print(f"force_y_on_{number}", repr(sum_y))
 
+# Sums of all contacts, to hold against contacts.csv, and the force from its parts along normal and tangent.
+points = range(contacts.GetNumberOfPoints())
+for name in ("normal_force", "shear_force", "gap", "slip", "joint", "state"):
+    array = data.GetArray(name)
+    print(f"sum_{name}", repr(sum(array.GetValue(i) for i in points)))
+normal, pressure, shear = (data.GetArray(name) for name in ("normal", "normal_force", "shear_force"))
+misfit = 0
+for i in points:
+    nx, ny = normal.GetComponent(i, 0), normal.GetComponent(i, 1)
+    p, s = pressure.GetValue(i), shear.GetValue(i)
+    misfit = max(misfit, abs(force.GetComponent(i, 0) - p * nx + s * ny), abs(force.GetComponent(i, 1) - p * ny - s * nx))
+print("force_misfit", repr(misfit))
+
 # Corners without their displacement are where they were drawn.
 moved = blocks.GetPointData().GetArray("displacement")
 heights = [blocks.GetPoint(i)[1] - moved.GetComponent(i, 1) for i in range(blocks.GetNumberOfPoints())]

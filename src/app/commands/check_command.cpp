@@ -13,6 +13,7 @@
 
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
+#include "app/layers_option.hpp"
 #include "base/counted.hpp"
 #include "base/printable.hpp"
 #include "cut/covers/from_cover.hpp"
@@ -40,6 +41,7 @@ struct CheckOptions {
   std::string profile;  ///< empty: that of the case file, or the default
   bool as_json = false;
   double trial_seconds = kTrialSeconds;
+  std::string layers;
 };
 
 /// The whole case: its complaints, or why it could not be put together.
@@ -286,18 +288,27 @@ std::vector<std::string> inputs_of(const std::vector<std::string>& paths) {
       continue;
     }
     if (study::find_cases({path}).size() != 1)
-      throw UsageError(fmt::format(
-          "check: expected files or the folder of one case, found the folder {}; `keyblock batch {} --check -o OUT` "
-          "looks at every case in it",
-          path, path));
+      throw UsageError(
+          fmt::format("check: expected files, the folder of one case, or a folder of cases alone; found the folder {} "
+                      "beside others",
+                      path));
     const std::vector<std::string> inputs = study::the_case_in(path).inputs();
     files.insert(files.end(), inputs.begin(), inputs.end());
   }
   return files;
 }
 
+bool is_folder_of_cases(const std::vector<std::string>& paths) {
+  return paths.size() == 1 && std::filesystem::is_directory(paths.front()) &&
+         study::find_cases({paths.front()}).size() != 1;
+}
+
 ExitCode check_files(const CheckOptions& options) {
-  const std::vector<formats::FileReading> files = formats::read_files(inputs_of(options.files));
+  if (is_folder_of_cases(options.files) && options.layers.empty())
+    return check_folder(options.files.front(), options.profile, options.as_json);
+  std::vector<std::string> inputs = inputs_of(options.files);
+  take_layers(inputs, options.layers);
+  const std::vector<formats::FileReading> files = formats::read_files(inputs);
   const CaseReport report = report_of(files, options.profile, options.trial_seconds);
   if (options.as_json) {
     print_json(files, report);
@@ -312,10 +323,14 @@ ExitCode check_files(const CheckOptions& options) {
 
 Action configure_check(CLI::App& options) {
   const auto chosen = std::make_shared<CheckOptions>();
-  options.add_option("files", chosen->files, "geometry and analysis files, in any order, or the folder of a case")
+  options
+      .add_option("files", chosen->files,
+                  "geometry and analysis files, in any order, the folder of a case, or a folder of cases: each looked "
+                  "at, one verdict a line")
       ->required();
   options.add_option("--profile", chosen->profile, "preset of all choices that a run would take (default: as for run)")
       ->check(CLI::IsMember(profile_names()));
+  add_layers_option(options, chosen->layers);
   options
       .add_option("--trial", chosen->trial_seconds,
                   fmt::format("seconds in which steps are tried, to say what a run costs and whether it begins "

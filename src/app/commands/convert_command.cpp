@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/layers_option.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
@@ -30,6 +31,7 @@ struct ConvertOptions {
   bool may_overwrite = false;
   bool takes_faults = false;
   bool as_json = false;
+  std::string layers;
 };
 
 std::string target_names() {
@@ -92,9 +94,11 @@ ExitCode convert_files(const ConvertOptions& options) {
   const study::Target& target = target_of(options);
   std::vector<std::filesystem::path> files;
   for (const study::Target::Part& part : target.parts) files.push_back(path_of(options, target, part.ending));
-  require_writable(files, {options.files.begin(), options.files.end()}, overwrite_if(options.may_overwrite));
+  std::vector<std::string> inputs = options.files;
+  take_layers(inputs, options.layers);
+  require_writable(files, {inputs.begin(), inputs.end()}, overwrite_if(options.may_overwrite));
   const study::Conversion conversion = study::convert(
-      formats::read_files(options.files), target, options.takes_faults ? study::Faults::berkeley : study::Faults::none);
+      formats::read_files(inputs), target, options.takes_faults ? study::Faults::berkeley : study::Faults::none);
   log_warnings(conversion.warnings);
   const bool is_refused = options.is_strict && !conversion.losses.empty();
   std::vector<std::string> outputs;
@@ -122,6 +126,7 @@ ExitCode convert_files(const ConvertOptions& options) {
 Action configure_convert(CLI::App& app) {
   const auto options = std::make_shared<ConvertOptions>();
   app.add_option("IN", options->files, "the files of one case, in any order")->required();
+  add_layers_option(app, options->layers);
   app.add_option("-o,--output", options->output, "the file to write; where the target is two files, their common name");
   app.add_option("--to", options->target, "format: " + target_names() + " (default: by the ending of the output)");
   app.add_flag("--strict", options->is_strict, "write nothing and exit 1 where the target cannot hold all");

@@ -12,6 +12,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/mesh_options.hpp"
+#include "app/layers_option.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "cut/bodies/cut_blocks.hpp"
@@ -41,6 +42,7 @@ struct CutOptions {
   bool absorbs = false;
   bool may_overwrite = false;
   bool as_json = false;
+  std::string layers;
 };
 
 Json json_of(const CutResult& cut) {
@@ -130,7 +132,9 @@ ExitCode cut_file(const CutOptions& options) {
   const bool has_mesh = is_asked_for(options.mesh);
   if (options.absorbs && !has_mesh) throw UsageError("--absorb requires --mesh or --mesh-side");
   require_writable({options.output, options.picture}, {options.drawing}, overwrite_if(options.may_overwrite));
-  const formats::Case loaded = formats::load_case({options.drawing});
+  std::vector<std::string> inputs{options.drawing};
+  take_layers(inputs, options.layers);
+  const formats::Case loaded = formats::load_case(inputs);
   const Drawing& drawing = drawing_of(loaded, options.drawing);
   BodyCut bodies = has_mesh ? cut_bodies(drawing, options.merging, options.near_pieces)
                             : BodyCut{cut_blocks(drawing, options.merging, options.near_pieces), {}};
@@ -166,7 +170,9 @@ ExitCode cut_file(const CutOptions& options) {
 
 Action configure_cut(CLI::App& app) {
   auto options = std::make_shared<CutOptions>();
-  app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs")->required();
+  app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs, DXF, or a case file")
+      ->required();
+  add_layers_option(app, options->layers);
   app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file");
   app.add_option("--svg", options->picture, "a picture to write: of the blocks, or of the mesh and its elements");
   app.add_option(

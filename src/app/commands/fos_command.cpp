@@ -7,6 +7,7 @@
 #include "app/command.hpp"
 #include "app/commands/strength_reduction.hpp"
 #include "app/commands/study_options.hpp"
+#include "app/layers_option.hpp"
 #include "base/error.hpp"
 #include "run/settings_of.hpp"
 #include "settings/profile.hpp"
@@ -18,9 +19,11 @@ struct FosOptions : ReductionOptions {
   std::vector<std::string> paths;
   std::string profile;
   std::vector<std::string> sets;
+  std::string layers;
 };
 
-ExitCode find_factor(const FosOptions& options) {
+ExitCode find_factor(FosOptions options) {
+  take_layers(options.paths, options.layers);
   study::StudyCase chosen = study::study_case(options.paths);
   chosen.common = overrides_of(options.sets);
   const std::string profile = profile_of_reduction(chosen.input.problem, options.profile);
@@ -53,6 +56,7 @@ Action configure_fos(CLI::App& options) {
   options
       .add_option("--profile", chosen->profile, "preset of all choices (default: standard, or what a case file says)")
       ->check(CLI::IsMember(profile_names()));
+  add_layers_option(options, chosen->layers);
   options.add_option("--set", chosen->sets, "key=value: a setting of all trials; may be repeated")->take_all();
   add_reduction_options(options, *chosen);
   options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct NewOptions {
   std::string name;
   std::string file;
   bool force = false;
+  bool as_json = false;
 };
 
 std::vector<std::string> template_names() {
@@ -33,6 +35,9 @@ ExitCode write_template(const NewOptions& options) {
   const std::string file = options.file.empty() ? options.name + ".json" : options.file;
   require_writable({file}, {}, overwrite_if(options.force));
   write_output(file, found->text, overwrite_if(options.force));
+  if (options.as_json)
+    fmt::print("{}\n",
+               nlohmann::ordered_json({{"file", file}, {"kind", options.name}, {"about", found->about}}).dump());
   spdlog::info("{}: {}; keyblock check {} looks at it, keyblock run {} -o out runs it", file, found->about, file, file);
   return ExitCode::ok;
 }
@@ -48,6 +53,7 @@ Action configure_new(CLI::App& options) {
       ->check(CLI::IsMember(template_names()));
   options.add_option("-o,--output", chosen->file, "the case file to write (default: KIND.json)");
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
+  options.add_flag("--json", chosen->as_json, "print the name of the file, its kind and what it is as JSON");
   return [chosen] { return write_template(*chosen); };
 }
 

@@ -4,6 +4,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -14,6 +16,7 @@
 #include "app/commands/both_profiles.hpp"
 #include "app/commands/strength_reduction.hpp"
 #include "app/commands/study_options.hpp"
+#include "app/layers_option.hpp"
 #include "app/progress.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
@@ -21,6 +24,7 @@
 #include "geometry/box.hpp"
 #include "job/run_job.hpp"
 #include "run/cover_settings.hpp"
+#include "run/follow/history_option.hpp"
 #include "run/settings_file.hpp"
 #include "run/settings_of.hpp"
 #include "settings/profile.hpp"
@@ -52,6 +56,9 @@ struct RunOptions {
   bool force = false;
   bool both = false;  ///< profiles, one after the other
   bool list_settings = false;
+  std::vector<std::string> histories;
+  std::string contacts;  ///< empty: as the case says
+  std::string layers;    ///< file
   ReductionOptions reduction;
 };
 
@@ -94,6 +101,34 @@ std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& 
   return records;
 }
 
+// What the case file asks to be written, and the command line beside it.
+OutputPlan outputs_asked(OutputPlan plan, const RunOptions& options) {
+  try {
+    for (const std::string& text : options.histories) plan.histories.push_back(history_of(text));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--history: {}", error.what()));
+  }
+  if (options.contacts.empty()) return plan;
+  plan.contacts_every = 1;
+  constexpr std::array<std::pair<const char*, ContactTables>, 4> kWords{{{"automatic", ContactTables::automatic},
+                                                                         {"all", ContactTables::all},
+                                                                         {"chosen", ContactTables::chosen},
+                                                                         {"none", ContactTables::none}}};
+  for (const auto& [word, which] : kWords)
+    if (options.contacts == word) {
+      plan.contacts = which;
+      return plan;
+    }
+  const char* end = options.contacts.data() + options.contacts.size();
+  const auto [stop, error] = std::from_chars(options.contacts.data(), end, plan.contacts_every);
+  if (error != std::errc{} || stop != end || plan.contacts_every < 1)
+    throw UsageError(fmt::format(
+        "--contacts: expected automatic, all, chosen, none, or the number of frames from one to the next; found \"{}\"",
+        options.contacts));
+  plan.contacts = ContactTables::all;
+  return plan;
+}
+
 int frame_interval(const RunOptions& options, const Problem& problem, const Settings& settings) {
   if (options.record_every > 0) return options.record_every;
   const int thinned = (settings.step_count + kMostFrames - 1) / kMostFrames;
@@ -119,9 +154,11 @@ void print_hint(const Settings& settings, const RunOutcome& outcome) {
   if (options.empty()) return;
   if (settings.dynamics == Dynamics::shi)
     spdlog::info(
-        "the rules of the old program are followed, and it would have ended here too; to try: {}{}",
+        "the rules of the old program are followed, as far as they are known from its traces (docs/old_slopes.md says "
+        "what "
+        "is shown); to try: {}{}",
         fmt::join(options, ", or "),
-        settings.quirks.velocity_from_coming_step ? ", which often lets a run go on whose step size changes" : "");
+        settings.quirks.velocity_from_coming_step ? ", which often lets a run go further whose step size changes" : "");
   else
     spdlog::info("to try: {} ({})", fmt::join(options, ", or "), what_they_do(options));
 }
@@ -234,8 +271,8 @@ ExitCode exit_code(const RunRecord& record) {
   return ExitCode::numerical_failure;
 }
 
-ExitCode list_settings() {
-  fmt::print("{}", settings_guide());
+ExitCode list_settings(const RunOptions& options) {
+  fmt::print("{}", options.as_json ? settings_json() : settings_guide());
   return ExitCode::ok;
 }
 
@@ -250,7 +287,9 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
                      options.trace,
                      {},
                      {},
-                     {}};
+                     {},
+                     options.histories,
+                     options.contacts};
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
     request.digests.push_back(input.sha256);
@@ -315,7 +354,9 @@ ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const
 ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
   Asked asked = read_as_asked(options, watch);
-  const formats::Case& loaded = asked.loaded;
+  formats::Case& loaded = asked.loaded;
+  loaded.problem.outputs = outputs_asked(loaded.problem.outputs, options);
+  loaded.problem = with_followed_points(std::move(loaded.problem));
   const Prepared prepared = prepare_as_asked(loaded.problem, asked.record.profile, asked.overrides);
   RunRecord& record = asked.record;
   record.timings.prepare = watch.lap();
@@ -329,7 +370,7 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   for (const std::string& file : options.files) require_not_below(file, options.folder);
   RunJob job(prepared, std::move(record), std::move(request),
              {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
-              options.checkpoint_every, loaded.problem.analysis->place},
+              options.checkpoint_every, loaded.problem.analysis->place, loaded.problem.outputs},
              saved);
   listen_for_stops();  // from here on something is left that a stop should leave whole
   job.open();
@@ -364,6 +405,8 @@ ExitCode resume_run(const RunOptions& options) {
   again.sets = request.sets;
   again.record_every = request.record_every;
   again.trace = request.has_trace;
+  again.histories = request.histories;
+  again.contacts = request.contacts;
   return run_asked(again, &request, &saved).code;
 }
 
@@ -374,7 +417,7 @@ std::string beside(const std::filesystem::path& folder, const std::string& name,
 
 // The files of a case folder, with what its case file sets for the profile below all that is asked. A file that a value
 // names is taken from the folder.
-RunOptions with_case_folder(RunOptions options) {
+RunOptions inputs_of_case_folder(RunOptions options) {
   if (options.files.size() != 1 || !std::filesystem::is_directory(options.files.front())) return options;
   const study::CaseFolder folder = study::the_case_in(options.files.front());
   const study::CaseFile file = study::read_case_file(folder);
@@ -389,6 +432,12 @@ RunOptions with_case_folder(RunOptions options) {
   for (const auto& [name, value] : file.overrides(profile))
     sets.push_back(fmt::format("{}={}", name, beside(folder.folder, name, value)));
   options.sets.insert(options.sets.begin(), sets.begin(), sets.end());
+  return options;
+}
+
+RunOptions with_case_folder(RunOptions options) {
+  options = inputs_of_case_folder(std::move(options));
+  take_layers(options.files, std::exchange(options.layers, {}));
   return options;
 }
 
@@ -449,9 +498,10 @@ ProfileAnswer answer_under(const RunOptions& options, const std::string& profile
 // Under the rules of the old programs and under those of today; first those that the files ask for.
 ExitCode run_both(const RunOptions& options) {
   RunOptions first = with_settings_file(options);
-  const formats::Case input = formats::load_case(std::filesystem::is_directory(first.files.front())
-                                                     ? study::the_case_in(first.files.front()).inputs()
-                                                     : first.files);
+  if (std::filesystem::is_directory(first.files.front()))
+    first.files = study::the_case_in(first.files.front()).inputs();
+  take_layers(first.files, first.layers);
+  const formats::Case input = formats::load_case(first.files);
   const bool is_old = rules_of(profile_of(input.problem, {}, overrides_of(first.sets))) == "legacy";
   std::vector<ProfileAnswer> answers;
   for (const char* profile : {is_old ? "legacy" : "standard", is_old ? "standard" : "legacy"}) {
@@ -468,7 +518,7 @@ ExitCode run_both(const RunOptions& options) {
 }
 
 ExitCode run_files(const RunOptions& options) {
-  if (options.list_settings) return list_settings();
+  if (options.list_settings) return list_settings(options);
   if (!options.resume.empty()) return resume_run(options);
   if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file, or a case folder");
   if (!options.reduction.what.empty()) return run_reduced(with_case_folder(with_settings_file(options)));
@@ -504,11 +554,24 @@ Action configure_run(CLI::App& options) {
           ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
+  CLI::Option* histories =
+      options
+          .add_option("--history", chosen->histories,
+                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2: followed at every step in "
+                      "histories.csv; may be repeated")
+          ->take_all();
+  CLI::Option* contacts = options.add_option(
+      "--contacts", chosen->contacts,
+      fmt::format("which contacts are written: automatic (all; up to {:g} rows those of every frame), all, chosen "
+                  "(those of histories), none, or N: those of every N-th frame",
+                  kMostContactRows));
+  CLI::Option* layers = add_layers_option(options, chosen->layers);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,
       "run the profiles legacy and standard, into FOLDER/legacy and FOLDER/standard, and print their answers side by "
       "side, what differs, and why as far as it is known");
-  options.add_flag("--json", chosen->as_json, "print run.json on standard output; with --both, both answers");
+  options.add_flag("--json", chosen->as_json,
+                   "print run.json on standard output; with --both, both answers; with --settings, those");
   CLI::Option* force = options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
   options
       .add_option("--checkpoint-every", chosen->checkpoint_every,
@@ -524,9 +587,10 @@ Action configure_run(CLI::App& options) {
                       "joints, rock or both: divide their strength until the case no longer stands, as `fos` does")
           ->check(CLI::IsMember({"joints", "rock", "both"}));
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
-  for (CLI::Option* of_run : {every, trace, both}) reduced->excludes(of_run);
+  for (CLI::Option* of_run : {every, trace, both, histories, contacts}) reduced->excludes(of_run);
   both->excludes(profile);
-  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced, both})
+  for (CLI::Option* other :
+       {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories, contacts, layers})
     resume->excludes(other);
   add_thread_option(options);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");

@@ -37,6 +37,9 @@ struct CutResult {
   Warnings warnings;
   std::vector<Snap> snaps;
   CutReport report;
+  /// Of the edge that arrives at each corner, of block after block, outer loop before holes: the joint of the drawing
+  /// that made it, index from 0.
+  std::vector<int> joint_lines = {};
 };
 
 /// The blocks of a drawing in the order and with the starting vertices of the old programs. Throws InputError

@@ -22,8 +22,8 @@ struct FittedMesh {
 Box box_of(const BodyGraph& graph);
 
 /// The mesh over all bodies: refined as the plan says at its points and at the tips of cracks, each of which gets a
-/// node where the plan says a side or functions there and that leaves sound triangles. Throws std::invalid_argument where a length
-/// of the plan is none, or the mesh would be too large.
+/// node where the plan says a side or functions there and that leaves sound triangles. Throws std::invalid_argument
+/// where a length of the plan is none, or the mesh would be too large.
 FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph, std::span<const Point> tips = {});
 
 }  // namespace keyblock

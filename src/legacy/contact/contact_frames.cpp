@@ -47,6 +47,7 @@ ContactFrames contact_frames(const Contacts& contacts, const Model& model, const
     frame.element = model.identities.of_element(model.vertices[triple.vertex].element.value).number;
     frame.other = model.identities.of_element(model.vertices[triple.start].element.value).number;
     frame.joint_material = model.vertices[triple.start].joint_material;
+    frame.edge = triple.start.value - model.elements[model.vertices[triple.start].element].first_vertex.value;
     frame.condition = condition_of(contact);
     frame.position = now.p1;
     const Point along = (1 / then.size()) * then.along();

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/listed.hpp"
+#include "geometry/polygon.hpp"
 #include "legacy/contact/carry.hpp"
 #include "legacy/contact/detect.hpp"
 #include "legacy/step/motion.hpp"
@@ -24,6 +25,9 @@ namespace {
 constexpr double kGreatestRatio = 3;     // a step that moves further than this times the allowance is cut
 constexpr double kUnsettledCut = 0.3;    // automatic step: cut after passes without an end
 constexpr double kSmallestShare = 0.01;  // no cut goes below this share of the given step
+
+// Read in its public source: the loop around a step is left by acceptance alone.
+constexpr const char* kRepeatedWithoutEnd = "the old program repeats such a step without end";
 
 // The Berkeley program's count of contacts is refreshed only by contacts that were not exchanged: a step that
 // finds none keeps the last list, as open contacts (legacy-rules 3, stale list).
@@ -171,7 +175,7 @@ class Attempts {
 
   std::variant<StepReport, StepFailure> accept(const OpenCloseOutcome& outcome) {
     State end = update(scene_.model, std::move(start_), settings_, outcome.increments, dt_, outcome.node_steps);
-    if (const std::string what = impossible(end); !what.empty()) return StepFailure{failure(what), {}};
+    if (const std::string what = impossible(end); !what.empty()) return gone_wrong(end, what);
     stepping_.state = std::move(end);
     stepping_.contacts = std::move(contacts_);
     report_.step = stepping_.state.step;
@@ -194,8 +198,8 @@ class Attempts {
   std::string why_no_end() const {
     switch (verdict_) {
       case Verdict::contacts_unsettled:
-        return fmt::format("{} of {} contacts open and close without end: {}", unsettled_.size(), contacts_.size(),
-                           unsettled_in_words());
+        return fmt::format("{} of {} contacts open and close without end: {}; {}", unsettled_.size(), contacts_.size(),
+                           unsettled_in_words(), kRepeatedWithoutEnd);
       default:
         return fmt::format("contacts stay too deep in {} redone attempts", report_.redos);
     }
@@ -205,18 +209,63 @@ class Attempts {
   }
   // The old rule on the way of a step, with the block that breaks it.
   StepFailure moved_too_far(const std::string& when) const {
-    const ElementState& block = start_.elements[farthest_];
     StepFailure told{
-        failure(
-            fmt::format("blocks move too far {}: block {} at {:.4g}, {:.4g} (area {:.3g}, {:.2g} % of the mean) "
-                        "by {:.3g}, where a step may move {:.3g} ({:g} times allowed_displacement_ratio times half the "
-                        "size of the scene)",
-                        when, farthest_.value + 1, block.centroid.x, block.centroid.y, block.moments.area,
-                        100 * block.moments.area / scene_.model.mean_area, ratio_ * allowed(),
-                        kGreatestRatio * allowed(), kGreatestRatio)),
+        failure(fmt::format("blocks move too far {}: {} by {:.3g}, where a step may move {:.3g} ({:g} times "
+                            "allowed_displacement_ratio times half the size of the scene){}; {}",
+                            when, in_words(farthest_), ratio_ * allowed(), kGreatestRatio * allowed(), kGreatestRatio,
+                            why_no_step_is_short_enough(), kRepeatedWithoutEnd)),
         {}};
     told.elements = {farthest_};
     return told;
+  }
+
+  // Of bodies without forces D = v0 dt, and v0 = 2 D'/dt - v' from the way D' of the last step (legacy-rules 7.4): 2 D'
+  // as dt vanishes.
+  std::string why_no_step_is_short_enough() const {
+    const double last = stepping_.history.displacement_ratio;
+    if (!settings_.quirks.velocity_from_coming_step || start_.step == 0 || 2 * last <= kGreatestRatio) return {};
+    return fmt::format(
+        "; the step before moved {:.3g} times allowed_displacement_ratio, and where velocities are taken over the "
+        "coming "
+        "step what flies freely goes twice as far in the next one, however short it is",
+        last);
+  }
+
+  StepFailure gone_wrong(const State& end, const std::string& what) const {
+    const ElementIndex bad = first_impossible(end);
+    StepFailure told{failure(fmt::format("{}; before the step it was {}; the old program has no such test, and goes on",
+                                         what, in_words(bad))),
+                     {}};
+    told.elements = {bad};
+    return told;
+  }
+
+  // As `impossible` finds it.
+  static ElementIndex first_impossible(const State& end) {
+    State one;
+    one.elements.push_back({});
+    for (const ElementIndex e : indices(end.elements)) {
+      one.elements[ElementIndex{0}] = end.elements[e];
+      if (!impossible(one).empty()) return e;
+    }
+    return ElementIndex{0};
+  }
+
+  double drawn_area(ElementIndex e) const {
+    std::vector<Point> outline;
+    const Element& element = scene_.model.elements[e];
+    for (int i = 0; i < element.loop_sizes.front(); ++i)
+      outline.push_back(scene_.model.start_vertices[static_cast<std::size_t>(element.first_vertex.value + i)]);
+    return area(outline);
+  }
+
+  // Areas of the old rules change as blocks turn: what it was drawn with says whether it is a sliver.
+  std::string in_words(ElementIndex e) const {
+    const ElementState& block = stepping_.state.elements[e];
+    const double drawn = drawn_area(e);
+    return fmt::format("block {} at {:.4g}, {:.4g} (area {:.3g}; drawn with {:.3g}, {:.2g} % of the mean)", e.value + 1,
+                       block.centroid.x, block.centroid.y, block.moments.area, drawn,
+                       100 * drawn / scene_.model.mean_area);
   }
 
   double allowed() const { return settings_.allowed_displacement_ratio * scene_.model.scale; }

@@ -101,6 +101,7 @@ void require_linear_tips(const Problem& problem, const Settings& settings) {
                          found);
   };
   if (!is_statics(settings)) refuse("motion in time");
+  if (problem.covers->growth) refuse("growth of cracks");
   if (!is_untouched(problem, settings)) refuse("contact that is felt, or blocks beside the bodies on covers");
   const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
   if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear)) refuse("a strength or crack_closure");

@@ -15,7 +15,7 @@ namespace keyblock {
 bool is_untouched(const Problem& problem, const Settings& settings);
 
 /// Throws InputError for a case with functions at the tips of cracks whose steps are not linear static solutions in
-/// elastic rock with derived or linear functions.
+/// elastic rock with derived or linear functions and cracks as they are.
 void require_linear_tips(const Problem& problem, const Settings& settings);
 
 struct LinearCase {

@@ -59,8 +59,6 @@ class GrowthUnderLoads : public Stepper {
   void describe(Archive& archive);
   CoverSolution solution() const;
   int first_on_covers() const;  ///< its index among the elements of the model
-  /// Displacement of points of the present bodies.
-  Point displacement(int element, Point start) const;
   void place_parting(const Manifold& manifold);
   /// Of the faces that part, the elements on covers being numbered on from `first`.
   std::vector<FacePull> pulls(int first) const;
@@ -70,7 +68,6 @@ class GrowthUnderLoads : public Stepper {
   void begin_to_part(const std::vector<CrackPlan>& after);
   void look_at_tips();
   bool may_go_on(const TipState& tip, double speed) const;
-  double energy_of(const TipState& tip) const;
 
   Scene first_;
   std::unique_ptr<StandardStepper> now_;

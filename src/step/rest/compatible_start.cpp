@@ -7,23 +7,18 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "base/progress/headway.hpp"
 #include "base/stop.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/solve/friction_newton.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/rest/start_forces.hpp"
 #include "step/scene/contact_laws.hpp"
 
 namespace keyblock {
 namespace {
 
-// Three rounds suffice where statics gives the forces; then elasticity does, and each shrinks the misfit several times.
-constexpr int kStaticRounds = 3;
-constexpr int kMostRounds = 20;
-constexpr double kRoundOff = 1e-9;         // share of block size, or of acceleration, that the rounding of files leaves
-constexpr double kFits = 1e-9;             // misfit over the gaps that were to be closed
-constexpr double kShiftTolerance = 1e-13;  // of the gaps to be closed
-// A block that shifts by more than this times all gaps together is thrown about, not settled.
-constexpr double kLeverage = 10;
+using namespace tolerances::of_compatible_start;
 
 class Settling {
  public:
@@ -38,6 +33,7 @@ class Settling {
          ++round) {
       settle(round >= kStaticRounds);
       while (break_open_bonds() || stretch_bolts()) settle(round >= kStaticRounds);
+      tell_headway("start in equilibrium", share_of_fall(1, misfit(), kFits));
       add_overlapping();
     }
     remember();

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress/headway.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/equilibrium.hpp"
 #include "step/time/ledger.hpp"
@@ -14,8 +16,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads, or over its own greatest
-constexpr int kMostSteps = 100000;
+using namespace tolerances::of_relaxation;
 
 void freeze(TimeCurve& curve, double time) {
   curve = {{time}, {curve.at(time)}, curve.place};
@@ -54,6 +55,7 @@ class Relaxation {
     if (kinetic_ > kAtRest * std::max(work_, greatest_kinetic_)) return false;
     const Balance balance = balance_of(scene_, result_.motion, time_, driving_);
     result_.residual = balance.share;
+    tell_headway("dynamic relaxation", share_of_fall(1, balance.share, kBalancedAsARule));
     if (balance.holds()) stop();
     return balance.holds();
   }

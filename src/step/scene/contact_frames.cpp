@@ -60,6 +60,8 @@ ContactFrames contact_frames(const StandardScene& scene, const Motion& motion, c
     frame.element = model.identities.of_element(model.vertices[touch.vertex].element.value).number;
     frame.other = model.identities.of_element(model.vertices[touch.start].element.value).number;
     frame.joint_material = touch.joint_material;
+    frame.edge = edge_under(touch, model, state.vertices).value -
+                 model.elements[model.vertices[touch.start].element].first_vertex.value;
     if (frames.size() < closed) frame.condition = condition_of(scene, motion, contact);
     frame.position = point_of(touch, state.vertices);
     frame.normal = normal_of(touch, has_moved ? middle : state.vertices);

@@ -10,15 +10,13 @@
 #include "base/listed.hpp"
 #include "base/worse.hpp"
 #include "contact/rows/constraints.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
 
 namespace keyblock {
 namespace {
 
-// Of the largest load: a hundred times what contact forces are solved to.
-constexpr double kBalanced = 1e-8;
-// Way of a held point from where it is wanted, over the size of its block: above what steps settle increments to.
-constexpr double kInPlace = 1e-9;
+using namespace tolerances::of_rest;
 
 // A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from
 // its place than its own size.

@@ -55,15 +55,8 @@ TouchSearch search_of(const StandardScene& scene, const Motion& motion, const Ta
   return search;
 }
 
-// Of the part of the edge where the foot of the point lies: vertices on a straight edge part it, and each part has its
-// own.
 int joint_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices) {
-  VertexIndex part = model.vertices[touch.start].next;
-  const Point along = vertices[touch.end] - vertices[touch.start];
-  const double station = dot(point_of(touch, vertices) - vertices[touch.start], along);
-  while (part != touch.end && dot(vertices[part] - vertices[touch.start], along) < station)
-    part = model.vertices[part].next;
-  return model.vertices[part].joint_material;
+  return model.vertices[edge_under(touch, model, vertices)].joint_material;
 }
 
 void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, Point>& vertices) {
@@ -107,6 +100,16 @@ void drop_known(Touches& touches, const Touches& known) {
 }
 
 }  // namespace
+
+// Vertices on a straight edge part it, and each part has a joint of its own.
+VertexIndex edge_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices) {
+  VertexIndex part = model.vertices[touch.start].next;
+  const Point along = vertices[touch.end] - vertices[touch.start];
+  const double station = dot(point_of(touch, vertices) - vertices[touch.start], along);
+  while (part != touch.end && dot(vertices[part] - vertices[touch.start], along) < station)
+    part = model.vertices[part].next;
+  return part;
+}
 
 FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
   const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;

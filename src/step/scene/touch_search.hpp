@@ -6,6 +6,10 @@
 
 namespace keyblock {
 
+/// The vertex at which the edge, or the part of it, ends that lies under the point of the touch: its joint is the one
+/// that the touch is on.
+VertexIndex edge_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices);
+
 /// Pairs within reach of a step of `dt`, as touches. Ties of corners that were closed in the last step are touches
 /// still.
 FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);

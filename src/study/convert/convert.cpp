@@ -55,6 +55,7 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.motion, content.motion, file, "motion");
   formats::put_units(all.units, content.units, {file});
   put(all.choices, content.choices, file, "run");
+  put(all.outputs, content.outputs, file, "set of outputs");
   if (!all.stages.empty() && !content.stages.empty())
     throw InputError({file}, "expected stages in one of the files, found more");
   all.stages.insert(all.stages.end(), content.stages.begin(), content.stages.end());

@@ -87,7 +87,7 @@ void put_other_treatment(CaseIntensity& found, const CaseIntensity& other) {
   }
   found.other_unknowns = other.unknowns;
   for (std::size_t i = 0; i < found.tips.size(); ++i)
-    found.tips[i].other = {other.tips[i].report.side, other.tips[i].report.factors};
+    found.tips[i].other = OtherTreatment{other.tips[i].report.side, other.tips[i].report.factors};
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ CaseIntensity intensity_at_end(const Problem& problem, const std::string& profil
   try {
     put_other_treatment(found, intensity_by_one(with_other_treatment(problem, found), profile, overrides, wants_stop));
   } catch (const InputError& error) {
-    found.no_other = error.what();
+    found.no_other = error.sentence();
   }
   return found;
 }

@@ -1,0 +1,279 @@
+// Values from the state at the end of a step, and from the contacts of that step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/follow/followed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/counted.hpp"
+#include "problem/units/measure.hpp"
+#include "run/follow/resultant.hpp"
+
+namespace keyblock {
+namespace {
+
+std::string word_of(const HistoryPlan& plan) {
+  if (plan.point) return "point";
+  if (plan.block) return "block";
+  if (plan.contact) return "contact";
+  return plan.joint ? "joint" : "line";
+}
+
+std::string name_of(const HistoryPlan& plan) {
+  if (!plan.name.empty()) return plan.name;
+  if (plan.point) return fmt::format("{:g} {:g}", plan.point->x, plan.point->y);
+  if (plan.block) return fmt::format("{}", *plan.block + 1);
+  if (plan.contact) return fmt::format("{}-{}", plan.contact->first + 1, plan.contact->second + 1);
+  if (plan.joint) return fmt::format("{}", *plan.joint + 1);
+  const auto& [start, end] = *plan.line;
+  return fmt::format("{:g} {:g} to {:g} {:g}", start.x, start.y, end.x, end.y);
+}
+
+/// As tables of comma separated values have it.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+bool is_between(const ContactFrame& contact, const BlockPair& pair) {
+  return (contact.element == pair.first && contact.other == pair.second) ||
+         (contact.element == pair.second && contact.other == pair.first);
+}
+
+std::optional<ElementIndex> element_numbered(const Model& model, int number) {
+  for (const ElementIndex e : indices(model.elements))
+    if (model.identities.of_element(e.value).number == number) return e;
+  return std::nullopt;
+}
+
+/// Of a point of an element: of all its unknowns, or of those that move it as a whole where it has none of its own.
+Point velocity_at(const Stepper& stepper, ElementIndex e, Point at) {
+  const Model& model = stepper.model();
+  const State& state = stepper.state();
+  const ElementState& element = state.elements[e];
+  const Unknowns rates = end_velocity(element, state, stepper.settings(), model.elements[e].material);
+  const Eigen::Vector2d own = basis_at(model, state, e, at) * rates;
+  const Point arm = at - element.centroid;
+  const Velocity& carried = element.carried;
+  return {own.x() + carried.x - carried.rotation * arm.y, own.y() + carried.y + carried.rotation * arm.x};
+}
+
+double spin_of(const Stepper& stepper, ElementIndex e) {
+  const Model& model = stepper.model();
+  const ElementState& element = stepper.state().elements[e];
+  const int spin = model.elements[e].basis->rotation_unknown;
+  const Unknowns rates = end_velocity(element, stepper.state(), stepper.settings(), model.elements[e].material);
+  return element.carried.rotation + (spin < 0 ? 0 : rates[spin]);
+}
+
+/// What contacts bear together that one history is of.
+struct ContactSum {
+  int closed = 0;
+  int sliding = 0;
+  double least_gap = std::numeric_limits<double>::infinity();
+  double greatest_slip = 0;
+  double normal_force = 0;
+  double shear_force = 0;
+
+  void add(const ContactFrame& contact) {
+    closed += contact.condition != ContactCondition::open ? 1 : 0;
+    sliding += contact.condition == ContactCondition::slide ? 1 : 0;
+    least_gap = std::min(least_gap, contact.gap);
+    if (std::abs(contact.slip) > std::abs(greatest_slip)) greatest_slip = contact.slip;
+    normal_force += contact.normal_force;
+    shear_force += contact.shear_force;
+  }
+};
+
+/// Lines of one history at one instant.
+class Lines {
+ public:
+  Lines(const Stepper& stepper, const FollowedUnits& units, const std::string& what, const std::string& name)
+      : stepper_(stepper),
+        units_(units),
+        first_(fmt::format("{},{:.12g},{},{},", stepper.state().step, stepper.state().time, what, cell(name))) {}
+
+  void point(int number) {
+    const Model& model = stepper_.model();
+    for (std::size_t i = 0; i < model.measured_points.size(); ++i) {
+      if (model.identities.of_measured_point(i) != number) continue;
+      const PointState& now = stepper_.state().measured_points[i];
+      const ElementIndex e = model.measured_points[i].element;
+      displacement(now.displacement);
+      velocity(velocity_at(stepper_, e, now.position));
+      stress(stepper_.stress_at(e, model.measured_points[i].start));
+    }
+  }
+
+  void block(int number, const ContactFrames& contacts) {
+    const std::optional<ElementIndex> e = element_numbered(stepper_.model(), number);
+    if (!e) return;
+    const ElementState& now = stepper_.state().elements[*e];
+    displacement(now.centroid - stepper_.unloaded().elements[*e].centroid);
+    put("rotation", now.rotation, "rad");
+    velocity(velocity_at(stepper_, *e, now.centroid));
+    put("rotation_rate", spin_of(stepper_, *e), units_.rotation_rate);
+    stress(now.stress);
+    Point sum;
+    for (const ContactFrame& contact : contacts) {
+      if (contact.element == number) sum = sum + contact.force();
+      if (contact.other == number) sum = sum - contact.force();
+    }
+    force("contact_force", sum);
+  }
+
+  void pair(const BlockPair& pair, const ContactFrames& contacts) {
+    ContactSum sum;
+    Point on_first;
+    for (const ContactFrame& contact : contacts) {
+      if (!is_between(contact, pair)) continue;
+      sum.add(contact);
+      on_first = on_first + (contact.element == pair.first ? 1.0 : -1.0) * contact.force();
+    }
+    put(sum);
+    force("force", on_first);
+  }
+
+  void joint(int line, const ContactFrames& contacts) {
+    ContactSum sum;
+    for (const ContactFrame& contact : contacts)
+      if (contact.joint_line == line) sum.add(contact);
+    put(sum);
+  }
+
+  void resultant(const Segment& line, const ContactFrames& contacts) {
+    const LineResultant found = resultant_across(line, stepper_, contacts);
+    const Point along = (1 / distance(line.start, line.end)) * (line.end - line.start);
+    put("closed_contacts", found.closed, "1");
+    put("bolts", found.bolts, "1");
+    force("force", found.force);
+    put("normal_force", cross(along, found.force), units_.force);  // pushes the left side away from the line
+    put("shear_force", dot(along, found.force), units_.force);
+    put("moment", found.moment, units_.moment);
+  }
+
+  std::string text;
+
+ private:
+  void put(std::string_view quantity, double value, const std::string& unit) {
+    text += fmt::format("{}{},{:.12g},{}\n", first_, quantity, value, unit);
+  }
+  void displacement(Point u) {
+    put("displacement_x", u.x, units_.length);
+    put("displacement_y", u.y, units_.length);
+  }
+  void velocity(Point v) {
+    put("velocity_x", v.x, units_.velocity);
+    put("velocity_y", v.y, units_.velocity);
+  }
+  void stress(const Stress& stress) {
+    put("stress_xx", stress.xx, units_.stress);
+    put("stress_yy", stress.yy, units_.stress);
+    put("stress_xy", stress.xy, units_.stress);
+  }
+  void force(const std::string& name, Point force) {
+    put(name + "_x", force.x, units_.force);
+    put(name + "_y", force.y, units_.force);
+  }
+  void put(const ContactSum& sum) {
+    put("closed_contacts", sum.closed, "1");
+    put("sliding_contacts", sum.sliding, "1");
+    if (std::isfinite(sum.least_gap)) put("least_gap", sum.least_gap, units_.length);
+    put("greatest_slip", sum.greatest_slip, units_.length);
+    put("normal_force", sum.normal_force, units_.force);
+    put("shear_force", sum.shear_force, units_.force);
+  }
+
+  const Stepper& stepper_;
+  const FollowedUnits& units_;
+  std::string first_;
+};
+
+/// The last measured point that begins there: those of histories come behind those of the files.
+int point_at(const Scene& first, const HistoryPlan& plan) {
+  const std::vector<CarriedPoint>& points = first.model.measured_points;
+  for (std::size_t i = points.size(); i-- > 0;)
+    if (points[i].start == *plan.point) return first.model.identities.of_measured_point(i);
+  throw InputError(plan.place, fmt::format("expected the point of a history within a block, found {:g}, {:g} in none",
+                                           plan.point->x, plan.point->y));
+}
+
+void require_block(const Scene& first, int number, const HistoryPlan& plan) {
+  const std::size_t count = first.model.elements.size();
+  if (first.next || static_cast<std::size_t>(number) < count) return;  // stages may make more
+  throw InputError(plan.place, fmt::format("expected the number of a block in a history, 1 to {}, found {}", count,
+                                           static_cast<long long>(number) + 1));
+}
+
+void require_joint(const DrawnJoints& joints, int line, const HistoryPlan& plan) {
+  if (joints.has(line)) return;
+  throw InputError(
+      plan.place,
+      joints.are_known()
+          ? fmt::format("expected the number of a joint of the drawing that made an edge of a block, found {}",
+                        static_cast<long long>(line) + 1)
+          : "expected blocks cut from a drawing, whose joints a history can follow, found none");
+}
+
+}  // namespace
+
+FollowedUnits::FollowedUnits(const Units& units)
+    : length(unit_of(measures::kLength, units)),
+      velocity(unit_of(measures::kVelocity, units)),
+      rotation_rate(unit_of(measures::kRotationRate, units)),
+      force(unit_of(measures::kForce, units)),
+      stress(unit_of(measures::kStress, units)),
+      moment(unit_of(measures::kMoment, units)) {}
+
+Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, const DrawnJoints& joints,
+                   const Units& units)
+    : units_(units) {
+  for (const HistoryPlan& plan : plans) {
+    One& one = all_.emplace_back(plan, name_of(plan), -1);
+    if (plan.point) one.point = point_at(first, plan);
+    if (plan.block) require_block(first, *plan.block, plan);
+    if (plan.contact) require_block(first, std::max(plan.contact->first, plan.contact->second), plan);
+    if (plan.joint) require_joint(joints, *plan.joint, plan);
+  }
+}
+
+std::string Followed::rows(const Stepper& stepper, const DrawnJoints& joints) const {
+  ContactFrames contacts;
+  if (std::ranges::any_of(all_, [](const One& one) { return !one.plan.point; })) contacts = stepper.contacts();
+  joints.name(contacts, stepper.model());
+  std::string text;
+  for (const auto& [plan, name, point] : all_) {
+    Lines lines(stepper, units_, word_of(plan), name);
+    if (plan.point) lines.point(point);
+    if (plan.block) lines.block(*plan.block, contacts);
+    if (plan.contact) lines.pair(*plan.contact, contacts);
+    if (plan.joint) lines.joint(*plan.joint, contacts);
+    if (plan.line) lines.resultant(*plan.line, contacts);
+    text += lines.text;
+  }
+  return text;
+}
+
+bool Followed::follows(const ContactFrame& contact) const {
+  return std::ranges::any_of(all_, [&](const One& one) {
+    const HistoryPlan& plan = one.plan;
+    return (plan.block && (contact.element == *plan.block || contact.other == *plan.block)) ||
+           (plan.contact && is_between(contact, *plan.contact)) || (plan.joint && contact.joint_line == *plan.joint);
+  });
+}
+
+bool Followed::follows_contacts() const {
+  return std::ranges::any_of(all_, [](const One& one) { return one.plan.block || one.plan.contact || one.plan.joint; });
+}
+
+}  // namespace keyblock

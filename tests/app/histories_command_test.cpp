@@ -1,0 +1,189 @@
+// Histories and contact tables as a user asks for them: by options of `run` and by the case file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "tests/support/killed_runs.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::histories_command_test {
+namespace {
+
+using support::fresh_folder;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
+
+constexpr double kWeight = 24525;  // N per metre of the square metre: 2500 kg/m3, 9.81 m/s2
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Three square metres on each other, cut from a drawing: the outline is joints 1 to 4, the joints between them are 5
+/// and 6. The lowest is held. `more`: keys of the case.
+std::string column(const std::string& more = "") {
+  return R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"},
+  "drawing": {"boundary_count": 4, "edge_node_ratio": 0.001,
+    "joints": [[0, 0, 1, 0, 1], [1, 0, 1, 3, 1], [1, 3, 0, 3, 1], [0, 3, 0, 0, 1], [0, 1, 1, 1, 1], [0, 2, 1, 2, 1]],
+    "fixed_lines": [[0.2, 0.5, 0.2, 0.5], [0.8, 0.5, 0.8, 0.5]]},
+  "analysis": {"step_count": 20, "time_step": 0.001, "gravity": 9.81,
+    "block_materials": [{"density": 2500, "youngs_modulus": 5e9, "poissons_ratio": 0.25}],
+    "joint_materials": [{"friction_angle_deg": 30}]})" +
+         more + "}";
+}
+
+std::vector<std::vector<std::string>> rows_of(const std::string& file) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(read_text(file));
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string>& cells = rows.emplace_back();
+    std::istringstream parts(line);
+    for (std::string cell; std::getline(parts, cell, ',');) cells.push_back(cell);
+  }
+  return rows;
+}
+
+/// The last value of each "what name quantity", and its unit behind a blank.
+std::map<std::string, std::pair<double, std::string>> last_of(const std::string& file) {
+  std::map<std::string, std::pair<double, std::string>> last;
+  for (const auto& row : rows_of(file))
+    if (row.size() == 7 && row[0] != "step") last[row[2] + " " + row[3] + " " + row[4]] = {std::stod(row[5]), row[6]};
+  return last;
+}
+
+std::size_t lines_of(const std::string& file) {
+  return rows_of(file).size();
+}
+
+std::string case_in(const std::string& name, const std::string& more = "") {
+  const std::string folder = fresh_folder(name);
+  write_text(folder + "/case.json", column(more));
+  return folder;
+}
+
+}  // namespace
+
+TEST(HistoriesCommand, all_kinds_come_in_long_form_with_units) {
+  const std::string folder = case_in("histories");
+  const std::string out = folder + "/out";
+  const auto run =
+      run_keyblock({"run", folder + "/case.json", "-o", out, "--history", "top=point:0.5,2.5", "--history", "block:3",
+                    "--history", "contact:3,2", "--history", "joint:6", "--history", "all=line:-1,1,2,1"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_TRUE(read_text(out + "/histories.csv").starts_with("step,time [s],what,name,quantity,value,unit\n"));
+  const auto last = last_of(out + "/histories.csv");
+  EXPECT_EQ(last.at("point top displacement_y").second, "m");
+  EXPECT_EQ(last.at("point top velocity_x").second, "m/s");
+  EXPECT_EQ(last.at("block 3 stress_yy").second, "Pa");
+  EXPECT_EQ(last.at("block 3 rotation").second, "rad");
+  EXPECT_LT(last.at("block 3 stress_yy").first, 0);
+  EXPECT_NEAR(last.at("block 3 contact_force_y").first / kWeight, 1, 1e-6) << "it bears its weight";
+  EXPECT_NEAR(last.at("contact 3-2 force_y").first / kWeight, 1, 1e-6) << "on the first of the two";
+  EXPECT_NEAR(last.at("joint 6 normal_force").first / kWeight, 1, 1e-6);
+  EXPECT_EQ(last.at("joint 6 normal_force").second, "N/m");
+  EXPECT_NEAR(last.at("line all force_y").first / (2 * kWeight), 1, 1e-6);
+  EXPECT_NEAR(last.at("line all normal_force").first / (2 * kWeight), 1, 1e-6);
+  const auto rows = rows_of(out + "/histories.csv");
+  EXPECT_EQ(rows[1][0], "0") << "from the start";
+  EXPECT_EQ(rows.back()[0], "20") << "to the end";
+}
+
+TEST(HistoriesCommand, a_case_file_asks_for_them_too) {
+  const std::string folder = case_in("histories_case", R"(, "outputs": {"histories": [
+      {"name": "roof", "point": [0.5, 3]}, {"block": 2}, {"contact": [1, 2]}, {"joint": 5}, {"line": [-1, 2, 2, 2]}]})");
+  ASSERT_EQ(run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"}).exit_code, 0);
+  const auto last = last_of(folder + "/out/histories.csv");
+  EXPECT_TRUE(last.contains("point roof displacement_x"));
+  EXPECT_NEAR(last.at("contact 1-2 force_y").first / (-2 * kWeight), 1, 1e-6) << "pressed down by what stands on it";
+  EXPECT_NEAR(last.at("joint 5 normal_force").first / (2 * kWeight), 1, 1e-6);
+  EXPECT_NEAR(last.at("line -1 2 to 2 2 force_y").first / kWeight, 1, 1e-6);
+}
+
+TEST(HistoriesCommand, without_a_choice_the_table_has_what_moves_most) {
+  const std::string folder = case_in("histories_none");
+  ASSERT_EQ(run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"}).exit_code, 0);
+  const auto rows = rows_of(folder + "/out/histories.csv");
+  ASSERT_GT(rows.size(), 3U);
+  EXPECT_EQ(rows[1][2], "block");
+  EXPECT_EQ(rows[1][4], "displacement_x");
+  EXPECT_EQ(rows[1][6], "m");
+}
+
+TEST(HistoriesCommand, what_cannot_be_followed_is_refused_before_anything_is_written) {
+  const std::string folder = case_in("histories_wrong");
+  const auto refused = [&](const std::string& history) {
+    return run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--history", history});
+  };
+  const auto word = refused("blok:1");
+  EXPECT_EQ(word.exit_code, 2);
+  EXPECT_TRUE(contains(word.messages, "did you mean \"block\"?")) << word.messages;
+  EXPECT_EQ(refused("block:9").exit_code, 3);
+  EXPECT_TRUE(contains(refused("block:9").messages, "1 to 3, found 9"));
+  EXPECT_EQ(refused("joint:9").exit_code, 3);
+  EXPECT_TRUE(contains(refused("point:7,7").messages, "found 7, 7 in none")) << refused("point:7,7").messages;
+  EXPECT_FALSE(std::filesystem::exists(folder + "/out"));
+  const std::string two = case_in("histories_two", R"(, "outputs": {"histories": [{"block": 1, "joint": 5}]})");
+  EXPECT_TRUE(contains(run_keyblock({"check", two + "/case.json"}).messages,
+                       "expected one of point, block, contact, joint and line in a history, found 2"));
+}
+
+TEST(HistoriesCommand, a_run_that_was_killed_ends_with_the_same_histories) {
+  const std::string folder = case_in("histories_killed");
+  const auto runs = support::killed_runs({folder + "/case.json", "--set", "steps=3000", "--history", "block:3",
+                                          "--history", "line:-1,1,2,1", "--contacts", "3"},
+                                         2, 1);
+  EXPECT_EQ(runs.differs, "");
+}
+
+TEST(HistoriesCommand, contacts_name_the_joint_of_the_drawing_and_are_summed_by_it) {
+  const std::string folder = case_in("joint_lines");
+  const std::string out = folder + "/out";
+  ASSERT_EQ(run_keyblock({"run", folder + "/case.json", "-o", out}).exit_code, 0);
+  const auto contacts = rows_of(out + "/contacts.csv");
+  ASSERT_EQ(contacts[0][5], "joint");
+  for (std::size_t i = 1; i < contacts.size(); ++i)
+    EXPECT_EQ(contacts[i][5], std::stod(contacts[i][8]) > 1.5 ? "6" : "5") << "y of the contact decides";
+  const auto joints = rows_of(out + "/joint_lines.csv");
+  EXPECT_EQ(joints[0][2], "joint");
+  EXPECT_EQ(joints.back()[2], "6");
+  EXPECT_NEAR(std::stod(joints.back()[7]) / kWeight, 1, 1e-6);
+  EXPECT_NEAR(std::stod(joints[joints.size() - 2][7]) / (2 * kWeight), 1, 1e-6);
+  EXPECT_TRUE(contains(read_text(out + "/frames/contacts_00000020.vtp"), "Name=\"joint\""));
+}
+
+TEST(HistoriesCommand, contacts_are_written_as_asked) {
+  const std::string folder = case_in("contact_tables");
+  const auto run_with = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> all{"run", folder + "/case.json", "-o", folder + "/" + name, "--record-every", "1"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_keyblock(all);
+  };
+  ASSERT_EQ(run_with("all", {}).exit_code, 0);
+  ASSERT_EQ(run_with("none", {"--contacts", "none"}).exit_code, 0);
+  ASSERT_EQ(run_with("tenth", {"--contacts", "10"}).exit_code, 0);
+  ASSERT_EQ(run_with("chosen", {"--contacts", "chosen", "--history", "joint:6"}).exit_code, 0);
+  EXPECT_EQ(lines_of(folder + "/all/contacts.csv"), 1U + 21 * 4);
+  for (const char* name : {"contacts.csv", "joints.csv", "joint_lines.csv", "frames/contacts_00000020.vtp"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder + "/all/" + name)) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder + "/none/" + name)) << name;
+  }
+  EXPECT_EQ(lines_of(folder + "/tenth/contacts.csv"), 1U + 3 * 4) << "frames 0, 10 and 20";
+  EXPECT_EQ(lines_of(folder + "/chosen/contacts.csv"), 1U + 21 * 2);
+  EXPECT_EQ(read_text(folder + "/chosen/joints.csv"), read_text(folder + "/all/joints.csv")) << "sums are of all";
+  const auto nothing = run_with("nothing", {"--contacts", "chosen"});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_TRUE(contains(nothing.messages, "there is no history of a block, a contact or a joint")) << nothing.messages;
+  const auto wrong = run_with("wrong", {"--contacts", "most"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(contains(wrong.messages, "found \"most\"")) << wrong.messages;
+}
+
+}  // namespace keyblock::histories_command_test
