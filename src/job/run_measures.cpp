@@ -44,7 +44,6 @@ constexpr auto kPaths = std::to_array<PathMeasure>({
     {"plastic.greatest_equivalent_plastic_strain.y", m::kLength},
     {"reactions[].driven", m::kLength},
     {"reactions[].reaction", m::kForce},
-    {"reactions[].slope", m::kStiffness},
     {"reactions[].plateau.since_driven", m::kLength},
     {"ledger.largest_energy", m::kEnergy},
     {"ledger.momentum_about[]", m::kLength},

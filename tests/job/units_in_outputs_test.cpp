@@ -354,21 +354,26 @@ Numbers numbers_of_record(const fs::path& file) {
 /// names, as a list of what it may be worth.
 struct Picture {
   std::vector<std::string> units;
+  std::vector<double> factors;  ///< of each
   std::vector<double> numbers;
   std::vector<double> bars;  ///< in SI
 };
 
 Picture picture_in(const fs::path& file) {
-  Picture picture{{""}, {}, {}};
+  Picture picture{{""}, {1}, {}, {}};
   pugi::xml_document document;
   EXPECT_TRUE(document.load_string(support::read_text(file).c_str())) << file;
   for (const pugi::xpath_node& node : document.select_nodes("//text")) {
     const std::string text = node.node().text().get();
     EXPECT_EQ(text.find("of the input"), std::string::npos) << file << ": " << text;
     if (const auto value = number_in(text)) picture.numbers.push_back(*value);
-    if (const auto [name, unit] = name_and_unit(text); !unit.empty() && unit != "–") {
-      kind_of(unit);  // has to be one
-      picture.units.push_back(unit);
+    // "energy [N·m/m]  × 1e3"
+    const std::size_t open = text.find('['), close = text.find(']');
+    if (open != std::string::npos && close != std::string::npos && text.substr(open, 4) != "[–") {
+      picture.units.push_back(text.substr(open + 1, close - open - 1));
+      const std::size_t power = text.find("× ");
+      const double times = power == std::string::npos ? 1 : std::stod(text.substr(power + std::string("× ").size()));
+      picture.factors.push_back(times * factor_of(picture.units.back()));
     }
     if (const auto quantity = quantity_in(text); quantity && unit_named(quantity->unit))
       picture.bars.push_back(quantity->number * factor_of(quantity->unit));
@@ -376,23 +381,34 @@ Picture picture_in(const fs::path& file) {
   return picture;
 }
 
-void expect_same(const Numbers& one, const Numbers& other, const std::string& where) {
-  std::map<std::string, double> largest{{"number", 1}, {"rad", 1}, {"deg", 180}};
-  for (const Numbers* numbers : {&one, &other})
-    for (const auto& [place, number] : *numbers) {
-      double& most = largest[number.kind];
-      most = std::max(most, std::abs(number.value));
-    }
+using Scales = std::map<std::string, double>;  ///< the largest number of each kind in a run
+
+void add_to(Scales& scales, const Numbers& numbers) {
+  for (const auto& [place, number] : numbers) {
+    double& most = scales[number.kind];
+    most = std::max(most, std::abs(number.value));
+  }
+}
+
+// How often systems were solved, and which of two equal elements is named, is left to rounding.
+bool is_left_to_rounding(const std::string& place) {
+  return std::ranges::any_of(
+      std::array<std::string_view, 7>{"unbalanced", "passes", "oci", ".element", "solves", "misfit", "residual"},
+      [&](std::string_view word) { return place.find(word) != std::string::npos; });
+}
+
+void expect_same(const Numbers& one, const Numbers& other, const Scales& scales, const std::string& where) {
   EXPECT_EQ(one.size(), other.size()) << where;
   int wrong = 0;
   for (const auto& [place, number] : one) {
     const auto found = other.find(place);
     ASSERT_NE(found, other.end()) << where << " lacks " << place;
     EXPECT_EQ(found->second.kind, number.kind) << where << ", " << place;
+    if (is_left_to_rounding(place)) continue;
     const double difference = std::abs(found->second.value - number.value);
-    if (difference <= kRelative * largest[number.kind]) continue;
-    EXPECT_LE(difference, kRelative * largest[number.kind])
-        << where << ", " << place << ": " << number.value << " and " << found->second.value;
+    const double allowed = kRelative * scales.at(number.kind);
+    if (difference <= allowed) continue;
+    EXPECT_LE(difference, allowed) << where << ", " << place << ": " << number.value << " and " << found->second.value;
     if (++wrong > 3) return;  // enough to see which
   }
 }
@@ -400,15 +416,19 @@ void expect_same(const Numbers& one, const Numbers& other, const std::string& wh
 // Ticks are round in each system: the same ones where the units differ by a power of ten.
 void expect_same_picture(const Picture& one, const Picture& other, const std::string& where) {
   ASSERT_EQ(one.units.size(), other.units.size()) << where;
+  for (std::size_t i = 0; i < one.units.size(); ++i) {
+    EXPECT_EQ(kind_of(one.units[i]), kind_of(other.units[i])) << where;
+    const double power = std::log10(factor_of(one.units[i]) / factor_of(other.units[i]));
+    if (std::abs(power - std::round(power)) > 1e-6) return;  // N/mm^1.5: its ticks stand elsewhere
+  }
   ASSERT_EQ(one.numbers.size(), other.numbers.size()) << where;
   ASSERT_EQ(one.bars.size(), other.bars.size()) << where;
   for (std::size_t i = 0; i < one.bars.size(); ++i)
     EXPECT_NEAR(other.bars[i], one.bars[i], 1e-5 * std::abs(one.bars[i])) << where;
-  for (std::size_t i = 0; i < one.units.size(); ++i) EXPECT_EQ(kind_of(one.units[i]), kind_of(other.units[i])) << where;
   for (std::size_t i = 0; i < one.numbers.size(); ++i) {
     bool is_same = false;
     for (std::size_t u = 0; u < one.units.size(); ++u) {
-      const double a = one.numbers[i] * factor_of(one.units[u]), b = other.numbers[i] * factor_of(other.units[u]);
+      const double a = one.numbers[i] * one.factors[u], b = other.numbers[i] * other.factors[u];
       is_same = is_same || std::abs(a - b) <= 1e-5 * std::abs(a);
     }
     EXPECT_TRUE(is_same) << where << ": " << one.numbers[i] << " and " << other.numbers[i];
@@ -432,23 +452,36 @@ std::set<std::string> files_in(const std::string& folder) {
   return files;
 }
 
-void expect_same_results(const std::string& name, const std::string& scene, const std::set<std::string>& wanted) {
+std::map<std::string, Numbers> numbers_in(const std::string& folder, const std::set<std::string>& files,
+                                          const System& system) {
+  std::map<std::string, Numbers> all;
+  for (const std::string& file : files) {
+    const fs::path path = fs::path(folder) / file;
+    if (file.ends_with(".csv")) all[file] = numbers_of_table(path);
+    if (file.ends_with(".vtu") || file.ends_with(".vtp")) all[file] = numbers_of_frame(path, system);
+    if (file == "run.json") all[file] = numbers_of_record(path);
+  }
+  return all;
+}
+
+// `scales`: of what a run has that adds up to nothing, as loads in balance do.
+void expect_same_results(const std::string& name, const std::string& scene, const std::set<std::string>& wanted,
+                         Scales scales) {
+  scales.merge(Scales{{"number", 1}, {"rad", 1}, {"deg", 180}});
   const std::string first = run_in(kSystems[0], name, scene);
   const std::set<std::string> files = files_in(first);
   for (const std::string& file : wanted) EXPECT_TRUE(files.contains(file)) << file;
+  const auto reference = numbers_in(first, files, kSystems[0]);
+  for (const auto& [file, numbers] : reference) add_to(scales, numbers);
   for (std::size_t s = 1; s < kSystems.size(); ++s) {
-    const System& system = kSystems[s];
-    const std::string folder = run_in(system, name, scene);
-    EXPECT_EQ(files_in(folder), files) << system.name;
-    for (const std::string& file : files) {
-      const fs::path one = fs::path(first) / file, other = fs::path(folder) / file;
-      const std::string where = fmt::format("{}, {}", system.name, file);
-      if (file.ends_with(".csv")) expect_same(numbers_of_table(one), numbers_of_table(other), where);
-      if (file.ends_with(".vtu") || file.ends_with(".vtp"))
-        expect_same(numbers_of_frame(one, kSystems[0]), numbers_of_frame(other, system), where);
-      if (file == "run.json") expect_same(numbers_of_record(one), numbers_of_record(other), where);
-      if (file.ends_with(".svg")) expect_same_picture(picture_in(one), picture_in(other), where);
-    }
+    const std::string folder = run_in(kSystems[s], name, scene);
+    EXPECT_EQ(files_in(folder), files) << kSystems[s].name;
+    for (const auto& [file, numbers] : numbers_in(folder, files, kSystems[s]))
+      expect_same(reference.at(file), numbers, scales, fmt::format("{}, {}", kSystems[s].name, file));
+    for (const std::string& file : files)
+      if (file.ends_with(".svg"))
+        expect_same_picture(picture_in(fs::path(first) / file), picture_in(fs::path(folder) / file),
+                            fmt::format("{}, {}", kSystems[s].name, file));
   }
 }
 
@@ -458,18 +491,20 @@ TEST(UnitsInOutputs, of_blocks_in_motion) {
   expect_same_results(
       "blocks", kSliding,
       {"history.csv", "points.csv", "histories.csv", "contacts.csv", "joints.csv", "bolts.csv", "step_table.csv",
-       "ledger.csv", "steps.csv", "blocks.csv", "run.json", "picture.svg", "energy.svg", "field.svg"});
+       "ledger.csv", "steps.csv", "blocks.csv", "run.json", "picture.svg", "energy.svg", "field.svg"},
+      {});
 }
 
 TEST(UnitsInOutputs, of_a_crack_that_grows) {
   expect_same_results("crack", kCrack,
-                      {"tips.csv", "cracks.svg", "history.csv", "histories.csv", "step_table.csv", "run.json"});
+                      {"tips.csv", "cracks.svg", "history.csv", "histories.csv", "step_table.csv", "run.json"},
+                      {{kind_of("N/m"), 1e6}, {kind_of("N·m/m"), 1e6}});
 }
 
 TEST(UnitsInOutputs, of_rock_that_yields) {
   expect_same_results(
       "pillar", kPillar,
-      {"history.csv", "points.csv", "histories.csv", "rounds.csv", "reactions.svg", "plastic.svg", "run.json"});
+      {"history.csv", "points.csv", "histories.csv", "rounds.csv", "reactions.svg", "plastic.svg", "run.json"}, {});
 }
 
 }  // namespace keyblock::units_in_outputs_test
