@@ -6,7 +6,8 @@ SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 
 # What a bare Debian 12 needs beside make.
 PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
-           libhdf5-dev libmuparser-dev libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2
+           libhdf5-dev libmuparser-dev libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 \
+           libyaml-cpp-dev
 
 .PHONY: help build debug run test cases index fronts validate bench sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,7 +59,75 @@ bool may_begin_function(const std::string& line) {
          std::ranges::none_of(kOthers, [&](std::string_view word) { return line.starts_with(word); });
 }
 
+constexpr int kMostLinesOfClass = 250;  // of its body and of the members that stand outside it
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// The class or struct whose body begins with this line; empty: none does.
+std::string class_begun(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(' ');
+  if (first == std::string::npos || !line.ends_with('{')) return {};
+  for (const std::string_view word : {"class ", "struct "}) {
+    if (!std::string_view(line).substr(first).starts_with(word)) continue;
+    const std::size_t from = first + word.size();
+    std::size_t to = from;
+    while (to < line.size() && is_word(line[to])) ++to;
+    return line.substr(from, to - from);
+  }
+  return {};
+}
+
+/// The class of a member that begins with this line at the margin; empty: it is none.
+std::string class_of_member(const std::string& line) {
+  const std::string_view head = std::string_view(line).substr(0, line.find('('));
+  const std::size_t at = head.rfind("::");
+  if (at == std::string_view::npos || head.find(' ', at) != std::string_view::npos) return {};
+  std::size_t from = at;
+  while (from > 0 && is_word(head[from - 1])) --from;
+  return std::string(head.substr(from, at - from));
+}
+
+struct ClassLines {
+  bool is_begun = false;  // its body is there
+  std::size_t lines = 0;
+};
+
+/// Of a unit, its header and its source being one: units may each have a class of one name.
+std::map<std::string, ClassLines> lines_of_classes() {
+  std::map<std::string, ClassLines> classes;
+  each_source({"src", "formats"}, [&](const auto& name, const auto& lines) {
+    const std::string unit = fs::path(name).replace_extension().string() + ": ";
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const bool is_member = may_begin_function(lines[i]);
+      const std::string found = is_member ? class_of_member(lines[i]) : class_begun(lines[i]);
+      if (found.empty()) continue;
+      const std::string last = is_member ? "}" : lines[i].substr(0, lines[i].find_first_not_of(' ')) + "};";
+      std::size_t end = i;
+      while (end < lines.size() && lines[end] != last && !(is_member && lines[end].ends_with(" {}"))) ++end;
+      ClassLines& of = classes[unit + found];
+      of.is_begun = of.is_begun || !is_member;
+      of.lines += end + 1 - i;
+      if (is_member) i = end;
+    }
+  });
+  return classes;
+}
+
 }  // namespace
+
+TEST(Layout, no_class_is_longer_than_250_lines) {
+  std::size_t largest = 0;
+  const std::map<std::string, ClassLines> classes = lines_of_classes();
+  for (const auto& [name, of] : classes) {
+    EXPECT_TRUE(of.is_begun) << name << ": a member stands apart from its class";
+    EXPECT_LE(of.lines, static_cast<std::size_t>(kMostLinesOfClass)) << name;
+    largest = std::max(largest, of.lines);
+  }
+  EXPECT_GT(classes.size(), 800U);
+  EXPECT_GT(largest, 200U) << "members outside of classes are counted";
+}
 
 TEST(Layout, no_line_of_a_source_is_longer_than_120_characters) {
   const int sources = each_source({"src", "formats", "tests"}, [](const auto& name, const auto& lines) {

@@ -42,46 +42,16 @@ constexpr std::array<std::string_view, 4> kManyTimes{"Blockmaterial", "Jointprop
                                                      "Loadpointlist"};
 constexpr std::array<std::string_view, 2> kPassedOver{"Mintimestep", "Writevertices"};
 
-class AnalysisReader {
+/// Values of elements and attributes, with the warnings that reading them gives.
+class ElementValues {
  public:
-  AnalysisReading read(const Element& element) {
-    const std::vector<Element> children = element.children();
-    analysis_.dialect = AnalysisDialect::ddaml;
-    analysis_.gravity = 9.81;
-    read_plane(children);
-    for (const Element& child : children) read_child(child);
-    require(element);
-    warn_of_defaults(element);
-    analysis_.place = {element.place().file};
-    return {std::move(analysis_), std::move(warnings_)};
+  Warnings take_warnings() { return std::move(warnings_); }
+
+  void warn(std::string name, Place place, std::string sentence) {
+    add_warning(warnings_, {std::move(name), std::move(place), std::move(sentence)});
   }
 
- private:
-  struct Handler {
-    std::string_view name;
-    void (AnalysisReader::*read)(const Element& element);
-  };
-  static const std::array<Handler, 19> kHandlers;
-
-  /// Before the materials, whichever comes first: plane strain narrows Poisson's ratio.
-  void read_plane(const std::vector<Element>& children) {
-    for (const Element& child : children)
-      if (child.name() == "Planestrain") analysis_.plane_strain = flag_of(child);
-  }
-
-  void read_child(const Element& child) {
-    if (std::ranges::find(kPassedOver, child.name()) != kPassedOver.end()) return;
-    const auto handler = std::ranges::find(kHandlers, child.name(), &Handler::name);
-    if (handler == kHandlers.end()) {
-      add_warning(warnings_, ignored(child));
-      return;
-    }
-    if (!seen_.insert(std::string(child.name())).second && !stands_often(child.name()))
-      warn("repeated_element", child.place(), fmt::format("{} stands here again; the last counts", child.name()));
-    (this->*handler->read)(child);
-  }
-
-  static bool stands_often(std::string_view name) { return std::ranges::find(kManyTimes, name) != kManyTimes.end(); }
+  void pass_over(const Element& element) { add_warning(warnings_, ignored(element)); }
 
   /// Of parts that may stand once; `taken`: which of several counts.
   void warn_of_repeated(const Element& element, std::string_view taken) {
@@ -90,27 +60,6 @@ class AnalysisReader {
       if (!names.insert(child.name()).second)
         warn("repeated_element", child.place(),
              fmt::format("{} of {} stands here again; the {} counts", child.name(), element.name(), taken));
-  }
-
-  void require(const Element& analysis) const {
-    for (const std::string_view name : kRequired)
-      if (!seen_.contains(std::string(name)))
-        throw InputError(analysis.place(), fmt::format("expected the element {} in Analysis, found none", name));
-    if (analysis_.block_materials.empty())
-      throw InputError(analysis.place(), "expected a block material (Blockmaterial) in Analysis, found none");
-    if (analysis_.joint_materials.empty())
-      throw InputError(analysis.place(), "expected a joint material (Jointproperties) in Analysis, found none");
-  }
-
-  void warn_of_defaults(const Element& analysis) {
-    for (const Default& choice : kDefaults)
-      if (!seen_.contains(std::string(choice.element)))
-        warn("default_" + lower_case(choice.element), analysis.place(),
-             fmt::format("{} is absent; taken as {}", choice.element, choice.value));
-  }
-
-  void warn(std::string name, Place place, std::string sentence) {
-    add_warning(warnings_, {std::move(name), std::move(place), std::move(sentence)});
   }
 
   double attribute_real(const Element& element, std::string_view attribute, const Demand& demand) {
@@ -147,83 +96,6 @@ class AnalysisReader {
 
   bool flag_of(const Element& element) { return choice_of(element, "flag", {"no", "yes"}) == 1; }
 
-  void read_type(const Element& element) {
-    analysis_.velocity_carry_over = choice_of(element, "type", {"static", "dynamic"}) == 1 ? 1 : 0;
-  }
-
-  void read_rotation(const Element& element) {
-    const bool linear = choice_of(element, "type", {"linear", "secondorder", "exact"}) == 0;
-    analysis_.rotation = linear ? Rotation::first_order : Rotation::exact;
-  }
-
-  void read_gravity(const Element& element) {
-    if (flag_of(element))
-      warn("gravity_phase_ignored", element.place(), "the gravity phase before the analysis is not run");
-  }
-
-  void read_acceleration(const Element& element) {
-    const Demand any{[](double) { return true; }, ""};
-    analysis_.gravity = attribute_real(element, "value", any);
-  }
-
-  void read_automatic_step(const Element& element) { analysis_.automatic_time_step = flag_of(element); }
-
-  void read_automatic_penalty(const Element& element) {
-    analysis_.automatic_penalty = flag_of(element);
-    if (element.attribute("pfactor"))
-      analysis_.penalty_factor = attribute_real(element, "pfactor", kPositive);
-    else
-      warn("default_pfactor", element.place(), "Autopenalty has no pfactor; taken as 50");
-  }
-
-  void pass_over(const Element&) {}  // Planestrain: read ahead of the rest
-
-  void read_step_count(const Element& element) {
-    analysis_.step_count = attribute_integer(element, "timesteps", kStepCount);
-  }
-
-  void read_time_step(const Element& element) {
-    analysis_.time_step_place = element.place();
-    analysis_.time_step = attribute_real(element, "maxtimestep", kPositive);
-  }
-
-  void read_displacement(const Element& element) {
-    analysis_.allowed_displacement_ratio = attribute_real(element, "maxdisplacement", kPositive);
-  }
-
-  void read_open_close_limit(const Element& element) {
-    analysis_.open_close_limit = attribute_integer(element, "maxopenclose", kAtLeastOne);
-  }
-
-  void read_save_interval(const Element& element) {
-    const bool empty = !element.attribute("step") || element.attribute_tokens("step").word_count == 0;
-    const int interval = empty ? 0 : attribute_integer(element, "step", kNotNegative);
-    analysis_.save_interval = interval == 0 ? 10 : interval;
-  }
-
-  void read_constants(const Element& element) {
-    warn_of_repeated(element, "last");
-    OpenCloseConstants& constants = analysis_.open_close;
-    for (const Element& child : element.children()) {
-      const std::string_view name = child.name();
-      if (name == "MinReflineFactor") continue;
-      double* target = name == "Openclose"        ? &constants.closing_ratio
-                       : name == "Opencriteria"   ? &constants.opening_ratio
-                       : name == "NormSpringPen"  ? &constants.allowed_penetration
-                       : name == "AngleOverlap"   ? &constants.angle_overlap_deg
-                       : name == "ShearNormRatio" ? &constants.normal_to_shear_stiffness
-                                                  : nullptr;
-      if (target)
-        *target = attribute_real(child, "value", kPositive);
-      else
-        add_warning(warnings_, ignored(child));
-    }
-  }
-
-  void read_contact_damping(const Element& element) {
-    analysis_.contact_damping = attribute_real(element, "value", kNotNegative);
-  }
-
   static std::optional<Element> child_of(const Element& element, std::string_view name) {
     for (const Element& child : element.children())
       if (child.name() == name) return child;
@@ -258,43 +130,183 @@ class AnalysisReader {
     return values;
   }
 
-  void keep_remainder(const Tokens& tokens, const Cursor& cursor) {
-    if (cursor.numbers_left() > 0)
-      refuse_decimal_commas(*tokens.map, tokens.text, tokens.start_of(0), tokens.end - tokens.start_of(0));
-    for (Warning& warning : cursor.remainder()) add_warning(warnings_, std::move(warning));
-  }
-
   double damping_of(const Element& element) {
     if (child_of(element, "Damping")) return child_real(element, "Damping", kNotNegative);
     warn("default_damping", element.place(), "Damping is absent; taken as 0");
     return 0;
   }
 
+  void keep_remainder(const Tokens& tokens, const Cursor& cursor) {
+    if (cursor.numbers_left() > 0)
+      refuse_decimal_commas(*tokens.map, tokens.text, tokens.start_of(0), tokens.end - tokens.start_of(0));
+    for (Warning& warning : cursor.remainder()) add_warning(warnings_, std::move(warning));
+  }
+
+ private:
+  Warnings warnings_;
+};
+
+class AnalysisReader {
+ public:
+  AnalysisReading read(const Element& element) {
+    const std::vector<Element> children = element.children();
+    analysis_.dialect = AnalysisDialect::ddaml;
+    analysis_.gravity = 9.81;
+    read_plane(children);
+    for (const Element& child : children) read_child(child);
+    require(element);
+    warn_of_defaults(element);
+    analysis_.place = {element.place().file};
+    return {std::move(analysis_), values_.take_warnings()};
+  }
+
+ private:
+  struct Handler {
+    std::string_view name;
+    void (AnalysisReader::*read)(const Element& element);
+  };
+  static const std::array<Handler, 19> kHandlers;
+
+  /// Before the materials, whichever comes first: plane strain narrows Poisson's ratio.
+  void read_plane(const std::vector<Element>& children) {
+    for (const Element& child : children)
+      if (child.name() == "Planestrain") analysis_.plane_strain = values_.flag_of(child);
+  }
+
+  void read_child(const Element& child) {
+    if (std::ranges::find(kPassedOver, child.name()) != kPassedOver.end()) return;
+    const auto handler = std::ranges::find(kHandlers, child.name(), &Handler::name);
+    if (handler == kHandlers.end()) {
+      values_.pass_over(child);
+      return;
+    }
+    if (!seen_.insert(std::string(child.name())).second && !stands_often(child.name()))
+      values_.warn("repeated_element", child.place(),
+                   fmt::format("{} stands here again; the last counts", child.name()));
+    (this->*handler->read)(child);
+  }
+
+  static bool stands_often(std::string_view name) { return std::ranges::find(kManyTimes, name) != kManyTimes.end(); }
+
+  void require(const Element& analysis) const {
+    for (const std::string_view name : kRequired)
+      if (!seen_.contains(std::string(name)))
+        throw InputError(analysis.place(), fmt::format("expected the element {} in Analysis, found none", name));
+    if (analysis_.block_materials.empty())
+      throw InputError(analysis.place(), "expected a block material (Blockmaterial) in Analysis, found none");
+    if (analysis_.joint_materials.empty())
+      throw InputError(analysis.place(), "expected a joint material (Jointproperties) in Analysis, found none");
+  }
+
+  void warn_of_defaults(const Element& analysis) {
+    for (const Default& choice : kDefaults)
+      if (!seen_.contains(std::string(choice.element)))
+        values_.warn("default_" + lower_case(choice.element), analysis.place(),
+                     fmt::format("{} is absent; taken as {}", choice.element, choice.value));
+  }
+
+  void read_type(const Element& element) {
+    analysis_.velocity_carry_over = values_.choice_of(element, "type", {"static", "dynamic"}) == 1 ? 1 : 0;
+  }
+
+  void read_rotation(const Element& element) {
+    const bool linear = values_.choice_of(element, "type", {"linear", "secondorder", "exact"}) == 0;
+    analysis_.rotation = linear ? Rotation::first_order : Rotation::exact;
+  }
+
+  void read_gravity(const Element& element) {
+    if (values_.flag_of(element))
+      values_.warn("gravity_phase_ignored", element.place(), "the gravity phase before the analysis is not run");
+  }
+
+  void read_acceleration(const Element& element) {
+    const Demand any{[](double) { return true; }, ""};
+    analysis_.gravity = values_.attribute_real(element, "value", any);
+  }
+
+  void read_automatic_step(const Element& element) { analysis_.automatic_time_step = values_.flag_of(element); }
+
+  void read_automatic_penalty(const Element& element) {
+    analysis_.automatic_penalty = values_.flag_of(element);
+    if (element.attribute("pfactor"))
+      analysis_.penalty_factor = values_.attribute_real(element, "pfactor", kPositive);
+    else
+      values_.warn("default_pfactor", element.place(), "Autopenalty has no pfactor; taken as 50");
+  }
+
+  void pass_over(const Element&) {}  // Planestrain: read ahead of the rest
+
+  void read_step_count(const Element& element) {
+    analysis_.step_count = values_.attribute_integer(element, "timesteps", kStepCount);
+  }
+
+  void read_time_step(const Element& element) {
+    analysis_.time_step_place = element.place();
+    analysis_.time_step = values_.attribute_real(element, "maxtimestep", kPositive);
+  }
+
+  void read_displacement(const Element& element) {
+    analysis_.allowed_displacement_ratio = values_.attribute_real(element, "maxdisplacement", kPositive);
+  }
+
+  void read_open_close_limit(const Element& element) {
+    analysis_.open_close_limit = values_.attribute_integer(element, "maxopenclose", kAtLeastOne);
+  }
+
+  void read_save_interval(const Element& element) {
+    const bool empty = !element.attribute("step") || element.attribute_tokens("step").word_count == 0;
+    const int interval = empty ? 0 : values_.attribute_integer(element, "step", kNotNegative);
+    analysis_.save_interval = interval == 0 ? 10 : interval;
+  }
+
+  void read_constants(const Element& element) {
+    values_.warn_of_repeated(element, "last");
+    OpenCloseConstants& constants = analysis_.open_close;
+    for (const Element& child : element.children()) {
+      const std::string_view name = child.name();
+      if (name == "MinReflineFactor") continue;
+      double* target = name == "Openclose"        ? &constants.closing_ratio
+                       : name == "Opencriteria"   ? &constants.opening_ratio
+                       : name == "NormSpringPen"  ? &constants.allowed_penetration
+                       : name == "AngleOverlap"   ? &constants.angle_overlap_deg
+                       : name == "ShearNormRatio" ? &constants.normal_to_shear_stiffness
+                                                  : nullptr;
+      if (target)
+        *target = values_.attribute_real(child, "value", kPositive);
+      else
+        values_.pass_over(child);
+    }
+  }
+
+  void read_contact_damping(const Element& element) {
+    analysis_.contact_damping = values_.attribute_real(element, "value", kNotNegative);
+  }
+
   void read_block_material(const Element& element) {
-    warn_of_repeated(element, "first");
+    values_.warn_of_repeated(element, "first");
     BlockMaterial material;
     material.place = element.place();
-    material.density = child_real(element, "Unitmass", kPositive);
-    material.unit_weight = child_real(element, "Unitweight");
-    material.youngs_modulus = child_real(element, "Youngsmod", kPositive);
+    material.density = values_.child_real(element, "Unitmass", kPositive);
+    material.unit_weight = values_.child_real(element, "Unitweight");
+    material.youngs_modulus = values_.child_real(element, "Youngsmod", kPositive);
     material.poissons_ratio =
-        child_real(element, "Poissonratio", analysis_.plane_strain ? kPoissonPlaneStrain : kPoissonPlaneStress);
-    material.damping = damping_of(element);
-    const auto stress = child_triple(element, "Istress");
+        values_.child_real(element, "Poissonratio", analysis_.plane_strain ? kPoissonPlaneStrain : kPoissonPlaneStress);
+    material.damping = values_.damping_of(element);
+    const auto stress = values_.child_triple(element, "Istress");
     material.initial_stress = {stress[0], stress[1], stress[2]};
-    const auto velocity = child_triple(element, "Ivelocity");
+    const auto velocity = values_.child_triple(element, "Ivelocity");
     material.initial_velocity = {velocity[0], velocity[1], velocity[2]};
-    material.initial_strain = child_triple(element, "Istrain");
+    material.initial_strain = values_.child_triple(element, "Istrain");
     analysis_.block_materials.push_back(material);
   }
 
   void read_joint_material(const Element& element) {
-    warn_of_repeated(element, "first");
+    values_.warn_of_repeated(element, "first");
     JointMaterial material;
     material.place = element.place();
-    material.friction_angle_deg = child_real(element, "Friction", kFrictionAngle);
-    material.cohesion = child_real(element, "Cohesion", kNotNegative);
-    material.tensile_strength = child_real(element, "Tensile", kNotNegative);
+    material.friction_angle_deg = values_.child_real(element, "Friction", kFrictionAngle);
+    material.cohesion = values_.child_real(element, "Cohesion", kNotNegative);
+    material.tensile_strength = values_.child_real(element, "Tensile", kNotNegative);
     analysis_.joint_materials.push_back(material);
   }
 
@@ -306,7 +318,7 @@ class AnalysisReader {
     properties.stiffness = cursor.next_real("the stiffness", kNotNegative);
     properties.strength = cursor.next_real("the strength");
     properties.pretension = cursor.next_real("the pre-tension");
-    keep_remainder(tokens, cursor);
+    values_.keep_remainder(tokens, cursor);
     analysis_.bolt_properties.push_back(properties);
   }
 
@@ -315,13 +327,13 @@ class AnalysisReader {
       if (child.name() == "Loadpoint")
         analysis_.point_loads.push_back(load_curve(child));
       else
-        add_warning(warnings_, ignored(child));
+        values_.pass_over(child);
     }
   }
 
   TimeCurve load_curve(const Element& element) {
     const Demand two_or_more{[](double v) { return v >= 2 && is_whole(v); }, "a whole number, 2 or more"};
-    const int rows = attribute_integer(element, "numpoints", two_or_more);
+    const int rows = values_.attribute_integer(element, "numpoints", two_or_more);
     const Tokens tokens = element.tokens();
     Cursor cursor(tokens, kEnd);
     TimeCurve curve;
@@ -333,12 +345,12 @@ class AnalysisReader {
       const double x = cursor.next_real("the load in x");
       curve.values.push_back({x, cursor.next_real("the load in y")});
     }
-    keep_remainder(tokens, cursor);
+    values_.keep_remainder(tokens, cursor);
     return curve;
   }
 
   Analysis analysis_;
-  Warnings warnings_;
+  ElementValues values_;
   std::set<std::string> seen_;
 };
 

@@ -14,7 +14,7 @@ namespace keyblock::formats {
 
 /// What a visitor F is handed: const where it writes. A visitor has `real`, `integer` (with the demand that a value
 /// must meet), `index` (from 1 in the file, from 0 inside), `formula` (a number or a text), `flag`, `word` (of an
-/// enumeration), `text`; `optional_real`, `optional_integer`; `row` (a struct as an array), `object`,
+/// enumeration), `text`, `mass_by` (what may stand in place of a unit of mass); `optional_real`, `optional_integer`; `row` (a struct as an array), `object`,
 /// `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors, with how many they hold at least where the
 /// list is needed; `curve`, `curves` (rows of time and value) and `pairs` (an object of words).
 template <class F, class T>
@@ -243,6 +243,8 @@ void describe(F& f, In<F, Toughness>& toughness) {
   f.real("mode_1", toughness.mode_1, kPositive);
   f.optional_real("mode_2", toughness.mode_2, kPositive);
   f.optional_real("tensile_strength", toughness.tensile_strength, kPositive);
+  f.optional_real("cohesion", toughness.cohesion, kPositive);
+  f.real("friction_deg", toughness.friction_deg, kFrictionAngle);
 }
 
 template <class F>
@@ -449,6 +451,7 @@ void describe(F& f, In<F, Units>& units) {
   f.text("length", units.length);
   f.text("mass", units.mass);
   f.text("time", units.time);
+  f.mass_by("force", "stress", units);
 }
 
 template <class F>

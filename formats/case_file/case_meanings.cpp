@@ -12,11 +12,14 @@ namespace {
 constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"case.$schema", "where editors find this schema; passed over"},
     {"case.units",
-     "names of the base units; one consistent set for all numbers, into which values with units of their own (\"20 "
-     "GPa\") are converted"},
+     "names of the base units, length, time and one of mass, force and stress; one consistent set for all numbers, "
+     "into "
+     "which values with units of their own (\"20 GPa\") are converted"},
     {"units.length", "L; absent: not said"},
     {"units.mass", "M; absent: not said"},
     {"units.time", "T; absent: not said"},
+    {"units.force", "F, in place of mass, which follows: force times time² over length"},
+    {"units.stress", "F/L², in place of mass, which follows: stress times length times time²"},
 
     {"case.drawing",
      "lines that cut blocks, and marks on them, or the name of the file that holds them, from the folder of the case; "
@@ -222,7 +225,12 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"toughness", "stress intensity at which cracks go on; absent: they do not grow"},
     {"mode_1", "K_Ic, F/L^1.5"},
     {"toughness.tensile_strength",
-     "at which a crack starts in intact rock where cracks grow, F/L²; absent: they grow only where there are some"},
+     "at which a crack starts in intact rock where cracks grow, F/L²; absent: none does in tension"},
+    {"toughness.cohesion",
+     "of intact rock, with friction_deg: at which a closed crack starts in shear where cracks grow, F/L²; needs "
+     "mode_2; "
+     "absent: none does"},
+    {"toughness.friction_deg", "of intact rock in shear, degrees"},
     {"mode_2", "K_IIc, F/L^1.5; absent: what the criterion of growth makes of K_Ic"},
     {"crack_closure", "of rock with cracks that compression closes; absent: it has none"},
     {"initial_modulus",

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/nearest.hpp"
+#include "formats/case_file/case_measures.hpp"
 #include "formats/text/numbers.hpp"
+#include "settings/settings_table.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -16,16 +18,32 @@ constexpr std::size_t kMostOfEmptyCurves = 12;
 // As Shi's samples have it.
 constexpr double kDisplacementRatioOfToday = 0.01;
 
+// A number and the name of a unit, which no expression is: x, y and functions are none.
+bool is_quantity(std::string_view text) {
+  const std::optional<Quantity> quantity = quantity_in(text);
+  return quantity && unit_named(quantity->unit);
+}
+
+// The number that a text stands for, in the units of the case; `or_else`: what else may stand there.
+double converted_at(const JsonValue& value, std::string_view name, const std::optional<Measure>& of,
+                    std::string_view or_else) {
+  const Measure measure = of.value_or(measures::kNumber);
+  const auto [number, lacks_units] = converted(value.string(), measure, value.units());
+  if (lacks_units)
+    value.fail(fmt::format(
+        "{}: units of the case (\"units\": {{\"length\": \"m\", …}}), into which a value is converted", name));
+  if (!number) value.fail(fmt::format("{}: {}, or {}", name, or_else, example_of(measure)));
+  return *number;
+}
+
+// What a setting measures; those of meshes are the keys of `mesh`.
+std::optional<Measure> measure_of_choice(const std::string& name) {
+  constexpr std::string_view kMesh = "mesh.";
+  if (name.starts_with(kMesh)) return measure_of("mesh", name.substr(kMesh.size()));
+  return measure_of_setting(name);
+}
+
 }  // namespace
-
-CaseReading::CaseReading(JsonValue value, std::string_view noun) : from_(value), noun_(noun) {
-  if (value.kind() == JsonKind::array) in_row_ = value.begin();
-}
-
-std::string CaseReading::nearest_of(std::string_view name) const {
-  const std::string found = nearest(name, {known_.begin(), known_.end()});
-  return found.empty() ? found : fmt::format(" (did you mean \"{}\"?)", found);
-}
 
 void CaseReading::name(std::string_view name) {
   std::string passed_over;
@@ -41,59 +59,15 @@ Analysis CaseReading::start_of_analysis() const {
   return analysis;
 }
 
-void CaseReading::finish() const {
-  if (in_row_) {
-    if (*in_row_ != from_.end()) (**in_row_).fail(fmt::format("the end of {}: {}", noun_, fmt::join(known_, ", ")));
-    return;
-  }
-  std::vector<std::string_view> seen;
-  for (auto i = from_.begin(); i != from_.end(); ++i) {
-    const JsonValue key = *i;
-    ++i;
-    const std::string_view name = key.string();
-    if (std::ranges::find(known_, name) == known_.end())
-      key.fail(fmt::format("a key of {}{}: {}", noun_, nearest_of(name), fmt::join(known_, ", ")));
-    if (std::ranges::find(seen, name) != seen.end()) key.fail(fmt::format("each key of {} once", noun_));
-    seen.push_back(name);
-  }
-  if (!missing_.empty()) from_.fail_missing(missing_);
-}
-
-bool CaseReading::take(std::string_view name) {
-  known_.push_back(name);
-  if (in_row_) {
-    if (*in_row_ == from_.end()) from_.fail(fmt::format("{} of {}", name, noun_));
-    value_ = **in_row_;
-    ++*in_row_;
-    return true;
-  }
-  value_ = from_.member(name);
-  return value_.has_value();
-}
-
-const JsonValue& CaseReading::of_kind(JsonKind kind, std::string_view name) const {
-  if (value_->kind() != kind)
-    value_->fail(fmt::format("{} of {}: an {}", name, noun_, kind == JsonKind::array ? "array" : "object"));
-  return *value_;
-}
-
-std::size_t CaseReading::size_of(const JsonValue& array) {
-  std::size_t size = 0;
-  for (auto i = array.begin(); i != array.end(); ++i) ++size;
-  return size;
-}
-
-void CaseReading::require(std::string_view name, std::size_t size, std::optional<std::size_t> least) {
-  if (!least) return;
-  if (value_ && size < *least) value_->fail(fmt::format("{} of {}: {} or more", name, noun_, *least));
-  if (!value_ && missing_.empty()) missing_ = fmt::format("the key {} of {}: an array", name, noun_);
-}
-
 void CaseReading::real(std::string_view name, double& value, const Demand& demand) {
   const auto fail_at = [&](const JsonValue& at) { at.fail(fmt::format("{} of {}: {}", name, noun_, demand.wording)); };
   if (take(name)) {
-    if (value_->kind() != JsonKind::number) fail_at(*value_);
-    value = value_->number();
+    if (value_->kind() == JsonKind::string && takes_unit(noun_, name))
+      value = converted_at(*value_, name, measure_of(noun_, name), "a number");
+    else if (value_->kind() != JsonKind::number)
+      fail_at(*value_);
+    else
+      value = value_->number();
     if (!demand.holds(value)) fail_at(*value_);
   } else if (!demand.holds(value)) {
     if (missing_.empty()) missing_ = fmt::format("the key {} of {}: {}", name, noun_, demand.wording);
@@ -121,12 +95,37 @@ void CaseReading::text(std::string_view name, std::string& value) {
   value = value_->string();
 }
 
+void CaseReading::mass_by(std::string_view force, std::string_view stress, Units& units) {
+  const auto unit_of = [&](std::string_view name, std::span<const std::string_view> known) {
+    std::string unit;
+    text(name, unit);
+    if (!unit.empty() && std::ranges::find(known, unit) == known.end())
+      value_->fail(fmt::format("{} of {}: one of {}", name, noun_, fmt::join(known, ", ")));
+    if (!unit.empty() && !units.mass.empty())
+      value_->fail(fmt::format("one of mass, {} and {} in {}: the others follow from it", force, stress, noun_));
+    return unit;
+  };
+  if (const std::string unit = unit_of(force, kForceUnits); !unit.empty()) {
+    units.mass = mass_of_force(unit, units.length, units.time);
+    if (units.mass.empty()) value_->fail(fmt::format("length and time in {}, with which mass follows", noun_));
+  }
+  if (const std::string unit = unit_of(stress, kStressUnits); !unit.empty()) {
+    units.mass = mass_of_stress(unit, units.length, units.time);
+    if (units.mass.empty()) value_->fail(fmt::format("length and time in {}, with which mass follows", noun_));
+  }
+}
+
 void CaseReading::formula(std::string_view name, Formula& formula) {
   if (!take(name)) return;
   if (value_->kind() != JsonKind::number && value_->kind() != JsonKind::string)
     value_->fail(fmt::format("{} of {}: a number or an expression in quotes", name, noun_));
   formula.place = value_->place();
-  formula.text = value_->kind() == JsonKind::number ? format_real(value_->number()) : std::string(value_->string());
+  if (value_->kind() == JsonKind::number)
+    formula.text = format_real(value_->number());
+  else if (is_quantity(value_->string()) && takes_unit(noun_, name))
+    formula.text = format_real(converted_at(*value_, name, measure_of(noun_, name), "a number, an expression"));
+  else
+    formula.text = value_->string();
 }
 
 void CaseReading::optional_formula(std::string_view name, std::optional<Formula>& formula) {
@@ -193,7 +192,12 @@ void CaseReading::pairs(std::string_view name, std::vector<std::pair<std::string
     const JsonValue key = *i;
     ++i;
     if ((*i).kind() != JsonKind::string) (*i).fail(fmt::format("{} of {}: a word in quotes", key.string(), name));
-    pairs.emplace_back(key.string(), (*i).string());
+    const std::string setting(key.string());
+    std::string value((*i).string());
+    const Measure measure = measure_of_choice(setting).value_or(measures::kNumber);
+    if (is_quantity(value) && measure != measures::kNumber)
+      value = format_real(converted_at(*i, setting, measure, "a number"));
+    pairs.emplace_back(setting, value);
   }
 }
 

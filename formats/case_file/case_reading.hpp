@@ -13,21 +13,19 @@
 #include <vector>
 
 #include "formats/case_file/material_library.hpp"
+#include "formats/case_file/unit_names.hpp"
+#include "formats/case_file/taken_fields.hpp"
 #include "formats/text/demands.hpp"
-#include "formats/text/json_text.hpp"
 #include "problem/formula.hpp"
 
 namespace keyblock::formats {
 
-/// Reads the fields of one JSON value into one struct: by key where it is an object, in order where it is an array (a
-/// row).
-class CaseReading {
+/// Reads the fields of one JSON value into one struct.
+class CaseReading : public TakenFields {
  public:
   static constexpr bool is_writing = false;
 
-  CaseReading(JsonValue value, std::string_view noun);
-  /// Throws InputError at a key or value that no field has taken, then for the first key that is missing.
-  void finish() const;
+  using TakenFields::TakenFields;
 
   /// Where an analysis begins whose keys say nothing: as in version 1 of the layout, or as in version 2.
   void take_defaults_of_today() { is_of_today_ = true; }
@@ -43,6 +41,8 @@ class CaseReading {
   void index(std::string_view name, int& value);
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
+  /// A unit of force, or of stress, from which that of mass follows.
+  void mass_by(std::string_view force, std::string_view stress, Units& units);
   /// A word by which other parts of the file refer to this one; nothing else keeps it.
   void name(std::string_view name);
   /// What a material of the library is, where the key names one: values beside it overrule it.
@@ -117,17 +117,7 @@ class CaseReading {
   void pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>& pairs);
 
  private:
-  std::string nearest_of(std::string_view name) const;
-
   static constexpr std::size_t kMostRoom = 12;  // over the size of the file, that is made for a list at once
-
-  /// The value of the next field into `value_`; false where the object lacks it.
-  bool take(std::string_view name);
-  const JsonValue& of_kind(JsonKind kind, std::string_view name) const;
-  /// For lists of lists: an empty one is so short that a vector that grows would take many times the file.
-  static std::size_t size_of(const JsonValue& array);
-  /// Of the list last asked for: there where it is needed, with `least` items.
-  void require(std::string_view name, std::size_t size, std::optional<std::size_t> least);
 
   template <class T>
   static void fill(const JsonValue& from, std::string_view noun, T& value) {
@@ -153,12 +143,6 @@ class CaseReading {
   }
   static TimeCurve curve_of(const JsonValue& from, std::string_view name);
 
-  JsonValue from_;
-  std::string_view noun_;
-  std::optional<JsonValue> value_;             ///< last taken
-  std::optional<JsonValue::Iterator> in_row_;  ///< next of a row
-  std::vector<std::string_view> known_;        ///< keys asked for
-  std::string missing_;                        ///< what the first missing key should have been
   bool is_of_today_ = false;
 };
 

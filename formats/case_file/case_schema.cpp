@@ -7,9 +7,11 @@
 
 #include "formats/case_file/case_fields.hpp"
 #include "formats/case_file/case_meanings.hpp"
+#include "formats/case_file/case_measures.hpp"
 #include "formats/case_file/case_values.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/case_file/material_library.hpp"
+#include "formats/case_file/unit_names.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -18,6 +20,8 @@ using Json = nlohmann::ordered_json;
 
 // What the library says need not be given.
 constexpr const char* kLike = "like";
+// A number and a unit, as `quantity_in` takes them apart.
+constexpr const char* kValueWithUnit = R"(^-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)? *[^ ]+ *$)";
 
 /// Describes one struct: as an object with keys, or as a row, whose places are named.
 class CaseSchema {
@@ -35,11 +39,18 @@ class CaseSchema {
   }
   void index(std::string_view name, int& value) {
     Json type = "integer";
-    if (takes_text(name)) type = {"integer", "string"};
+    if (takes_name(name)) type = {"integer", "string"};
     add(name, {{"type", type}, {"default", value + 1}});
   }
   void flag(std::string_view name, bool& value) { add(name, {{"type", "boolean"}, {"default", value}}); }
   void text(std::string_view name, std::string&) { add(name, {{"type", "string"}}); }
+  void mass_by(std::string_view force, std::string_view stress, Units&) {
+    const auto put = [&](std::string_view name, std::span<const std::string_view> known) {
+      add(name, {{"type", "string"}, {"enum", std::vector<std::string>(known.begin(), known.end())}});
+    };
+    put(force, kForceUnits);
+    put(stress, kStressUnits);
+  }
   void formula(std::string_view name, Formula&) { add(name, {{"type", {"number", "string"}}, {"default", 0}}); }
   void optional_formula(std::string_view name, std::optional<Formula>&) { add(name, {{"type", {"number", "string"}}}); }
   template <class Enum>
@@ -52,7 +63,7 @@ class CaseSchema {
     add(name, {{"enum", std::vector<std::string>(words.begin(), words.end())}});
   }
   void optional_real(std::string_view name, std::optional<double>&, const Demand& demand) {
-    add(name, {{"type", "number"}}, demand.wording);
+    add(name, number_of(name, "number"), demand.wording);
   }
   void optional_integer(std::string_view name, std::optional<int>&, const Demand& demand) {
     add(name, {{"type", "integer"}}, demand.wording);
@@ -147,13 +158,17 @@ class CaseSchema {
   /// A number whose default is none of the permitted values is needed.
   template <class Number>
   void add_number(std::string_view name, const char* type, const Demand& demand, Number value, bool has_default) {
-    Json number = {{"type", type}};
-    if (takes_text(name)) number["type"] = {type, "string"};
+    Json number = number_of(name, type);
     if (has_default)
       number["default"] = value;
     else
       required_.emplace_back(name);
     add(name, std::move(number), demand.wording == kAny.wording ? std::string_view{} : demand.wording);
+  }
+  /// As the reader has it: where a number has a unit, a text with one may stand.
+  Json number_of(std::string_view name, const char* type) const {
+    if (!takes_unit(parent_, name)) return {{"type", type}};
+    return {{"type", {type, "string"}}, {"pattern", kValueWithUnit}};
   }
   void add_list(std::string_view name, Json list, std::optional<std::size_t> least) {
     if (least) required_.emplace_back(name);
@@ -163,6 +178,8 @@ class CaseSchema {
   void add(std::string_view name, Json schema, std::string_view demand = {}) {
     const std::string_view meaning = meaning_of(parent_, name);
     schema["description"] = demand.empty() ? std::string(meaning) : fmt::format("{}; {}", meaning, demand);
+    if (takes_unit(parent_, name))
+      schema["examples"] = Json::array({example_value(measure_of(parent_, name).value_or(measures::kNumber))});
     keys_[std::string(name)] = std::move(schema);
   }
 
@@ -178,6 +195,10 @@ void name_units(Json& units) {
   name("length", kLengthUnits);
   name("mass", kMassUnits);
   name("time", kTimeUnits);
+  // Or a product, as `convert` writes it where the case declares a force instead.
+  Json& mass = units["properties"]["mass"];
+  mass["anyOf"] = Json::array({{{"enum", mass["enum"]}}, {{"pattern", "·"}}});
+  mass.erase("enum");
 }
 
 // What version 2 does without.

@@ -11,47 +11,10 @@
 #include <vector>
 
 #include "base/nearest.hpp"
-#include "problem/units/unit_conversion.hpp"
+#include "problem/units/measure.hpp"
 
 namespace keyblock::formats {
 namespace {
-
-struct FieldUnit {
-  std::string_view name;
-  Dimension dimension;  ///< none: an angle
-};
-
-// Loads and stiffnesses are those of a slice one unit of length thick.
-constexpr std::array<FieldUnit, 30> kFields{{{"time_step", kTimeDimension},
-                                             {"duration", kTimeDimension},
-                                             {"gravity", kAcceleration},
-                                             {"density", kDensity},
-                                             {"unit_weight", kForcePerVolume},
-                                             {"horizontal_force", kForcePerVolume},
-                                             {"youngs_modulus", kStress},
-                                             {"initial_modulus", kStress},
-                                             {"cohesion", kStress},
-                                             {"tensile_strength", kStress},
-                                             {"yield_stress", kStress},
-                                             {"initial_stress_zz", kStress},
-                                             {"stress_gradient_zz", kForcePerVolume},
-                                             {"contact_penalty", kStress},
-                                             {"stiffness", kStress},
-                                             {"strength", kForcePerLength},
-                                             {"pretension", kForcePerLength},
-                                             {"force_x", kForcePerLength},
-                                             {"force_y", kForcePerLength},
-                                             {"fracture_energy", kForcePerLength},
-                                             {"side", kLengthDimension},
-                                             {"tip_side", kLengthDimension},
-                                             {"tip_radius", kLengthDimension},
-                                             {"increment", kLengthDimension},
-                                             {"through_x", kLengthDimension},
-                                             {"through_y", kLengthDimension},
-                                             {"friction_angle_deg", {}},
-                                             {"friction_deg", {}},
-                                             {"dilation_deg", {}},
-                                             {"angle", {}}}};
 
 constexpr std::array<std::string_view, 3> kBlockFields{"material", "block_material", "materials"};
 constexpr std::array<std::string_view, 1> kJointFields{"joint_material"};
@@ -120,11 +83,13 @@ class Values {
   void put(const JsonValue& value, std::string_view key) {
     if (is_one_of(kBlockFields, key)) return put_material(value, rocks_, "block");
     if (is_one_of(kJointFields, key)) return put_material(value, joints_, "joint");
-    const auto field = std::ranges::find(kFields, key, &FieldUnit::name);
-    if (field != kFields.end()) put_quantity(value, *field);
   }
 
+  /// Beside the material of a row stand numbers, with units perhaps: what is one is left to the reader.
   void put_in_row(const JsonValue& value, std::string_view key) {
+    const bool is_name = std::ranges::find(rocks_, value.string()) != rocks_.end() ||
+                         std::ranges::find(joints_, value.string()) != joints_.end();
+    if (!is_name && quantity_in(value.string())) return;
     if (is_one_of(kBlockRows, key)) put_material(value, rocks_, "block");
     if (is_one_of(kJointRows, key)) put_material(value, joints_, "joint");
   }
@@ -141,18 +106,6 @@ class Values {
     text_.replace(value, static_cast<double>(found - names.begin() + 1));
   }
 
-  void put_quantity(const JsonValue& value, const FieldUnit& field) {
-    const auto fail = [&](const std::string& expected) { value.fail(fmt::format("{}: {}", field.name, expected)); };
-    const std::optional<Quantity> quantity = quantity_in(value.string());
-    const std::optional<Unit> unit = quantity ? unit_named(quantity->unit) : std::nullopt;
-    const bool takes_angle = field.dimension == Dimension{};
-    if (!unit || unit->is_angle != takes_angle || (!takes_angle && unit->dimension != field.dimension))
-      fail(fmt::format("a number, or {}", example_of(field.dimension)));
-    const std::optional<double> factor = si_factor(value.units(), field.dimension);
-    if (!factor) fail("units of the case (\"units\": {\"length\": \"m\", …}), into which a value is converted");
-    text_.replace(value, quantity->number * unit->factor / *factor);
-  }
-
   JsonText& text_;
   std::vector<std::string> rocks_;
   std::vector<std::string> joints_;
@@ -160,12 +113,11 @@ class Values {
 
 }  // namespace
 
-bool takes_text(std::string_view field) {
-  return is_one_of(kBlockFields, field) || is_one_of(kJointFields, field) ||
-         std::ranges::find(kFields, field, &FieldUnit::name) != kFields.end();
+bool takes_name(std::string_view field) {
+  return is_one_of(kBlockFields, field) || is_one_of(kJointFields, field);
 }
 
-void resolve_values(JsonText& text) {
+void resolve_names(JsonText& text) {
   Values(text).walk(text.root(), "");
 }
 

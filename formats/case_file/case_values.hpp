@@ -1,4 +1,4 @@
-// What people may write where a case file holds numbers: values with units, and names of materials.
+// What people may write where a case file holds numbers of materials: their names.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,13 +6,11 @@
 
 namespace keyblock::formats {
 
-/// Turns "20 GPa", "30 deg" and names of materials into the numbers that they stand for: values in the units that the
-/// case declares, materials counted from 1. Fields that take a unit are listed in case_values.cpp; in all others a text
-/// stays one. Throws InputError where a value is of another kind of quantity than its field, where its unit is not
-/// known, or where the case declares no units; and for a name that no material has, or two.
-void resolve_values(JsonText& text);
+/// Turns names of materials into the numbers that they stand for, counted from 1. Throws InputError for a name that no
+/// material has, or two. Values with units are the reader's (CaseReading::real).
+void resolve_names(JsonText& text);
 
-/// Whether a field may be a text for which `resolve_values` puts a number.
-bool takes_text(std::string_view field);
+/// Whether a field may be a name for which `resolve_names` puts a number.
+bool takes_name(std::string_view field);
 
 }  // namespace keyblock::formats

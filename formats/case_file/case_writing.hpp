@@ -32,6 +32,7 @@ class CaseWriting {
   void index(std::string_view name, int value) { integer(name, static_cast<long long>(value) + 1, {}); }
   void flag(std::string_view name, bool value);
   void text(std::string_view name, const std::string& value);
+  static void mass_by(std::string_view, std::string_view, const Units&) {}
   void name(std::string_view) {}
   template <class Material>
   void of_library(std::string_view, const Material&) {}

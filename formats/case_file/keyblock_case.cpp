@@ -11,6 +11,7 @@
 #include "formats/case_file/case_reading.hpp"
 #include "formats/case_file/case_values.hpp"
 #include "formats/case_file/case_writing.hpp"
+#include "formats/case_file/yaml_text.hpp"
 #include "material/crack_closure.hpp"
 #include "material/strength.hpp"
 #include "problem/units/unit_conversion.hpp"
@@ -25,6 +26,7 @@ constexpr std::size_t kFewestCorners = 3;
 
 Recognition recognise(const Source& source) {
   using Fit = Recognition::Fit;
+  if (is_yaml_case(source.text)) return {Fit::exact, "YAML with the key keyblock"};
   const std::string_view text = without_bom(source.text);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos ||
@@ -52,7 +54,10 @@ void check(const Units& units, const Place& place) {
           place, fmt::format("expected {} of units: one of {}, found \"{}\"", name, fmt::join(known, ", "), unit));
   };
   require("length", units.length, kLengthUnits);
-  require("mass", units.mass, kMassUnits);
+  // One that follows from a force may be a product.
+  const std::optional<Unit> mass = unit_named(units.mass);
+  const bool is_product = mass && mass->dimension == Dimension{1, 0, 0} && units.mass.find("·") != std::string::npos;
+  if (!is_product) require("mass", units.mass, kMassUnits);
   require("time", units.time, kTimeUnits);
 }
 
@@ -194,6 +199,8 @@ void check(const Analysis& analysis) {
   if (analysis.block_materials.empty()) throw InputError(analysis.place, "expected block_materials, found none");
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
   for (const BlockMaterial& material : analysis.block_materials) {
+    if (material.toughness && material.toughness->cohesion && !material.toughness->mode_2)
+      throw InputError(material.place, "toughness: expected a mode_2 beside the cohesion, found none");
     if (!material.is_nonlinear()) continue;
     if (material.strength)
       if (const std::string why = why_unusable(*material.strength); !why.empty())
@@ -275,7 +282,7 @@ void resolve(JsonText& text) {
     check(units, declared->place());
     text.declare(units);
   }
-  resolve_values(text);
+  resolve_names(text);
 }
 
 Warnings doubtful_strengths(const Analysis& analysis) {
@@ -314,7 +321,12 @@ void name_file(std::optional<Part>& part, const std::string& file) {
 }
 
 Reading read(const Source& source, const ReadHint&) {
-  JsonText text(source);
+  std::optional<JsonText> parsed;
+  if (is_yaml_case(source.text))
+    read_yaml(parsed.emplace(source, JsonText::Unread{}), source);
+  else
+    parsed.emplace(source);
+  JsonText& text = *parsed;
   if (text.root().kind() != JsonKind::object) text.root().fail("an object");
   resolve(text);
   Reading reading;

@@ -27,45 +27,10 @@ struct Corner {
   std::string_view layer;
 };
 
-class EntityReader {
+/// What groups of a record say, each with the complaint about one that does not.
+class RecordValues {
  public:
-  EntityReader(const DxfDocument& document, std::span<const DxfRecord> records, DxfDefinitions& definitions)
-      : document_(document), records_(records), definitions_(definitions) {}
-
-  DxfShapes read() {
-    while (at_ < records_.size()) {
-      const DxfRecord& record = records_[at_++];
-      if (is_in_paper_space(record)) {
-        skip("entity in paper space", record);
-        if (record.head.value == "POLYLINE") next_vertices(record);
-      } else {
-        read_record(record);
-      }
-    }
-    return std::move(result_);
-  }
-
- private:
-  void read_record(const DxfRecord& record) {
-    const std::string_view type = record.head.value;
-    if (type == "LINE") return read_line(record);
-    if (type == "POINT") return read_point(record);
-    if (type == "CIRCLE") return read_circle(record);
-    if (type == "ARC") return read_arc(record);
-    if (type == "LWPOLYLINE") return read_light_polyline(record);
-    if (type == "POLYLINE") return read_polyline(record);
-    if (mark_of(record) != 0) return read_mark(record);
-    if (type == "INSERT") return read_insert(record);
-    if (type == "SEQEND") return;  // of the attributes of an INSERT
-    skip(shown(type), record);
-  }
-
-  static std::string shown(std::string_view type) {
-    const bool is_plain = std::ranges::all_of(type, [](char c) { return c > ' ' && c <= 'Z'; });
-    return is_plain && type.size() < 40 ? std::string(type) : in_quotes(type);
-  }
-
-  void skip(std::string_view kind, const DxfRecord& record) { result_.skipped.add(kind, document_.place(record.head)); }
+  explicit RecordValues(const DxfDocument& document) : document_(document) {}
 
   double real(const DxfRecord& record, int code, std::string_view name) const {
     const DxfGroup* group = record.find(code);
@@ -111,8 +76,9 @@ class EntityReader {
     return real(record, 230, "z of the normal") < 0 ? -1 : 1;
   }
 
-  void skip_solid(const DxfRecord& record) {
-    skip(fmt::format("{} not in the plane z = 0", record.head.value), record);
+  /// Ends of lines and points are said in world coordinates, whatever the normal.
+  bool is_flat(const DxfRecord& record, std::initializer_list<int> heights) const {
+    return std::ranges::all_of(heights, [&](int code) { return std::abs(real_or_zero(record, code, "z")) <= kFlat; });
   }
 
   DxfShape shape_of(const DxfRecord& record, std::vector<Point> points) const {
@@ -120,38 +86,6 @@ class EntityReader {
         record.head.value, layer_of(record), document_.place(record.head), false, false, std::move(points), {}, {}};
     if (const DxfGroup* group = record.find(62)) shape.colour = document_.integer(*group, "the colour", shape.type);
     return shape;
-  }
-
-  /// Curves lie in a plane of their own, seen from below where its normal points down.
-  void add_in_plane(DxfShape shape, int side) {
-    if (side < 0)
-      for (Point& p : shape.points) p.x = -p.x;
-    result_.shapes.push_back(std::move(shape));
-  }
-
-  static void count_chords(DxfShape& shape, std::size_t chords) {
-    ++shape.curves;
-    shape.chords += static_cast<std::uint32_t>(chords);
-  }
-
-  /// Ends of lines and points are said in world coordinates, whatever the normal.
-  bool is_flat(const DxfRecord& record, std::initializer_list<int> heights) const {
-    return std::ranges::all_of(heights, [&](int code) { return std::abs(real_or_zero(record, code, "z")) <= kFlat; });
-  }
-
-  void read_line(const DxfRecord& record) {
-    if (!is_flat(record, {30, 31})) return skip_solid(record);
-    const Point start = point(record, 10, "x of the start", "y of the start");
-    DxfShape shape = shape_of(record, {start, point(record, 11, "x of the end", "y of the end")});
-    shape.bolt = bolt_of(record);
-    result_.shapes.push_back(std::move(shape));
-  }
-
-  void read_point(const DxfRecord& record) {
-    if (!is_flat(record, {30})) return skip_solid(record);
-    DxfShape shape = shape_of(record, {point(record, 10, "x", "y")});
-    shape.is_point = true;
-    result_.shapes.push_back(std::move(shape));
   }
 
   /// The letter of a text that is one of the marks of the old Windows program; 0 for every other entity.
@@ -164,14 +98,6 @@ class EntityReader {
     return is_mark ? text->value.front() : '\0';
   }
 
-  void read_mark(const DxfRecord& record) {
-    if (!is_flat(record, {30})) return skip_solid(record);
-    DxfShape shape = shape_of(record, {point(record, 10, "x", "y")});
-    shape.is_point = true;
-    shape.mark = mark_of(record);
-    result_.shapes.push_back(std::move(shape));
-  }
-
   double radius(const DxfRecord& record) const {
     const double value = real(record, 40, "the radius");
     if (value > 0) return value;
@@ -180,43 +106,8 @@ class EntityReader {
                                  in_quotes(record.find(40)->value)));
   }
 
-  void read_circle(const DxfRecord& record) {
-    const auto side = side_seen(record, {30});
-    if (!side) return skip_solid(record);
-    const Point centre = point(record, 10, "x of the centre", "y of the centre");
-    DxfShape shape = shape_of(record, arc_points(centre, radius(record), 0, 2 * std::numbers::pi));
-    shape.points.pop_back();
-    shape.is_closed = true;
-    count_chords(shape, shape.points.size());
-    add_in_plane(std::move(shape), *side);
-  }
-
-  void read_arc(const DxfRecord& record) {
-    const auto side = side_seen(record, {30});
-    if (!side) return skip_solid(record);
-    const Point centre = point(record, 10, "x of the centre", "y of the centre");
-    const double start = real(record, 50, "the start angle");
-    const double turn = std::fmod(real(record, 51, "the end angle") - start, 360);
-    const double sweep = turn > 0 ? turn : turn + 360;
-    const double degree = std::numbers::pi / 180;
-    DxfShape shape =
-        shape_of(record, arc_points(centre, radius(record), degree * std::fmod(start, 360), degree * sweep));
-    count_chords(shape, shape.points.size() - 1);
-    add_in_plane(std::move(shape), *side);
-  }
-
-  void read_light_polyline(const DxfRecord& record) {
-    std::vector<Corner> corners = light_corners(record);
-    if (const DxfGroup* count = record.find(90)) {
-      const int said = document_.integer(*count, "the number of vertices", record.head.value);
-      if (said < 0 || static_cast<std::size_t>(said) != corners.size())
-        result_.warnings.push_back(
-            {"dxf_vertex_count", document_.place(*count),
-             fmt::format("group 90 says {} vertices, the LWPOLYLINE has {}; these are read", said, corners.size())});
-    }
-    const auto side = side_seen(record, {38});
-    if (!side) return skip_solid(record);
-    add_polyline(record, corners, (flags(record) & kClosed) != 0, *side);
+  double scale_of(const DxfRecord& record, int code, std::string_view name) const {
+    return record.find(code) == nullptr ? 1 : real(record, code, name);
   }
 
   /// Group 10 opens a corner; 20 and 42 belong to the corner before them.
@@ -245,6 +136,145 @@ class EntityReader {
     return corners;
   }
 
+  std::optional<std::array<double, 3>> bolt_of(const DxfRecord& record) const {
+    std::vector<double> values;
+    const DxfGroup* application = nullptr;
+    bool is_ours = false;
+    for (const DxfGroup& group : record.groups) {
+      if (group.code == 1001) is_ours = group.value == kApplication;
+      if (group.code == 1001 && is_ours) application = &group;
+      if (group.code == 1040 && is_ours) values.push_back(document_.real(group, "a value", "the bolt"));
+    }
+    if (application == nullptr) return std::nullopt;
+    if (values.size() == 3) return std::array<double, 3>{values[0], values[1], values[2]};
+    throw InputError(
+        document_.place(*application),
+        fmt::format("expected 3 values (group 1040) of the bolt: stiffness, strength, pre-tension, found {}",
+                    values.size()));
+  }
+
+ private:
+  const DxfDocument& document_;
+};
+
+class EntityReader {
+ public:
+  EntityReader(const DxfDocument& document, std::span<const DxfRecord> records, DxfDefinitions& definitions)
+      : document_(document), of_(document), records_(records), definitions_(definitions) {}
+
+  DxfShapes read() {
+    while (at_ < records_.size()) {
+      const DxfRecord& record = records_[at_++];
+      if (of_.is_in_paper_space(record)) {
+        skip("entity in paper space", record);
+        if (record.head.value == "POLYLINE") next_vertices(record);
+      } else {
+        read_record(record);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void read_record(const DxfRecord& record) {
+    const std::string_view type = record.head.value;
+    if (type == "LINE") return read_line(record);
+    if (type == "POINT") return read_point(record);
+    if (type == "CIRCLE") return read_circle(record);
+    if (type == "ARC") return read_arc(record);
+    if (type == "LWPOLYLINE") return read_light_polyline(record);
+    if (type == "POLYLINE") return read_polyline(record);
+    if (RecordValues::mark_of(record) != 0) return read_mark(record);
+    if (type == "INSERT") return read_insert(record);
+    if (type == "SEQEND") return;  // of the attributes of an INSERT
+    skip(shown(type), record);
+  }
+
+  static std::string shown(std::string_view type) {
+    const bool is_plain = std::ranges::all_of(type, [](char c) { return c > ' ' && c <= 'Z'; });
+    return is_plain && type.size() < 40 ? std::string(type) : in_quotes(type);
+  }
+
+  void skip(std::string_view kind, const DxfRecord& record) { result_.skipped.add(kind, document_.place(record.head)); }
+
+  void skip_solid(const DxfRecord& record) {
+    skip(fmt::format("{} not in the plane z = 0", record.head.value), record);
+  }
+
+  /// Curves lie in a plane of their own, seen from below where its normal points down.
+  void add_in_plane(DxfShape shape, int side) {
+    if (side < 0)
+      for (Point& p : shape.points) p.x = -p.x;
+    result_.shapes.push_back(std::move(shape));
+  }
+
+  static void count_chords(DxfShape& shape, std::size_t chords) {
+    ++shape.curves;
+    shape.chords += static_cast<std::uint32_t>(chords);
+  }
+
+  void read_line(const DxfRecord& record) {
+    if (!of_.is_flat(record, {30, 31})) return skip_solid(record);
+    const Point start = of_.point(record, 10, "x of the start", "y of the start");
+    DxfShape shape = of_.shape_of(record, {start, of_.point(record, 11, "x of the end", "y of the end")});
+    shape.bolt = of_.bolt_of(record);
+    result_.shapes.push_back(std::move(shape));
+  }
+
+  void read_point(const DxfRecord& record) {
+    if (!of_.is_flat(record, {30})) return skip_solid(record);
+    DxfShape shape = of_.shape_of(record, {of_.point(record, 10, "x", "y")});
+    shape.is_point = true;
+    result_.shapes.push_back(std::move(shape));
+  }
+
+  void read_mark(const DxfRecord& record) {
+    if (!of_.is_flat(record, {30})) return skip_solid(record);
+    DxfShape shape = of_.shape_of(record, {of_.point(record, 10, "x", "y")});
+    shape.is_point = true;
+    shape.mark = RecordValues::mark_of(record);
+    result_.shapes.push_back(std::move(shape));
+  }
+
+  void read_circle(const DxfRecord& record) {
+    const auto side = of_.side_seen(record, {30});
+    if (!side) return skip_solid(record);
+    const Point centre = of_.point(record, 10, "x of the centre", "y of the centre");
+    DxfShape shape = of_.shape_of(record, arc_points(centre, of_.radius(record), 0, 2 * std::numbers::pi));
+    shape.points.pop_back();
+    shape.is_closed = true;
+    count_chords(shape, shape.points.size());
+    add_in_plane(std::move(shape), *side);
+  }
+
+  void read_arc(const DxfRecord& record) {
+    const auto side = of_.side_seen(record, {30});
+    if (!side) return skip_solid(record);
+    const Point centre = of_.point(record, 10, "x of the centre", "y of the centre");
+    const double start = of_.real(record, 50, "the start angle");
+    const double turn = std::fmod(of_.real(record, 51, "the end angle") - start, 360);
+    const double sweep = turn > 0 ? turn : turn + 360;
+    const double degree = std::numbers::pi / 180;
+    DxfShape shape =
+        of_.shape_of(record, arc_points(centre, of_.radius(record), degree * std::fmod(start, 360), degree * sweep));
+    count_chords(shape, shape.points.size() - 1);
+    add_in_plane(std::move(shape), *side);
+  }
+
+  void read_light_polyline(const DxfRecord& record) {
+    std::vector<Corner> corners = of_.light_corners(record);
+    if (const DxfGroup* count = record.find(90)) {
+      const int said = document_.integer(*count, "the number of vertices", record.head.value);
+      if (said < 0 || static_cast<std::size_t>(said) != corners.size())
+        result_.warnings.push_back(
+            {"dxf_vertex_count", document_.place(*count),
+             fmt::format("group 90 says {} vertices, the LWPOLYLINE has {}; these are read", said, corners.size())});
+    }
+    const auto side = of_.side_seen(record, {38});
+    if (!side) return skip_solid(record);
+    add_polyline(record, corners, (of_.flags(record) & kClosed) != 0, *side);
+  }
+
   /// The records up to SEQEND, which is passed.
   std::span<const DxfRecord> next_vertices(const DxfRecord& polyline) {
     const std::size_t first = at_;
@@ -263,15 +293,16 @@ class EntityReader {
 
   void read_polyline(const DxfRecord& record) {
     const std::span<const DxfRecord> vertices = next_vertices(record);
-    const int kind = flags(record);
+    const int kind = of_.flags(record);
     if ((kind & (kMesh | kPolyface)) != 0) return skip("POLYLINE that is a mesh", record);
-    const auto side = side_seen(record, {30});
+    const auto side = of_.side_seen(record, {30});
     std::vector<Corner> corners;
     bool is_flat_all = side.has_value();
     for (const DxfRecord& vertex : vertices) {
-      if ((flags(vertex) & kSplineFrame) != 0) continue;
-      is_flat_all = is_flat_all && is_flat(vertex, {30});
-      corners.push_back({point(vertex, 10, "x", "y"), real_or_zero(vertex, 42, "the bulge"), layer_of(vertex)});
+      if ((of_.flags(vertex) & kSplineFrame) != 0) continue;
+      is_flat_all = is_flat_all && of_.is_flat(vertex, {30});
+      corners.push_back(
+          {of_.point(vertex, 10, "x", "y"), of_.real_or_zero(vertex, 42, "the bulge"), RecordValues::layer_of(vertex)});
     }
     if (!is_flat_all) return skip_solid(record);
     add_polyline(record, corners, (kind & kClosed) != 0, *side);
@@ -279,7 +310,7 @@ class EntityReader {
 
   /// Vertices that repeat the one before them begin no side.
   void add_polyline(const DxfRecord& record, const std::vector<Corner>& corners, bool is_closed, int side) {
-    DxfShape shape = shape_of(record, {});
+    DxfShape shape = of_.shape_of(record, {});
     shape.is_closed = is_closed;
     shape.points.reserve(corners.size());
     shape.side_layers.reserve(corners.size());
@@ -319,10 +350,6 @@ class EntityReader {
     return *definition.shapes;
   }
 
-  double scale_of(const DxfRecord& record, int code, std::string_view name) const {
-    return record.find(code) == nullptr ? 1 : real(record, code, name);
-  }
-
   /// The shapes of a block, from its base point to the point of the INSERT, scaled, then turned. What lies on layer 0
   /// comes to the layer of the INSERT, what has no colour gets its colour.
   void read_insert(const DxfRecord& record) {
@@ -335,14 +362,14 @@ class EntityReader {
       return record.find(code) != nullptr && document_.integer(*record.find(code), "the count", "INSERT") > 1;
     };
     if (is_many(70) || is_many(71)) return skip("INSERT in rows or columns", record);
-    const auto side = side_seen(record, {30});
+    const auto side = of_.side_seen(record, {30});
     if (!side) return skip_solid(record);
-    const Point at = point(record, 10, "x", "y");
-    const double x = scale_of(record, 41, "the scale in x"), y = scale_of(record, 42, "the scale in y");
-    const double angle = std::numbers::pi / 180 * std::fmod(real_or_zero(record, 50, "the angle"), 360);
+    const Point at = of_.point(record, 10, "x", "y");
+    const double x = of_.scale_of(record, 41, "the scale in x"), y = of_.scale_of(record, 42, "the scale in y");
+    const double angle = std::numbers::pi / 180 * std::fmod(of_.real_or_zero(record, 50, "the angle"), 360);
     const double cosine = std::cos(angle), sine = std::sin(angle);
-    const std::string_view layer = layer_of(record);
-    const int colour = shape_of(record, {}).colour;
+    const std::string_view layer = RecordValues::layer_of(record);
+    const int colour = of_.shape_of(record, {}).colour;
     for (DxfShape shape : shapes_of(*definition, record).shapes) {
       definitions_.points += shape.points.size();
       if (definitions_.points > DxfDefinitions::kMostPoints)
@@ -359,24 +386,8 @@ class EntityReader {
     }
   }
 
-  std::optional<std::array<double, 3>> bolt_of(const DxfRecord& record) const {
-    std::vector<double> values;
-    const DxfGroup* application = nullptr;
-    bool is_ours = false;
-    for (const DxfGroup& group : record.groups) {
-      if (group.code == 1001) is_ours = group.value == kApplication;
-      if (group.code == 1001 && is_ours) application = &group;
-      if (group.code == 1040 && is_ours) values.push_back(document_.real(group, "a value", "the bolt"));
-    }
-    if (application == nullptr) return std::nullopt;
-    if (values.size() == 3) return std::array<double, 3>{values[0], values[1], values[2]};
-    throw InputError(
-        document_.place(*application),
-        fmt::format("expected 3 values (group 1040) of the bolt: stiffness, strength, pre-tension, found {}",
-                    values.size()));
-  }
-
   const DxfDocument& document_;
+  RecordValues of_;
   std::span<const DxfRecord> records_;
   DxfDefinitions& definitions_;
   std::size_t at_ = 0;

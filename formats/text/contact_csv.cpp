@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 
 namespace keyblock::formats {
@@ -21,9 +22,8 @@ void append(std::string& text, std::initializer_list<double> values) {
 
 }  // namespace
 
-std::string contacts_csv_header() {
-  return "step,time [T],block,other,joint_material,state,x [L],y [L],normal_x,normal_y,gap [L],slip [L],"
-         "normal_force [F],shear_force [F],force_x [F],force_y [F]\n";
+std::string contacts_csv_header(const Units& units) {
+  return headings(kContactsTable, units) + '\n';
 }
 
 std::string contacts_csv_rows(int step, double time, const ContactFrames& contacts) {
@@ -40,9 +40,8 @@ std::string contacts_csv_rows(int step, double time, const ContactFrames& contac
   return text;
 }
 
-std::string joints_csv_header() {
-  return "step,time [T],block,other,joint_material,contacts,closed,sliding,normal_force [F],shear_force [F],"
-         "force_x [F],force_y [F]\n";
+std::string joints_csv_header(const Units& units) {
+  return headings(kJointsTable, units) + '\n';
 }
 
 std::string joints_csv_rows(int step, double time, const ContactFrames& contacts) {
@@ -57,8 +56,8 @@ std::string joints_csv_rows(int step, double time, const ContactFrames& contacts
   return text;
 }
 
-std::string bolts_csv_header() {
-  return "step,time [T],bolt,x1 [L],y1 [L],x2 [L],y2 [L],force [F],is_broken\n";
+std::string bolts_csv_header(const Units& units) {
+  return headings(kBoltsTable, units) + '\n';
 }
 
 std::string bolts_csv_rows(const Frame& frame) {

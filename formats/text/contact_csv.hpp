@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Long form: a line a contact, joint or bolt and frame; twelve significant digits. Numbers of blocks, materials and
-// bolts from 1; forces per unit thickness.
+// bolts from 1; forces per unit thickness; headings name the units of the case (tables/run_tables.hpp).
 //   contacts  step,time,block,other,joint_material,state,x,y,normal_x,normal_y,gap,slip,normal_force,shear_force,
 //             force_x,force_y: a point of `block` against an edge or a corner of `other`; state is open, stick or
 //             slide; the normal points out of `other`, the tangent is the normal turned by +90 degrees; gap is positive
@@ -18,17 +18,18 @@
 
 #include <string>
 
+#include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/frame.hpp"
 
 namespace keyblock::formats {
 
 /// A table that grows: its header, and the lines of one instant.
-std::string contacts_csv_header();
+std::string contacts_csv_header(const Units& units = {});
 std::string contacts_csv_rows(int step, double time, const ContactFrames& contacts);
-std::string joints_csv_header();
+std::string joints_csv_header(const Units& units = {});
 std::string joints_csv_rows(int step, double time, const ContactFrames& contacts);
-std::string bolts_csv_header();
+std::string bolts_csv_header(const Units& units = {});
 std::string bolts_csv_rows(const Frame& frame);
 
 }  // namespace keyblock::formats

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 #include "formats/text/tokens.hpp"
 #include "material/stress_invariants.hpp"
@@ -91,9 +92,15 @@ class CsvScanner {
   int line_ = 1;
 };
 
-constexpr std::string_view kPlasticColumns =
-    ",plastic_strain_xx,plastic_strain_yy,plastic_strain_xy,plastic_strain_zz,equivalent_plastic_strain,yield_state,"
-    "has_yielded,mean_stress,von_mises_stress,lode_angle [degree]";
+// How many columns at the end of a table are of rock that may yield.
+constexpr std::size_t kPlasticColumns = 10;
+
+std::string headings_of(const RunTable& table, bool has_plastic, const Units& units) {
+  std::vector<std::string_view> names;
+  for (const Column& column : table.columns) names.push_back(column.name);
+  if (!has_plastic) names.resize(names.size() - kPlasticColumns);
+  return headings(table, names, units) + '\n';
+}
 
 void append_plastic(std::string& text, const std::optional<PlasticState>& plastic, const Stress& stress) {
   if (plastic) {
@@ -143,24 +150,28 @@ struct HistoryColumns {
     }
   }
 
-  std::string header() const {
-    std::string text = "step,time [T]";
-    for (std::size_t i = 1; i <= points; ++i) text += fmt::format(",x{0} [L],y{0} [L],dx{0} [L],dy{0} [L]", i);
-    for (std::size_t i = 1; i <= bolts; ++i) text += fmt::format(",bolt{} [F]", i);
-    for (std::size_t i = 1; i <= reactions; ++i) text += fmt::format(",reaction{0}_x [F],reaction{0}_y [F]", i);
-    for (std::size_t i = 1; i <= driven; ++i) text += fmt::format(",driven{} [L]", i);
-    if (has_share) text += ",load_share";
-    if (has_factor) text += ",load_factor";
-    if (has_plastic) text += ",yielded_fraction,yielding_fraction,plastic_work [F L]";
-    return text + '\n';
+  std::string header(const Units& units) const {
+    std::vector<std::string> names{"step", "time"};
+    const auto put = [&](std::size_t count, std::initializer_list<const char*> of_each) {
+      for (std::size_t i = 1; i <= count; ++i)
+        for (const char* name : of_each) names.push_back(fmt::format(fmt::runtime(name), i));
+    };
+    put(points, {"x{}", "y{}", "dx{}", "dy{}"});
+    put(bolts, {"bolt{}"});
+    put(reactions, {"reaction{}_x", "reaction{}_y"});
+    put(driven, {"driven{}"});
+    if (has_share) names.emplace_back("load_share");
+    if (has_factor) names.emplace_back("load_factor");
+    if (has_plastic) names.insert(names.end(), {"yielded_fraction", "yielding_fraction", "plastic_work"});
+    return headings(kHistoryTable, std::vector<std::string_view>(names.begin(), names.end()), units) + '\n';
   }
 };
 
 }  // namespace
 
-std::string history_csv(const History& history) {
+std::string history_csv(const History& history, const Units& units) {
   const HistoryColumns columns(history);
-  std::string text = columns.header();
+  std::string text = columns.header(units);
   for (const HistoryRow& row : history.rows) {
     text += fmt::format("{}", row.step);
     append(text, {row.time});
@@ -187,11 +198,9 @@ std::string history_csv(const History& history) {
   return text;
 }
 
-std::string points_csv(const History& history) {
+std::string points_csv(const History& history, const Units& units) {
   const bool has_plastic = HistoryColumns(history).has_plastic;
-  std::string text = "step,time [T],point,x [L],y [L],dx [L],dy [L],sxx,syy,sxy,szz";
-  if (has_plastic) text += kPlasticColumns;
-  text += '\n';
+  std::string text = headings_of(kPointsTable, has_plastic, units);
   for (const HistoryRow& row : history.rows) {
     for (std::size_t i = 0; i < row.points.size(); ++i) {
       const PointFrame& p = row.points[i];
@@ -208,8 +217,8 @@ std::string points_csv(const History& history) {
   return text;
 }
 
-std::string steps_csv(std::span<const StepReport> steps) {
-  std::string text = "step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration\n";
+std::string steps_csv(std::span<const StepReport> steps, const Units& units) {
+  std::string text = headings(kTraceOfSteps, units) + '\n';
   for (const StepReport& step : steps) {
     text += fmt::format("{}", step.step);
     append(text, {step.time, step.dt});
@@ -221,7 +230,7 @@ std::string steps_csv(std::span<const StepReport> steps) {
 }
 
 std::string rounds_csv(std::span<const StepReport> steps) {
-  std::string text = "step,round,residual\n";
+  std::string text = headings(kTraceOfRounds, {}) + '\n';
   for (const StepReport& step : steps)
     for (std::size_t i = 0; i < step.residuals.size(); ++i) {
       text += fmt::format("{},{}", step.step, i);
@@ -231,11 +240,9 @@ std::string rounds_csv(std::span<const StepReport> steps) {
   return text;
 }
 
-std::string blocks_csv(std::span<const Frame> frames) {
+std::string blocks_csv(std::span<const Frame> frames, const Units& units) {
   const bool has_plastic = std::ranges::any_of(frames, [](const Frame& frame) { return frame.plastic.has_value(); });
-  std::string text = "step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area,szz";
-  if (has_plastic) text += kPlasticColumns;
-  text += '\n';
+  std::string text = headings_of(kTraceOfBlocks, has_plastic, units);
   for (const Frame& frame : frames) {
     for (std::size_t i = 0; i < frame.elements.size(); ++i) {
       const ElementFrame& block = frame.elements[i];
@@ -265,7 +272,9 @@ CsvTable read_csv(const Source& source) {
 }
 
 std::size_t csv_column(const CsvTable& table, std::string_view heading) {
-  const auto found = std::ranges::find(table.header, heading);
+  const auto found = std::ranges::find_if(table.header, [&](std::string_view h) {
+    return h == heading || (h.starts_with(heading) && h.substr(heading.size()).starts_with(" ["));
+  });
   if (found == table.header.end())
     throw InputError({table.name, 1, 0}, fmt::format("expected a column \"{}\", found {}", heading,
                                                      in_quotes(fmt::format("{}", fmt::join(table.header, ",")))));

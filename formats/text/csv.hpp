@@ -3,8 +3,9 @@
 //
 // Layout (RFC 4180): a header line, then one line a row; cells with a comma, quote or line break stand in double
 // quotes, a quote inside is doubled. Written with `\n` and the shortest numbers that read back the same; read with `\n`
-// or `\r\n`, a byte-order mark and empty lines are passed over. Units: the programs know no unit system, every number
-// is in the units of the input. Headers name the dimension where it helps: [T] time, [L] length.
+// or `\r\n`, a byte-order mark and empty lines are passed over. Every number is in
+// the units of the case; where it declares them, headings name them: "dx1 [mm]", else some have letters: "dx1 [L]"
+// (tables/run_tables.hpp says what each column measures).
 //   history  step,time [T], then x,y,dx,dy [L] of every point i: xi yi dxi dyi; dx dy since the start;
 //            then the force of every bolt, tension positive: bolti [F]; then, where load steps sum it, what every
 //            prescribed displacement exerts on the bodies: reactioni_x,reactioni_y [F]; where rock may yield also
@@ -39,17 +40,18 @@
 #include <vector>
 
 #include "formats/format.hpp"
+#include "problem/run_choices.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
 #include "result/step_report.hpp"
 
 namespace keyblock::formats {
 
-std::string history_csv(const History& history);
-std::string points_csv(const History& history);
-std::string steps_csv(std::span<const StepReport> steps);
+std::string history_csv(const History& history, const Units& units = {});
+std::string points_csv(const History& history, const Units& units = {});
+std::string steps_csv(std::span<const StepReport> steps, const Units& units = {});
 std::string rounds_csv(std::span<const StepReport> steps);
-std::string blocks_csv(std::span<const Frame> frames);
+std::string blocks_csv(std::span<const Frame> frames, const Units& units = {});
 
 /// One row of cells, the line of the file it began on, and the column at which each cell begins.
 struct CsvRow {
@@ -68,7 +70,7 @@ struct CsvTable {
 /// Throws InputError where a row has more or fewer cells than the header, or a quote is not closed.
 CsvTable read_csv(const Source& source);
 
-/// Index of the column with this heading; InputError if there is none.
+/// Index of the column with this heading, or with it and a unit in brackets; InputError if there is none.
 std::size_t csv_column(const CsvTable& table, std::string_view heading);
 
 /// The cell as a finite number; InputError if it is none.

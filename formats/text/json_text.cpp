@@ -230,6 +230,9 @@ JsonText::JsonText(const Source& source) : map_(source.name, source.text), size_
   JsonReader(*this, text ? std::string_view(*text) : std::string_view(source.text)).read();
 }
 
+JsonText::JsonText(const Source& source, Unread /*unread*/)
+    : map_(source.name, source.text), size_(source.text.size()) {}
+
 void JsonText::replace(const JsonValue& string, double number) {
   Node& node = nodes_[string.node_];
   node.kind = static_cast<std::uint8_t>(JsonKind::number);

@@ -69,6 +69,10 @@ class JsonText {
   /// deeper than any case file does.
   explicit JsonText(const Source& source);
 
+  /// Without values yet, for a reader of another language (case_file/yaml_text.hpp).
+  struct Unread {};
+  JsonText(const Source& source, Unread /*unread*/);
+
   JsonValue root() const { return {*this, 0}; }
 
   /// Puts a number where a string stood.
@@ -79,6 +83,7 @@ class JsonText {
  private:
   friend class JsonValue;
   friend class JsonReader;
+  friend class YamlReader;  // case_file/yaml_text.cpp
 
   struct Node {
     std::uint64_t offset : 56;  ///< in the text

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 
 namespace keyblock::formats {
@@ -24,12 +25,12 @@ void append(std::string& text, const TipState& tip, std::size_t number) {
   for (const double value : {tip.mode_1, tip.mode_2, tip.energy_release, tip.equivalent, tip.kink * kDegrees})
     append(text, tip.has_room, value);
   append(text, tip.toughness > 0, tip.toughness);
-  text += tip.goes_on ? ",1\n" : ",0\n";
+  text += fmt::format(",{},{}\n", tip.goes_on ? 1 : 0, tip.is_shear ? "shear" : "tension");
 }
 
 }  // namespace
 
-std::string tips_csv(const History& history) {
+std::string tips_csv(const History& history, const Units& units) {
   std::string text;
   for (const HistoryRow& row : history.rows)
     for (std::size_t i = 0; i < row.tips.size(); ++i) {
@@ -37,9 +38,7 @@ std::string tips_csv(const History& history) {
       append(text, row.tips[i], i);
     }
   if (text.empty()) return text;
-  return "step,time [T],load_factor,tip,crack,end,x [L],y [L],length [L],K_I [F/L^1.5],K_II [F/L^1.5],J [F/L],"
-         "K_eq [F/L^1.5],kink_deg,toughness [F/L^1.5],goes_on\n" +
-         text;
+  return headings(kTipsTable, units) + '\n' + text;
 }
 
 }  // namespace keyblock::formats

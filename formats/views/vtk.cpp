@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 #include "material/stress_invariants.hpp"
 #include "result/extremes.hpp"
@@ -122,7 +123,7 @@ constexpr std::array<PlasticArray, 8> kPlasticArrays{{
     {"equivalent_plastic_strain", [](const PlasticState& s, const StressInvariants&) { return s.equivalent; }},
     {"mean_stress", [](const PlasticState&, const StressInvariants& i) { return i.mean; }},
     {"von_mises_stress", [](const PlasticState&, const StressInvariants& i) { return i.von_mises; }},
-    {"lode_angle_degree", [](const PlasticState&, const StressInvariants& i) { return i.lode_deg; }},
+    {"lode_angle", [](const PlasticState&, const StressInvariants& i) { return i.lode_deg; }},
 }};
 
 template <class Of>
@@ -130,50 +131,54 @@ std::string plastic_text(const PlasticArray& array, const Of& of) {
   return format_real(array.value(of.plastic.value_or(PlasticState{}), invariants_of(of.stress)));
 }
 
-void append_plastic_cells(std::string& text, const Frame& frame) {
+void append_plastic_cells(std::string& text, const Frame& frame, const Units& units) {
   using E = const ElementFrame&;
   for (const PlasticArray& array : kPlasticArrays)
-    append_cells(text, frame, "Float64", array.name, 1, [&](std::size_t, E e) { return plastic_text(array, e); });
-  append_cells(text, frame, "Int32", "yield_state", 1, [](std::size_t, E e) {
+    append_cells(text, frame, "Float64", heading(kBlockArrays, array.name, units), 1,
+                 [&](std::size_t, E e) { return plastic_text(array, e); });
+  append_cells(text, frame, "Int32", heading(kBlockArrays, "yield_state", units), 1, [](std::size_t, E e) {
     return fmt::format("{}", static_cast<int>(e.plastic.value_or(PlasticState{}).region));
   });
-  append_cells(text, frame, "Int32", "has_yielded", 1,
+  append_cells(text, frame, "Int32", heading(kBlockArrays, "has_yielded", units), 1,
                [](std::size_t, E e) { return fmt::format("{:d}", e.plastic.value_or(PlasticState{}).has_yielded); });
 }
 
-void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& field) {
+void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& field, const Units& units) {
   using E = const ElementFrame&;
   const auto real = [&](std::string_view name, auto member) {
-    append_cells(text, frame, "Float64", name, 1, [&](std::size_t, E e) { return format_real(member(e)); });
+    append_cells(text, frame, "Float64", heading(kBlockArrays, name, units), 1,
+                 [&](std::size_t, E e) { return format_real(member(e)); });
   };
   text += "<CellData>\n";
-  append_cells(text, frame, "Int32", "block", 1,
+  append_cells(text, frame, "Int32", heading(kBlockArrays, "block", units), 1,
                [&](std::size_t i, E) { return fmt::format("{}", number_of(frame, i) + 1); });
   // Only where something was cut off: what never changes is told once.
   if (std::ranges::any_of(frame.elements, [](E e) { return e.origin >= 0 && e.origin != e.number; }))
-    append_cells(text, frame, "Int32", "origin", 1,
+    append_cells(text, frame, "Int32", heading(kBlockArrays, "origin", units), 1,
                  [&](std::size_t i, E) { return fmt::format("{}", origin_of(frame, i) + 1); });
   if (!field.elements.empty() && !field.is_of_blocks)
-    append_cells(text, frame, "Int32", "body", 1,
+    append_cells(text, frame, "Int32", heading(kBlockArrays, "body", units), 1,
                  [&](std::size_t i, E) { return fmt::format("{}", field.elements[i].body + 1); });
-  append_cells(text, frame, "Int32", "material", 1, [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
+  append_cells(text, frame, "Int32", heading(kBlockArrays, "material", units), 1,
+               [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
   real("stress_xx", [](E e) { return e.stress.xx; });
   real("stress_yy", [](E e) { return e.stress.yy; });
   real("stress_xy", [](E e) { return e.stress.xy; });
   real("stress_zz", [](E e) { return e.stress.zz; });
   real("principal_stress_greatest", [](E e) { return principal(e.stress).second; });
   real("principal_stress_least", [](E e) { return principal(e.stress).first; });
-  append_cells(text, frame, "Float64", "principal_axis", 3, [](std::size_t, E e) { return axis_text(e.stress); });
-  append_cells(text, frame, "Float64", "displacement", 3,
+  append_cells(text, frame, "Float64", heading(kBlockArrays, "principal_axis", units), 3,
+               [](std::size_t, E e) { return axis_text(e.stress); });
+  append_cells(text, frame, "Float64", heading(kBlockArrays, "displacement", units), 3,
                [](std::size_t, E e) { return vector_text(e.displacement.x, e.displacement.y); });
-  append_cells(text, frame, "Float64", "velocity", 3,
+  append_cells(text, frame, "Float64", heading(kBlockArrays, "velocity", units), 3,
                [](std::size_t, E e) { return vector_text(e.velocity.x, e.velocity.y); });
   real("rotation", [](E e) { return e.rotation; });
   real("rotation_rate", [](E e) { return e.velocity.rotation; });
   real("area", [](E e) { return e.area; });
-  append_cells(text, frame, "Int32", "fixed_points", 1,
+  append_cells(text, frame, "Int32", heading(kBlockArrays, "fixed_points", units), 1,
                [&](std::size_t i, E) { return fmt::format("{}", fixed_points_of(frame, i)); });
-  if (frame.plastic) append_plastic_cells(text, frame);
+  if (frame.plastic) append_plastic_cells(text, frame, units);
   text += "</CellData>\n";
 }
 
@@ -189,7 +194,7 @@ std::string head(double time, std::size_t points, std::size_t cells) {
 }
 
 /// Displacement and stress of corners, one a line.
-void append_field(std::string& text, const FieldFrame& field, const std::vector<Chain>& chains) {
+void append_field(std::string& text, const FieldFrame& field, const std::vector<Chain>& chains, const Units& units) {
   std::vector<const FieldCorner*> corners;
   for (std::size_t e = 0; e < chains.size(); ++e) {
     std::vector<const FieldCorner*> numbered;
@@ -198,8 +203,8 @@ void append_field(std::string& text, const FieldFrame& field, const std::vector<
     for (const Corner& corner : chains[e]) corners.push_back(numbered[corner.number]);
   }
   const auto append = [&](std::string_view name, int width, auto value) {
-    text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", name,
-                        width);
+    text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
+                        heading(kCornerArrays, name, units), width);
     for (const FieldCorner* corner : corners) text += value(*corner) + "\n";
     text += "</DataArray>\n";
   };
@@ -239,7 +244,7 @@ std::string attribute(std::string_view text) {
 
 }  // namespace
 
-std::string vtu(const Frame& frame, const FieldFrame& field) {
+std::string vtu(const Frame& frame, const FieldFrame& field, const Units& units) {
   std::vector<Chain> chains;
   std::size_t point_count = 0;
   for (const ElementFrame& element : frame.elements) {
@@ -249,8 +254,8 @@ std::string vtu(const Frame& frame, const FieldFrame& field) {
   std::string text = head(frame.time, point_count, chains.size());
   append_points(text, chains);
   append_polygons(text, chains);
-  if (!field.elements.empty()) append_field(text, field, chains);
-  append_cell_data(text, frame, field);
+  if (!field.elements.empty()) append_field(text, field, chains, units);
+  append_cell_data(text, frame, field, units);
   return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 

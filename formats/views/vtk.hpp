@@ -22,13 +22,14 @@
 #include <string>
 #include <vector>
 
+#include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 
 namespace keyblock::formats {
 
 /// `field`: the same instant within the elements, or without elements.
-std::string vtu(const Frame& frame, const FieldFrame& field = {});
+std::string vtu(const Frame& frame, const FieldFrame& field = {}, const Units& units = {});
 
 /// One file of an instant; its name is relative to the list. Files of one time differ in their part.
 struct PvdEntry {

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <vector>
 
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 
 namespace keyblock::formats {
@@ -54,21 +56,27 @@ constexpr std::string_view kEnd = "</Piece>\n</PolyData>\n</VTKFile>\n";
 
 }  // namespace
 
-std::string contacts_vtp(double time, const ContactFrames& contacts) {
+std::string contacts_vtp(double time, const ContactFrames& contacts, const Units& units) {
   using C = const ContactFrame&;
   const auto number = [](int index) { return fmt::format("{}", index + 1); };
   std::string text = opening(time, "Verts", contacts.size(), 1);
   text += "<PointData>\n";
-  append(text, contacts, "Int32", "block", 1, [&](C c) { return number(c.element); });
-  append(text, contacts, "Int32", "other", 1, [&](C c) { return number(c.other); });
-  append(text, contacts, "Int32", "joint_material", 1, [&](C c) { return number(c.joint_material); });
-  append(text, contacts, "Int32", "state", 1, [](C c) { return fmt::format("{}", static_cast<int>(c.condition)); });
-  append(text, contacts, "Float64", "gap", 1, [](C c) { return real(c.gap); });
-  append(text, contacts, "Float64", "slip", 1, [](C c) { return real(c.slip); });
-  append(text, contacts, "Float64", "normal_force", 1, [](C c) { return real(c.normal_force); });
-  append(text, contacts, "Float64", "shear_force", 1, [](C c) { return real(c.shear_force); });
-  append(text, contacts, "Float64", "normal", 3, [](C c) { return vector_text(c.normal); });
-  append(text, contacts, "Float64", "force", 3, [](C c) { return vector_text(c.force()); });
+  append(text, contacts, "Int32", heading(kContactArrays, "block", units), 1, [&](C c) { return number(c.element); });
+  append(text, contacts, "Int32", heading(kContactArrays, "other", units), 1, [&](C c) { return number(c.other); });
+  append(text, contacts, "Int32", heading(kContactArrays, "joint_material", units), 1,
+         [&](C c) { return number(c.joint_material); });
+  append(text, contacts, "Int32", heading(kContactArrays, "state", units), 1,
+         [](C c) { return fmt::format("{}", static_cast<int>(c.condition)); });
+  append(text, contacts, "Float64", heading(kContactArrays, "gap", units), 1, [](C c) { return real(c.gap); });
+  append(text, contacts, "Float64", heading(kContactArrays, "slip", units), 1, [](C c) { return real(c.slip); });
+  append(text, contacts, "Float64", heading(kContactArrays, "normal_force", units), 1,
+         [](C c) { return real(c.normal_force); });
+  append(text, contacts, "Float64", heading(kContactArrays, "shear_force", units), 1,
+         [](C c) { return real(c.shear_force); });
+  append(text, contacts, "Float64", heading(kContactArrays, "normal", units), 3,
+         [](C c) { return vector_text(c.normal); });
+  append(text, contacts, "Float64", heading(kContactArrays, "force", units), 3,
+         [](C c) { return vector_text(c.force()); });
   text += "</PointData>\n";
   text += kPointsOpening;
   for (C c : contacts) text += vector_text(c.position) + "\n";
@@ -76,22 +84,50 @@ std::string contacts_vtp(double time, const ContactFrames& contacts) {
   return text + cells_of("Verts", contacts.size(), 1) + std::string(kEnd);
 }
 
-std::string bolts_vtp(const Frame& frame) {
+std::string bolts_vtp(const Frame& frame, const Units& units) {
   using B = const BoltFrame&;
   std::string text = opening(frame.time, "Lines", frame.bolts.size(), 2);
   std::size_t next = 0;
   text += "<CellData>\n";
-  append(text, frame.bolts, "Int32", "bolt", 1, [&](B b) {
+  append(text, frame.bolts, "Int32", heading(kBoltArrays, "bolt", units), 1, [&](B b) {
     const std::size_t index = next++;
     return fmt::format("{}", (b.number < 0 ? static_cast<int>(index) : b.number) + 1);
   });
-  append(text, frame.bolts, "Float64", "force", 1, [](B b) { return real(b.force); });
-  append(text, frame.bolts, "Int32", "is_broken", 1, [](B b) { return fmt::format("{:d}", b.is_broken); });
+  append(text, frame.bolts, "Float64", heading(kBoltArrays, "force", units), 1, [](B b) { return real(b.force); });
+  append(text, frame.bolts, "Int32", heading(kBoltArrays, "is_broken", units), 1,
+         [](B b) { return fmt::format("{:d}", b.is_broken); });
   text += "</CellData>\n";
   text += kPointsOpening;
   for (B b : frame.bolts) text += vector_text(b.first) + "\n" + vector_text(b.second) + "\n";
   text += kPointsEnd;
   return text + cells_of("Lines", frame.bolts.size(), 2) + std::string(kEnd);
+}
+
+std::string cracks_vtp(const FieldFrame& field, const Units& units) {
+  struct Face {
+    std::size_t crack;
+    bool is_shear;
+    const CrackFace* edge;
+  };
+  std::vector<Face> faces;
+  for (std::size_t c = 0; c < field.cracks.size(); ++c)
+    for (const CrackFace& edge : field.cracks[c].faces) faces.push_back({c, field.cracks[c].is_shear, &edge});
+  using F = const Face&;
+  std::string text = opening(field.time, "Lines", faces.size(), 2);
+  text += "<PointData>\n";
+  append(text, faces, "Float64", heading(kCrackArrays, "displacement", units), 3, [](F f) {
+    return vector_text(f.edge->ends[0].displacement) + "\n" + vector_text(f.edge->ends[1].displacement);
+  });
+  text += "</PointData>\n<CellData>\n";
+  append(text, faces, "Int32", heading(kCrackArrays, "crack", units), 1, [](F f) { return fmt::format("{}", f.crack + 1); });
+  append(text, faces, "Int32", heading(kCrackArrays, "side", units), 1, [](F f) { return fmt::format("{:d}", f.edge->is_left); });
+  append(text, faces, "Int32", heading(kCrackArrays, "is_shear", units), 1, [](F f) { return fmt::format("{:d}", f.is_shear); });
+  text += "</CellData>\n";
+  text += kPointsOpening;
+  for (F f : faces)
+    for (const FieldCorner& end : f.edge->ends) text += vector_text(end.position + end.displacement) + "\n";
+  text += kPointsEnd;
+  return text + cells_of("Lines", faces.size(), 2) + std::string(kEnd);
 }
 
 }  // namespace keyblock::formats

@@ -72,6 +72,7 @@ std::vector<TipState> followed_tips(const Manifold& manifold, const std::vector<
       state.crack = static_cast<int>(c);
       state.at_end = along.back() == tip.at;
       state.length = length_of(along);
+      state.is_shear = cracks[c].is_shear;
     }
     if (state.crack < 0) state.crack = static_cast<int>(cracks.size()) + others++;
     followed.push_back(state);

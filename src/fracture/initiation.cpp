@@ -4,10 +4,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <ranges>
 
+#include "fracture/growth.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/quadrature.hpp"
 
@@ -22,8 +25,13 @@ constexpr int kDegree = 2;         // of the stress in an element
 class Starts {
  public:
   explicit Starts(const CoverSolution& solution) : solution_(solution), manifold_(solution.continuum.manifold) {
-    for (const ManifoldElement& element : manifold_.elements)
-      middles_.push_back(centroid(manifold_.polygon(element).front()));
+    for (std::size_t e = 0; e < manifold_.elements.size(); ++e) {
+      const auto polygon = manifold_.polygon(manifold_.elements[e]);
+      middles_.push_back(centroid(polygon.front()));
+      std::vector<StressPoint>& points = points_.emplace_back();
+      for (const AreaPoint& p : polygon_rule(polygon, kDegree))
+        points.push_back({p.at, p.weight, stress_at(static_cast<int>(e), p.at)});
+    }
     seen_.assign(middles_.size(), -1);
   }
 
@@ -62,8 +70,18 @@ class Starts {
 
   std::optional<CrackStart> start_at(int e) {
     const BlockMaterial& rock = solution_.continuum.material(e);
-    if (!rock.toughness || !rock.toughness->tensile_strength) return std::nullopt;
-    const double toughness = rock.toughness->mode_1, strength = *rock.toughness->tensile_strength;
+    if (!rock.toughness) return std::nullopt;
+    const Toughness& toughness = *rock.toughness;
+    std::optional<CrackStart> start;
+    if (toughness.tensile_strength) start = in_tension(e, toughness.mode_1, *toughness.tensile_strength);
+    if (!toughness.cohesion || !toughness.mode_2) return start;
+    const double friction = toughness.friction_deg * std::numbers::pi / 180;
+    const std::optional<CrackStart> other = in_shear(e, *toughness.mode_2, *toughness.cohesion, friction);
+    return other && (!start || other->nearness() > start->nearness()) ? other : start;
+  }
+
+  /// Its place, length and strength; none where a tip goes on instead.
+  std::optional<CrackStart> place_of(int e, double toughness, double strength) const {
     const double own = std::pow(toughness / strength, 2) / std::numbers::pi;
     const double side = side_of(e);
     CrackStart start{middles_[static_cast<std::size_t>(e)], {}, own, 0, strength, side > own / 2};
@@ -71,11 +89,48 @@ class Starts {
     if (start.half_length > own) start.strength = toughness / std::sqrt(std::numbers::pi * start.half_length);
     for (const CrackTip& tip : manifold_.tips)
       if (distance(tip.at, start.at) < kFreeOfTips * start.half_length) return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(mean_stress(e, start.half_length));
-    start.stress = principal.eigenvalues()(1);
-    if (!(start.stress > 0)) return std::nullopt;
-    start.along = {principal.eigenvectors()(0, 0), principal.eigenvectors()(1, 0)};
     return start;
+  }
+
+  std::optional<CrackStart> in_tension(int e, double toughness, double strength) {
+    std::optional<CrackStart> start = place_of(e, toughness, strength);
+    if (!start) return std::nullopt;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(mean_stress(e, start->half_length));
+    start->stress = principal.eigenvalues()(1);
+    if (!(start->stress > 0)) return std::nullopt;
+    start->along = {principal.eigenvectors()(0, 0), principal.eigenvectors()(1, 0)};
+    return start;
+  }
+
+  std::optional<CrackStart> in_shear(int e, double toughness, double cohesion, double friction) {
+    std::optional<CrackStart> start = place_of(e, toughness, cohesion);
+    if (!start) return std::nullopt;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(mean_stress(e, start->half_length));
+    const double mean = principal.eigenvalues().mean();
+    const double radius = (principal.eigenvalues()(1) - principal.eigenvalues()(0)) / 2;
+    start->stress = radius / std::cos(friction) + mean * std::tan(friction);
+    start->is_shear = true;
+    if (!(start->stress > 0) || mean + radius * std::sin(friction) > 0) return std::nullopt;  // its faces would open
+    const Point pressed{principal.eigenvectors()(0, 0), principal.eigenvectors()(1, 0)};
+    const double angle = std::numbers::pi / 4 - friction / 2;
+    const std::array<Point, 2> planes{turned_to_left(pressed, angle), turned_to_left(pressed, -angle)};
+    std::array<double, 2> at_ends{};
+    for (std::size_t i = 0; i < 2; ++i)
+      for (const double way : {-1.0, 1.0})
+        at_ends[i] += left_by_friction(e, start->at + way * start->half_length * planes[i], planes[i], friction);
+    start->along = planes[at_ends[1] > (1 + kTies) * at_ends[0] ? 1 : 0];
+    return start;
+  }
+
+  /// |τ| + σ tan φ on a plane, by the element of the last disc whose middle is nearest to a place.
+  double left_by_friction(int disc, Point place, Point along, double friction) const {
+    std::size_t nearest = static_cast<std::size_t>(disc);
+    for (const int e : reached_)
+      if (const auto i = static_cast<std::size_t>(e); distance(middles_[i], place) < distance(middles_[nearest], place))
+        nearest = i;
+    const Eigen::Matrix2d& s = points_[nearest].front().stress;
+    const Eigen::Vector2d t(along.x, along.y), n(along.y, -along.x);
+    return std::abs(t.dot(s * n)) + n.dot(s * n) * std::tan(friction);
   }
 
   /// Of the elements within reach that hang together with `first` there.
@@ -84,22 +139,23 @@ class Starts {
     double weights = 0;
     const Point about = middles_[static_cast<std::size_t>(first)];
     std::vector<int> open{first};
+    reached_.clear();
     seen_[static_cast<std::size_t>(first)] = first;
     while (!open.empty()) {
       const int e = open.back();
       open.pop_back();
-      const ManifoldElement& element = manifold_.elements[static_cast<std::size_t>(e)];
+      reached_.push_back(e);
       bool is_near = false;
-      for (const AreaPoint& p : polygon_rule(manifold_.polygon(element), kDegree)) {
+      for (const StressPoint& p : points_[static_cast<std::size_t>(e)]) {
         const double t = std::pow(distance(p.at, about) / radius, 2);
         if (t >= 1) continue;
         is_near = true;
         const double weight = p.weight * (1 - t) * (1 - t);
-        sum += weight * stress_at(e, p.at);
+        sum += weight * p.stress;
         weights += weight;
       }
       if (!is_near && e != first) continue;
-      for (const ElementCorner& corner : manifold_.loop(element.outer)) {
+      for (const ElementCorner& corner : manifold_.loop(manifold_.elements[static_cast<std::size_t>(e)].outer)) {
         if (corner.neighbour < 0 || seen_[static_cast<std::size_t>(corner.neighbour)] == first) continue;
         seen_[static_cast<std::size_t>(corner.neighbour)] = first;
         open.push_back(corner.neighbour);
@@ -108,15 +164,29 @@ class Starts {
     return weights > 0 ? Eigen::Matrix2d(sum / weights) : stress_at(first, about);
   }
 
+  struct StressPoint {
+    Point at;
+    double weight = 0;
+    Eigen::Matrix2d stress;
+  };
+
   const CoverSolution& solution_;
   const Manifold& manifold_;
   std::vector<Point> middles_;
-  std::vector<int> seen_;  // by which disc
+  std::vector<std::vector<StressPoint>> points_;  // of each element
+  std::vector<int> seen_;                         // by which disc
+  std::vector<int> reached_;                      // by the last disc
 };
 
 }  // namespace
 
 std::vector<CrackStart> crack_starts(const CoverSolution& solution) {
+  const auto may_crack = [&](std::size_t e) {
+    const auto& toughness = solution.continuum.material(static_cast<int>(e)).toughness;
+    return toughness && (toughness->tensile_strength || toughness->cohesion);
+  };
+  const auto all = std::views::iota(std::size_t{0}, solution.continuum.manifold.elements.size());
+  if (std::ranges::none_of(all, may_crack)) return {};
   return Starts(solution).nearest();
 }
 

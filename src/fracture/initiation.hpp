@@ -8,15 +8,16 @@
 
 namespace keyblock {
 
-/// A crack about to start: its middle, its direction (of length 1, normal to the greatest principal stress), and how
-/// near it is.
+/// A crack about to start: its middle, its direction (of length 1), and how near it is.
 struct CrackStart {
   Point at;
   Point along;
   double half_length = 0;
-  double stress = 0;       ///< greatest principal stress averaged over the disc, force / length²
+  double stress = 0;  ///< averaged over the disc, force / length²: the greatest principal stress, normal to the crack;
+                      ///< in shear what friction leaves of the shear stress along it
   double strength = 0;     ///< that it has to reach
   bool is_coarse = false;  ///< the mesh is coarser than half the length of the rock: strength is lowered, energy right
+  bool is_shear = false;   ///< its faces stay closed and rub
 
   double nearness() const { return stress / strength; }
 };
@@ -26,7 +27,10 @@ struct CrackStart {
 /// (1 - r²/R²)², over a disc of R = L = (K_Ic/f_t)²/π about the middle of each element, through rock that hangs
 /// together; a crack of half-length L under f_t has K = K_Ic (theory of critical distances, Taylor 2007; finite
 /// fracture mechanics, Leguillon 2002). Where the element's side h is above L/2: R = 2h and the strength K_Ic/√(2 π
-/// h) (crack band, Bažant & Oh 1983). Within 2 R of a tip that tip goes on instead.
+/// h) (crack band, Bažant & Oh 1983). Where rock has a cohesion, closed cracks start in shear likewise, with K_IIc, L =
+/// (K_IIc/c)²/π and c for the strength: along the plane on which |τ| + σ tan φ is greatest, at 45° - φ/2 to the greatest
+/// compression (Coulomb 1773; as the crack slides its drop of stress is c where it rubs as the rock did). Of the two
+/// such planes the one at whose ends, L away, that is greater. Within 2 R of a tip that tip goes on instead.
 std::vector<CrackStart> crack_starts(const CoverSolution& solution);
 
 }  // namespace keyblock

@@ -25,8 +25,7 @@ bool is_in(const Manifold& manifold, std::size_t e, Point p) {
   if (!box.holds(p)) return false;
   const auto loops = manifold.polygon(manifold.elements[e]);
   return side(loops.front(), p) != Side::outside &&
-         std::none_of(loops.begin() + 1, loops.end(),
-                      [&](const auto& hole) { return side(hole, p) == Side::inside; });
+         std::none_of(loops.begin() + 1, loops.end(), [&](const auto& hole) { return side(hole, p) == Side::inside; });
 }
 
 int element_at(const Manifold& manifold, Point p) {

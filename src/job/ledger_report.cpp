@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 
 namespace keyblock {
@@ -82,26 +83,26 @@ Json closure_json(const LedgerScope& scope, const LedgerSums& sums) {
 
 }  // namespace
 
-Json ledger_json(const Ledger& ledger, const LedgerSums& sums, const std::string& table, int kept_every) {
+Json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every, const Units& units) {
   const std::vector<Column> columns = columns_of(ledger.scope, sums.first);
-  Json names = {"step", "time"};
+  Json names = {"step", formats::heading(formats::kLedgerTable, "time", units)};
   Json end = Json::object();
-  for (const Column& column : columns) names.push_back(column.name);
+  for (const Column& column : columns) names.push_back(formats::heading(formats::kLedgerTable, column.name, units));
   if (!ledger.rows.empty())
     for (const Column& column : columns) end[column.name] = column.value(ledger.rows.back());
   return {{"closure", closure_json(ledger.scope, sums)},
           {"largest_energy", sums.largest_energy()},
           {"momentum_about", {ledger.scope.centre.x, ledger.scope.centre.y}},
           {"end", end},
-          {"table", table},
+          {"table", formats::kLedgerTable.file},
           {"columns", names},
           {"kept_every", kept_every}};
 }
 
-std::string ledger_csv(const Ledger& ledger, const LedgerSums& sums) {
+std::string ledger_csv(const Ledger& ledger, const LedgerSums& sums, const Units& units) {
   const std::vector<Column> columns = columns_of(ledger.scope, sums.first);
-  std::string text = "step,time";
-  for (const Column& column : columns) text += fmt::format(",{}", column.name);
+  std::string text = "step," + formats::heading(formats::kLedgerTable, "time", units);
+  for (const Column& column : columns) text += ',' + formats::heading(formats::kLedgerTable, column.name, units);
   text += '\n';
   for (const LedgerRow& row : ledger.rows) {
     text += fmt::format("{},{}", row.step, formats::format_real(row.time));

@@ -14,14 +14,16 @@
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "formats/dxf/dxf_writer.hpp"
 #include "formats/registry.hpp"
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/contact_csv.hpp"
 #include "formats/text/csv.hpp"
 #include "formats/text/tips_csv.hpp"
 #include "formats/views/vtk.hpp"
 #include "formats/views/vtk_parts.hpp"
-#include "job/declared_units.hpp"
 #include "job/run_report.hpp"
+#include "problem/units/measure.hpp"
 #include "report/energy_picture.hpp"
 #include "report/field_picture.hpp"
 #include "report/reaction_picture.hpp"
@@ -41,17 +43,31 @@ constexpr const char* kRecord = "run.json";
 constexpr const char* kFrameFolder = "frames";
 constexpr const char* kCheckpoint = "checkpoint.h5";
 constexpr const char* kFrameList = "fields.pvd";
+constexpr const char* kReactionFile = "reactions.svg";
 // The list is written whole each time: of many frames not with each.
 constexpr std::chrono::milliseconds kListEvery{500};
 
-// The files that a run may leave in its folder, and all that it may leave.
-constexpr std::array<std::string_view, 20> kFiles{
-    kStepTable,  kLedgerTable,   kRecord,      "history.csv", kFrameList,      "picture.svg", "energy.svg",
-    "field.svg", "plastic.svg",  "steps.csv",  "blocks.csv",  "reactions.svg", "points.csv",  "rounds.csv",
-    kCheckpoint, "contacts.csv", "joints.csv", "bolts.csv",   "tips.csv",      "cracks.svg"};
-// Of those, what is written as the run goes: a run that was killed leaves them without a record.
-constexpr std::array<std::string_view, 8> kGrowing{kFrameList,    "contacts.csv", "joints.csv", "bolts.csv",
-                                                   "history.csv", "points.csv",   kStepTable,   kLedgerTable};
+// What a run may leave in its folder, beside its tables, and all that it may leave.
+constexpr std::array<std::string_view, 10> kOtherFiles{kRecord,      kFrameList,    "picture.svg", "energy.svg",
+                                                       "field.svg",  "plastic.svg", kReactionFile, "cracks.svg",
+                                                       "cracks.dxf", kCheckpoint};
+// What is written as the run goes: a run that was killed leaves it without a record.
+constexpr std::array<const formats::RunTable*, 7> kGrowing{
+    &formats::kContactsTable, &formats::kJointsTable, &formats::kBoltsTable, &formats::kHistoryTable,
+    &formats::kPointsTable,   &formats::kStepTable,   &formats::kLedgerTable};
+
+std::vector<std::string> growing_files() {
+  std::vector<std::string> files{kFrameList};
+  for (const formats::RunTable* table : kGrowing) files.emplace_back(table->file);
+  return files;
+}
+
+std::vector<std::string> all_files() {
+  std::vector<std::string> files(kOtherFiles.begin(), kOtherFiles.end());
+  for (const formats::RunTable* table : formats::run_tables())
+    if (table->file != kFrameFolder) files.emplace_back(table->file);
+  return files;
+}
 
 constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
 
@@ -113,6 +129,17 @@ std::vector<std::size_t> shown_of(const History& history, const Followed& follow
   return shown;
 }
 
+// Layer JOINT_2 has those that started in shear, JOINT_1 all others.
+std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
+  formats::Content content;
+  content.units = units;
+  Drawing& drawing = content.drawing.emplace();
+  for (const CrackFrame& crack : cracks)
+    for (std::size_t i = 0; i + 1 < crack.along.size(); ++i)
+      drawing.joints.push_back({{crack.along[i], crack.along[i + 1]}, crack.is_shear ? 1 : 0, {}});
+  return formats::write_dxf(content);
+}
+
 // How far each of them has come, over time.
 std::vector<report::Curve> displacement_curves(const History& history, const Frame& start, const FieldFrame& field) {
   std::vector<report::Curve> curves;
@@ -137,11 +164,12 @@ std::vector<report::Curve> displacement_curves(const History& history, const Fra
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace)
+RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace, Units units)
     : folder_(std::move(folder)),
-      contacts_(folder_ / "contacts.csv", formats::contacts_csv_header()),
-      joints_(folder_ / "joints.csv", formats::joints_csv_header()),
-      bolts_(folder_ / "bolts.csv", formats::bolts_csv_header()),
+      units_(std::move(units)),
+      contacts_(folder_ / formats::kContactsTable.file, formats::contacts_csv_header(units_)),
+      joints_(folder_ / formats::kJointsTable.file, formats::joints_csv_header(units_)),
+      bolts_(folder_ / formats::kBoltsTable.file, formats::bolts_csv_header(units_)),
       trace_(trace),
       overwrite_(overwrite) {
   if (fs::exists(folder_) && !fs::is_directory(folder_))
@@ -154,11 +182,12 @@ RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace)
 }
 
 void RunFolder::require_names_free() const {
-  for (const std::string_view name : kFiles) require_free(folder_ / name, overwrite_);
+  for (const std::string& name : all_files()) require_free(folder_ / name, overwrite_);
   require_free(folder_ / kFrameFolder, overwrite_);
 }
 
-RunFolder::RunFolder(fs::path folder, Trace trace) : RunFolder(std::move(folder), Overwrite::yes, trace) {
+RunFolder::RunFolder(fs::path folder, Trace trace, Units units)
+    : RunFolder(std::move(folder), Overwrite::yes, trace, std::move(units)) {
   lock_ = FolderLock(folder_);
 }
 
@@ -169,7 +198,8 @@ struct FramePart {
   std::string_view opening;
   std::string_view ending;
 };
-constexpr std::array<FramePart, 3> kParts{{{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}}};
+constexpr std::array<FramePart, 4> kParts{
+    {{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}, {"cracks_", ".vtp"}}};
 
 std::string frame_file(const FramePart& part, int step) {
   return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
@@ -206,13 +236,15 @@ void remove_frames(const fs::path& folder, const std::set<fs::path>& kept) {
 std::set<std::string> RunFolder::written_before() const {
   std::set<std::string> names{kRecord, kCheckpoint};
   if (!fs::is_regular_file(folder_ / kRecord)) {
-    if (fs::is_regular_file(folder_ / kCheckpoint)) names.insert(kGrowing.begin(), kGrowing.end());
+    if (fs::is_regular_file(folder_ / kCheckpoint))
+      for (const std::string& name : growing_files()) names.insert(name);
     return names;
   }
   const auto record = nlohmann::json::parse(formats::load((folder_ / kRecord).string()).text, nullptr, false);
   if (!record.is_object() || !record.contains("outputs")) return names;
+  const std::vector<std::string> files = all_files();
   for (const auto& name : record.at("outputs"))
-    if (name.is_string() && std::ranges::find(kFiles, name.get<std::string>()) != kFiles.end()) names.insert(name);
+    if (name.is_string() && std::ranges::find(files, name.get<std::string>()) != files.end()) names.insert(name);
   return names;
 }
 
@@ -246,7 +278,7 @@ void RunFolder::begin(const std::string& checkpoint) {
 void RunFolder::take_back() {
   std::error_code error;
   for (const FrameFile& file : frame_files_) fs::remove(folder_ / file.name, error);
-  for (const std::string_view name : kGrowing) fs::remove(folder_ / name, error);
+  for (const std::string& name : growing_files()) fs::remove(folder_ / name, error);
   fs::remove(checkpoint_in(folder_), error);
   fs::remove(folder_ / kFrameFolder, error);  // unless something else lies there
   if (made_folder_) fs::remove(folder_, error);
@@ -308,10 +340,8 @@ void RunFolder::describe(Archive& archive) {
   }
 }
 
-void RunFolder::write(const std::string& name, const std::string& plain) {
-  const std::string text = name.ends_with(".csv")   ? table_in_units(plain, units_)
-                           : name.ends_with(".svg") ? picture_in_units(plain, units_)
-                                                    : plain;
+void RunFolder::write(std::string_view file, const std::string& text) {
+  const std::string name(file);
   write_file(folder_ / name, text, own_.contains(name) ? Overwrite::yes : overwrite_);
   own_.insert(name);
   if (std::ranges::find(outputs_, name) == outputs_.end()) outputs_.push_back(name);
@@ -323,11 +353,13 @@ void RunFolder::write_frame(const std::string& name, double time, const std::str
 }
 
 void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
-  const auto& [blocks, points, lines] = kParts;
-  write_frame(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field));
+  const auto& [blocks, points, lines, cracks] = kParts;
+  write_frame(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units_));
   if (!contacts.empty())
-    write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts));
-  if (!frame.bolts.empty()) write_frame(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame));
+    write_frame(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts, units_));
+  if (!frame.bolts.empty()) write_frame(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units_));
+  if (!field.cracks.empty())
+    write_frame(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field, units_));
   contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, contacts));
   joints_.append(formats::joints_csv_rows(frame.step, frame.time, contacts));
   bolts_.append(formats::bolts_csv_rows(frame));
@@ -357,46 +389,54 @@ std::string RunFolder::list_of_frames() const {
 }
 
 void RunFolder::write_tables(const RunTables& tables) {
-  write("history.csv", formats::history_csv(tables.history));
-  write(kStepTable, tables.steps);
-  if (!tables.ledger.empty()) write(kLedgerTable, tables.ledger);
-  if (tables.history.of_measured_points) write("points.csv", formats::points_csv(tables.history));
+  write(formats::kHistoryTable.file, formats::history_csv(tables.history, units_));
+  write(formats::kStepTable.file, tables.steps);
+  if (!tables.ledger.empty()) write(formats::kLedgerTable.file, tables.ledger);
+  if (tables.history.of_measured_points) write(formats::kPointsTable.file, formats::points_csv(tables.history, units_));
 }
 
-void RunFolder::finish(const RunResults& results) {
-  const auto& [title, tables, steps, ledger, field, is_of_motion, marked, marked_words, units] = results;
+void RunFolder::write_pictures(const RunResults& results) {
+  const auto& [title, tables, steps, ledger, field, is_of_motion, marked, marked_words] = results;
   const History& history = tables.history;
-  units_ = units;
-  outputs_.clear();  // in the same order whatever was written on the way
-  write_list_of_frames();
-  for (const GrowingTable* table : {&contacts_, &joints_, &bolts_})
-    if (table->has_begun()) outputs_.push_back(table->file().filename().string());
-  write_tables(tables);
+  const std::string at_end =
+      fmt::format("{}, time {:g}{}{}", title, field.time, units_.time.empty() ? "" : " ", units_.time);
   write("picture.svg", report::run_picture({title,
                                             frames_.front(),
                                             frames_.back(),
                                             displacement_curves(history, frames_.front(), field),
-                                            {"time [T]", "displacement [L]"},
-                                            "",
+                                            {with_unit("time", measures::kTime, units_),
+                                             with_unit("displacement", measures::kLength, units_)},
+                                            units_.time,
                                             marked,
-                                            marked_words}));
-  if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger));
-  write("field.svg", report::field_picture({fmt::format("{}, time {:g}", title, field.time), field, field,
-                                            frames_.back().measured_points, report::most_varied(field), is_of_motion}));
-  if (field.plastic)
-    write("plastic.svg",
-          report::plastic_picture({fmt::format("{}, time {:g}", title, field.time), field, frames_.back().outlines}));
+                                            marked_words,
+                                            units_}));
+  if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger, units_));
+  write("field.svg", report::field_picture({at_end, field, field, frames_.back().measured_points,
+                                            report::most_varied(field), is_of_motion, units_}));
+  if (field.plastic) write("plastic.svg", report::plastic_picture({at_end, field, frames_.back().outlines, units_}));
   if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
-    write("reactions.svg", report::reaction_picture(title + ", reactions", curves));
-  if (const std::string tips = formats::tips_csv(history); !tips.empty()) {
-    write("tips.csv", tips);
-    write("cracks.svg", report::crack_picture(title + ", cracks", frames_.front(), history));
+    write(kReactionFile, report::reaction_picture(title + ", reactions", curves, units_));
+}
+
+void RunFolder::finish(const RunResults& results) {
+  const History& history = results.tables.history;
+  outputs_.clear();  // in the same order whatever was written on the way
+  write_list_of_frames();
+  for (const GrowingTable* table : {&contacts_, &joints_, &bolts_})
+    if (table->has_begun()) outputs_.push_back(table->file().filename().string());
+  write_tables(results.tables);
+  write_pictures(results);
+  if (const std::string tips = formats::tips_csv(history, units_); !tips.empty()) {
+    write(formats::kTipsTable.file, tips);
+    write("cracks.svg",
+          report::crack_picture({results.title + ", cracks", frames_.front(), history, results.field, units_}));
   }
+  if (!results.field.cracks.empty()) write("cracks.dxf", dxf_of(results.field.cracks, units_));
   if (trace_ == Trace::no) return;
-  write("steps.csv", formats::steps_csv(steps));
-  if (std::ranges::any_of(steps, [](const StepReport& step) { return !step.residuals.empty(); }))
-    write("rounds.csv", formats::rounds_csv(steps));
-  write("blocks.csv", formats::blocks_csv(frames_));
+  write(formats::kTraceOfSteps.file, formats::steps_csv(results.steps, units_));
+  if (std::ranges::any_of(results.steps, [](const StepReport& step) { return !step.residuals.empty(); }))
+    write(formats::kTraceOfRounds.file, formats::rounds_csv(results.steps));
+  write(formats::kTraceOfBlocks.file, formats::blocks_csv(frames_, units_));
 }
 
 void RunFolder::write_record(const std::string& json) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,18 +44,17 @@ struct RunResults {
   bool is_of_motion = true;       ///< displacements are as they are, however large; those of linear statics are not
   std::vector<int> marked = {};   ///< elements, from 0, at which it failed
   std::string marked_words = {};  ///< what these do
-  Units units = {};               ///< that tables and pictures are to name
 };
 
 class RunFolder {
  public:
-  /// For a new run; nothing is changed before `begin`. Throws UsageError if there is a run already that may not be
-  /// overwritten.
-  RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace);
+  /// For a new run; nothing is changed before `begin`. Tables, frames and pictures name `units`. Throws UsageError if
+  /// there is a run already that may not be overwritten.
+  RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace, Units units = {});
 
   /// The folder of a run that goes on: `describe` has to follow, and then `drop_what_followed`, which changes it first.
   /// Throws UsageError if that run still writes.
-  RunFolder(std::filesystem::path folder, Trace trace);
+  RunFolder(std::filesystem::path folder, Trace trace, Units units = {});
 
   /// Makes the folder; what an earlier run left there goes, all else stays. The first checkpoint, if the run has any,
   /// comes before the folder of frames: wherever that stands, the run can be resumed. Throws UsageError if another has
@@ -109,16 +109,18 @@ class RunFolder {
   };
 
   void require_names_free() const;
-  void write(const std::string& name, const std::string& text);
+  void write(std::string_view file, const std::string& text);
   void write_frame(const std::string& name, double time, const std::string& text);
   std::string list_of_frames() const;
   void write_list_of_frames();
+  void write_pictures(const RunResults& results);
   std::set<int> framed_steps() const;
   void clear();
   std::set<std::string> written_before() const;
   void flush_frames();
 
   std::filesystem::path folder_;
+  Units units_;
   FolderLock lock_;  ///< of a new run from `begin` on
   std::vector<FrameFile> frame_files_;
   GrowingTable contacts_;
@@ -131,7 +133,6 @@ class RunFolder {
   std::set<std::string> own_;  ///< written by this process, and so its to write again
   std::size_t flushed_frames_ = 0;
   bool made_folder_ = false;
-  Units units_;
   Overwrite overwrite_ = Overwrite::yes;  ///< of what stands there before; a run that goes on meets its own files
 };
 

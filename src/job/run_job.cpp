@@ -21,9 +21,9 @@ namespace {
 constexpr std::chrono::seconds kTablesEvery{5};
 constexpr int kLeastPause = 50;
 
-RunFolder folder_for(const RunJobOptions& options, bool goes_on) {
-  return goes_on ? RunFolder(options.folder, options.trace)
-                 : RunFolder(options.folder, options.overwrite, options.trace);
+RunFolder folder_for(const RunJobOptions& options, const Units& units, bool goes_on) {
+  return goes_on ? RunFolder(options.folder, options.trace, units)
+                 : RunFolder(options.folder, options.overwrite, options.trace, units);
 }
 
 std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
@@ -33,11 +33,13 @@ std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
 }
 
 // As the legend of the picture has it.
-std::string what_failed_does(const RunOutcome& outcome) {
+std::string what_failed_does(const RunOutcome& outcome, Dynamics dynamics) {
   const std::string blocks = outcome.elements.size() == 1 ? fmt::format("block {}", outcome.elements.front().value + 1)
                                                           : counted(outcome.elements.size(), "block");
-  return fmt::format("{}: {}", blocks,
-                     outcome.failure == FailureKind::accelerates ? "no equilibrium" : "too far for a step");
+  const char* const does = dynamics == Dynamics::shi                   ? "too far for a step"
+                           : outcome.failure == FailureKind::undecided ? "no rest"
+                                                                       : "no equilibrium";
+  return fmt::format("{}: {}", blocks, does);
 }
 
 }  // namespace
@@ -48,7 +50,7 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
       request_(std::move(request)),
       options_(std::move(options)),
       saved_(saved),
-      folder_(folder_for(options_, saved != nullptr)),
+      folder_(folder_for(options_, record_.units, saved != nullptr)),
       watch_(prepared),
       history_{!prepared.scene.model.measured_points.empty(), {}},
       clock_(options_.checkpoint_every),
@@ -79,8 +81,8 @@ void RunJob::write_checkpoint(Stepper& stepper) {
 
 RunTables RunJob::tables(const LedgerScope& scope) const {
   const Ledger ledger{scope, record_.ledger.rows()};
-  return {history_, step_table_csv(record_.steps.rows()),
-          ledger.rows.empty() ? std::string() : ledger_csv(ledger, record_.ledger_sums)};
+  return {history_, step_table_csv(record_.steps.rows(), record_.units),
+          ledger.rows.empty() ? std::string() : ledger_csv(ledger, record_.ledger_sums, record_.units)};
 }
 
 // Whole files each time, so that a long run writes them seldom enough.
@@ -155,8 +157,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                   record_.outcome.field,
                   !prepared_.scene.is_untouched,
                   numbers_of(record_.outcome.elements),
-                  what_failed_does(record_.outcome),
-                  record_.units});
+                  what_failed_does(record_.outcome, prepared_.scene.settings.dynamics)});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

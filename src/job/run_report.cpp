@@ -9,7 +9,9 @@
 #include <map>
 #include <utility>
 
+#include "formats/tables/run_tables.hpp"
 #include "job/ledger_report.hpp"
+#include "job/run_measures.hpp"
 #include "job/step_tables.hpp"
 #include "settings/settings_table.hpp"
 
@@ -17,6 +19,8 @@ namespace keyblock {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kShorter = 10;  // times, of a step that is to be tried
 
 const char* word_for(RunEnd end) {
   switch (end) {
@@ -79,8 +83,10 @@ Json counts_json(const Prepared& prepared, const StepTotals& totals) {
 }
 
 // The rows themselves are a table of their own.
-Json steps_json(const StepRows& steps) {
-  return {{"table", kStepTable}, {"columns", step_columns(steps.rows())}, {"kept_every", steps.stride()}};
+Json steps_json(const StepRows& steps, const Units& units) {
+  return {{"table", formats::kStepTable.file},
+          {"columns", step_columns(steps.rows(), units)},
+          {"kept_every", steps.stride()}};
 }
 
 Json start_json(const StartReport& start) {
@@ -166,6 +172,14 @@ Json stages_json(const std::vector<SceneReport>& scenes) {
   return stages;
 }
 
+/// Force and stress are named whichever of the three the case declares.
+Json json_of(const Units& units) {
+  Json json = {{"length", units.length}, {"mass", units.mass}, {"time", units.time}};
+  if (is_declared(measures::kForce, units)) json["force"] = unit_of(Measure{{1, 1, -2}}, units);
+  if (is_declared(measures::kStress, units)) json["stress"] = unit_of(measures::kStress, units);
+  return json;
+}
+
 Json json_of(const EquilibriumWay& way) {
   return {{"share", way.share ? Json(*way.share) : Json()}, {"last_step_ratio", way.last_step_ratio}};
 }
@@ -197,9 +211,12 @@ std::vector<std::string> what_to_try(const Settings& settings, const RunOutcome&
     if (!settings.quirks.velocity_from_coming_step) return {"--profile standard"};
     return {"--profile standard", "--set quirk.velocity_from_coming_step=off"};
   }
-  if (outcome.failure != FailureKind::accelerates) return {};
-  if (settings.standard.motion == MotionRule::equilibrium)
-    return {"--set motion=relaxation", "--set motion=dynamic", "--profile legacy"};
+  const MotionRule motion = settings.standard.motion;
+  if (motion == MotionRule::dynamic) return {};
+  // Contacts that do not settle in a step of relaxation may do so in shorter ones.
+  if (motion == MotionRule::relaxation && outcome.failure != FailureKind::accelerates)
+    return {fmt::format("--set time_step={:.3g}", settings.time_step / kShorter), "--set motion=dynamic"};
+  if (motion == MotionRule::equilibrium) return {"--set motion=relaxation", "--set motion=dynamic", "--profile legacy"};
   return {"--set motion=dynamic", "--profile legacy"};
 }
 
@@ -275,10 +292,9 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"recorded_every", record.record_every},
       {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
       {"outputs", record.outputs},
-      {"steps", steps_json(record.steps)}};
+      {"steps", steps_json(record.steps, record.units)}};
   json["is_static"] = record.is_static;
-  if (!(record.units == Units{}))
-    json["units"] = {{"length", record.units.length}, {"mass", record.units.mass}, {"time", record.units.time}};
+  if (record.units != Units{}) json["units"] = json_of(record.units);
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (record.plastic) json["plastic"] = json_of(*record.plastic);
   if (!record.reactions.empty()) {
@@ -289,7 +305,8 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
   if (record.equilibrium_way) json["equilibrium"] = json_of(*record.equilibrium_way);
   const Ledger ledger{record.outcome.ledger_scope, record.ledger.rows()};
   if (!ledger.rows.empty())
-    json["ledger"] = ledger_json(ledger, record.ledger_sums, kLedgerTable, record.ledger.stride());
+    json["ledger"] = ledger_json(ledger, record.ledger_sums, record.ledger.stride(), record.units);
+  if (record.units != Units{}) json["unit_of"] = units_of_numbers(json, record.units);
   return json;
 }
 

@@ -63,9 +63,6 @@ struct RunRecord {
 
 /// What to try where a run failed, as options of `run`; empty where nothing is known to help.
 std::vector<std::string> what_to_try(const Settings& settings, const RunOutcome& outcome);
-/// Tables that run.json names, beside it.
-inline constexpr const char* kStepTable = "step_table.csv";
-inline constexpr const char* kLedgerTable = "ledger.csv";
 
 nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
 

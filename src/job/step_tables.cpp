@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 
 namespace keyblock {
@@ -40,14 +41,15 @@ std::vector<Column> columns_of(const std::vector<StepReport>& rows) {
 
 }  // namespace
 
-std::vector<std::string> step_columns(const std::vector<StepReport>& rows) {
+std::vector<std::string> step_columns(const std::vector<StepReport>& rows, const Units& units) {
   std::vector<std::string> names;
-  for (const Column& column : columns_of(rows)) names.emplace_back(column.name);
+  for (const Column& column : columns_of(rows))
+    names.push_back(formats::heading(formats::kStepTable, column.name, units));
   return names;
 }
 
-std::string step_table_csv(const std::vector<StepReport>& rows) {
-  std::string text = fmt::format("{}\n", fmt::join(step_columns(rows), ","));
+std::string step_table_csv(const std::vector<StepReport>& rows, const Units& units) {
+  std::string text = fmt::format("{}\n", fmt::join(step_columns(rows, units), ","));
   const std::vector<Column> columns = columns_of(rows);
   for (const StepReport& row : rows) {
     std::vector<std::string> cells;

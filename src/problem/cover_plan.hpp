@@ -138,6 +138,7 @@ struct CrackPlan {
   std::vector<Point> along;
   Place place;
   int joint_material = 0;
+  bool is_shear = false;  ///< it started in shear as cracks grew
 };
 
 /// In which direction a tip goes on.

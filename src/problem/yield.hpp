@@ -46,10 +46,13 @@ struct CrackClosure {
 
 /// Stress intensity at which a crack goes on, force / length^1.5.
 struct Toughness {
-  double mode_1 = 0;                  ///< K_Ic, above 0
-  std::optional<double> mode_2 = {};  ///< K_IIc; none: that of the criterion of growth
+  double mode_1 = 0;                            ///< K_Ic, above 0
+  std::optional<double> mode_2 = {};            ///< K_IIc; none: that of the criterion of growth
   std::optional<double> tensile_strength = {};  ///< at which a crack starts in intact rock, force / length², above 0;
-                                                ///< none: cracks grow only where there are some
+                                                ///< none: none does in tension
+  std::optional<double> cohesion = {};  ///< at which a closed crack starts in shear, force / length², above 0; needs
+                                        ///< `mode_2`. None: none does
+  double friction_deg = 0;              ///< of intact rock in shear, at least 0 and below 90
 
   bool operator==(const Toughness&) const = default;
 };

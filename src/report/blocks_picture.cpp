@@ -117,7 +117,7 @@ void draw_scene(SvgPage& page, const PageMap& map, const Blocks& blocks) {
 
 }  // namespace
 
-std::string blocks_picture(const Blocks& blocks) {
+std::string blocks_picture(const Blocks& blocks, const Units& units) {
   const double room = kPageWidth - 2 * kMargin;
   const Box box = bounds(blocks);
   Point corner{kMargin, kTitleHeight};
@@ -131,7 +131,7 @@ std::string blocks_picture(const Blocks& blocks) {
             {.size = 16, .bold = true});
   if (box.empty()) return page.str();
   draw_scene(page, map, blocks);
-  draw_scale_bar(page, {kMargin, foot}, room, map);
+  draw_scale_bar(page, {kMargin, foot}, room, map, units);
   draw_legend(page, {kMargin, foot + 14}, room, legend);
   return page.str();
 }

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "problem/blocks.hpp"
+#include "problem/run_choices.hpp"
 
 namespace keyblock::report {
 
 /// An SVG document: blocks filled by material, edges coloured by joint material, fixed, loading and measured
 /// points, bolts, a legend and a scale bar.
-std::string blocks_picture(const Blocks& blocks);
+std::string blocks_picture(const Blocks& blocks, const Units& units = {});
 
 }  // namespace keyblock::report

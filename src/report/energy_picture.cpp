@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "problem/units/measure.hpp"
 #include "report/drawing/chart.hpp"
 
 namespace keyblock::report {
@@ -48,13 +49,13 @@ std::vector<Curve> curves_of(const Ledger& ledger) {
 
 }  // namespace
 
-std::string energy_picture(const std::string& title, const Ledger& ledger) {
+std::string energy_picture(const std::string& title, const Ledger& ledger, const Units& units) {
   SvgPage page(kPageWidth, kPageHeight);
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
   const std::vector<Curve> curves = curves_of(ledger);
   if (has_points(curves))
     draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kPageHeight - kChartTop - 14}, curves,
-               {"time [T]", "energy [F L per unit thickness]"});
+               {with_unit("time", measures::kTime, units), with_unit("energy", measures::kEnergy, units)});
   return page.str();
 }
 

@@ -4,12 +4,13 @@
 
 #include <string>
 
+#include "problem/run_choices.hpp"
 #include "result/ledger.hpp"
 
 namespace keyblock::report {
 
 /// An SVG document: kinetic and strain energy, gravity released, work done and energy lost, as far as the scene has
 /// them. Without rows the page holds the title alone.
-std::string energy_picture(const std::string& title, const Ledger& ledger);
+std::string energy_picture(const std::string& title, const Ledger& ledger, const Units& units = {});
 
 }  // namespace keyblock::report

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/counted.hpp"
+#include "problem/units/measure.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/field_patches.hpp"
 #include "report/drawing/scene.hpp"
@@ -137,19 +138,20 @@ std::string field_picture(const FieldPicture& picture) {
   const Point size = map(2).size();
   if (is_stressed)
     draw_colour_bar(page, {panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y},
-                    std::min(size.y, 240.0), scale, name_of(picture.stress));
-  draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, map(0));
+                    std::min(size.y, 240.0), scale,
+                    with_unit(name_of(picture.stress), measures::kStress, picture.units));
+  draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, map(0), picture.units);
   return page.str();
 }
 
-std::string mesh_picture(const std::string& title, const FieldFrame& mesh) {
+std::string mesh_picture(const std::string& title, const FieldFrame& mesh, const Units& units) {
   const Box box = bounds(mesh, as_drawn);
   const PageMap map(box, {kMargin, kTitleHeight}, {kRoom, 640});
   SvgPage page(kPageWidth, kTitleHeight + map.size().y + 60);
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
   if (box.empty()) return page.str();
   draw_mesh(page, map, mesh, as_drawn, true);
-  draw_scale_bar(page, {kMargin, kTitleHeight + map.size().y + 26}, kRoom, map);
+  draw_scale_bar(page, {kMargin, kTitleHeight + map.size().y + 26}, kRoom, map, units);
   return page.str();
 }
 

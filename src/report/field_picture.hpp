@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 
@@ -19,6 +20,7 @@ struct FieldPicture {
   std::vector<PointFrame> measured;  ///< at the end
   StressShown stress = StressShown::xx;
   bool is_of_motion = false;  ///< displacements may be large: never drawn smaller, and true ones carry the stress
+  Units units = {};
 };
 
 /// The component that varies most.
@@ -29,6 +31,6 @@ StressShown most_varied(const FieldFrame& field);
 std::string field_picture(const FieldPicture& picture);
 
 /// The mesh alone, elements over their bodies' colours: what `keyblock cut` shows.
-std::string mesh_picture(const std::string& title, const FieldFrame& mesh);
+std::string mesh_picture(const std::string& title, const FieldFrame& mesh, const Units& units = {});
 
 }  // namespace keyblock::report

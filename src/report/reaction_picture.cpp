@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "problem/units/measure.hpp"
 #include "report/drawing/chart.hpp"
 
 namespace keyblock::report {
@@ -19,9 +20,10 @@ constexpr double kLine = 20;
 
 }  // namespace
 
-std::string reaction_picture(const std::string& title, const std::vector<ReactionCurve>& curves) {
+std::string reaction_picture(const std::string& title, const std::vector<ReactionCurve>& curves, const Units& units) {
   std::vector<Curve> drawn;
   std::vector<std::string> sentences;
+  const std::string unit = is_declared(measures::kForce, units) ? " " + unit_of(measures::kForce, units) : "";
   for (const ReactionCurve& curve : curves) {
     Curve& line = drawn.emplace_back();
     line.label = fmt::format("displacement {}, reaction {}", curve.number + 1, curve.component);
@@ -30,14 +32,14 @@ std::string reaction_picture(const std::string& title, const std::vector<Reactio
       line.y.push_back(std::abs(curve.reaction[i]));
     }
     if (const auto first = plateau_of(curve))
-      sentences.push_back(fmt::format("displacement {}: the reaction stands at {:.5g} since step {}", curve.number + 1,
-                                      std::abs(curve.reaction.back()), curve.steps[*first]));
+      sentences.push_back(fmt::format("displacement {}: the reaction stands at {:.5g}{} since step {}",
+                                      curve.number + 1, std::abs(curve.reaction.back()), unit, curve.steps[*first]));
   }
   SvgPage page(kPageWidth, kChartTop + kChartHeight + 18 + kLine * static_cast<double>(sentences.size()));
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
   if (has_points(drawn))
     draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kChartHeight}, drawn,
-               {"displacement [L]", "reaction [F per unit thickness]"});
+               {with_unit("displacement", measures::kLength, units), with_unit("reaction", measures::kForce, units)});
   for (std::size_t i = 0; i < sentences.size(); ++i)
     page.text({kMargin, kChartTop + kChartHeight + 16 + kLine * static_cast<double>(i)}, sentences[i], {.size = 13});
   return page.str();

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "problem/run_choices.hpp"
 #include "result/reaction_curve.hpp"
 
 namespace keyblock::report {
 
 /// An SVG document: the amount of each reaction over the displacement; a plateau is said below the curves.
-std::string reaction_picture(const std::string& title, const std::vector<ReactionCurve>& curves);
+std::string reaction_picture(const std::string& title, const std::vector<ReactionCurve>& curves,
+                             const Units& units = {});
 
 }  // namespace keyblock::report

@@ -161,7 +161,7 @@ std::string run_picture(const RunPicture& picture) {
     draw_bolts(page, map, picture.end);
     draw_marks(page, map, picture.end);
     draw_marked(page, map, picture);
-    draw_scale_bar(page, {kMargin, bar_line}, std::min(layout.scene_room.x, kRoom), map);
+    draw_scale_bar(page, {kMargin, bar_line}, std::min(layout.scene_room.x, kRoom), map, picture.units);
   }
   if (chart) draw_chart(page, chart_corner, chart_size, picture.curves, picture.axes);
   return page.str();

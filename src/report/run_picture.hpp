@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "problem/run_choices.hpp"
 #include "report/drawing/chart.hpp"
 #include "result/frame.hpp"
 
@@ -19,6 +20,7 @@ struct RunPicture {
   std::string time_unit;          ///< for the legend, e.g. "s"; may be empty
   std::vector<int> marked = {};   ///< numbers, from 0, of elements at which a run failed: edged and pointed at
   std::string marked_words = {};  ///< what they do, for the legend: "accelerates"
+  Units units = {};               ///< of the scale bar
 };
 
 /// An SVG document. The chart stands below a wide scene and beside a tall one.

@@ -145,6 +145,7 @@ void describe(Archive& a, TipState& tip) {
   a.value("toughness", tip.toughness);
   a.value("has_room", tip.has_room);
   a.value("goes_on", tip.goes_on);
+  a.value("is_shear", tip.is_shear);
 }
 
 void describe(Archive& a, LedgerRow& row) {

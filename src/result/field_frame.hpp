@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -27,12 +28,25 @@ struct FieldElement {
   FieldCorner middle;  ///< its centroid
 };
 
+/// A piece of a face of a crack: an edge of an element.
+struct CrackFace {
+  bool is_left = false;                  ///< the rock lies to the left of the way along the crack
+  std::array<FieldCorner, 2> ends = {};  ///< in the order of the crack
+};
+
+struct CrackFrame {
+  bool is_shear = false;     ///< it started in shear as cracks grew
+  std::vector<Point> along;  ///< undeformed
+  std::vector<CrackFace> faces = {};
+};
+
 struct FieldFrame {
   int step = 0;  ///< 0 is the state before the first load step
   double time = 0;
   std::vector<FieldElement> elements;
   std::optional<PlasticTotals> plastic = {};  ///< none where no rock may yield
   bool is_of_blocks = false;                  ///< all corners of an element have its stress
+  std::vector<CrackFrame> cracks = {};        ///< by number
 };
 
 /// As many as elements where each is a block.

@@ -68,6 +68,7 @@ struct TipState {
   double toughness = 0;       ///< K_Ic; 0: the rock has none
   bool has_room = true;       ///< false: no domain about the tip is free of other lines, and the factors are none
   bool goes_on = false;
+  bool is_shear = false;  ///< of a crack that started in shear
 
   bool operator==(const TipState&) const = default;
 };

@@ -52,7 +52,7 @@ Momentum& Momentum::operator+=(const Momentum& other) {
 
 void LedgerSums::add(const LedgerRow& row) {
   if (!is_begun) first = row;
-  const double given = row.stored.total() - row.flow.external - row.flow.change;
+  const double given = row.stored.total() - row.flow.external - row.flow.change + row.flow.fracture;
   const double apart_from_contact = given - row.stored.contact;
   if (!is_begun) least = given;
   is_begun = true;

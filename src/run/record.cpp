@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "fracture/crack_faces.hpp"
 #include "fracture/growth.hpp"
 #include "model/continuum.hpp"
 #include "model/shared_covers.hpp"
@@ -205,6 +206,7 @@ FieldFrame field_of(const Model& model, const Stepper& stepper) {
       for (int i = 0; i < size; ++i, ++v.value) loop.push_back(corner(e, start.vertices[v], state.vertices[v]));
     }
   }
+  if (model.continuum) field.cracks = with_faces(model.continuum->cracks, field.elements);
   return field;
 }
 

@@ -12,7 +12,7 @@
 #include "material/strength.hpp"
 #include "model/continuum.hpp"
 #include "model/state.hpp"
-#include "terms/cover_yield.hpp"
+#include "terms/yield/cover_yield.hpp"
 
 namespace keyblock {
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <stdexcept>
 
@@ -44,6 +45,13 @@ auto at(T StandardChoices::*member) {
     return s.standard.*member;
   };
 }
+
+// Words that close a meaning.
+constexpr std::array<std::pair<std::string_view, Measure>, 5> kMeasures{{{"[time]", measures::kTime},
+                                                                         {"[1/time]", measures::kRate},
+                                                                         {"[length/time^2]", measures::kAcceleration},
+                                                                         {"[force/length]", measures::kStiffness},
+                                                                         {"[degree]", measures::kDegrees}}};
 
 SettingRow of(std::optional<Dynamics> dynamics, SettingRow row) {
   row.dynamics = dynamics;
@@ -398,6 +406,15 @@ void set(Settings& settings, const std::string& name, const std::string& value) 
   const auto [row, material] = material_setting(name);
   if (row == nullptr) throw std::invalid_argument(no_such_setting(name));
   row->per_material->read(settings, material, name, value);
+}
+
+std::optional<Measure> measure_of_setting(const std::string& name) {
+  const SettingRow* row = find_row(name);
+  if (row == nullptr) row = find_row(name.substr(0, name.rfind('.')));
+  if (row == nullptr) return std::nullopt;
+  for (const auto& [words, measure] : kMeasures)
+    if (row->meaning.find(words) != std::string::npos) return measure;
+  return measures::kNumber;
 }
 
 std::optional<Dynamics> read_alone_by(const std::string& name) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "problem/units/measure.hpp"
 #include "settings/settings.hpp"
 
 namespace keyblock {
@@ -31,6 +32,9 @@ std::vector<SettingText> list(const Settings& settings);
 /// Sets one setting from text. Throws std::invalid_argument with the expected values if the name or the value
 /// is not valid. `name.N` sets the value of material N, counted from 1, where the setting is one of materials.
 void set(Settings& settings, const std::string& name, const std::string& value);
+
+/// What the number of a setting measures, as the brackets of its meaning say; nothing where there is none of this name.
+std::optional<Measure> measure_of_setting(const std::string& name);
 
 /// The dynamics that alone read this setting; nothing where both do, or there is none of this name.
 std::optional<Dynamics> read_alone_by(const std::string& name);

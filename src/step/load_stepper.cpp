@@ -15,7 +15,7 @@ namespace keyblock {
 LoadStepper::LoadStepper(Scene scene)
     : StaticStepper(std::move(scene)),
       bodies_(std::make_unique<LoadedBodies>(*scene_.model.continuum)),
-      newton_(*bodies_),
+      by_share_(*bodies_),
       now_(bodies_->at_start()) {
   if (scene_.settings.standard.load_control == LoadControl::arc_length) path_.emplace(*bodies_);
   bodies_->begin(now_, nullptr);
@@ -106,7 +106,7 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     const double to = part >= share - reached ? share : reached + part;
     NewtonRounds rounds;
     const Eigen::VectorXd guess = at.d + (to - reached) * speed;
-    std::optional<LoadedState> found = newton_.solve(at, guess, to, rounds);
+    std::optional<LoadedState> found = by_share_.solve(at, guess, to, rounds);
     work.rounds += rounds.count();
     if (found) {
       speed = (found->d - at.d) / (to - reached);
@@ -119,12 +119,13 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
       continue;
     }
     ++work.cuts;
+    work.cut_by = rounds.end;
     part = (to - reached) / 2;
     if (part < least)
       return fmt::format(
           "no equilibrium beyond {:.4g} of the loads of this scene was found ({} rounds of Newton's method, "
-          "{} cuts of the step): a limit load, or an element that is turned over",
-          reached, work.rounds, work.cuts);
+          "{} cuts of the step, the last by {}): a limit load, or an element that is turned over",
+          reached, work.rounds, work.cuts, in_words(work.cut_by));
   }
   now_ = std::move(at);
   speed_ = std::move(speed);
@@ -156,11 +157,12 @@ std::optional<std::string> LoadStepper::advance_along(Work& work) {
       return std::nullopt;
     }
     ++work.cuts;
+    work.cut_by = rounds.end;
   }
   return fmt::format(
       "no equilibrium further along the path, which has come to {:.4g} of the loads of this scene, was found "
-      "({} rounds of Newton's method, {} cuts of the step)",
-      share_, work.rounds, work.cuts);
+      "({} rounds of Newton's method, {} cuts of the step, the last by {})",
+      share_, work.rounds, work.cuts, in_words(work.cut_by));
 }
 
 void LoadStepper::accept(PathPoint found, Work& work) {
@@ -182,7 +184,7 @@ std::variant<StepReport, StepFailure> LoadStepper::advance() {
   Work work;
   const double share = std::min(1.0, static_cast<double>(made + 1) / steps_of_scene());
   if (const std::optional<std::string> why = path_ ? advance_along(work) : advance_to(share, work)) {
-    keep_attempt(path_ ? path_->last() : newton_.last());
+    keep_attempt(path_ ? path_->last() : by_share_.last());
     StepFailure found = failure(*why);
     found.kind = FailureKind::no_equilibrium;
     found.passes = work.rounds;

@@ -7,7 +7,7 @@
 
 #include "step/bodies/loaded_bodies.hpp"
 #include "step/rest/arc_length.hpp"
-#include "step/rest/newton_static.hpp"
+#include "step/rest/share_control.hpp"
 #include "step/static_stepper.hpp"
 
 namespace keyblock {
@@ -41,6 +41,7 @@ class LoadStepper : public StaticStepper {
   struct Work {
     int rounds = 0;
     int cuts = 0;
+    RoundsEnd cut_by = RoundsEnd::open;  ///< the last
     int parts = 0;                       ///< of those that found an equilibrium
     std::vector<double> residuals = {};  ///< of the rounds of the last of them
     double plastic = 0;
@@ -58,7 +59,7 @@ class LoadStepper : public StaticStepper {
   void describe(Archive& archive) override;
 
   std::unique_ptr<LoadedBodies> bodies_;
-  NewtonStatic newton_;
+  ShareControl by_share_;
   std::optional<ArcLength> path_;  ///< under control by arc length
   LoadedState now_;
   Eigen::VectorXd

@@ -5,23 +5,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 
 #include "base/counted.hpp"
 #include "base/stop.hpp"
 #include "contact/rows/constraints.hpp"
-#include "contact/rows/gap.hpp"
-#include "material/elastic.hpp"
 #include "model/body_load.hpp"
 #include "result/describe.hpp"
 #include "step/describe_memory.hpp"
 #include "step/rest/compatible_start.hpp"
-#include "step/rest/relaxation.hpp"
 #include "step/rest/settled_start.hpp"
-#include "step/rest/static_step.hpp"
+#include "step/rest/static_shares.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/carry_motion.hpp"
 #include "step/scene/contact_frames.hpp"
@@ -29,12 +24,11 @@
 #include "step/scene/enforcement.hpp"
 #include "step/scene/equilibrium.hpp"
 #include "step/scene/touch_search.hpp"
+#include "step/step_outcome.hpp"
 #include "step/time/ledger.hpp"
 
 namespace keyblock {
 namespace {
-
-constexpr std::size_t kMostNamed = 10;  // contacts in a message; the record lists them all
 
 // A start with stress of its own is the file's statement of equilibrium; it is not replaced.
 bool has_initial_stress(const StandardScene& scene) {
@@ -46,44 +40,6 @@ constexpr double kMisfit = 1e-6;
 // Jointed masses of more touching pairs than this are settled at once: multipliers between rigid blocks seldom settle
 // there.
 constexpr std::size_t kMostExact = 40;
-// Parts of the load in which a first equilibrium of bodies on covers is searched that was not found at once.
-constexpr std::array kFinerShares{5, 20};
-
-/// Why an element on covers was crushed to nothing; empty where none was.
-std::string crushed_before(const StandardScene& scene, const State& before, const State& end) {
-  for (ElementIndex e : indices(end.elements)) {
-    const double area = end.elements[e].moments.area;
-    const std::optional<ElasticLaw> law = scene.groups.of(e).law_of_large_strain(scene.parts(), e);
-    if (!std::isfinite(area) || area > 0 || !law) continue;
-    const double first = state_of(scene, start_motion(scene)).elements[e].moments.area;
-    const std::string share = fmt::format("{:.2g}", before.elements[e].moments.area / first);
-    if (law != ElasticLaw::st_venant_kirchhoff)
-      return fmt::format("; a step before it had been compressed to {} of its area", share);
-    return fmt::format(
-        "; a step before it had been compressed to {} of its area, and the St. Venant-Kirchhoff law softens below a "
-        "stretch of {:.2g} (elastic_law = logarithmic does not)",
-        share, kSofteningStretch);
-  }
-  return {};
-}
-
-/// Which blocks lie deeper in one another than the limit allows, beyond what their springs are pressed; empty where
-/// none do.
-std::string too_deep(const StandardScene& scene, const Motion& motion, const State& end) {
-  for (const auto& [touch, memory] : motion.closed.all()) {
-    const ElementIndex vertex = scene.model.vertices[touch.vertex].element;
-    const ElementIndex edge = scene.model.vertices[touch.start].element;
-    if (scene.groups.of(vertex).resolves_impacts() || scene.groups.of(edge).resolves_impacts()) continue;
-    const double size = std::min(scene.bodies()[vertex].size, scene.bodies()[edge].size);
-    const double depth = -gap_of(touch, end.vertices) - memory.compression;
-    if (!(depth > scene.settings.trust.penetration * size)) continue;
-    return fmt::format(
-        "block {} and block {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "
-        "(penetration_limit) nothing that follows can be trusted",
-        vertex.value + 1, edge.value + 1, depth, depth / size, scene.settings.trust.penetration);
-  }
-  return {};
-}
 
 struct First {
   Motion motion;
@@ -161,23 +117,6 @@ ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, Stan
       step.converged && step.failure.empty() ? greatest_displacement(scene, from, step.motion.q) : 0;
   const double least = step.least > 0 ? step.least : dt;
   return {std::move(step), dt, least, displacement};
-}
-
-StandardStep unchanged(const StandardScene& scene, const Motion& motion, double time) {
-  StandardStep step;
-  step.motion = motion;
-  step.residual = balance_of(scene, motion, time).share;
-  return step;
-}
-
-// The later of two equilibria of one step, with the work of both.
-StandardStep joined(const StandardStep& earlier, StandardStep later) {
-  later.account += earlier.account;
-  later.solves += earlier.solves;
-  later.fallbacks += earlier.fallbacks;
-  later.halvings += earlier.halvings;
-  later.locked_overlaps += earlier.locked_overlaps;
-  return later;
 }
 
 std::vector<PointState> carried(const StandardScene& scene, const Motion& motion,
@@ -370,13 +309,14 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   }
   if (!made.step.converged || !made.step.failure.empty()) {
     if (!made.step.moving.empty()) attempted_ = state_of(scene_, made.step.motion);
-    return failure_of(made.step);
+    return failure_of(scene_, motion_, state_, made.step);
   }
   State end = state_of(scene_, made.step.motion);
   made.step.failure = impossible(end);
-  if (!made.step.failure.empty()) made.step.failure += crushed_before(scene_, state_, end);
+  if (!made.step.failure.empty())
+    made.step.failure += crushed_before(scene_, state_of(scene_, start_motion(scene_)), state_, end);
   if (made.step.failure.empty()) made.step.failure = too_deep(scene_, made.step.motion, end);
-  if (!made.step.failure.empty()) return failure_of(made.step);
+  if (!made.step.failure.empty()) return failure_of(scene_, motion_, state_, made.step);
   end.step = state_.step + 1;
   end.time = state_.time + scene_.settings.time_step;
   end.dt = scene_.settings.time_step;
@@ -387,14 +327,15 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
   vertices_before_ = std::move(state_.vertices);
   state_ = std::move(end);
   if (scene_.settings.ledger == Bookkeeping::on) book(made.step);
-  return report_of(made);
+  return report_of(scene_, motion_, state_, made);
 }
 
 ControlledStep StandardStepper::make_step() {
   const Settings& settings = scene_.settings;
   const double dt = settings.time_step;
   if (settings.standard.motion != MotionRule::dynamic)
-    return whole(scene_, motion_.q, static_equilibrium(state_.time + dt), dt);
+    return whole(scene_, motion_.q,
+                 static_equilibrium(scene_, motion_, {state_.step, state_.time, state_.time + dt, begins_scene_}), dt);
   Motion start = motion_;
   for (const auto& group : scene_.groups) group->carry_over(scene_.parts(), start.v);
   ControlledStep made = settings.step_control == StepControl::constant
@@ -402,53 +343,6 @@ ControlledStep StandardStepper::make_step() {
                             : controlled_step(scene_, start, state_.time, dt, next_part_);
   made.step.account.flow.damping += kinetic_energy(scene_, motion_.v) - kinetic_energy(scene_, start.v);
   return made;
-}
-
-// Loads grow in equal shares over the first steps. Where neither they nor held points changed since the last step, its
-// equilibrium holds.
-StandardStep StandardStepper::static_equilibrium(double time) {
-  const UnknownsTable last = loads_at(scene_, motion_.q, state_.time);
-  const auto stays = [&](const CarriedPoint& point) { return point.curve.at(state_.time) == point.curve.at(time); };
-  const int wanted = scene_.settings.standard.load_steps;
-  const int growing = std::min(wanted, scene_.settings.step_count);  // steps
-  const auto shares_after = [&](int steps) {
-    return static_cast<int>(std::int64_t{wanted} * std::min(steps, growing) / growing);
-  };
-  const int end = shares_after(state_.step + 1);
-  int share = std::min(shares_after(state_.step) + 1, end);
-  scene_.load_share = static_cast<double>(share) / wanted;
-  if (state_.step > 0 && !begins_scene_ && last == loads_at(scene_, motion_.q, time) &&
-      std::ranges::all_of(scene_.held, stays))
-    return unchanged(scene_, motion_, time);
-  StandardStep made = equilibrium_from(motion_, time);
-  if (state_.step == 0 && wanted == 1 && !scene_.is_linear()) made = in_finer_shares(std::move(made), time);
-  while (++share <= end && made.converged && made.failure.empty()) {
-    scene_.load_share = static_cast<double>(share) / wanted;
-    made = joined(made, equilibrium_from(made.motion, time));
-  }
-  return made;
-}
-
-// The first equilibrium of soft bodies may be lost on the way to it, where parts of the load find it.
-StandardStep StandardStepper::in_finer_shares(StandardStep made, double time) {
-  for (const int count : kFinerShares) {
-    if (made.converged && made.failure.empty()) return made;
-    StandardStep parts;
-    parts.motion = motion_;
-    parts.converged = true;
-    for (int share = 1; share <= count && parts.converged && parts.failure.empty(); ++share) {
-      scene_.load_share = static_cast<double>(share) / count;
-      parts = joined(parts, equilibrium_from(parts.motion, time));
-    }
-    scene_.load_share = 1;
-    if (parts.converged && parts.failure.empty()) made = std::move(parts);
-  }
-  return made;
-}
-
-StandardStep StandardStepper::equilibrium_from(const Motion& motion, double time) const {
-  return scene_.settings.standard.motion == MotionRule::equilibrium ? static_step(scene_, motion, time)
-                                                                    : relaxation_step(scene_, motion, time);
 }
 
 void StandardStepper::book(const StandardStep& step) {
@@ -460,66 +354,6 @@ void StandardStepper::book(const StandardStep& step) {
   ledger_.impulse = last.impulse;
   ledger_.flow += step.account.flow;
   ledger_.impulse += step.account.impulse;
-}
-
-StepReport StandardStepper::report_of(const ControlledStep& made) const {
-  StepReport report;
-  report.step = state_.step;
-  report.time = state_.time;
-  report.dt = made.least;
-  report.passes = made.step.solves;
-  report.redos = made.step.halvings;
-  report.unresolved_parts = made.unresolved;
-  report.fallbacks = made.step.fallbacks;
-  report.locked_overlaps = made.step.locked_overlaps;
-  report.unsettled_contacts = static_cast<int>(made.step.undecided.size());
-  report.contacts = static_cast<int>(made.step.touches.size());
-  report.closed = static_cast<int>(motion_.closed.size());
-  report.matrix_blocks = static_cast<int>(scene_.bodies().size());
-  report.penalty = scene_.has_springs() ? scene_.normal_stiffness() : 0;
-  report.residual = made.step.residual;
-  report.displacement_ratio = made.displacement / (scene_.settings.allowed_displacement_ratio * scene_.model.scale);
-  for (const auto& [touch, memory] : motion_.closed.all()) {
-    const double depth = -gap_of(touch, state_.vertices);
-    const Body& one = scene_.bodies()[scene_.model.vertices[touch.vertex].element];
-    const Body& other = scene_.bodies()[scene_.model.vertices[touch.start].element];
-    report.greatest_penetration = std::max(report.greatest_penetration, depth);
-    report.penetration_share = std::max(report.penetration_share, depth / std::min(one.size, other.size));
-  }
-  return report;
-}
-
-bool StandardStepper::rock_yields(const BodiesMotion& motion) const {
-  if (motion.points.blocks.size() != motion_.points.blocks.size()) return false;
-  if (motion.points.covers.size() != motion_.points.covers.size()) return false;
-  PlasticTotals totals;
-  for (const auto& group : scene_.groups) group->add_plastic(motion, totals);
-  return totals.yielding > 0;
-}
-
-StepFailure StandardStepper::failure_of(const StandardStep& step) const {
-  const bool yields =
-      scene_.settings.standard.motion != MotionRule::dynamic && (rock_yields(motion_) || rock_yields(step.motion));
-  if (!step.failure.empty())
-    return {fmt::format("step {} (time {}): {}", state_.step + 1, state_.time, step.failure),
-            {},
-            step.moving.empty() ? FailureKind::undecided : FailureKind::accelerates,
-            step.solves,
-            yields,
-            step.moving};
-  std::string names;
-  std::size_t named = 0;
-  for (std::size_t i : step.undecided) {
-    if (i >= step.touches.size() || ++named > kMostNamed) continue;  // behind the touches: bolts and held points
-    const Touch& touch = step.touches[i];
-    names += fmt::format("{}{} (block {} on block {})", names.empty() ? "" : ", ", i + 1,
-                         scene_.model.vertices[touch.vertex].element.value + 1,
-                         scene_.model.vertices[touch.start].element.value + 1);
-  }
-  return {fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
-                      state_.step + 1, state_.time, step.residual, names.empty() ? "" : "; undecided contacts: ",
-                      named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names),
-          step.undecided, FailureKind::undecided, step.solves, yields};
 }
 
 }  // namespace keyblock

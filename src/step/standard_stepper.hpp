@@ -48,13 +48,7 @@ class StandardStepper : public SceneStepper {
   void describe_installed(Archive& archive);
   void book_change(const LedgerRow& before);
   ControlledStep make_step();
-  StandardStep static_equilibrium(double time);
-  StandardStep in_finer_shares(StandardStep made, double time);
-  StandardStep equilibrium_from(const Motion& motion, double time) const;
   void book(const StandardStep& step);
-  StepReport report_of(const ControlledStep& made) const;
-  StepFailure failure_of(const StandardStep& step) const;
-  bool rock_yields(const BodiesMotion& motion) const;
 
   StandardScene scene_;
   Motion motion_;

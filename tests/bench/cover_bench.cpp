@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "step/bodies/cover_motion.hpp"
 #include "step/bodies/linear_static.hpp"
 #include "tests/support/continuum_benchmarks.hpp"
+#include "tests/support/covers_alone.hpp"
 
 namespace keyblock::bench {
 namespace {
@@ -82,7 +82,8 @@ StepRule rule_of(double dt) {
 
 /// The body swings through its straight shape.
 CoverMotion swinging(const ElasticBodies& bodies) {
-  CoverMotion motion = rest(bodies);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(bodies.unknown_count());
+  CoverMotion motion{zero, zero, zero, {}};
   SparseSystem stiffness = bodies.ghost;
   stiffness.add_scaled(1, bodies.supports);
   bodies.elasticity.add_static_tangent(motion.q, 1, stiffness);
@@ -124,15 +125,15 @@ class FactorWatch {
 };
 
 /// The first step, which makes the factor, and those after it; `motion` ends where they do.
-Json steps_of(CoverEquations& equations, const StepRule& rule, double dt, CoverMotion& motion) {
-  const Eigen::VectorXd& load = equations.bodies().supports.load();
-  FactorWatch watch(equations);
+Json steps_of(const support::CoversAlone& alone, const StepRule& rule, double dt, CoverMotion& motion) {
+  const Eigen::VectorXd& load = alone.equations().bodies().supports.load();
+  FactorWatch watch(alone.equations());
   int rounds = 0;
   const auto step = [&] {
-    const ElasticStep made = cover_step(equations, motion, load, rule, dt);
+    support::CoversAlone::Step made = alone.step(motion, load, rule, dt);
     if (!made.is_solved) throw std::runtime_error("a step is not solved");
-    rounds = made.iterations;
-    motion = made.end;
+    rounds = made.rounds;
+    motion = std::move(made.end);
   };
   Json row;
   row["first_step"] = timed(step);
@@ -219,7 +220,9 @@ void add_ratios(Json& row) {
   }
 }
 
-Json dynamic_row(const ElasticBodies& bodies, const CoverMotion& start, double side, double tau) {
+Json dynamic_row(const Continuum& continuum, const CoverMotion& start, double side, double tau) {
+  const support::CoversAlone alone(continuum);
+  const ElasticBodies& bodies = alone.equations().bodies();
   const double dt = tau * side / std::sqrt(kYoungsModulus / kDensity);
   const StepRule rule = rule_of(dt);
   fmt::print(stderr, "{} functions, {} unknowns, tau {}\n", name_of(bodies.continuum.functions), bodies.unknown_count(),
@@ -228,10 +231,9 @@ Json dynamic_row(const ElasticBodies& bodies, const CoverMotion& start, double s
            {"unknowns", bodies.unknown_count()},
            {"tau", tau},
            {"dt", dt}};
-  CoverEquations equations(bodies);
   CoverMotion motion = start;
-  row.update(steps_of(equations, rule, dt, motion));
-  row.update(kernels_of(equations, rule, dt, motion));
+  row.update(steps_of(alone, rule, dt, motion));
+  row.update(kernels_of(alone.equations(), rule, dt, motion));
   add_ratios(row);
   return row;
 }
@@ -322,9 +324,8 @@ Json measured(const std::vector<std::string>& names, double most, const std::vec
       const double rows = rows_for(functions, unknowns);
       const Continuum continuum = beam(functions, rows);
       kept["statics"].push_back(static_row(continuum));
-      const ElasticBodies bodies(continuum);
-      const CoverMotion start = swinging(bodies);
-      for (const double tau : taus) kept["steps"].push_back(dynamic_row(bodies, start, 1.3 / rows, tau));
+      const CoverMotion start = swinging(ElasticBodies(continuum));
+      for (const double tau : taus) kept["steps"].push_back(dynamic_row(continuum, start, 1.3 / rows, tau));
     }
   }
   return kept;

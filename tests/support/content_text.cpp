@@ -195,7 +195,8 @@ class Lister {
     line("{} {:a} {:a}", m.gives_zz, m.initial_stress.zz, m.stress_gradient.zz);
     if (m.strength) list(*m.strength);
     if (m.toughness)
-      line("toughness {:a} {} {}", m.toughness->mode_1, text(m.toughness->mode_2), text(m.toughness->tensile_strength));
+      line("toughness {:a} {} {} {} {:a}", m.toughness->mode_1, text(m.toughness->mode_2),
+           text(m.toughness->tensile_strength), text(m.toughness->cohesion), m.toughness->friction_deg);
     if (m.crack_closure) line("cracks {:a} {:a}", m.crack_closure->initial_modulus, m.crack_closure->closure_strain);
     line("{:a} {:a} {:a}", m.stress_gradient.xx, m.stress_gradient.yy, m.stress_gradient.xy);
     line("{:a} {:a} {:a}", m.initial_velocity.x, m.initial_velocity.y, m.initial_velocity.rotation);

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "step/bodies/cover_motion.hpp"
+#include "step/bodies/elastic_bodies.hpp"
 #include "step/bodies/linear_static.hpp"
+#include "system/part_factors.hpp"
 
 namespace keyblock {
 

@@ -496,7 +496,7 @@ Content anything(Dice& dice) {
     content.analysis->body_acceleration = curve_or_none(dice);
   }
   if (dice.happens(0.3)) content.covers = covers(dice);
-  if (dice.happens(0.5)) content.units = Units{"m", "t", "ms"};
+  if (dice.happens(0.5)) content.units = dice.happens(0.5) ? Units{"m", "t", "ms"} : Units{"in", "lbf·s²/in", "s"};
   if (dice.happens(0.3)) content.motion = curve(dice);
   if (dice.happens(0.2)) content.frames = some(dice, 3, frame);
   if (dice.happens(0.2)) content.tracks = some(dice, 3, track);
@@ -517,7 +517,8 @@ Content anything(Dice& dice) {
         material.crack_closure = CrackClosure{dice.between(0.1, 0.9) * material.youngs_modulus, positive_real(dice)};
   if (content.analysis && dice.happens(0.3))
     for (BlockMaterial& material : content.analysis->block_materials)
-      material.toughness = Toughness{positive_real(dice)};
+      material.toughness =
+          Toughness{positive_real(dice), positive_real(dice), {}, positive_real(dice), dice.between(0, 80)};
   if (!formats::fits_a_case(content)) content.units = Units{"ft", "slug", "s"};
   return content;
 }

@@ -1,6 +1,6 @@
 // Rock that may yield on covers: homogeneous strain, tangents against differences, rigid motion, what a cover gathers.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "terms/cover_yield.hpp"
+#include "terms/yield/cover_yield.hpp"
 
 #include <gtest/gtest.h>
 

@@ -31,6 +31,11 @@ Case body_on_covers(const std::string& name, const std::vector<std::string>& opt
   return {name, {std::string(KEYBLOCK_SOURCE_DIR) + "/legacy_cases/" + name}, options, 20, {"standard"}};
 }
 
+/// Dug in stages under contact.
+Case excavation(const std::string& name, const std::string& file) {
+  return {name, {std::string(KEYBLOCK_SOURCE_DIR) + "/" + file}, {}, 20, {"standard"}};
+}
+
 // Files without a licence, which lie beside the repository where they lie at all.
 Case shared_case(const std::string& name, const std::string& first, const std::string& second,
                  const std::vector<std::string>& options) {
@@ -52,6 +57,10 @@ std::vector<Case> all_cases() {
           shared_case("wall of 916 bricks, sudden", wall, of_wall, {"--set", "steps=12", "--set", "start=sudden"}),
           body_on_covers("sudden_load_on_covers/damped", {"--set", "steps=60"}),
           body_on_covers("sliding_block_on_covers/a30_p20", {"--set", "steps=60"}),
+          excavation("tunnel in jointed rock", "docs/tunnel.json"),
+          excavation("roof block", "legacy_cases/staged_excavation/roof_block/roof_block.json"),
+          excavation("roof block on covers",
+                     "legacy_cases/staged_excavation/roof_block_on_covers/roof_block_on_covers.json"),
           shared_case("manifold of old files", manifold + "cv04", manifold + "mf04", {})};
 }
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "report/page.hpp"
 #include "tests/support/continuum_benchmarks.hpp"
 #include "tests/support/cover_modes.hpp"
+#include "tests/support/covers_alone.hpp"
 
 namespace {
 
@@ -39,11 +41,11 @@ void check(bool is_met, const std::string& what) {
 }
 
 /// The beam of nmm-04 with E 1e9 and ρ 2500.
-ElasticBodies beam(CoverFunctions functions, double rows, const CoverDamping& damping = {}) {
+Continuum beam(CoverFunctions functions, double rows) {
   Continuum continuum = clamped_cantilever(functions, rows).continuum;
   continuum.materials[0] = elastic_material(1e9, 0.3);
   continuum.materials[0].density = 2500;
-  return ElasticBodies(continuum, damping);
+  return continuum;
 }
 
 /// Weights ½ of the velocity and `force_weight` of the elastic force.
@@ -67,7 +69,7 @@ void print_frequencies() {
   for (const auto& [functions, all_rows, asked] : rows_of) {
     double off = 0;
     for (const double rows : all_rows) {
-      const ElasticBodies bodies = beam(functions, rows);
+      const ElasticBodies bodies(beam(functions, rows));
       const double frequency = slowest_mode(bodies).frequency();
       off = frequency / 1.0149 - 1;
       fmt::print("  {:<10} {:>5} {:>9} {:>9.5f} {:>8.3f}\n", name_of(functions), rows, bodies.unknown_count(),
@@ -80,17 +82,17 @@ void print_frequencies() {
 /// A run under the load from rest, seen as the deflection of the tip over the static one.
 class Swing {
  public:
-  Swing(const ElasticBodies& bodies, const Eigen::VectorXd& still)
-      : bodies_(bodies),
-        equations_(bodies),
-        tip_(element_at(bodies.continuum.manifold, 0, {10, 0.5})),
+  Swing(const Continuum& continuum, const Eigen::VectorXd& still, double stiffness_damping = 0)
+      : alone_(continuum, stiffness_damping),
+        bodies_(continuum),
+        tip_(element_at(continuum.manifold, 0, {10, 0.5})),
         still_(tip_of(still)),
-        motion_(rest(bodies)) {}
+        motion_(alone_.rest()) {}
 
   void step(const StepRule& rule, double dt) {
-    const ElasticStep made = cover_step(equations_, motion_, bodies_.supports.load(), rule, dt);
+    support::CoversAlone::Step made = alone_.step(motion_, bodies_.supports.load(), rule, dt);
     check(made.is_solved, "a step is solved");
-    motion_ = made.end;
+    motion_ = std::move(made.end);
   }
   void stop() { motion_.v.setZero(); }
   const CoverMotion& motion() const { return motion_; }
@@ -99,15 +101,17 @@ class Swing {
  private:
   double tip_of(const Eigen::VectorXd& q) const { return bodies_.elasticity.position(q, tip_, {10, 0.5}).y - 0.5; }
 
-  const ElasticBodies& bodies_;
-  CoverEquations equations_;
+  support::CoversAlone alone_;
+  ElasticBodies bodies_;
   int tip_;
   double still_;
   CoverMotion motion_;
 };
 
-Eigen::VectorXd still_of(const ElasticBodies& bodies) {
-  return cover_equilibrium(bodies, rest(bodies).q, bodies.supports.load()).q;
+Eigen::VectorXd still_of(const Continuum& continuum) {
+  const std::optional<Eigen::VectorXd> found = support::RestUnderLoads(continuum).at(1);
+  check(found.has_value(), "there is a state at rest");
+  return found.value();
 }
 
 /// Tip over static deflection each quarter period, its highest value and that of the first mode, and the time after
@@ -117,17 +121,16 @@ void print_curves() {
     double dt, force_weight, ratio;  // of stiffness damping to critical, in the first mode
   } runs[] = {{0.005, 0.5, 0}, {0.02, 0.5, 0},    {0.1, 0.5, 0},    {0.005, 1, 0},   {0.02, 1, 0},
               {0.1, 1, 0},     {0.02, 0.5, 0.02}, {0.02, 0.5, 0.1}, {0.02, 0.5, 0.5}};
-  const ElasticBodies plain = beam(CoverFunctions::derived, 2);
+  const Continuum plain = beam(CoverFunctions::derived, 2);
   const Eigen::VectorXd still = still_of(plain);
-  const CoverMode mode = slowest_mode(plain);
+  const CoverMode mode = slowest_mode(ElasticBodies(plain));
   const double omega = mode.omega;
   const double period = 2 * std::numbers::pi / omega;
   fmt::print("\ntip over static deflection under a load put on at once (derived, 2 rows; period {:.4f} s)\n", period);
   fmt::print("  {:>6} {:>7} {:>7} | {}{:>8} {:>8} {:>8}\n", "dt s", "weight", "damping",
              "t/T = 0.5    1.0    1.5    2.0    3.0    4.0    5.0 | ", "highest", "of mode", "1 % at s");
   for (const auto& [dt, force_weight, ratio] : runs) {
-    const ElasticBodies bodies = beam(CoverFunctions::derived, 2, {{}, {2 * ratio / omega}});
-    Swing swing(bodies, still);
+    Swing swing(plain, still, 2 * ratio / omega);
     const StepRule rule = rule_of(force_weight, dt);
     double highest = 0;
     double of_mode = 0;
@@ -164,9 +167,9 @@ void print_curves() {
 /// Steps until what is left of the first mode is 1/1000: with the velocity carried over (amplitude of the vibration),
 /// and set to 0 before each step; theory per step (1 + Ω²/2)^-½ and (1 + Ω²/2)^-1, Ω = ω dt, of the weights ½ and 1.
 void print_steps_to_equilibrium() {
-  const ElasticBodies bodies = beam(CoverFunctions::derived, 2);
-  const Eigen::VectorXd still = still_of(bodies);
-  const CoverMode mode = slowest_mode(bodies);
+  const Continuum continuum = beam(CoverFunctions::derived, 2);
+  const Eigen::VectorXd still = still_of(continuum);
+  const CoverMode mode = slowest_mode(ElasticBodies(continuum));
   const double whole = mode.coordinate(still);
   fmt::print("\nsteps to 1/1000 of the first mode, weights 1/2 and 1\n  {:>6} {:>9} | {:>8} {:>8} | {:>8} {:>8}\n",
              "w dt", "dt s", "dynamic", "theory", "static", "theory");
@@ -178,7 +181,7 @@ void print_steps_to_equilibrium() {
     const double dt = omega_dt / mode.omega;
     const StepRule rule = rule_of(1, dt);
     const auto steps_of = [&](bool is_static) {
-      Swing swing(bodies, still);
+      Swing swing(continuum, still);
       for (int k = 1; k < 5000; ++k) {
         swing.step(rule, dt);
         if (is_static) swing.stop();
@@ -215,9 +218,9 @@ void print_steps_to_equilibrium() {
 
 /// The same with stiffness damping of a share ζ of the critical one, weights ½: theory e^(-ζ ω t), below the critical.
 void print_steps_of_damping() {
-  const ElasticBodies plain = beam(CoverFunctions::derived, 2);
+  const Continuum plain = beam(CoverFunctions::derived, 2);
   const Eigen::VectorXd still = still_of(plain);
-  const CoverMode mode = slowest_mode(plain);
+  const CoverMode mode = slowest_mode(ElasticBodies(plain));
   const double whole = mode.coordinate(still);
   const double omega_dt = 0.1;
   const double dt = omega_dt / mode.omega;
@@ -226,8 +229,7 @@ void print_steps_of_damping() {
   Curve measured{"stiffness damping", {}, {}, Curve::Style::points};
   Curve theory{"theory", {}, {}, Curve::Style::line};
   for (const double ratio : {0.02, 0.05, 0.1, 0.2, 0.5, 0.8}) {
-    const ElasticBodies bodies = beam(CoverFunctions::derived, 2, {{}, {2 * ratio / mode.omega}});
-    Swing swing(bodies, still);
+    Swing swing(plain, still, 2 * ratio / mode.omega);
     const StepRule rule = rule_of(0.5, dt);
     int steps = 0;
     for (int k = 1; k < 10000; ++k) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/printable.hpp"
+#include "problem/units/measure.hpp"
 
 namespace keyblock {
 namespace {
@@ -50,10 +51,6 @@ bool are_far_apart(double a, double b) {
   return std::abs(a - b) > kSame * std::max(std::abs(a), std::abs(b));
 }
 
-std::string with_unit(const std::string& words, const std::string& unit) {
-  return unit.empty() ? words : fmt::format("{} [{}]", words, unit);
-}
-
 std::string value_of_block(double value, int element) {
   return fmt::format("{:.5g} (block {})", value, element + 1);
 }
@@ -72,21 +69,21 @@ std::vector<Row> rows_of(const ProfileAnswer& one, const ProfileAnswer& other, c
       {"end", word_for(one), word_for(other)},
       row("blocks", [](const ProfileAnswer& a) { return fmt::format("{}", a.blocks); }),
       row("steps", [](const ProfileAnswer& a) { return fmt::format("{}", a.record.outcome.steps); }),
-      row(with_unit("end time", units.time),
+      row(with_declared("end time", measures::kTime, units),
           [](const ProfileAnswer& a) { return fmt::format("{:.6g}", a.record.outcome.time); }),
-      row(with_unit("greatest displacement", units.length),
+      row(with_declared("greatest displacement", measures::kLength, units),
           [](const ProfileAnswer& a) {
             return value_of_block(a.record.extremes.displacement, a.record.extremes.displaced_element);
           }),
-      row("least principal stress",
+      row(with_declared("least principal stress", measures::kStress, units),
           [](const ProfileAnswer& a) {
             return value_of_block(a.record.extremes.least_stress, a.record.extremes.compressed_element);
           }),
-      row("greatest principal stress",
+      row(with_declared("greatest principal stress", measures::kStress, units),
           [](const ProfileAnswer& a) {
             return value_of_block(a.record.extremes.greatest_stress, a.record.extremes.stretched_element);
           }),
-      row(with_unit("greatest penetration", units.length),
+      row(with_declared("greatest penetration", measures::kLength, units),
           [](const ProfileAnswer& a) { return fmt::format("{:.3g}", a.record.totals.greatest_penetration); }),
       row("exit code", [](const ProfileAnswer& a) { return fmt::format("{}", static_cast<int>(a.code)); }),
       {"results", one.folder, other.folder},

@@ -146,7 +146,8 @@ ExitCode cut_file(const CutOptions& options) {
                  overwrite_if(options.may_overwrite));
   }
   if (!options.picture.empty() && !has_mesh)
-    write_output(options.picture, report::blocks_picture(cut.blocks), overwrite_if(options.may_overwrite));
+    write_output(options.picture, report::blocks_picture(cut.blocks, loaded.problem.units),
+                 overwrite_if(options.may_overwrite));
   if (options.as_json) {
     fmt::print("{}\n", counts.dump(2, ' ', false, Json::error_handler_t::replace));
   } else {

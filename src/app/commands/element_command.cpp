@@ -19,6 +19,7 @@
 #include "job/files.hpp"
 #include "job/run_report.hpp"
 #include "material/strength.hpp"
+#include "problem/units/measure.hpp"
 #include "report/rock/element_picture.hpp"
 #include "study/element/element_path.hpp"
 
@@ -45,7 +46,13 @@ const std::map<std::string, study::NamedPath> kPaths{{"uniaxial", study::NamedPa
                                                      {"oedometer", study::NamedPath::oedometer},
                                                      {"shear", study::NamedPath::shear}};
 
-YieldLaw chosen_law(const ElementOptions& options) {
+/// The material asked for, and the units of its case.
+struct Chosen {
+  YieldLaw law;
+  Units units;
+};
+
+Chosen chosen_material(const ElementOptions& options) {
   const formats::Case loaded = formats::load_case({options.input});
   log_warnings(loaded.warnings);
   if (!loaded.problem.analysis) throw InputError({options.input, 0, 0}, "expected an analysis, found none");
@@ -60,7 +67,7 @@ YieldLaw chosen_law(const ElementOptions& options) {
   if (const double allowed = largest_size(law.strength, law.youngs_modulus); options.size >= allowed)
     throw UsageError(fmt::format("--size: expected below {:.4g}, where this softening does not snap back, found {}",
                                  allowed, options.size));
-  return law;
+  return {law, loaded.problem.units};
 }
 
 study::ElementPath path_of(const ElementOptions& options) {
@@ -74,7 +81,7 @@ study::ElementPath path_of(const ElementOptions& options) {
 
 ExitCode run_element(const ElementOptions& options) {
   require_writable({options.output, options.picture}, {options.input}, overwrite_if(options.may_overwrite));
-  const YieldLaw law = chosen_law(options);
+  const auto [law, units] = chosen_material(options);
   const study::ElementCurve curve = study::drive(law, path_of(options), options.steps, options.size);
   const int shown = options.path == "shear" ? 2 : 1;
   double least = 0, greatest = 0;
@@ -86,13 +93,14 @@ ExitCode run_element(const ElementOptions& options) {
     greatest = std::max(greatest, point.stress(shown));
   }
   if (!options.output.empty())
-    write_output(options.output, study::element_csv(curve), overwrite_if(options.may_overwrite));
+    write_output(options.output, study::element_csv(curve, units), overwrite_if(options.may_overwrite));
   const std::string axis = shown == 2 ? "xy" : "yy";
   if (!options.picture.empty())
-    write_output(options.picture,
-                 report::element_picture(fmt::format("material {}, {}", options.material, options.path),
-                                         "strain " + axis, strain, "stress " + axis + " [F/L²]", stress),
-                 overwrite_if(options.may_overwrite));
+    write_output(
+        options.picture,
+        report::element_picture(fmt::format("material {}, {}", options.material, options.path), "strain " + axis,
+                                strain, with_unit("stress " + axis, measures::kStress, units), stress),
+        overwrite_if(options.may_overwrite));
   const study::ElementPoint& end = curve.points.back();
   if (options.as_json) {
     const nlohmann::ordered_json json{{"points", curve.points.size()},
@@ -106,7 +114,7 @@ ExitCode run_element(const ElementOptions& options) {
                                       {"failure", curve.failure}};
     fmt::print("{}\n", json.dump(2));
   } else if (options.output.empty()) {
-    fmt::print("{}", study::element_csv(curve));
+    fmt::print("{}", study::element_csv(curve, units));
   }
   spdlog::info("stress {} from {:.9g} to {:.9g}; at the end strain {:.9g}, stress {:.9g}, plastic work {:.9g}", axis,
                least, greatest, end.strain(shown), end.stress(shown), end.plastic_work);

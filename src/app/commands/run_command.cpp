@@ -100,6 +100,19 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
   return std::max(problem.analysis->save_interval.value_or(1), thinned);
 }
 
+std::string what_they_do(const std::vector<std::string>& options) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords{
+      {{"motion=relaxation", "relaxation looks for a rest step by step"},
+       {"time_step=", "contacts that do not settle may do so in shorter steps"},
+       {"motion=dynamic", "dynamic shows the motion"},
+       {"--profile legacy", "legacy makes each step from rest, as the old program did"}}};
+  std::string words;
+  for (const auto& [part, what] : kWords)
+    if (std::ranges::any_of(options, [&](const std::string& option) { return option.find(part) != std::string::npos; }))
+      words += fmt::format("{}{}", words.empty() ? "" : ", ", what);
+  return words;
+}
+
 // What to try where a run failed.
 void print_hint(const Settings& settings, const RunOutcome& outcome) {
   const std::vector<std::string> options = what_to_try(settings, outcome);
@@ -110,10 +123,7 @@ void print_hint(const Settings& settings, const RunOutcome& outcome) {
         fmt::join(options, ", or "),
         settings.quirks.velocity_from_coming_step ? ", which often lets a run go on whose step size changes" : "");
   else
-    spdlog::info(
-        "to try: {} (relaxation looks for a rest step by step, dynamic shows the motion, legacy makes each step "
-        "from rest, as the old program did)",
-        fmt::join(options, ", or "));
+    spdlog::info("to try: {} ({})", fmt::join(options, ", or "), what_they_do(options));
 }
 
 // What the steps cost, and how evenly.
@@ -206,7 +216,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   if (record.outcome.forces) print_balance(*record.outcome.forces, record.outcome.field);
   print_yielding(record);
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
-  spdlog::info("{}, time {:.6g}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time, folder);
+  spdlog::info("{}, time {:.6g}{}{}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time,
+               record.units.time.empty() ? "" : " ", record.units.time, folder);
   if (record.outcome.end == RunEnd::finished && !record.doubts.empty())
     spdlog::error("keyblock: error: the results are not to be trusted: {}", record.doubts.front().sentence);
 }

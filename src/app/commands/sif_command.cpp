@@ -14,6 +14,7 @@
 #include "app/commands/study_options.hpp"
 #include "base/stop.hpp"
 #include "job/run_report.hpp"
+#include "problem/units/measure.hpp"
 #include "run/settings_of.hpp"
 #include "settings/profile.hpp"
 #include "study/fracture/intensity.hpp"
@@ -96,7 +97,7 @@ void print_treatments(const study::TipAtEnd& tip, const study::CaseIntensity& fo
   fmt::print("  {:43} {:11.3f} % {:11.3f} % of K\n", "difference", 100 * d.mode_1, 100 * d.mode_2);
 }
 
-void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseIntensity& found) {
+void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseIntensity& found, const Units& units) {
   const TipReport& report = tip.report;
   fmt::print("tip {} at ({:.6g}, {:.6g}), ahead ({:.4f}, {:.4f}); sides of {:.3g} there, {} {:.4g} away\n", number,
              report.tip.at.x, report.tip.at.y, report.tip.ahead.x, report.tip.ahead.y, report.side, report.tip.nearest,
@@ -112,9 +113,9 @@ void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseInte
                domain.factors->j, (k.mode_1 * k.mode_1 + k.mode_2 * k.mode_2) / report.rock.effective_modulus());
   }
   if (!report.factors) return;
-  fmt::print("  K_I {:.6g}, K_II {:.6g} [F/L^1.5], J {:.6g} [F/L]; circles differ by {:.2f} % and {:.2f} % of K\n",
-             report.factors->k.mode_1, report.factors->k.mode_2, report.factors->j, 100 * report.spread_1,
-             100 * report.spread_2);
+  fmt::print("  K_I {:.6g}, K_II {:.6g} [{}], J {:.6g} [{}]; circles differ by {:.2f} % and {:.2f} % of K\n",
+             report.factors->k.mode_1, report.factors->k.mode_2, unit_of(measures::kToughness, units),
+             report.factors->j, unit_of(measures::kEnergyPerArea, units), 100 * report.spread_1, 100 * report.spread_2);
   if (has_both(tip)) print_treatments(tip, found);
   fmt::print("  would go on by {:.2f} degrees, K_eq {:.6g}", tip.kink.angle * kDegrees, tip.kink.equivalent);
   if (tip.toughness)
@@ -157,7 +158,8 @@ ExitCode print_intensity(const SifOptions& options) {
   } else {
     fmt::print("{} unknowns, {}\n", found.unknowns,
                found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
-    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, found);
+    for (std::size_t i = 0; i < found.tips.size(); ++i)
+      print(found.tips[i], i + 1, found, chosen.input.problem.units);
     if (!found.no_other.empty()) fmt::print("no other treatment of tips: {}\n", found.no_other);
   }
   return is_sure ? ExitCode::ok : ExitCode::check_failed;

@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
+#include "problem/units/measure.hpp"
 #include "report/rock/strength_picture.hpp"
 #include "run/cover_settings.hpp"
 #include "run/settings_of.hpp"
@@ -79,8 +80,9 @@ std::string quoted(std::string text) {
   return '"' + text + '"';
 }
 
-std::string csv_of(const FactorOfSafety& found) {
-  std::string csv = "factor,verdict,balanced,past_knee,largest_displacement,rounds,why\n";
+std::string csv_of(const FactorOfSafety& found, const Units& units) {
+  std::string csv = fmt::format("factor,verdict,balanced,past_knee,{},rounds,why\n",
+                                with_declared("largest_displacement", measures::kLength, units));
   for (const StrengthTrial& t : found.trials)
     csv += fmt::format("{},{},{},{},{},{},{}\n", t.factor, study::name_of(t.verdict), t.is_balanced, t.is_past_knee,
                        t.displacement, t.rounds, quoted(t.why));
@@ -108,9 +110,10 @@ std::string sentence_of(const FactorOfSafety& found) {
 }
 
 std::string table_of(const ReducedCase& chosen, const FactorOfSafety& found) {
-  std::string table = fmt::format("{}: strength of {} divided by F\n{:>10}  {:<14}{:>14}{:>8}  {}\n", chosen.name,
-                                  found.what == study::Reduced::both ? "joints and rock" : study::name_of(found.what),
-                                  "F", "", "displacement", "rounds", "why");
+  std::string table =
+      fmt::format("{}: strength of {} divided by F\n{:>10}  {:<14}{:>14}{:>8}  {}\n", chosen.name,
+                  found.what == study::Reduced::both ? "joints and rock" : study::name_of(found.what), "F", "",
+                  with_declared("displacement", measures::kLength, chosen.input.problem.units), "rounds", "why");
   std::vector<StrengthTrial> trials = found.trials;
   std::ranges::sort(trials, {}, &StrengthTrial::factor);
   for (const StrengthTrial& t : trials)
@@ -127,6 +130,7 @@ report::StrengthPicture picture_of(const ReducedCase& chosen, const FactorOfSafe
   picture.falling_words =
       found.bracket.falls ? fmt::format("falls at F = {:.6g}", *found.bracket.falls) : "nothing falls";
   picture.falling = found.falling;
+  picture.units = chosen.input.problem.units;
   if (found.standing) {
     picture.standing = found.standing->field;
     picture.plastic_strains = found.standing->plastic_strains;
@@ -139,8 +143,11 @@ report::StrengthPicture picture_of(const ReducedCase& chosen, const FactorOfSafe
 }
 
 report::StrengthChart chart_of(const ReducedCase& chosen, const FactorOfSafety& found) {
-  report::StrengthChart chart{
-      fmt::format("{}: largest displacement over F", chosen.name), {}, found.bracket.stands, found.bracket.falls};
+  report::StrengthChart chart{fmt::format("{}: largest displacement over F", chosen.name),
+                              {},
+                              found.bracket.stands,
+                              found.bracket.falls,
+                              chosen.input.problem.units};
   for (const StrengthTrial& trial : found.trials)
     chart.points.push_back({trial.factor, trial.displacement, trial.verdict == Verdict::stands});
   return chart;
@@ -154,7 +161,7 @@ void write_files(const ReducedCase& chosen, const ReductionOptions& options, con
     write_output(folder / name, text, overwrite_if(options.force));
   };
   write(kFiles[0], json + "\n");
-  write(kFiles[1], csv_of(found));
+  write(kFiles[1], csv_of(found, chosen.input.problem.units));
   write(kFiles[2], report::strength_picture(picture_of(chosen, found)));
   write(kFiles[3], report::strength_chart(chart_of(chosen, found)));
 }

@@ -28,6 +28,81 @@ void visit_links(const Face& face, Visit visit) {
   }
 }
 
+/// Of the edge of a half-edge.
+Segment edge_segment(const Arrangement& arrangement, int half_edge) {
+  const Edge& e = arrangement.edges[half_edge / 2];
+  return {arrangement.nodes[e.from].position, arrangement.nodes[e.to].position};
+}
+double edge_length(const Arrangement& arrangement, int half_edge) {
+  const Segment of = edge_segment(arrangement, half_edge);
+  return distance(of.start, of.end);
+}
+
+/// Contracts edges of no length.
+class Contraction {
+ public:
+  Contraction(CoverFaces& faces, double round_off) : faces_(faces), round_off_(round_off) {}
+
+  /// Where a piece passes a node of the mesh up to rounding, edges of no length are left between them, and faces that
+  /// have no others.
+  void run() {
+    std::vector<Chain*> chain_of(2 * faces_.origins.size(), nullptr);
+    const auto note = [&](Chain& chain) {
+      for (const ChainLink& link : chain) chain_of[link.half_edge] = &chain;
+    };
+    for (CoverFace& face : faces_.faces) {
+      note(face.face.outer);
+      for (Chain& hole : face.face.holes) note(hole);
+    }
+    const auto can_lose_a_link = [&](const Chain* chain) {
+      return chain == nullptr || chain->size() > 3 ||
+             std::all_of(chain->begin(), chain->end(), [&](const ChainLink& l) { return is_short(l.half_edge); }) ||
+             (chain->size() == 3 && piece_of(*chain) != kNone);
+    };
+    UnionFind same(faces_.arrangement.nodes.size());
+    for (int e = 0; e < static_cast<int>(faces_.origins.size()); ++e) {
+      if (!is_short(2 * e) || !can_lose_a_link(chain_of[2 * e]) || !can_lose_a_link(chain_of[2 * e + 1])) continue;
+      same.unite(faces_.arrangement.edges[e].from, faces_.arrangement.edges[e].to);
+      for (const int h : {2 * e, 2 * e + 1}) {
+        if (chain_of[h] != nullptr) std::erase_if(*chain_of[h], [&](const ChainLink& l) { return l.half_edge == h; });
+        faces_.face_of_half_edge[h] = kNone;
+      }
+    }
+    drop_faces_of_two_edges();
+    for (std::size_t n = 0; n < faces_.arrangement.nodes.size(); ++n)
+      faces_.arrangement.nodes[n].position = faces_.arrangement.nodes[same.find(static_cast<int>(n))].position;
+  }
+
+ private:
+  const EdgeOrigin& origin(int half_edge) const { return faces_.origins[half_edge / 2]; }
+
+  bool is_short(int half_edge) const { return edge_length(faces_.arrangement, half_edge) <= 2 * round_off_; }
+
+  /// The first piece that a chain runs along, or none.
+  int piece_of(const Chain& chain) const {
+    for (const ChainLink& link : chain) {
+      if (origin(link.half_edge).piece != kNone) return origin(link.half_edge).piece;
+    }
+    return kNone;
+  }
+
+  /// What is left of a needle whose short edge is contracted is one piece.
+  void drop_faces_of_two_edges() {
+    for (CoverFace& face : faces_.faces) {
+      if (face.face.outer.size() != 2) continue;
+      const int piece = piece_of(face.face.outer);
+      for (const ChainLink& link : face.face.outer) {
+        if (origin(link.half_edge).piece == kNone) faces_.origins[link.half_edge / 2].piece = piece;
+        faces_.face_of_half_edge[link.half_edge] = kNone;
+      }
+      face.face.outer.clear();
+    }
+  }
+
+  CoverFaces& faces_;
+  double round_off_;
+};
+
 class Labelling {
  public:
   Labelling(const BodyGraph& graph, const TriangleMesh& mesh) : graph_(graph) {
@@ -46,7 +121,7 @@ class Labelling {
       find_triangles();
       find_bodies();
     } while (leave_out_flat_faces());
-    contract_short_edges();
+    Contraction(result_, round_off_).run();
     keep_bodies();
     return std::move(result_);
   }
@@ -56,11 +131,7 @@ class Labelling {
   int edge_count() const { return static_cast<int>(result_.origins.size()); }
   const EdgeOrigin& origin(int half_edge) const { return result_.origins[half_edge / 2]; }
 
-  Segment segment(int half_edge) const {
-    const Edge& e = result_.arrangement.edges[half_edge / 2];
-    return {result_.arrangement.nodes[e.from].position, result_.arrangement.nodes[e.to].position};
-  }
-  double length(int half_edge) const { return distance(segment(half_edge).start, segment(half_edge).end); }
+  double length(int half_edge) const { return edge_length(result_.arrangement, half_edge); }
 
   /// Keeps the edges that `is_kept` names, with their labels.
   template <class IsKept>
@@ -238,59 +309,6 @@ class Labelling {
     for (int& face : result_.face_of_half_edge) {
       if (face != kNone) face = number[face];
     }
-  }
-
-  bool is_short(int half_edge) const { return length(half_edge) <= 2 * round_off_; }
-
-  /// The first piece that a chain runs along, or none.
-  int piece_of(const Chain& chain) const {
-    for (const ChainLink& link : chain) {
-      if (origin(link.half_edge).piece != kNone) return origin(link.half_edge).piece;
-    }
-    return kNone;
-  }
-
-  /// What is left of a needle whose short edge is contracted is one piece.
-  void drop_faces_of_two_edges() {
-    for (CoverFace& face : result_.faces) {
-      if (face.face.outer.size() != 2) continue;
-      const int piece = piece_of(face.face.outer);
-      for (const ChainLink& link : face.face.outer) {
-        if (origin(link.half_edge).piece == kNone) result_.origins[link.half_edge / 2].piece = piece;
-        result_.face_of_half_edge[link.half_edge] = kNone;
-      }
-      face.face.outer.clear();
-    }
-  }
-
-  /// Where a piece passes a node of the mesh up to rounding, edges of no length are left between them, and faces that
-  /// have no others.
-  void contract_short_edges() {
-    std::vector<Chain*> chain_of(2 * result_.origins.size(), nullptr);
-    const auto note = [&](Chain& chain) {
-      for (const ChainLink& link : chain) chain_of[link.half_edge] = &chain;
-    };
-    for (CoverFace& face : result_.faces) {
-      note(face.face.outer);
-      for (Chain& hole : face.face.holes) note(hole);
-    }
-    const auto can_lose_a_link = [&](const Chain* chain) {
-      return chain == nullptr || chain->size() > 3 ||
-             std::all_of(chain->begin(), chain->end(), [&](const ChainLink& l) { return is_short(l.half_edge); }) ||
-             (chain->size() == 3 && piece_of(*chain) != kNone);
-    };
-    UnionFind same(result_.arrangement.nodes.size());
-    for (int e = 0; e < edge_count(); ++e) {
-      if (!is_short(2 * e) || !can_lose_a_link(chain_of[2 * e]) || !can_lose_a_link(chain_of[2 * e + 1])) continue;
-      same.unite(edges()[e].from, edges()[e].to);
-      for (const int h : {2 * e, 2 * e + 1}) {
-        if (chain_of[h] != nullptr) std::erase_if(*chain_of[h], [&](const ChainLink& l) { return l.half_edge == h; });
-        result_.face_of_half_edge[h] = kNone;
-      }
-    }
-    drop_faces_of_two_edges();
-    for (std::size_t n = 0; n < result_.arrangement.nodes.size(); ++n)
-      result_.arrangement.nodes[n].position = result_.arrangement.nodes[same.find(static_cast<int>(n))].position;
   }
 
   const BodyGraph& graph_;

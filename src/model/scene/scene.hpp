@@ -42,7 +42,9 @@ struct Scene {
 struct CrackGrowth {
   GrowthPlan plan;
   std::vector<CrackPlan> cracks;
-  std::function<Scene(const std::vector<CrackPlan>&)> remade;  ///< throws InputError as `prepare`
+  /// With other cracks, its mesh refined at more points. Throws InputError as `prepare`.
+  std::function<Scene(const std::vector<CrackPlan>&, const std::vector<RefinedPoint>&)> remade;
+  double tip_side = 0;  ///< of triangles at tips
 };
 
 /// A scene, and what it was before.

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace keyblock {
 namespace {
@@ -23,6 +24,7 @@ constexpr double kFoot = 0.3048;              // m, exact
 constexpr double kStandardGravity = 9.80665;  // m/s2, exact
 constexpr double kPoundForce = kPound * kStandardGravity;
 constexpr Dimension kMass{1, 0, 0};
+constexpr double kRoundOff = 1e-12;
 constexpr Dimension kForce{1, 1, -2};
 
 constexpr std::array<NamedUnit, 29> kUnits{{
@@ -81,10 +83,17 @@ std::optional<Unit> simple_unit(std::string_view name) {
   return std::nullopt;
 }
 
-// The power behind a name: "m3", "m^3", "m³", "s-2" have one.
-int take_power(std::string_view& name) {
-  constexpr std::array<std::pair<std::string_view, int>, 6> kPowers{
-      {{"^2", 2}, {"^3", 3}, {"²", 2}, {"³", 3}, {"2", 2}, {"3", 3}}};
+// The power behind a name: "m3", "m^3", "m³", "s^-1", "m^1.5" have one.
+std::optional<double> take_power(std::string_view& name) {
+  if (const std::size_t hat = name.find('^'); hat != std::string_view::npos) {
+    const std::string_view power = name.substr(hat + 1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(power.data(), power.data() + power.size(), value);
+    if (error != std::errc{} || end != power.data() + power.size() || !std::isfinite(value)) return std::nullopt;
+    name = name.substr(0, hat);
+    return value;
+  }
+  constexpr std::array<std::pair<std::string_view, double>, 4> kPowers{{{"²", 2}, {"³", 3}, {"2", 2}, {"3", 3}}};
   for (const auto& [text, power] : kPowers) {
     if (!name.ends_with(text)) continue;
     name.remove_suffix(text.size());
@@ -93,26 +102,78 @@ int take_power(std::string_view& name) {
   return 1;
 }
 
+/// One factor of a product.
+struct Part {
+  std::string_view name;
+  bool is_over = false;  ///< behind a stroke
+  bool is_root = false;
+};
+
+// "kN·m/s" as kN, m and s; "MPa√m" as MPa and the root of m.
+std::vector<Part> parts_of(std::string_view name) {
+  constexpr std::array<std::string_view, 4> kSigns{"/", "*", "·", "√"};
+  std::vector<Part> parts{{}};
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::string_view rest = name.substr(at);
+    const auto sign = std::ranges::find_if(kSigns, [&](std::string_view s) { return rest.starts_with(s); });
+    if (sign == kSigns.end()) {
+      ++at;
+      continue;
+    }
+    const bool is_root = *sign == kSigns[3];
+    // A root may open the name, or stand right behind another sign.
+    if (is_root && at == begin) {
+      parts.back().is_root = true;
+    } else {
+      parts.back().name = name.substr(begin, at - begin);
+      parts.push_back({{}, *sign == kSigns[0], is_root});
+    }
+    at += sign->size();
+    begin = at;
+  }
+  parts.back().name = name.substr(begin);
+  return parts;
+}
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+// False where it is no unit, or none that may stand there.
+bool multiply(Unit& product, Part part, bool is_first) {
+  if (part.name == "1" && is_first && !part.is_root) return true;
+  const std::optional<double> written = take_power(part.name);
+  if (!written) return false;
+  const double power = *written * (part.is_over ? -1 : 1) * (part.is_root ? 0.5 : 1);
+  const std::optional<Unit> unit = simple_unit(part.name);
+  if (!unit || (unit->is_angle && (!is_first || power != 1))) return false;
+  product.dimension.mass += power * unit->dimension.mass;
+  product.dimension.length += power * unit->dimension.length;
+  product.dimension.time += power * unit->dimension.time;
+  product.factor *= std::pow(unit->is_angle ? unit->factor * kDegree : unit->factor, power);
+  return true;
+}
+
+// The name of a unit of mass that is as large, or what was made.
+std::string known_mass(const std::string& made) {
+  const std::optional<Unit> unit = unit_named(made);
+  if (!unit || unit->dimension != kMass) return {};
+  for (const char* const name : {"kg", "t", "kt", "g", "slug", "lb"})
+    if (std::abs(unit->factor / unit_named(name)->factor - 1) < kRoundOff) return name;
+  return made;
+}
+
 }  // namespace
 
 std::optional<Unit> unit_named(std::string_view name) {
+  const std::vector<Part> parts = parts_of(name);
+  if (parts.size() == 1 && !parts[0].is_root)
+    if (const std::optional<Unit> unit = simple_unit(name); unit && unit->is_angle) return unit;
   Unit product;
-  int sign = 1;
-  while (true) {
-    const std::size_t end = name.find_first_of("/*");
-    std::string_view part = name.substr(0, end);
-    const int power = sign * take_power(part);
-    const std::optional<Unit> unit = simple_unit(part);
-    if (!unit || (unit->is_angle && (end != std::string_view::npos || sign < 0 || power != 1))) return std::nullopt;
-    if (unit->is_angle) return unit;
-    product.dimension.mass += power * unit->dimension.mass;
-    product.dimension.length += power * unit->dimension.length;
-    product.dimension.time += power * unit->dimension.time;
-    product.factor *= std::pow(unit->factor, power);
-    if (end == std::string_view::npos) return product;
-    sign = name[end] == '/' ? -1 : 1;
-    name.remove_prefix(end + 1);
-  }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!multiply(product, parts[i], i == 0)) return std::nullopt;
+  const bool is_number = product.dimension == Dimension{};  // "1", "rad/1", "m/m"
+  if (is_number && parts.size() == 1) return std::nullopt;
+  return product;
 }
 
 std::optional<Quantity> quantity_in(std::string_view text) {
@@ -127,29 +188,29 @@ std::optional<Quantity> quantity_in(std::string_view text) {
   return found;
 }
 
-std::optional<double> si_factor(const Units& units, const Dimension& dimension) {
-  double factor = 1;
-  const auto take = [&](const std::string& name, int power) {
-    if (power == 0) return true;
-    const std::optional<Unit> unit = unit_named(name);
-    if (!unit) return false;
-    factor *= std::pow(unit->factor, power);
-    return true;
-  };
-  if (!take(units.mass, dimension.mass) || !take(units.length, dimension.length) || !take(units.time, dimension.time))
-    return std::nullopt;
-  return factor;
+std::string mass_of_force(const std::string& force, const std::string& length, const std::string& time) {
+  return known_mass(force + "·" + time + "²/" + length);
 }
 
-std::string example_of(const Dimension& dimension) {
-  if (dimension == kLengthDimension) return "a length, such as \"2.5 m\"";
-  if (dimension == kTimeDimension) return "a time, such as \"2 ms\"";
-  if (dimension == kAcceleration) return "an acceleration, such as \"9.81 m/s2\"";
-  if (dimension == kStress) return "a stress, such as \"20 GPa\"";
-  if (dimension == kDensity) return "a mass per volume, such as \"2600 kg/m3\"";
-  if (dimension == kForcePerVolume) return "a weight per volume, such as \"26 kN/m3\"";
-  if (dimension == kForcePerLength) return "a force per length of thickness, such as \"50 kN/m\"";
-  return "an angle, such as \"30 deg\"";
+std::string mass_of_stress(const std::string& stress, const std::string& length, const std::string& time) {
+  return known_mass(stress + "·" + length + "·" + time + "²");
+}
+
+std::optional<double> si_factor(const Units& units, const Dimension& dimension) {
+  double factor = 1;
+  const auto take = [&](const std::optional<double>& unit, double power) {
+    if (power == 0) return true;
+    if (unit) factor *= std::pow(*unit, power);
+    return unit.has_value();
+  };
+  const auto named = [](const std::string& name) {
+    const std::optional<Unit> unit = unit_named(name);
+    return unit ? std::optional(unit->factor) : std::nullopt;
+  };
+  if (!take(named(units.mass), dimension.mass) || !take(named(units.length), dimension.length) ||
+      !take(named(units.time), dimension.time))
+    return std::nullopt;
+  return factor;
 }
 
 }  // namespace keyblock

@@ -10,22 +10,25 @@
 
 namespace keyblock {
 
-/// Powers of mass, length and time. An angle has none.
+/// Powers of mass, length and time, halves too (stress intensity). An angle has none.
 struct Dimension {
-  int mass = 0;
-  int length = 0;
-  int time = 0;
+  double mass = 0;
+  double length = 0;
+  double time = 0;
 
   bool operator==(const Dimension&) const = default;
 };
 
 inline constexpr Dimension kLengthDimension{0, 1, 0};
 inline constexpr Dimension kTimeDimension{0, 0, 1};
+inline constexpr Dimension kVelocity{0, 1, -1};
+inline constexpr Dimension kRate{0, 0, -1};
 inline constexpr Dimension kAcceleration{0, 1, -2};
 inline constexpr Dimension kStress{1, -1, -2};
 inline constexpr Dimension kDensity{1, -3, 0};
 inline constexpr Dimension kForcePerVolume{1, -2, -2};
 inline constexpr Dimension kForcePerLength{1, 0, -2};  ///< a force per unit of thickness
+inline constexpr Dimension kToughness{1, -0.5, -2};    ///< stress times the root of a length
 
 /// A unit in SI: its dimension, and how many kg, m and s it is; of an angle, how many degrees.
 struct Unit {
@@ -34,8 +37,9 @@ struct Unit {
   bool is_angle = false;
 };
 
-/// "GPa", "kN/m3", "m/s^2", "MN/m/m", "deg"; nothing where it is none. Factors: SI brochure (BIPM 2019), 9th edition,
-/// and for inch, foot, yard and pound the international yard and pound agreement of 1959.
+/// "GPa", "kN/m3", "m/s^2", "MN/m/m", "N·mm", "MPa√m", "kN/m^1.5", "1/s", "deg", "rad/s"; nothing where it is none. Alone
+/// an angle is one of degrees; in a product it is a number, of radians. Factors: SI brochure (BIPM 2019), 9th edition, and
+/// for inch, foot, yard and pound the international yard and pound agreement of 1959.
 std::optional<Unit> unit_named(std::string_view name);
 
 /// The number and the unit of "20 GPa"; nothing where the text is no such value.
@@ -49,7 +53,10 @@ std::optional<Quantity> quantity_in(std::string_view text);
 /// declare a unit that it takes.
 std::optional<double> si_factor(const Units& units, const Dimension& dimension);
 
-/// "stress, such as 20 GPa": what a value of this dimension may be written as.
-std::string example_of(const Dimension& dimension);
+/// The unit of mass of a case that declares one of force, or of stress: force times time² over length, stress times
+/// length times time². By name where it has one ("t" for kN, m and s), else as a product ("lbf·s²/in"). Empty where it
+/// cannot be made.
+std::string mass_of_force(const std::string& force, const std::string& length, const std::string& time);
+std::string mass_of_stress(const std::string& stress, const std::string& length, const std::string& time);
 
 }  // namespace keyblock

@@ -103,13 +103,15 @@ void draw_legend(SvgPage& page, Point corner, double width, const std::vector<Le
   }
 }
 
-void draw_scale_bar(SvgPage& page, Point left, double width, const PageMap& map) {
+void draw_scale_bar(SvgPage& page, Point left, double width, const PageMap& map, const Units& units) {
   const double length = round_down(0.25 * width / map.scale());
   const Point right{left.x + length * map.scale(), left.y};
   const Style bar{.stroke = "#222222", .stroke_width = 1.6};
   page.line(left, right, bar);
   for (Point end : {left, right}) page.line(end - Point{0, 4}, end + Point{0, 4}, bar);
-  page.text(right + Point{8, 4}, fmt::format("{:g} (unit of length of the input)", length), {.size = kTextSize});
+  page.text(right + Point{8, 4},
+            fmt::format("{:g} {}", length, units.length.empty() ? "(unit of length of the input)" : units.length),
+            {.size = kTextSize});
 }
 
 }  // namespace keyblock::report

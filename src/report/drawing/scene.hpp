@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "problem/run_choices.hpp"
 #include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
@@ -37,8 +38,8 @@ struct LegendEntry {
 double legend_height(const std::vector<LegendEntry>& entries, double width);
 void draw_legend(SvgPage& page, Point corner, double width, const std::vector<LegendEntry>& entries);
 
-/// A bar of round length, at most a quarter of `width`, with its length in the unit of the input. Its left
-/// end is at `left`.
-void draw_scale_bar(SvgPage& page, Point left, double width, const PageMap& map);
+/// A bar of round length, at most a quarter of `width`, with its length in the unit of the case. Its left end is at
+/// `left`.
+void draw_scale_bar(SvgPage& page, Point left, double width, const PageMap& map, const Units& units);
 
 }  // namespace keyblock::report

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "material/stress_invariants.hpp"
+#include "problem/units/measure.hpp"
 #include "report/drawing/field_patches.hpp"
 #include "report/drawing/scene.hpp"
 #include "report/page.hpp"
@@ -144,12 +145,12 @@ std::string plastic_picture(const PlasticPicture& picture) {
   draw(0, fmt::format("equivalent plastic strain, up to {:.3g}", greatest_equivalent(picture.end)), "κ [–]",
        ColourScale::Map::rising,
        [](const FieldCorner& corner) { return corner.plastic.value_or(PlasticState{}).equivalent; });
-  draw(1, "mean stress, tension positive", "σm [F/L²]", ColourScale::Map::about_zero,
-       [](const FieldCorner& corner) { return invariants_of(corner.stress).mean; });
+  draw(1, "mean stress, tension positive", with_unit("σm", measures::kStress, picture.units),
+       ColourScale::Map::about_zero, [](const FieldCorner& corner) { return invariants_of(corner.stress).mean; });
   draw_caption(2, "state of the rock");
   draw_states(page, map(2), picture.end, key(2));
   draw_outlines(page, map(2), picture);
-  draw_scale_bar(page, {kMargin, layout.bottom + 22}, kRoom, map(0));
+  draw_scale_bar(page, {kMargin, layout.bottom + 22}, kRoom, map(0), picture.units);
   return page.str();
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 
 namespace keyblock::report {
@@ -13,6 +14,7 @@ struct PlasticPicture {
   std::string title;
   FieldFrame end;
   std::vector<std::vector<Point>> outlines;  ///< of bodies on covers, as they lie at the end
+  Units units = {};
 };
 
 /// An SVG document: three panels of the bodies as they lie at the end, placed so that they are large. Equivalent

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "problem/units/measure.hpp"
 #include "report/drawing/chart.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/plot.hpp"
@@ -201,7 +202,7 @@ std::string strength_picture(const StrengthPicture& picture) {
   if (box.empty()) return page.str();
   draw_standing(page, first, picture, {kMargin, kTitleHeight + kCaptionRoom - 10});
   draw_falling(page, second, picture, {kMargin, below - 10});
-  draw_scale_bar(page, {kMargin, below + first.size().y + 22}, kRoom, first);
+  draw_scale_bar(page, {kMargin, below + first.size().y + 22}, kRoom, first, picture.units);
   return page.str();
 }
 
@@ -227,8 +228,9 @@ std::string strength_chart(const StrengthChart& chart) {
   for (const auto& [end, words] : {std::pair{chart.stands, "stands up to"}, std::pair{chart.falls, "falls from"}})
     if (end) curves.push_back({fmt::format("{} {:.4g}", words, *end), {*end, *end}, {0, kShownRise * most}});
   if (has_points(curves))
-    draw_chart(page, {kMargin, kTop}, {kWidth - 2 * kMargin, kHeight - kTop - 14}, curves,
-               {"factor that strength is divided by", "largest displacement"});
+    draw_chart(
+        page, {kMargin, kTop}, {kWidth - 2 * kMargin, kHeight - kTop - 14}, curves,
+        {"factor that strength is divided by", with_unit("largest displacement", measures::kLength, chart.units)});
   return page.str();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 
 namespace keyblock::report {
@@ -22,6 +23,7 @@ struct StrengthChart {
   std::vector<StrengthPoint> points;
   std::optional<double> stands;  ///< the bracket
   std::optional<double> falls;
+  Units units = {};
 };
 
 /// An SVG document: the largest displacement over the factor, and the bracket as a band.
@@ -47,6 +49,7 @@ struct StrengthPicture {
   FieldFrame before;                    ///< what increments are counted from; the standing state, or one before it
   std::optional<FieldFrame> falling;    ///< with the same elements
   std::string falling_words;            ///< "falls at 1.4"
+  Units units = {};
 };
 
 /// An SVG document of two panels: the last state that stands, coloured by plastic strain where there is any; and the

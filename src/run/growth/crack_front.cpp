@@ -46,7 +46,7 @@ std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifo
   std::vector<CrackPlan> cracks = front.cracks;
   for (const CrackStart& start : front.starts) {
     const Point half = start.half_length * start.along;
-    cracks.push_back({{start.at - half, start.at + half}, {}, 0});
+    cracks.push_back({{start.at - half, start.at + half}, {}, 0, start.is_shear});
   }
   for (std::size_t i = 0; i < front.tips.size(); ++i)
     if (front.tips[i].goes_on) prolong(cracks, front.tips[i], next_place(front, manifold, increment, i, more[i]));
@@ -64,6 +64,7 @@ void describe(Archive& archive, const char* name, std::vector<CrackPlan>& cracks
       archive.value("y", point.y);
     });
     archive.value("joint_material", crack.joint_material);
+    archive.value("is_shear", crack.is_shear);
   });
 }
 
@@ -76,6 +77,7 @@ void describe(Archive& archive, CrackFront& front) {
     archive.value("along_x", start.along.x);
     archive.value("along_y", start.along.y);
     archive.value("half_length", start.half_length);
+    archive.value("is_shear", start.is_shear);
   });
 }
 

@@ -67,6 +67,9 @@ std::string why_not(const Problem& problem, const Scene& scene) {
   if (problem.covers->growth->increment > longest)
     return fmt::format("expected an increment of at most {:.4g}, a quarter of the bodies' lesser extent, found {:.4g}",
                        longest, problem.covers->growth->increment);
+  if (scene.is_untouched &&
+      std::ranges::any_of(materials, [](const BlockMaterial& m) { return m.toughness && m.toughness->cohesion; }))
+    return "expected contact felt where cracks start in shear, for their faces rub, found it ignored";
   if (std::ranges::none_of(materials, [](const BlockMaterial& m) { return m.toughness.has_value(); }))
     return "expected a toughness of a block material where cracks grow, found none";
   return {};
@@ -85,13 +88,16 @@ std::shared_ptr<const CrackGrowth> growth_of(const Problem& problem, const Scene
   still.covers->growth.reset();
   GrowthPlan chosen = plan;
   chosen.loads = loads_of(problem, scene);
-  return std::make_shared<CrackGrowth>(
-      CrackGrowth{chosen, problem.covers->cracks,
-                  [still = std::move(still), remade = std::move(remade)](const std::vector<CrackPlan>& cracks) {
-                    Problem with = still;
-                    with.covers->cracks = cracks;
-                    return remade(with);
-                  }});
+  const double tip_side = still.covers->mesh.tip_side;
+  const auto with = [still = std::move(still), remade = std::move(remade)](const std::vector<CrackPlan>& cracks,
+                                                                           const std::vector<RefinedPoint>& refined) {
+    Problem other = still;
+    other.covers->cracks = cracks;
+    std::vector<RefinedPoint>& all = other.covers->mesh.refined;
+    all.insert(all.end(), refined.begin(), refined.end());
+    return remade(other);
+  };
+  return std::make_shared<CrackGrowth>(CrackGrowth{chosen, problem.covers->cracks, with, tip_side});
 }
 
 }  // namespace keyblock

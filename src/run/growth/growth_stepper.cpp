@@ -91,7 +91,7 @@ void GrowthStepper::describe_growth(Archive& archive) {
 }
 
 Scene GrowthStepper::scene_with(const std::vector<CrackPlan>& cracks, double factor) const {
-  return with_factor(first_.growth->remade(cracks), factor);
+  return with_factor(first_.growth->remade(cracks, {}), factor);
 }
 
 std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std::vector<CrackPlan>& cracks,
@@ -148,7 +148,7 @@ std::vector<double> GrowthStepper::corrections(const std::vector<CrackPlan>& tri
 void GrowthStepper::put_next() {
   const auto ends_with_cracks = [&] {
     try {
-      return is_end(first_.growth->remade(cracks_));
+      return is_end(first_.growth->remade(cracks_, {}));
     } catch (const InputError&) {
       return false;  // the next step says why these cracks cannot be
     }

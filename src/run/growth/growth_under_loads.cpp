@@ -44,6 +44,49 @@ std::vector<std::pair<Point, Point>> gained(const std::vector<CrackPlan>& before
   return pieces;
 }
 
+void describe_point(Archive& archive, const char* x, const char* y, Point& p) {
+  archive.value(x, p.x);
+  archive.value(y, p.y);
+}
+
+void describe_faces(Archive& archive, PartingFaces& faces) {
+  describe_point(archive, "from_x", "from_y", faces.from);
+  describe_point(archive, "to_x", "to_y", faces.to);
+  archive.value("energy", faces.energy);
+  archive.value("taken", faces.taken);
+  archive.value("share", faces.share);
+  archive.list("points", faces.points, [&](PartingPoint& p) {
+    describe_point(archive, "x", "y", p.at);
+    describe_point(archive, "pull_x", "pull_y", p.pull);
+    describe_point(archive, "apart_x", "apart_y", p.apart);
+  });
+}
+
+void describe_names(Archive& archive, std::vector<Identity>& names) {
+  archive.list("names", names, [&](Identity& name) {
+    archive.value("number", name.number);
+    archive.value("origin", name.origin);
+  });
+}
+
+Point displacement(const CoverDisplacement& moved, int element, Point start) {
+  const ElementShape shape = moved.basis.shape(element);
+  const Eigen::RowVectorXd n = shape.values(start);
+  Eigen::Vector2d u = Eigen::Vector2d::Zero();
+  for (int a = 0; a < shape.function_count(); ++a)
+    u += n(a) * moved.d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
+  return {u.x(), u.y()};
+}
+
+/// What a tip that goes on takes per length.
+double energy_of(const Continuum& continuum, const TipState& tip) {
+  if (tip.has_room && tip.equivalent > 0) {
+    const double over = tip.toughness / tip.equivalent;
+    return tip.energy_release * over * over;
+  }
+  return energy_of_fracture(rock_at(continuum, tip_of(continuum.manifold, tip)), tip.toughness);
+}
+
 }  // namespace
 
 GrowthUnderLoads::GrowthUnderLoads(Scene first) : first_(std::move(first)) {
@@ -57,10 +100,7 @@ GrowthUnderLoads::GrowthUnderLoads(Scene first, Archive& saved) : first_(std::mo
   Scene scene = front_.cracks.empty() && first_.growth->cracks.empty() ? first_ : scene_with_cracks();
   saved.group("scene", [&] {
     std::vector<Identity>& names = scene.model.identities.elements;
-    saved.list("names", names, [&](Identity& name) {
-      saved.value("number", name.number);
-      saved.value("origin", name.origin);
-    });
+    describe_names(saved, names);
     if (!names.empty() && names.size() != scene.model.elements.size())
       saved.refuse("names", fmt::format("expected the names of {} elements, found {}", scene.model.elements.size(),
                                         names.size()));
@@ -74,41 +114,27 @@ void GrowthUnderLoads::save(Archive& archive) {
   describe(archive);
   archive.group("scene", [&] {
     std::vector<Identity> names = model().identities.elements;
-    archive.list("names", names, [&](Identity& name) {
-      archive.value("number", name.number);
-      archive.value("origin", name.origin);
-    });
+    describe_names(archive, names);
     now_->save(archive);
   });
 }
 
 void GrowthUnderLoads::describe(Archive& archive) {
-  const auto point = [&](const char* x, const char* y, Point& p) {
-    archive.value(x, p.x);
-    archive.value(y, p.y);
-  };
   keyblock::describe(archive, "cracks", next_);
   keyblock::describe(archive, front_);
   archive.list("pieces", pieces_, [&](Piece& piece) {
-    point("x", "y", piece.from);
+    describe_point(archive, "x", "y", piece.from);
     archive.value("energy", piece.energy);
   });
+  archive.list("refined", refined_, [&](RefinedPoint& refined) {
+    point("x", "y", refined.at);
+    archive.value("side", refined.side);
+  });
   archive.list("arrivals", arrivals_, [&](Arrival& arrival) {
-    point("x", "y", arrival.at);
+    describe_point(archive, "x", "y", arrival.at);
     archive.value("time", arrival.time);
   });
-  archive.list("parting", parting_, [&](PartingFaces& faces) {
-    point("from_x", "from_y", faces.from);
-    point("to_x", "to_y", faces.to);
-    archive.value("energy", faces.energy);
-    archive.value("taken", faces.taken);
-    archive.value("share", faces.share);
-    archive.list("points", faces.points, [&](PartingPoint& p) {
-      point("x", "y", p.at);
-      point("pull_x", "pull_y", p.pull);
-      point("apart_x", "apart_y", p.apart);
-    });
-  });
+  archive.list("parting", parting_, [&](PartingFaces& faces) { describe_faces(archive, faces); });
   archive.value("next_number", next_number_);
 }
 
@@ -125,16 +151,6 @@ LedgerScope GrowthUnderLoads::ledger_scope() const {
 
 int GrowthUnderLoads::first_on_covers() const {
   return static_cast<int>(model().elements.size() - model().continuum->manifold.elements.size());
-}
-
-Point GrowthUnderLoads::displacement(int element, Point start) const {
-  const CoverDisplacement moved = *now_->on_covers();
-  const ElementShape shape = moved.basis.shape(element);
-  const Eigen::RowVectorXd n = shape.values(start);
-  Eigen::Vector2d u = Eigen::Vector2d::Zero();
-  for (int a = 0; a < shape.function_count(); ++a)
-    u += n(a) * moved.d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
-  return {u.x(), u.y()};
 }
 
 // Of faces that contact presses as well contact has its own.
@@ -162,7 +178,7 @@ std::vector<FacePull> GrowthUnderLoads::pulls(int first) const {
 }
 
 Scene GrowthUnderLoads::scene_with_cracks() const {
-  Scene scene = first_.growth->remade(front_.cracks);
+  Scene scene = first_.growth->remade(front_.cracks, refined_);
   scene.growth.reset();
   scene.model.scale = first_.model.scale;  // tolerances of a run stay those of its beginning
   return scene;
@@ -170,11 +186,12 @@ Scene GrowthUnderLoads::scene_with_cracks() const {
 
 void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
   const Manifold& manifold = model().continuum->manifold;
+  const CoverDisplacement moved = *now_->on_covers();
   for (const auto& [from, to] : gained(front_.cracks, after)) {
     const auto piece = std::ranges::find(pieces_, from, &Piece::from);
     if (piece == pieces_.end() || !(piece->energy > 0)) continue;
     const auto element = [&](Point p) { return element_of(manifold, CrackTip{p, {}}); };
-    const auto place = [&](Point p) { return p + displacement(std::max(0, element(p)), p); };
+    const auto place = [&](Point p) { return p + displacement(moved, std::max(0, element(p)), p); };
     const Point along = place(to) - place(from);
     const double stretch = length(along) / distance(from, to);
     const Point out = (stretch / length(along)) * Point{along.y, -along.x};
@@ -192,9 +209,13 @@ void GrowthUnderLoads::recut() {
   auto change = std::make_shared<SceneChange>();
   CrackFront before = front_;
   const std::vector<PartingFaces> parting_before = parting_;
+  const std::vector<RefinedPoint> refined_before = refined_;
   try {
     if (is_in_time()) begin_to_part(next_);
     front_ = {std::exchange(next_, {}), {}, {}};
+    refined_.clear();
+    for (const PartingFaces& faces : parting_)
+      for (const Point end : {faces.from, faces.to}) refined_.push_back({end, first_.growth->tip_side});
     Scene scene = scene_with_cracks();
     const Table<ElementIndex, ElementIndex> parents = parents_by_place(model(), scene.model);
     *change = change_between(model(), std::move(scene), parents, next_number_);
@@ -205,19 +226,13 @@ void GrowthUnderLoads::recut() {
   } catch (...) {
     next_ = std::exchange(front_, std::move(before)).cracks;
     parting_ = parting_before;
+    refined_ = refined_before;
     throw;
   }
-  for (PartingFaces& faces : parting_) look_at_openings(faces, [&](int e, Point p) { return displacement(e, p); });
+  const CoverDisplacement moved = *now_->on_covers();
+  for (PartingFaces& faces : parting_)
+    look_at_openings(faces, [&](int e, Point p) { return displacement(moved, e, p); });
   pieces_.clear();
-}
-
-double GrowthUnderLoads::energy_of(const TipState& tip) const {
-  const Continuum& continuum = *model().continuum;
-  if (tip.has_room && tip.equivalent > 0) {
-    const double over = tip.toughness / tip.equivalent;
-    return tip.energy_release * over * over;
-  }
-  return energy_of_fracture(rock_at(continuum, tip_of(continuum.manifold, tip)), tip.toughness);
 }
 
 // Without a field of its own a tip goes on only where it came from afar.
@@ -243,7 +258,7 @@ void GrowthUnderLoads::look_at_tips() {
     const CrackTip& place = tip_of(continuum.manifold, tip);
     const double density = continuum.material(std::max(0, element_of(continuum.manifold, place))).density;
     tip.goes_on = may_go_on(tip, rayleigh_speed(rock_at(continuum, place), density));
-    if (tip.goes_on) pieces_.push_back({tip.at, energy_of(tip)});
+    if (tip.goes_on) pieces_.push_back({tip.at, energy_of(continuum, tip)});
   }
   if (pieces_.empty() && front_.starts.empty()) return;
   for (const CrackStart& start : front_.starts) {
@@ -264,7 +279,8 @@ std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
     }
   std::variant<StepReport, StepFailure> made = now_->advance();
   if (std::holds_alternative<StepFailure>(made)) return made;
-  for (PartingFaces& faces : parting_) let_go(faces, [&](int e, Point p) { return displacement(e, p); });
+  const CoverDisplacement moved = *now_->on_covers();
+  for (PartingFaces& faces : parting_) let_go(faces, [&](int e, Point p) { return displacement(moved, e, p); });
   look_at_tips();
   std::erase_if(parting_, &PartingFaces::have_parted);
   now_->put_pulls(pulls(first_on_covers()));

@@ -59,8 +59,6 @@ class GrowthUnderLoads : public Stepper {
   void describe(Archive& archive);
   CoverSolution solution() const;
   int first_on_covers() const;  ///< its index among the elements of the model
-  /// Displacement of points of the present bodies.
-  Point displacement(int element, Point start) const;
   void place_parting(const Manifold& manifold);
   /// Of the faces that part, the elements on covers being numbered on from `first`.
   std::vector<FacePull> pulls(int first) const;
@@ -70,7 +68,6 @@ class GrowthUnderLoads : public Stepper {
   void begin_to_part(const std::vector<CrackPlan>& after);
   void look_at_tips();
   bool may_go_on(const TipState& tip, double speed) const;
-  double energy_of(const TipState& tip) const;
 
   Scene first_;
   std::unique_ptr<StandardStepper> now_;
@@ -78,6 +75,7 @@ class GrowthUnderLoads : public Stepper {
   std::vector<CrackPlan> next_;        ///< cracks of the coming step; empty: those of `front_`
   std::vector<Piece> pieces_;          ///< what `next_` gains
   std::vector<PartingFaces> parting_;  ///< in time
+  std::vector<RefinedPoint> refined_;  ///< of the present mesh: where faces parted, the field is still that of a tip
   std::vector<Arrival> arrivals_;      ///< of tips that went on
   int next_number_ = 0;                ///< of an element that is new
 };

@@ -39,7 +39,7 @@ Table<ElementIndex, ElementIndex> parents_by_place(const Model& before, const Mo
   const int blocks = static_cast<int>(after.elements.size()) - count_on_covers(after);
   std::vector<Box> boxes(was.elements.size());
   for (std::size_t e = 0; e < was.elements.size(); ++e)
-    for (const Point& p : loops_of(was, e).front()) boxes[e].add(p);
+    for (const ElementCorner& corner : was.loop(was.elements[e].outer)) boxes[e].add(corner.position);
   std::vector<Point> inner;
   for (std::size_t e = 0; e < is.elements.size(); ++e) {
     const auto loops = loops_of(is, e);

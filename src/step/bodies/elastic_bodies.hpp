@@ -6,7 +6,7 @@
 #include "system/sparse_system.hpp"
 #include "terms/cover_elasticity.hpp"
 #include "terms/cover_rigid_motion.hpp"
-#include "terms/cover_yield.hpp"
+#include "terms/yield/cover_yield.hpp"
 
 namespace keyblock {
 

@@ -9,9 +9,9 @@
 #include "system/sparse_system.hpp"
 #include "system/whole_system.hpp"
 #include "terms/cover_elasticity.hpp"
-#include "terms/cover_yield.hpp"
 #include "terms/ghost_penalty.hpp"
 #include "terms/held_edges.hpp"
+#include "terms/yield/cover_yield.hpp"
 
 namespace keyblock {
 

@@ -65,6 +65,7 @@ struct FieldPoint {
   double area = 0;
   Point place;
   Point velocity;
+  Eigen::Matrix2d gradient = Eigen::Matrix2d::Identity();  ///< of the place by the start
 };
 
 class BodyGroups;

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "geometry/common_rule.hpp"
+#include "system/sparse_factor.hpp"
+#include "system/sparse_system.hpp"
 #include "terms/cover_inertia.hpp"
 
 namespace keyblock {
@@ -134,6 +136,70 @@ Eigen::VectorXd loads_of(std::span<const std::vector<FieldPoint>> fields, const 
   return loads;
 }
 
+/// Displacements nearest to those of points in the energy of elastic rock as it is strained there: of all that the
+/// functions hold, the least of ½ ∫ E : C : E + ½ w ∫ |δ|², δ what they lack, E = sym(Fᵀ ∇δ) with the gradient F of the
+/// points. Strain energy then falls by what the functions cannot hold and by no more (Galerkin's orthogonality), which a
+/// projection by mass does not grant. `w` holds the rigid motion, which is among the functions, and decides nothing else.
+class Displacements {
+ public:
+  explicit Displacements(const CoverScene& after) : after_(after), system_(system_of(after)) {
+    Box box;
+    double modulus = 0;
+    const Manifold& manifold = after.continuum().manifold;
+    for (int e = 0; e < after.basis().element_count(); ++e) {
+      for (const ElementCorner& corner : manifold.loop(manifold.elements[static_cast<std::size_t>(e)].outer))
+        box.add(corner.position);
+      modulus = std::max(modulus, after.continuum().modulus(e)(0, 0));
+    }
+    weight_ = modulus / dot(box.size(), box.size());
+  }
+
+  Eigen::VectorXd nearest(std::span<const std::vector<FieldPoint>> fields) {
+    for (int e = 0; e < after_.basis().element_count(); ++e) add(e, fields[static_cast<std::size_t>(e)]);
+    SparseFactor factor(system_.lower(), Definiteness::semidefinite);
+    factor.factorise(system_.lower());
+    return factor.solve(system_.load()).col(0);
+  }
+
+ private:
+  static SparseSystem system_of(const CoverScene& after) {
+    FunctionGroups groups;
+    for (int e = 0; e < after.basis().element_count(); ++e) groups.add(after.basis().shape(e).functions);
+    return {after.basis().function_count(), groups};
+  }
+
+  void add(int e, const std::vector<FieldPoint>& field) {
+    const ElementShape shape = after_.basis().shape(e);
+    const Eigen::Matrix3d modulus = after_.continuum().modulus(e);
+    const int n = 2 * shape.function_count();
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
+    Eigen::MatrixXd strain(3, n), moves = Eigen::MatrixXd::Zero(2, n);
+    for (const FieldPoint& point : field) {
+      const Eigen::Matrix2d& f = point.gradient;
+      const Eigen::RowVectorXd values = shape.values(point.start);
+      const Eigen::Matrix2Xd g = shape.gradients(point.start);
+      for (int a = 0; a < shape.function_count(); ++a)
+        for (int i = 0; i < 2; ++i) {
+          strain.col(2 * a + i) << f(i, 0) * g(0, a), f(i, 1) * g(1, a), f(i, 0) * g(1, a) + f(i, 1) * g(0, a);
+          moves(i, 2 * a + i) = values(a);
+        }
+      const Eigen::Matrix2d own = f.transpose() * (f - Eigen::Matrix2d::Identity());
+      const Point u = point.place - point.start;
+      matrix += point.area * (strain.transpose() * modulus * strain + weight_ * moves.transpose() * moves);
+      load +=
+          point.area * (strain.transpose() * modulus * Eigen::Vector3d(own(0, 0), own(1, 1), own(0, 1) + own(1, 0)) +
+                        weight_ * moves.transpose() * Eigen::Vector2d(u.x, u.y));
+    }
+    system_.add_matrix(shape.functions, matrix);
+    system_.add_load(shape.functions, load);
+  }
+
+  const CoverScene& after_;
+  SparseSystem system_;
+  double weight_ = 0;
+};
+
 /// Adds turnings that give every body the angular momentum of its points.
 Eigen::VectorXd turned_as(std::span<const std::vector<FieldPoint>> fields, const CoverScene& after,
                           const Eigen::VectorXd& d, Eigen::VectorXd v) {
@@ -158,7 +224,7 @@ CarriedCovers carried_covers(std::span<const std::vector<FieldPoint>> fields, co
   const auto projected = [&](Point (*of)(const FieldPoint&)) -> Eigen::VectorXd {
     return after.mass_inverse()->times(loads_of(fields, after, of)).col(0);
   };
-  carried.d = projected([](const FieldPoint& point) { return point.place - point.start; });
+  carried.d = Displacements(after).nearest(fields);
   carried.v = projected([](const FieldPoint& point) { return point.velocity; });
   carried.v = turned_as(fields, after, carried.d, std::move(carried.v));
   return carried;
@@ -186,11 +252,13 @@ std::vector<FieldPoint> field_over(const CoverScene& bodies, std::span<const Box
     const ElementShape shape = bodies.basis().shape(boxed.element);
     for (const AreaPoint& point : common_rule(region, loops, own + std::max(own, degree))) {
       const Eigen::RowVectorXd values = shape.values(point.at);
+      const Eigen::Matrix2Xd gradients = shape.gradients(point.at);
       FieldPoint& of = field.emplace_back(FieldPoint{point.at, point.weight, point.at, {}});
       for (int a = 0; a < shape.function_count(); ++a) {
         const int f = 2 * shape.functions[static_cast<std::size_t>(a)];
         of.place = of.place + values(a) * Point{d[f], d[f + 1]};
         of.velocity = of.velocity + values(a) * Point{v[f], v[f + 1]};
+        of.gradient += d.segment<2>(f) * gradients.col(a).transpose();
       }
     }
   }

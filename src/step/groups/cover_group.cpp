@@ -44,6 +44,46 @@ class CoverStep final : public EstimatedStep {
   CoverEquations& equations_;
 };
 
+CarriedCovers carried_by_products(const CoverScene& bodies, const CoverScene& same,
+                                  const std::vector<ElementIndex>& own, const BodiesBefore& before) {
+  std::vector<int> parents;
+  for (const ElementIndex e : own) parents.push_back(same.kinematics()->manifold_element(before.parents[e]));
+  return carried_covers(same, before.motion.q.shared, before.motion.v.shared, parents, bodies);
+}
+
+YieldStates memories_by_elements(const CoverScene& bodies, const CoverScene& same, const std::vector<ElementIndex>& own,
+                                 const BodiesBefore& before) {
+  YieldStates states = bodies.yield().start();
+  for (const ElementIndex e : own)
+    bodies.yield().carry(bodies.kinematics()->manifold_element(e), same.yield(),
+                         same.kinematics()->manifold_element(before.parents[e]), before.motion.points.covers, states);
+  return states;
+}
+
+CarriedCovers carried_by_points(const CoverScene& bodies, const std::vector<ElementIndex>& own,
+                                const BodiesBefore& before) {
+  const Manifold& manifold = bodies.continuum().manifold;
+  const int degree = bodies.basis().degree();
+  std::vector<std::vector<FieldPoint>> fields;
+  for (const ElementIndex e : own) {
+    const ElementIndex parent = before.parents[e];
+    const auto region =
+        manifold.polygon(manifold.elements[static_cast<std::size_t>(bodies.kinematics()->manifold_element(e))]);
+    fields.push_back(before.groups.of(parent).field_over(before.scene, parent, region, degree, before.motion));
+  }
+  CarriedCovers carried = carried_covers(fields, bodies);
+  if (bodies.yield().is_empty()) return carried;
+  std::vector<std::vector<CoverYield::Remembered>> remembered(fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const ElementIndex parent = before.parents[own[i]];
+    for (const FieldPoint& point : fields[i])
+      remembered[i].push_back(
+          {point.start, point.area, before.groups.of(parent).memory_at(parent, before.motion, point.start)});
+  }
+  carried.points = bodies.yield().gathered(remembered);
+  return carried;
+}
+
 }  // namespace
 
 std::optional<ElasticLaw> CoverGroup::law_of_large_strain(const SceneParts& scene, ElementIndex e) const {
@@ -216,51 +256,12 @@ void CoverGroup::carry(const SceneParts&, const BodiesBefore& before, BodiesMoti
   const bool keeps_mesh = same &&
                           std::ranges::all_of(own, [&](ElementIndex e) { return same->has(before.parents[e]); }) &&
                           is_same_mesh(same->bodies_->continuum().manifold, bodies_->continuum().manifold);
-  const CarriedCovers covers =
-      keeps_mesh ? carried_by_products(*same->bodies_, own, before) : carried_by_points(own, before);
-  if (may_yield() && keeps_mesh) carried.points.covers = memories_by_elements(*same->bodies_, own, before);
+  const CarriedCovers covers = keeps_mesh ? carried_by_products(*bodies_, *same->bodies_, own, before)
+                                          : carried_by_points(*bodies_, own, before);
+  if (may_yield() && keeps_mesh) carried.points.covers = memories_by_elements(*bodies_, *same->bodies_, own, before);
   if (may_yield() && !keeps_mesh) carried.points.covers = covers.points;
   carried.q.shared = covers.d;
   carried.v.shared = covers.v;
-}
-
-CarriedCovers CoverGroup::carried_by_products(const CoverScene& same, const std::vector<ElementIndex>& own,
-                                              const BodiesBefore& before) const {
-  std::vector<int> parents;
-  for (const ElementIndex e : own) parents.push_back(same.kinematics()->manifold_element(before.parents[e]));
-  return carried_covers(same, before.motion.q.shared, before.motion.v.shared, parents, *bodies_);
-}
-
-YieldStates CoverGroup::memories_by_elements(const CoverScene& same, const std::vector<ElementIndex>& own,
-                                             const BodiesBefore& before) const {
-  YieldStates states = bodies_->yield().start();
-  for (const ElementIndex e : own)
-    bodies_->yield().carry(bodies_->kinematics()->manifold_element(e), same.yield(),
-                           same.kinematics()->manifold_element(before.parents[e]), before.motion.points.covers, states);
-  return states;
-}
-
-CarriedCovers CoverGroup::carried_by_points(const std::vector<ElementIndex>& own, const BodiesBefore& before) const {
-  const Manifold& manifold = bodies_->continuum().manifold;
-  const int degree = bodies_->basis().degree();
-  std::vector<std::vector<FieldPoint>> fields;
-  for (const ElementIndex e : own) {
-    const ElementIndex parent = before.parents[e];
-    const auto region =
-        manifold.polygon(manifold.elements[static_cast<std::size_t>(bodies_->kinematics()->manifold_element(e))]);
-    fields.push_back(before.groups.of(parent).field_over(before.scene, parent, region, degree, before.motion));
-  }
-  CarriedCovers carried = carried_covers(fields, *bodies_);
-  if (!may_yield()) return carried;
-  std::vector<std::vector<CoverYield::Remembered>> remembered(fields.size());
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const ElementIndex parent = before.parents[own[i]];
-    for (const FieldPoint& point : fields[i])
-      remembered[i].push_back(
-          {point.start, point.area, before.groups.of(parent).memory_at(parent, before.motion, point.start)});
-  }
-  carried.points = bodies_->yield().gathered(remembered);
-  return carried;
 }
 
 }  // namespace keyblock

@@ -74,12 +74,6 @@ class CoverGroup final : public BodyGroup {
   void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
 
  private:
-  CarriedCovers carried_by_products(const CoverScene& same, const std::vector<ElementIndex>& own,
-                                    const BodiesBefore& before) const;
-  CarriedCovers carried_by_points(const std::vector<ElementIndex>& own, const BodiesBefore& before) const;
-  YieldStates memories_by_elements(const CoverScene& same, const std::vector<ElementIndex>& own,
-                                   const BodiesBefore& before) const;
-
   std::shared_ptr<const CoverScene> bodies_;
   std::vector<std::vector<BoxedElement>> elements_;  ///< of every body
 };

@@ -1,4 +1,4 @@
-// Rounds on a cylinder about the last point; see arc_length.hpp.
+// The equations on a cylinder about the last point; see arc_length.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/arc_length.hpp"
 
@@ -6,18 +6,10 @@
 #include <limits>
 #include <utility>
 
-#include "base/stop.hpp"
-
 namespace keyblock {
 namespace {
 
-// As in NewtonStatic, of the largest of the forces.
-constexpr double kBalanced = 1e-9;
-constexpr int kMostRounds = 40;
-
-double left(const LoadedBodies::Balance& balance) {
-  return balance.scale > 0 ? balance.residual.norm() / balance.scale : 0;
-}
+using namespace tolerances::of_newton;
 
 /// Of |a + s b| = length the s whose a + s b points most along `direction`; none where the line misses the cylinder.
 std::optional<double> on_cylinder(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double length,
@@ -29,17 +21,71 @@ std::optional<double> on_cylinder(const Eigen::VectorXd& a, const Eigen::VectorX
   return (-half + (b.dot(direction) > 0 ? 1 : -1) * std::sqrt(root)) / square;
 }
 
+class OnPath {
+ public:
+  OnPath(LoadedTangent& tangent, const PathPoint& from, PathPoint guess, double length, NewtonRounds& rounds,
+         Eigen::VectorXd& last)
+      : tangent_(tangent),
+        from_(from),
+        length_(length),
+        rounds_(rounds),
+        last_(last),
+        load_(tangent.bodies().scene_load()),
+        at_(std::move(guess)) {
+    look();
+  }
+
+  RoundsEnd state() const { return state_of(rounds_.residuals.back()); }
+
+  RoundsEnd find_increment(int) {
+    try {
+      const SparseLu& factor = tangent_.factor_at(from_.state, at_.state.d);
+      corrected_ = at_.way - Eigen::VectorXd(factor.solve(now_.residual));
+      by_share_ = factor.solve(load_);
+    } catch (const SingularMatrix&) {
+      return RoundsEnd::no_factor;
+    }
+    change_ = on_cylinder(corrected_, by_share_, length_, at_.way);
+    return change_ ? RoundsEnd::open : RoundsEnd::off_path;
+  }
+
+  /// The whole: a part of it would not lie on the cylinder.
+  void take(double) {
+    at_.way = corrected_ + *change_ * by_share_;
+    at_.share_change += *change_;
+    at_.share = from_.share + at_.share_change;
+    at_.state.d = from_.state.d + at_.way;
+    last_ = at_.state.d;
+    look();
+  }
+
+  PathPoint end() && {
+    at_.state.points = std::move(now_.rock.after);
+    return std::move(at_);
+  }
+
+ private:
+  void look() {
+    now_ = tangent_.bodies().balance(from_.state, at_.state.d, at_.share);
+    rounds_.residuals.push_back(left_of(now_));
+  }
+
+  LoadedTangent& tangent_;
+  const PathPoint& from_;
+  double length_;
+  NewtonRounds& rounds_;
+  Eigen::VectorXd& last_;
+  Eigen::VectorXd load_;
+  PathPoint at_;
+  LoadedBodies::Balance now_;
+  Eigen::VectorXd corrected_, by_share_;
+  std::optional<double> change_;
+};
+
 }  // namespace
 
-const SparseLu& ArcLength::factor_at(const LoadedState& from, const Eigen::VectorXd& d) {
-  bodies_->put_tangent(from, d, 0, tangent_);
-  if (!factor_) factor_.emplace(tangent_.matrix());
-  factor_->factorise(tangent_.matrix());
-  return *factor_;
-}
-
 Eigen::VectorXd ArcLength::tangent_at(const PathPoint& from) {
-  return factor_at(from.state, from.state.d).solve(bodies_->scene_load());
+  return tangent_.factor_at(from.state, from.state.d).solve(tangent_.bodies().scene_load());
 }
 
 double ArcLength::length_of_loads(const PathPoint& from) {
@@ -67,35 +113,25 @@ std::optional<PathPoint> ArcLength::guess(const PathPoint& from, double length) 
 }
 
 std::optional<PathPoint> ArcLength::next(const PathPoint& from, double length, NewtonRounds& rounds) {
+  std::optional<PathPoint> at;
   try {
-    std::optional<PathPoint> at = guess(from, length);
-    if (!at) return std::nullopt;
-    const Eigen::VectorXd load = bodies_->scene_load();
-    LoadedBodies::Balance now = bodies_->balance(from.state, at->state.d, at->share);
-    rounds.residuals.push_back(left(now));
-    const int most = rounds.count() + kMostRounds;
-    while (rounds.residuals.back() > kBalanced) {
-      leave_if_stopped();
-      if (rounds.count() >= most || !std::isfinite(rounds.residuals.back())) return std::nullopt;
-      const SparseLu& factor = factor_at(from.state, at->state.d);
-      const Eigen::VectorXd corrected = at->way - Eigen::VectorXd(factor.solve(now.residual));
-      const Eigen::VectorXd by_share = factor.solve(load);
-      const std::optional<double> change = on_cylinder(corrected, by_share, length, at->way);
-      if (!change) return std::nullopt;
-      at->way = corrected + *change * by_share;
-      at->share_change += *change;
-      at->share = from.share + at->share_change;
-      at->state.d = from.state.d + at->way;
-      last_ = at->state.d;
-      now = bodies_->balance(from.state, at->state.d, at->share);
-      rounds.residuals.push_back(left(now));
-    }
-    if (bodies_->turned_over(at->state.d) >= 0) return std::nullopt;
-    at->state.points = std::move(now.rock.after);
-    return at;
+    at = guess(from, length);
   } catch (const SingularMatrix&) {
+    rounds.end = RoundsEnd::no_factor;
     return std::nullopt;
   }
+  if (!at) {
+    rounds.end = RoundsEnd::off_path;
+    return std::nullopt;
+  }
+  OnPath equations(tangent_, from, std::move(*at), length, rounds, last_);
+  WholeIncrements search;
+  rounds.end = newton(equations, search, kMostRounds);
+  if (rounds.end != RoundsEnd::balanced) return std::nullopt;
+  PathPoint found = std::move(equations).end();
+  if (tangent_.bodies().turned_over(found.state.d) < 0) return found;
+  rounds.end = RoundsEnd::turned_over;
+  return std::nullopt;
 }
 
 }  // namespace keyblock

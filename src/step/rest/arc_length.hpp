@@ -4,9 +4,7 @@
 
 #include <optional>
 
-#include "step/bodies/loaded_bodies.hpp"
-#include "step/rest/newton_static.hpp"
-#include "system/sparse_lu.hpp"
+#include "step/rest/loaded_tangent.hpp"
 
 namespace keyblock {
 
@@ -18,14 +16,14 @@ struct PathPoint {
   double share_change = 0;  ///< in it
 };
 
-/// Control by arc length (Riks 1979), on a cylinder: |Δd| = l, the share of the loads being sought with it
+/// Newton's method under control by arc length (Riks 1979), on a cylinder: |Δd| = l, the share of the loads being sought with it
 /// (Crisfield 1981). In each round K δ1 = -r and K δ2 = p, p what the loads of the whole scene are; of the two shares
 /// that Δd + δ1 + δs δ2 has on the cylinder that is taken which goes on in the direction of the step. The next step is
 /// guessed along the last, by which it also knows which way is on: a share that has fallen goes on falling. The first
-/// is guessed by elasticity. Rounds stop as those of NewtonStatic do.
+/// is guessed by elasticity. Rounds stop as those of ShareControl do.
 class ArcLength {
  public:
-  explicit ArcLength(const LoadedBodies& bodies) : bodies_(&bodies), tangent_(bodies.tangent()) {}
+  explicit ArcLength(const LoadedBodies& bodies) : tangent_(bodies) {}
 
   /// |Δd| of a point per share of the loads, of rock as it answers the least strain; 0 without loads, infinity where
   /// the tangent has no inverse.
@@ -40,11 +38,8 @@ class ArcLength {
  private:
   Eigen::VectorXd tangent_at(const PathPoint& from);
   std::optional<PathPoint> guess(const PathPoint& from, double length);
-  const SparseLu& factor_at(const LoadedState& from, const Eigen::VectorXd& d);
 
-  const LoadedBodies* bodies_;
-  WholeSystem tangent_;
-  std::optional<SparseLu> factor_;
+  LoadedTangent tangent_;
   Eigen::VectorXd last_;
 };
 

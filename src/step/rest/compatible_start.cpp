@@ -10,20 +10,14 @@
 #include "base/stop.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/solve/friction_newton.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/rest/start_forces.hpp"
 #include "step/scene/contact_laws.hpp"
 
 namespace keyblock {
 namespace {
 
-// Three rounds suffice where statics gives the forces; then elasticity does, and each shrinks the misfit several times.
-constexpr int kStaticRounds = 3;
-constexpr int kMostRounds = 20;
-constexpr double kRoundOff = 1e-9;         // share of block size, or of acceleration, that the rounding of files leaves
-constexpr double kFits = 1e-9;             // misfit over the gaps that were to be closed
-constexpr double kShiftTolerance = 1e-13;  // of the gaps to be closed
-// A block that shifts by more than this times all gaps together is thrown about, not settled.
-constexpr double kLeverage = 10;
+using namespace tolerances::of_compatible_start;
 
 class Settling {
  public:

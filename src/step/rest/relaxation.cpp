@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/equilibrium.hpp"
 #include "step/time/ledger.hpp"
@@ -14,8 +15,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads, or over its own greatest
-constexpr int kMostSteps = 100000;
+using namespace tolerances::of_relaxation;
 
 void freeze(TimeCurve& curve, double time) {
   curve = {{time}, {curve.at(time)}, curve.place};
@@ -45,10 +45,7 @@ class Relaxation {
       if (is_at_rest()) return std::move(result_);
       make_step();
     }
-    if (result_.converged && result_.failure.empty())
-      result_.failure =
-          fmt::format("no rest found in {} steps of relaxation, forces out of balance by {:.1e} of the load",
-                      kMostSteps, result_.residual);
+    if (result_.converged && result_.failure.empty()) give_up();
     return std::move(result_);
   }
 
@@ -61,7 +58,42 @@ class Relaxation {
     return balance.holds();
   }
 
+  // What is not at rest where it is: a cycle of contacts, or a motion too slow to go anywhere.
+  void give_up() {
+    const Balance balance = balance_of(scene_, result_.motion, time_, driving_);
+    result_.residual = balance.share;
+    result_.restless = balance.blocks;
+    result_.failure = fmt::format("dynamic relaxation comes to no rest in {} steps", steps_);
+    result_.failure += balance.blocks.empty() ? std::string("; held points are not yet where they are driven to")
+                                              : fmt::format(": {} moves to and fro, {:.1e} of the load out of balance",
+                                                            in_words(scene_, balance.blocks), balance.share);
+  }
+
+  // Of those that went away the one that came farthest, over its size.
+  void give_up_on(const Travel& travel) {
+    result_.moving = travel.far;
+    const auto before = vertices_at(scene_.model, scene_.reference, start_.q);
+    const auto after = vertices_at(scene_.model, scene_.reference, result_.motion.q);
+    double farthest = 0;
+    Point way;
+    int number = 0;
+    for (const ElementIndex e : travel.far)
+      for (const VertexIndex v : scene_.model.elements[e].vertices()) {
+        const double share = distance(before[v], after[v]) / scene_.bodies()[e].size;
+        if (share <= farthest) continue;
+        farthest = share;
+        way = after[v] - before[v];
+        number = e.value + 1;
+      }
+    result_.failure = fmt::format(
+        "{}; dynamic relaxation followed it for {} steps: block {} has gone {:.3g} times its size, by ({:.3g}, "
+        "{:.3g}), "
+        "and comes to no rest near where it was",
+        no_equilibrium(scene_, travel.far), steps_, number, farthest, way.x, way.y);
+  }
+
   void make_step() {
+    ++steps_;
     const UnknownsTable from = result_.motion.q;
     StandardStep made = standard_step(scene_, result_.motion, time_, scene_.settings.time_step);
     made.solves += result_.solves;
@@ -75,8 +107,7 @@ class Relaxation {
     kinetic_ = kinetic_energy(scene_, result_.motion.v);
     greatest_kinetic_ = std::max(greatest_kinetic_, kinetic_);
     const Travel travel = travel_of(scene_, start_.q, result_.motion.q);
-    result_.moving = travel.far;
-    if (!result_.moving.empty()) result_.failure = no_equilibrium(scene_, result_.moving);
+    if (!travel.far.empty()) give_up_on(travel);
     if (kinetic_ < last) stop();
   }
 
@@ -95,6 +126,7 @@ class Relaxation {
   const Motion& start_;
   double time_;
   double driving_;  ///< force
+  int steps_ = 0;
   double work_ = 0;
   double kinetic_ = 0;
   double greatest_kinetic_ = 0;

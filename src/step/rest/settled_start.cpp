@@ -9,6 +9,7 @@
 #include "base/union_find.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/rows/joined_blocks.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/step_constraints.hpp"
 #include "step/scene/touch_search.hpp"
@@ -17,26 +18,7 @@
 namespace keyblock {
 namespace {
 
-// Stiffness of the contacts over what keeps parts that nothing holds from being free, as a share of their mass: the
-// slowest mode of a mass a thousand blocks high has a millionth of the stiffness of a contact, and should not feel it.
-constexpr double kHeldByNothing = 1e10;
-// Compliance of held points over that of a contact.
-constexpr double kRigid = 1e-4;
-// Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue: a free block moves
-// by half that times its weight over the contact stiffness in each. It grows from step to step while nothing moves
-// farther than a share of block size: what the glue bore across many blocks finds its way in long steps only.
-constexpr double kShortest = 16;
-constexpr double kLongest = 4096;
-constexpr double kGrowth = 4;
-constexpr double kFarthest = 1e-5;
-constexpr int kMostSteps = 40;
-constexpr int kMostSearches = 4;
-// At rest is what moves by less than this share of what a free block does.
-constexpr double kAtRest = 1e-4;
-// Of the largest load on a block; what steps of the run itself ask of as many touches.
-constexpr double kForceGoal = 1e-6;
-constexpr double kForceAcceptable = 1e-3;
-constexpr int kMostSystems = 40;
+using namespace tolerances::of_settled_start;
 
 class Settling {
  public:

@@ -8,6 +8,7 @@
 
 #include "contact/rows/gap.hpp"
 #include "contact/solve/friction_newton.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/step_constraints.hpp"
@@ -15,18 +16,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kForceTolerance = 1e-12;  // of the largest force on a block
-constexpr double kLooser = 1e6;            // what counts as solved where the goal is out of reach
-constexpr double kUnbalanced = 1e-6;       // of the greatest acceleration by the loads
-
-// Contact stiffness over the inertia that keeps rigid motion finite while forces are distributed.
-constexpr double kLong = 1e3;
-// Weight of the proximal term over the flexibility of a touch, much less than the share of it that is elastic.
-constexpr double kRegular = 1e-7;
-// Slip given to a sliding touch, over all others, so that it slides on.
-constexpr double kBeyond = 1e3;
-// A friction force this near to its limit slides.
-constexpr double kSliding = 1 - 1e-6;
+using namespace tolerances::of_start_forces;
 
 Table<ElementIndex, UnknownBlock> scaled(double by, Table<ElementIndex, UnknownBlock> blocks) {
   for (UnknownBlock& block : blocks) block *= by;

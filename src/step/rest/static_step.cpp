@@ -10,6 +10,7 @@
 
 #include "contact/rows/gap.hpp"
 #include "step/bodies/integrator.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/equilibrium.hpp"
 #include "step/scene/touch_search.hpp"
@@ -18,36 +19,7 @@
 namespace keyblock {
 namespace {
 
-// Residual of the contact forces over the largest load, to reach and to be content with at the end; on the way a share
-// of what is out of balance does, as for any inexact proximal point.
-constexpr double kForceGoal = 1e-10;
-constexpr double kForceAcceptable = 1e-9;
-constexpr double kForceOnTheWay = 1e-6;
-// Way of a vertex in one iteration over block size: gaps and loads are taken as linear in it.
-constexpr double kFarthest = 0.05;
-constexpr double kAimed = 0.5;  // share of it that τ is chosen for
-constexpr double kGrowth = 4;
-constexpr double kGrowthAfterCut = 1.2;  // once contact forces did not settle under a longer τ
-// Longest τ times the slowest frequency of a block: what is left of an elastic error after one iteration is its square
-// inverse, where blocks bend as a whole more by as much as that is slower.
-constexpr double kLongest = 3e3;
-// Where a body does not strain, forces are judged by its rigid motion, and a longer τ would let springs and gaps go
-// unjudged.
-constexpr double kLongestOfRigid = 30;
-// Loads that follow the rotation are not linearised, so too large a τ makes a hanging block overshoot its rest
-// position, further in each iteration. Where blocks turn back and more is out of balance than before, τ stays below
-// this share of the one that caused it.
-constexpr double kAfterRise = 0.5;
-constexpr double kRaised = 1.2;  // in each iteration without such a turn
-constexpr int kLook = 10;        // iterations between two looks at what is out of balance
-constexpr double kFalls = 0.5;
-constexpr double kLonger = 2;
-constexpr double kBalanceAcceptable = 1e-6;  // where no more can be had
-constexpr int kMostIterations = 2000;
-constexpr int kMostCuts = 20;     // one after another
-constexpr int kMostSearches = 4;  // each adds corners that the last solution made overlap
-// Touches nearer than this share of block size at the start of slip counting were closed then.
-constexpr double kClosedThen = 1e-6;
+using namespace tolerances::of_statics;
 
 class StaticSolve {
  public:

@@ -6,18 +6,14 @@
 #include <cmath>
 
 #include "contact/rows/gap.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {
 
-// A tangential force nearer than this share to the friction limit belongs to a slip.
-constexpr double kAtLimit = 1e-9;
-// Residual over the largest force; redundant touches may keep it out of reach, then a residual this much larger counts.
-constexpr double kTolerance = 1e-13;
-constexpr double kLooser = 1e4;
-constexpr double kSmallest = 1e-300;  // a tolerance is never zero
+using namespace tolerances::of_accelerations;
 
 Touches closed_of(const Motion& motion) {
   Touches touches;

@@ -10,15 +10,13 @@
 #include "base/listed.hpp"
 #include "base/worse.hpp"
 #include "contact/rows/constraints.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
 
 namespace keyblock {
 namespace {
 
-// Of the largest load: a hundred times what contact forces are solved to.
-constexpr double kBalanced = 1e-8;
-// Way of a held point from where it is wanted, over the size of its block: above what steps settle increments to.
-constexpr double kInPlace = 1e-9;
+using namespace tolerances::of_rest;
 
 // A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from
 // its place than its own size.
@@ -39,6 +37,12 @@ std::vector<double> ways_left(const StandardScene& scene, const Motion& motion, 
   std::vector<double> ways;
   for (Eigen::Index i = 0; i < all.size(); i += 2) ways.push_back(all.segment<2>(i).norm());
   return ways;
+}
+
+std::vector<int> numbers_of(const std::vector<ElementIndex>& blocks) {
+  std::vector<int> numbers;
+  for (const ElementIndex e : blocks) numbers.push_back(e.value + 1);
+  return numbers;
 }
 
 // Slivers are what most often finds no rest.
@@ -98,9 +102,13 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
   return travel;
 }
 
+std::string in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
+  return fmt::format("block{} {} ({})", blocks.size() > 1 ? "s" : "", listed(numbers_of(blocks)),
+                     smallest_in_words(scene, blocks));
+}
+
 std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
-  std::vector<int> numbers;
-  for (ElementIndex e : blocks) numbers.push_back(e.value + 1);
+  const std::vector<int> numbers = numbers_of(blocks);
   const bool several = numbers.size() > 1;
   std::string_view why;
   for (const ElementIndex e : blocks)

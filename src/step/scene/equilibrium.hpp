@@ -35,6 +35,9 @@ struct Travel {
 };
 Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to);
 
+/// "block 3 (at 2.5, 1; area 0.04, 0.312 % of the mean)": which of them, and where they lay at the start.
+std::string in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks);
+
 /// "no equilibrium: block 3 accelerates (at 2.5, 1; area 0.04, 0.312 % of the mean)", place and area those at the
 /// start, of the smallest where there are several; of an element on covers also that nothing holds its body.
 std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks);

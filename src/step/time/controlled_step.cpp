@@ -7,19 +7,13 @@
 
 #include "base/worse.hpp"
 #include "step/bodies/integrator.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/time/step_size.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr double kSafety = 0.9;
-// The error goes with the third power of the part in smooth motion, with the first where an impact lies in it.
-constexpr double kOrder = 2;
-constexpr double kMostGrowth = 2;
-constexpr double kMostCut = 0.1;
-constexpr double kUnsolvedCut = 0.25;  // where contact forces do not settle
-constexpr double kGreatestRatio = 3;   // over the allowed displacement, as in the steps of the old program
-constexpr double kEnd = 1e-9;          // what is left of an interval below this share of it is round-off
+using namespace tolerances::of_step_control;
 
 struct Verdict {
   bool accepted = true;

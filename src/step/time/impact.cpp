@@ -11,50 +11,13 @@
 #include "contact/solve/friction_newton.hpp"
 #include "contact/solve/frictional_problem.hpp"
 #include "model/material_choices.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {
 
-// Overlap of this share of block size is round-off of a position; linearised passes get there in two or three. In
-// assemblies what is left is far below what the next step pushes out by itself.
-constexpr double kNoOverlap = 1e-14;
-constexpr double kNoOverlapOfMany = 5e-11;
-constexpr int kMostPasses = 10;
-// Some overlaps cannot all be removed at once. To find them, the pushes are solved once with every contact softened by
-// kYield of what its blocks yield, so that there always is a solution: a contact that keeps more than kLocked of its
-// overlap is locked. A pair with room keeps a hundredth, a chain of ten a tenth.
-constexpr double kYield = 1e-2;
-constexpr double kLocked = 0.1;
-// In assemblies such soft pushes are all there are: each is settled to this share of the greatest overlap.
-constexpr double kPushed = 1e-3;
-constexpr double kLeftToStep = 1e-7;  // of block size, which the next step pushes out by itself
-constexpr double kWorse = 1.1;
-constexpr int kMostSoftPasses = 5;
-// Among very many touches an impact moves all blocks that hang together by what its impulses are uncertain: pushed out
-// in two passes but for this. Deep overlaps, of blocks that fly into each other, lie far apart and are pushed out as
-// they are.
-constexpr int kSoftPassesOfVeryMany = 2;
-constexpr double kLeftLate = 1e-4;  // of block size
-constexpr double kDeep = 1e-3;      // of block size
-// What yields so leaves a ten-thousandth of a push to the neighbours of the neighbours of the blocks that overlap.
-constexpr int kRings = 3;
-// Impulses are settled at this share of the largest momentum; a residual this much larger still counts where redundant
-// ones keep it out of reach.
-constexpr double kImpulseTolerance = 1e-13;
-constexpr double kLooser = 1e4;
-// In assemblies they are settled as well as forces are: to a millionth of the largest momentum or, where that is more,
-// a hundredth of the largest impulse that one impact alone would make. A pair that still approaches at this share of
-// what counts as slow is left to the next step.
-constexpr double kImpulseToleranceOfMany = 1e-6;
-constexpr double kShareOfImpulse = 1e-2;
-constexpr double kShareOfSlow = 1e-2;
-constexpr int kMostSystems = 40;
-constexpr int kFewestSystems = 12;
-// Friction of what makes velocities vanish is taken from the round before: each leaves a share of friction times
-// slenderness.
-constexpr int kMostFrictionRounds = 5;
-constexpr double kSmallest = 1e-300;  // a tolerance is never zero
+using namespace tolerances::of_impacts;
 
 Touches joined(const Touches& a, const Touches& b) {
   Touches all = a;

@@ -9,19 +9,13 @@
 
 #include "base/loop.hpp"
 #include "contact/rows/gap.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/contact_laws.hpp"
 
 namespace keyblock {
 namespace {
 
-// Gaps of this share of block size need not be closed further by forces without springs.
-constexpr double kGapTolerance = 1e-9;
-// Where nothing loads a scene, no load says what forces are small: round-off is these shares of what the gaps ask for
-// one by one.
-constexpr double kRoundOff = 1e-14;
-constexpr double kFewRoundOffs = 1e-12;
-// A bond that opens by more than this share of block size in a step is broken; less is round-off of the solution.
-constexpr double kBroken = 1e-11;
+using namespace tolerances::of_gaps;
 
 // λ = (rest − g1) / compliance.
 struct SpringLine {

@@ -7,70 +7,14 @@
 #include <limits>
 #include <utility>
 
-#include "base/stop.hpp"
+#include "step/newton/newton.hpp"
 #include "step/time/free_motion.hpp"
 #include "step/time/smooth_contacts.hpp"
 
 namespace keyblock {
 namespace {
 
-// Increments that change by less than this share of block size are settled: a hundred times round-off of a position.
-constexpr double kSettled = 1e-12;
-// Usually one to three rounds. A change below kTolerable after the last round is accepted, and the next step closes the
-// gap error that it leaves. A larger change is a failure, unless the forces fit the gaps of the last round: a light
-// block moves far by what is nothing to a heavy one.
-constexpr int kMostRounds = 8;
-constexpr int kMostRoundsOfSprings = 30;  // whose law is not linear where they meet or part
-constexpr int kMostRoundsOfYield = 40;    // points change sides of their surface from round to round
-// Rock that yields is stiff for its strength: a change of strain of this size is a ten-thousandth of the strength where
-// that is a hundred-thousandth of the modulus.
-constexpr double kTolerableOfYield = 1e-9;
-// Shares of the change of the round before: above the first a round does not lead on, below the second it leads far; of
-// its part p it promises p, and the third of that is enough. The least part that is taken.
-constexpr double kStalls = 0.7;
-constexpr double kLeads = 0.25;
-constexpr double kPromised = 0.9;
-constexpr double kLeastPart = 1.0 / 16;
-constexpr double kTolerable = 1e-6;
-// Rows and matrix are made anew about the first estimates, and where these moved by more than the second figure:
-// directions of forces are then as good as that, and gaps are those of the estimate itself in any case.
-constexpr int kMostRows = 2;
-constexpr double kSameRows = 1e-9;
-// In assemblies rows may be as wrong as forces are, and forces that meet the gaps of the last estimate within this many
-// times their goal, a hundred-thousandth of the heaviest load, are not sought again: what is left is a share of that
-// size of the free fall of a step.
-constexpr double kSameRowsOfMany = 1e-5;
-constexpr double kGoalsOfEstimate = 10;
-constexpr double kOfLast = 2;
-// The matrix of bodies on covers is kept from round to round while a round leaves less than this share of the change
-// before.
-constexpr double kWorstGain = 0.03;
-// Linear systems that a round may make whatever those before it took.
-constexpr int kFewestSystems = 8;
-
-/// The parts of rounds that are taken where rock may yield: points that change sides of their surface in turn would go
-/// on so. Half as much of a round that changes as much as the one before; twice as much after one that led far, or two
-/// that led as far as their part promised.
-class PartsOfRounds {
- public:
-  /// `left`: the change of a round over that of the one before.
-  double next(double left) {
-    if (left > kStalls) {
-      kept_ = 0;
-      return part_ = std::max(part_ / 2, kLeastPart);
-    }
-    kept_ = left <= 1 - kPromised * part_ ? kept_ + 1 : 0;
-    if (left < kLeads || kept_ > 1) {
-      kept_ = 0;
-      part_ = std::min(1.0, 2 * part_);
-    }
-    return part_;
-  }
-
- private:
-  double part_ = 1;
-  int kept_ = 0;  ///< rounds in a row that led as far as promised
-};
+using namespace tolerances::of_smooth_motion;
 
 class SmoothSolve {
  public:
@@ -93,41 +37,56 @@ class SmoothSolve {
     return std::move(result_);
   }
 
+  // The equations of rounds, judged by what a round changes.
+
+  RoundsEnd state() const {
+    if (!result_.converged) return RoundsEnd::no_contact_forces;
+    if (change_ <= kSettled) return RoundsEnd::balanced;
+    return std::isfinite(change_) ? RoundsEnd::open : RoundsEnd::not_finite;
+  }
+
+  RoundsEnd find_increment(int round) {
+    const double same = is_coarse() ? kSameRowsOfMany : kSameRows;
+    const bool rows_moved = round > 0 && round < kMostRows && free_.greatest_change(increments_, linearised_) > same;
+    const bool falls_slowly = !free_.is_linear() && round > 1 && change_ > kWorstGain * before_;
+    if (round == 0 || falls_slowly) result_.converged = free_.linearise(increments_);
+    if (!result_.converged) return RoundsEnd::no_factor;
+    if (round == 0 || rows_moved || falls_slowly) {
+      linearised_ = increments_;
+      contacts_.linearise(increments_);
+    }
+    before_ = change_;
+    free_.evaluate(increments_);
+    contacts_.set_right_side(increments_);
+    Tried now = tried(contacts_.problem(), result_.forces);
+    unsolved_ = residual(contacts_.problem(), now);
+    if (round > 0 && !rows_moved && is_good_enough(unsolved_)) return RoundsEnd::balanced;
+    ++result_.rounds;
+    next_ = next_increments(std::move(now));
+    change_ = free_.greatest_change(increments_, next_);
+    return RoundsEnd::open;
+  }
+
+  bool has_kinks() const { return free_.has_kinks(); }
+  double change_over_last() const { return change_ / before_; }
+  void take(double part) {
+    increments_ = part < 1 ? plus(increments_, part, plus(next_, -1, increments_)) : std::move(next_);
+  }
+
  private:
   void settle() {
     contacts_.take_laws();
     result_.converged = true;
-    double change = is_linear() ? 0 : 1;
-    double unsolved = std::numeric_limits<double>::infinity();
-    double before = change;
-    PartsOfRounds parts;
-    for (int round = 0; round < most_rounds() && change > kSettled && result_.converged; ++round) {
-      leave_if_stopped();
-      const double same = is_coarse() ? kSameRowsOfMany : kSameRows;
-      const bool rows_moved = round > 0 && round < kMostRows && free_.greatest_change(increments_, linearised_) > same;
-      const bool falls_slowly = !free_.is_linear() && round > 1 && change > kWorstGain * before;
-      if (round == 0 || falls_slowly) result_.converged = free_.linearise(increments_);
-      if (!result_.converged) return;
-      if (round == 0 || rows_moved || falls_slowly) {
-        linearised_ = increments_;
-        contacts_.linearise(increments_);
-      }
-      before = change;
-      free_.evaluate(increments_);
-      contacts_.set_right_side(increments_);
-      Tried now = tried(contacts_.problem(), result_.forces);
-      unsolved = residual(contacts_.problem(), now);
-      if (round > 0 && !rows_moved && is_good_enough(unsolved)) break;
-      UnknownsTable next = next_increments(std::move(now));
-      change = free_.greatest_change(increments_, next);
-      const double part = free_.has_kinks() ? parts.next(change / before) : 1;
-      increments_ = part < 1 ? plus(increments_, part, plus(next, -1, increments_)) : std::move(next);
-    }
+    change_ = is_linear() ? 0 : 1;
+    unsolved_ = std::numeric_limits<double>::infinity();
+    before_ = change_;
+    PartsByChange search;
+    if (newton(*this, search, most_rounds()) == RoundsEnd::no_factor) return;
     // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
-    const bool forces_suffice = free_.is_linear() && std::isfinite(change) &&
-                                unsolved <= std::max(contacts_.problem().acceptable, tolerance_.tolerated);
+    const bool forces_suffice = free_.is_linear() && std::isfinite(change_) &&
+                                unsolved_ <= std::max(contacts_.problem().acceptable, tolerance_.tolerated);
     const double tolerable = free_.has_kinks() ? kTolerableOfYield : kTolerable;
-    result_.converged = result_.converged && (change <= tolerable || forces_suffice);
+    result_.converged = result_.converged && (change_ <= tolerable || forces_suffice);
   }
 
   // Very many pairs between blocks alone.
@@ -165,6 +124,10 @@ class SmoothSolve {
   FreeMotion free_;
   SmoothContacts contacts_;
   UnknownsTable increments_;
+  UnknownsTable next_;        ///< of the round
+  double change_ = 0;         ///< by the last round
+  double before_ = 0;         ///< by the one before it
+  double unsolved_ = 0;       ///< by the forces of the round before in the gaps of this one
   UnknownsTable linearised_;  ///< increments about which rows and matrix were made
   SmoothMotion result_;
 };

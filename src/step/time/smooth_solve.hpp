@@ -33,6 +33,7 @@ struct SmoothMotion : BodiesMotion {
   double residual = 0;
   Bonds bonds;  ///< that still hold
   ConstraintMemory constraints;
+  int rounds = 0;  ///< of Newton's method
   int solves = 0;  ///< linear systems factorised
   int sweeps = 0;  ///< of the fall-back
   bool converged = false;

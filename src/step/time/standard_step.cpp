@@ -8,6 +8,7 @@
 
 #include "contact/rows/gap.hpp"
 #include "step/bodies/integrator.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/equilibrium.hpp"
@@ -15,44 +16,12 @@
 #include "step/time/impact.hpp"
 #include "step/time/ledger.hpp"
 #include "step/time/smooth_solve.hpp"
+#include "step/time/strike.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr int kMostHalvings = 2;
-constexpr int kMostHalvingsOfYield = 5;  // flow that finds no balance in a long step finds it in a short one
-// Each search adds the corners that the last solution made overlap; what is left after these is for the next step.
-constexpr int kMostSearches = 4;
-// Residual of the contact forces over the largest load on a block: few contacts reach the first, assemblies the second.
-constexpr double kForceGoal = 1e-10;
-constexpr double kForceAcceptable = 1e-6;
-// In assemblies of more touches than `kFewPairs` the first is a setting, a millionth, far below what a step does to
-// forces; and a thousandth, judged by what one force does to its own blocks in the step, is a gap of a thousandth of
-// their free fall.
-constexpr double kForceAcceptableOfMany = 1e-3;
-// In the shortest part of a cut step a few pairs among many may go on changing sides: a hundredth is taken, or what
-// changes the largest momentum by a ten-thousandth, and the pairs are told.
-constexpr double kForceToleratedOfMany = 1e-2;
-constexpr double kMomentumToleratedOfMany = 1e-4;
-// A force below this is round-off of gaps in a short step.
-constexpr double kLeastForceOfMany = 1e-8;
-constexpr int kMostSystemsOfMany = 100;
-// Of very many touches, forces that have not reached the goal after this many systems are taken where they are
-// acceptable: on slopes that slide a pair or two of thousands goes on changing sides.
-constexpr int kEnoughSystems = 12;
-constexpr int kMostSystems = 40;
-// Where nothing loads the blocks, forces come from momentum alone: the same over momentum / dt.
-constexpr double kMomentumGoal = 1e-13;
-constexpr double kMomentumAcceptable = 1e-9;
-// Touches that overlap take part in the jump, and those with a gap below this share of block size: the corners of a
-// flat impact meet within round-off.
-constexpr double kMeeting = 1e-10;
-
-// A body does not jump apart from itself: rigid motions leave such a touch as it is.
-bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
-  return scene.groups.are_one_body(scene.model.vertices[touch.vertex].element,
-                                   scene.model.vertices[touch.start].element);
-}
+using namespace tolerances::of_steps;
 
 struct Split {
   Touches smooth;
@@ -125,7 +94,10 @@ class Attempt {
     if (one_resolves_impact(held_touches))
       step_.motion.given_up = std::max(0.0, kinetic_energy(scene_, smooth_.v) - kinetic_energy(scene_, step_.motion.v));
     const UnknownsTable cleaned = step_.motion.v;
-    if (!parts_.impacts.empty()) strike(closed);
+    if (!parts_.impacts.empty())
+      strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, dt_), scales_.size,
+              parts_.smooth.size()},
+             {std::move(parts_.impacts), std::move(parts_.impact_speeds)}, {closed, [&] { return others(); }}, step_);
     remember();
     if (rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
@@ -248,38 +220,6 @@ class Attempt {
     return {.friction = tangential / normal(i)};
   }
 
-  void strike(const Touches& closed) {
-    drop_passed();
-    const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
-    const Eigen::VectorXd speeds =
-        rates(contact_rows(scene_.model, scene_.reference, smooth_.q, parts_.impacts), rigid_part(step_.motion.v));
-    Impacts impacts;
-    std::vector<std::size_t> met;
-    for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
-      const double gap = gap_of(parts_.impacts[i], vertices) - parts_.impacts[i].rest_gap;
-      if (gap > kMeeting * scales_.size) continue;
-      met.push_back(i);
-      impacts.meetings.push_back(meeting(parts_.impacts[i], parts_.impact_speeds[i],
-                                         speeds[static_cast<Eigen::Index>(2 * i)], std::max(0.0, -gap)));
-    }
-    if (impacts.meetings.empty()) return;
-    impacts.closed = closed;
-    std::erase_if(impacts.closed, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
-    const Flexibility flexibility = impact_flexibility(scene_, smooth_.flexibility, rule_);
-    impacts.bonds = smooth_.bonds;
-    impacts.slow = slow_speed(scene_, scales_, start_.v, dt_);
-    Jump jump = after_jump(scene_, smooth_.q, step_.motion.v, impacts, flexibility);
-    for (std::size_t i : jump.undecided) step_.undecided.push_back(parts_.smooth.size() + met[i]);
-    step_.motion.v = std::move(jump.v);
-    if (!jump.undecided.empty())  // points that are held do not take part in what is left open
-      step_.motion.v =
-          with_held_velocities(scene_, smooth_.q, std::move(step_.motion.v), {}, {}, time_, dt_, smooth_.flexibility);
-    Separated separated = without_overlap(scene_, std::move(jump.q), parts_.impacts, others(), smooth_.q, flexibility);
-    step_.motion.q = with_points_in_place(scene_, std::move(separated.q), time_ + dt_, flexibility);
-    step_.solves += jump.solves + separated.solves;
-    step_.locked_overlaps += separated.locked;
-  }
-
   // What the ways of the jump and of the separation may not drive into one another. A corner beside its edge is free.
   Touches others() const {
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
@@ -290,29 +230,6 @@ class Attempt {
         others.push_back(touch);
     }
     return others;
-  }
-
-  // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that
-  // it left would push it in a direction in which there is no face.
-  void drop_passed() {
-    const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < parts_.impacts.size(); ++i) {
-      if (!lies_over_edge(parts_.impacts[i], vertices)) continue;
-      parts_.impacts[kept] = parts_.impacts[i];
-      parts_.impact_speeds[kept++] = parts_.impact_speeds[i];
-    }
-    parts_.impacts.resize(kept);
-    parts_.impact_speeds.resize(kept);
-  }
-
-  // Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and
-  // d the overshoot; d was covered at the mean of both speeds.
-  Meeting meeting(const Touch& touch, double at_start, double at_end, double overshoot) const {
-    if (at_end >= 0) return {touch, 0, 0};
-    const double acceleration = (at_end - at_start) / dt_;
-    const double at_surface = std::sqrt(std::max(0.0, at_end * at_end + 2 * acceleration * overshoot));
-    return {touch, std::min(dt_, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
   }
 
   // Springs have the force of the step; at its end they are pressed by the gap.

@@ -21,6 +21,7 @@ struct StandardStep {
   std::vector<std::size_t> undecided;  ///< of the touches: those that went round in a cycle
   std::string failure;                 ///< why it was given up otherwise; empty if it was not
   std::vector<ElementIndex> moving;    ///< at rest: it was given up because these move away
+  std::vector<ElementIndex> restless;  ///< at rest: it was given up because these do not come to rest where they are
 };
 
 /// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "problem/units/measure.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -202,8 +203,11 @@ ElementCurve drive(const YieldLaw& law, const ElementPath& path, int steps, doub
   return curve;
 }
 
-std::string element_csv(const ElementCurve& curve) {
-  std::string text = "leg,exx,eyy,gxy,ezz,sxx,syy,sxy,szz,s1,s2,s3,kappa,plastic_work,region\n";
+std::string element_csv(const ElementCurve& curve, const Units& units) {
+  std::string text = "leg,exx,eyy,gxy,ezz";
+  for (const char* stress : {"sxx", "syy", "sxy", "szz", "s1", "s2", "s3"})
+    text += ',' + with_declared(stress, measures::kStress, units);
+  text += ",kappa," + with_declared("plastic_work", measures::kStress, units) + ",region\n";
   for (const ElementPoint& p : curve.points) {
     const double centre = (p.stress(0) + p.stress(1)) / 2;
     const double radius = std::hypot((p.stress(0) - p.stress(1)) / 2, p.stress(2));

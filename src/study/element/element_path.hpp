@@ -55,6 +55,6 @@ struct ElementCurve {
 ElementCurve drive(const YieldLaw& law, const ElementPath& path, int steps, double size);
 
 /// leg, exx, eyy, gxy, ezz, sxx, syy, sxy, szz, s1, s2, s3, kappa, plastic_work, region.
-std::string element_csv(const ElementCurve& curve);
+std::string element_csv(const ElementCurve& curve, const Units& units = {});
 
 }  // namespace keyblock::study

@@ -1,0 +1,58 @@
+// What every column of a run's tables, and every array of its frames, measures: the one list of them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "problem/units/measure.hpp"
+
+namespace keyblock::formats {
+
+/// A column cannot be declared without what it measures.
+struct Column {
+  constexpr Column(std::string_view of_name, Measure of_measure) : name(of_name), measure(of_measure) {}
+
+  std::string_view name;  ///< `#` in it stands for a number from 1
+  Measure measure;
+};
+
+/// A file of the folder; of frames the arrays of one part.
+struct RunTable {
+  std::string_view file;
+  std::span<const Column> columns;
+  bool has_letters = false;  ///< [L], [T], [F] in headings where the case does not declare its units
+};
+
+extern const RunTable kHistoryTable;
+extern const RunTable kPointsTable;
+extern const RunTable kContactsTable;
+extern const RunTable kJointsTable;
+extern const RunTable kBoltsTable;
+extern const RunTable kTipsTable;
+extern const RunTable kStepTable;
+extern const RunTable kLedgerTable;
+extern const RunTable kTraceOfSteps;
+extern const RunTable kTraceOfBlocks;
+extern const RunTable kTraceOfRounds;
+extern const RunTable kBlockArrays;    ///< cells of a frame's blocks or elements
+extern const RunTable kCornerArrays;   ///< their corners
+extern const RunTable kContactArrays;  ///< points of a frame's contacts
+extern const RunTable kCrackArrays;    ///< lines of its cracks, and their corners
+extern const RunTable kBoltArrays;     ///< lines of a frame's bolts
+
+/// All of them, in the order above.
+std::span<const RunTable* const> run_tables();
+
+/// The declared column of this name, "x12" under "x#". Throws std::logic_error where there is none.
+const Column& column_of(const RunTable& table, std::string_view name);
+
+/// "x12 [mm]": the name with its unit. Where the case declares none, degrees are named all the same.
+std::string heading(const RunTable& table, std::string_view name, const Units& units);
+
+/// Headings of these columns, or of all, with commas between them.
+std::string headings(const RunTable& table, std::span<const std::string_view> names, const Units& units);
+std::string headings(const RunTable& table, const Units& units);
+
+}  // namespace keyblock::formats

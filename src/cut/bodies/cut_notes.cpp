@@ -1,0 +1,107 @@
+// The sentences of cutting; see cut_notes.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut/bodies/cut_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/listed.hpp"
+#include "geometry/segment.hpp"
+
+namespace keyblock {
+
+void CutNotes::warn(std::string name, Place at, std::string sentence) {
+  result_.warnings.push_back({std::move(name), std::move(at), std::move(sentence)});
+}
+
+// As the file counts lines, from 1.
+std::size_t CutNotes::number(int line) const {
+  return static_cast<std::size_t>(lines_.sources[line] - drawing_.joints.data()) + 1;
+}
+
+void CutNotes::of_repeated(const std::vector<std::size_t>& lines) {
+  if (lines.empty()) return;
+  const bool several = lines.size() > 1;
+  warn("duplicate_line", drawing_.joints[lines.front() - 1].place,
+       fmt::format("line{} {} {} earlier line{} and {} left out; the joint material is that of the earlier one",
+                   several ? "s" : "", listed(lines), several ? "repeat" : "repeats an", several ? "s" : "",
+                   several ? "are" : "is"));
+}
+
+void CutNotes::of_overlaps(const std::vector<Crossing>& found) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Crossing& c = found[k];
+    const bool is_first = k == 0 || found[k - 1].line != c.line || found[k - 1].other != c.other;
+    const bool is_pair =
+        is_first && k + 1 < found.size() && found[k + 1].line == c.line && found[k + 1].other == c.other;
+    if (!c.is_end || !is_pair) continue;
+    warn("overlapping_lines", place(c.line),
+         fmt::format("the line partly covers line {}; the joint material is that of the earlier one", number(c.other)));
+  }
+}
+
+void CutNotes::of_dangling(const std::vector<char>& is_dangling) {
+  const auto first = std::find(is_dangling.begin(), is_dangling.end(), 1);
+  if (first == is_dangling.end()) return;
+  warn("dangling_lines_removed", place(static_cast<int>(first - is_dangling.begin())),
+       fmt::format("{} of {} lines have parts that hang loose and are removed; this is the first",
+                   std::count(is_dangling.begin(), is_dangling.end(), 1), is_dangling.size()));
+}
+
+void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& table) {
+  for (const Crossing& c : found) {
+    if (c.is_reached) of_reach(c);
+  }
+  for (const NodeMove& move : table.moves) {
+    const Point to = table.arrangement.nodes[move.node].position;
+    result_.snaps.push_back({Snap::Kind::node_merged, move.from, to, place(move.line)});
+  }
+  result_.report.merged = static_cast<int>(table.moves.size());
+  if (!table.moves.empty()) {
+    const NodeMove& first = table.moves.front();
+    warn("nodes_merged", place(first.line),
+         fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
+                     table.moves.size(), tolerances().merge, first.from.x, first.from.y));
+  }
+  result_.report.placed_otherwise = table.placed_otherwise;
+  if (table.placed_otherwise > 0) {
+    warn("nodes_placed_otherwise", drawing_.place,
+         fmt::format("{} merged nodes stand where the drawing decides, not at the crossing that the old programs "
+                     "would have found first",
+                     table.placed_otherwise));
+  }
+  if (!table.undecided_nodes.empty()) {
+    const Point at = table.arrangement.nodes[table.undecided_nodes.front()].position;
+    warn("merging_left_close_nodes", drawing_.place,
+         fmt::format("{} nodes stay apart from a neighbour nearer than {:.6g}, because the group would "
+                     "grow wider than "
+                     "that; the first is ({:.9g}, {:.9g})",
+                     table.undecided_nodes.size(), tolerances().merge, at.x, at.y));
+  }
+}
+
+void CutNotes::of_reach(const Crossing& c) {
+  ++result_.report.reached;
+  for (const int line : {c.line, c.other}) {
+    const double miss = distance(lines_.segments[line], c.position);
+    if (miss <= tolerances().round_off) continue;
+    const Segment& s = lines_.segments[line];
+    const bool is_start = distance(s.start, c.position) < distance(s.end, c.position);
+    result_.snaps.push_back({Snap::Kind::end_reached, is_start ? s.start : s.end, c.position, place(line)});
+  }
+}
+
+void CutNotes::of_removed(const char* name, const char* why, const std::vector<Edge>& edges) {
+  if (edges.empty()) return;
+  std::vector<int> lines;
+  for (const Edge& e : edges) lines.push_back(e.line);
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  warn(name, place(lines.front()),
+       fmt::format("{} pieces of {} lines {} and are removed; the first is of this line", edges.size(), lines.size(),
+                   why));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,46 @@
+// The words of cuts, and parts by change; see newton.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/newton/newton.hpp"
+
+#include <algorithm>
+
+namespace keyblock {
+
+std::string_view in_words(RoundsEnd end) {
+  switch (end) {
+    case RoundsEnd::open:
+      return "forces out of balance";
+    case RoundsEnd::balanced:
+      return "balance";
+    case RoundsEnd::too_many_rounds:
+      return "too many rounds";
+    case RoundsEnd::not_finite:
+      return "an element without area, or stress beyond its law";
+    case RoundsEnd::no_factor:
+      return "a tangent without inverse";
+    case RoundsEnd::off_path:
+      return "no share of the loads at the length of the step";
+    case RoundsEnd::no_contact_forces:
+      return "contact forces that do not settle";
+    case RoundsEnd::turned_over:
+      return "an element turned over";
+  }
+  return {};
+}
+
+// `left`: the change of a round over that of the one before.
+double PartsByChange::next(double left) {
+  using namespace tolerances::of_line_search;
+  if (left > kStalls) {
+    kept_ = 0;
+    return part_ = std::max(part_ / 2, kLeastPart);
+  }
+  kept_ = left <= 1 - kPromised * part_ ? kept_ + 1 : 0;
+  if (left < kLeads || kept_ > 1) {
+    kept_ = 0;
+    part_ = std::min(1.0, 2 * part_);
+  }
+  return part_;
+}
+
+}  // namespace keyblock

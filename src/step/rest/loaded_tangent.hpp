@@ -1,0 +1,40 @@
+// The tangent of loaded bodies and its factor, for all searches of a scene.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "step/bodies/loaded_bodies.hpp"
+#include "step/newton/newton.hpp"
+#include "system/sparse_lu.hpp"
+
+namespace keyblock {
+
+/// What is out of balance over the largest of the forces.
+inline double left_of(const LoadedBodies::Balance& balance) {
+  return balance.scale > 0 ? balance.residual.norm() / balance.scale : 0;
+}
+
+/// Whether a round of Newton's method has anything to do.
+inline RoundsEnd state_of(double left) {
+  if (left <= tolerances::of_newton::kBalanced) return RoundsEnd::balanced;
+  return std::isfinite(left) ? RoundsEnd::open : RoundsEnd::not_finite;
+}
+
+/// By LU, for it need not be symmetric. One object serves all steps of a scene: the order of elimination is found once.
+class LoadedTangent {
+ public:
+  explicit LoadedTangent(const LoadedBodies& bodies) : bodies_(&bodies), tangent_(bodies.tangent()) {}
+
+  const LoadedBodies& bodies() const { return *bodies_; }
+  /// At d, with this share of the elastic stiffness in it. Throws SingularMatrix.
+  const SparseLu& factor_at(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share = 0);
+
+ private:
+  const LoadedBodies* bodies_;
+  WholeSystem tangent_;
+  std::optional<SparseLu> factor_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,94 @@
+// The equations at a share; see share_control.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/rest/share_control.hpp"
+
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+using namespace tolerances::of_newton;
+
+class AtShare {
+ public:
+  AtShare(LoadedTangent& tangent, const LoadedState& from, double share, double elastic_share, NewtonRounds& rounds,
+          Eigen::VectorXd& last)
+      : tangent_(tangent),
+        from_(from),
+        share_(share),
+        elastic_share_(elastic_share),
+        rounds_(rounds),
+        last_(last),
+        d_(from.d),
+        now_(balance(d_)) {}
+
+  void begin_at_better(const Eigen::VectorXd& guess) {
+    LoadedBodies::Balance guessed = balance(guess);
+    if (guessed.residual.norm() < now_.residual.norm()) {
+      d_ = guess;
+      now_ = std::move(guessed);
+    }
+    rounds_.residuals.push_back(left_of(now_));
+  }
+
+  RoundsEnd state() const { return state_of(rounds_.residuals.back()); }
+
+  RoundsEnd find_increment(int) {
+    try {
+      increment_ = -tangent_.factor_at(from_, d_, elastic_share_).solve(now_.residual);
+      return RoundsEnd::open;
+    } catch (const SingularMatrix&) {
+      return RoundsEnd::no_factor;
+    }
+  }
+
+  double residual() const { return now_.residual.norm(); }
+  double residual_with(double part) {
+    next_ = balance(d_ + part * increment_);
+    return next_.residual.norm();
+  }
+  bool would_balance() const { return left_of(next_) <= kBalanced; }
+
+  /// The part whose residual was looked at last.
+  void take(double part) {
+    d_ += part * increment_;
+    last_ = d_;
+    now_ = std::move(next_);
+    rounds_.residuals.push_back(left_of(now_));
+  }
+
+  LoadedState end() && { return {std::move(d_), std::move(now_.rock.after)}; }
+
+ private:
+  LoadedBodies::Balance balance(const Eigen::VectorXd& d) const { return tangent_.bodies().balance(from_, d, share_); }
+
+  LoadedTangent& tangent_;
+  const LoadedState& from_;
+  double share_;
+  double elastic_share_;
+  NewtonRounds& rounds_;
+  Eigen::VectorXd& last_;
+  Eigen::VectorXd d_;
+  LoadedBodies::Balance now_;
+  Eigen::VectorXd increment_;
+  LoadedBodies::Balance next_;
+};
+
+}  // namespace
+
+std::optional<LoadedState> ShareControl::solve(const LoadedState& from, const Eigen::VectorXd& guess, double share,
+                                               NewtonRounds& rounds) {
+  for (const double elastic_share : {0.0, kElasticShare}) {
+    AtShare equations(tangent_, from, share, elastic_share, rounds, last_);
+    equations.begin_at_better(guess);
+    Backtracking search;
+    rounds.end = newton(equations, search, kMostRounds);
+    if (rounds.end != RoundsEnd::balanced) continue;
+    LoadedState found = std::move(equations).end();
+    if (tangent_.bodies().turned_over(found.d) < 0) return found;
+    rounds.end = RoundsEnd::turned_over;
+  }
+  return std::nullopt;
+}
+
+}  // namespace keyblock

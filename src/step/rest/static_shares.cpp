@@ -1,0 +1,84 @@
+// Share after share; see static_shares.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/rest/static_shares.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "step/rest/relaxation.hpp"
+#include "step/rest/static_step.hpp"
+#include "step/scene/equilibrium.hpp"
+
+namespace keyblock {
+namespace {
+
+// Parts of the load in which a first equilibrium of bodies on covers is searched that was not found at once.
+constexpr std::array kFinerShares{5, 20};
+
+StandardStep unchanged(const StandardScene& scene, const Motion& motion, double time) {
+  StandardStep step;
+  step.motion = motion;
+  step.residual = balance_of(scene, motion, time).share;
+  return step;
+}
+
+// The later of two equilibria of one step, with the work of both.
+StandardStep joined(const StandardStep& earlier, StandardStep later) {
+  later.account += earlier.account;
+  later.solves += earlier.solves;
+  later.fallbacks += earlier.fallbacks;
+  later.halvings += earlier.halvings;
+  later.locked_overlaps += earlier.locked_overlaps;
+  return later;
+}
+
+StandardStep equilibrium_from(const StandardScene& scene, const Motion& motion, double time) {
+  return scene.settings.standard.motion == MotionRule::equilibrium ? static_step(scene, motion, time)
+                                                                   : relaxation_step(scene, motion, time);
+}
+
+// The first equilibrium of soft bodies may be lost on the way to it, where parts of the load find it.
+StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, StandardStep made, double time) {
+  for (const int count : kFinerShares) {
+    if (made.converged && made.failure.empty()) return made;
+    StandardStep parts;
+    parts.motion = motion;
+    parts.converged = true;
+    for (int share = 1; share <= count && parts.converged && parts.failure.empty(); ++share) {
+      scene.load_share = static_cast<double>(share) / count;
+      parts = joined(parts, equilibrium_from(scene, parts.motion, time));
+    }
+    scene.load_share = 1;
+    if (parts.converged && parts.failure.empty()) made = std::move(parts);
+  }
+  return made;
+}
+
+}  // namespace
+
+StandardStep static_equilibrium(StandardScene& scene, const Motion& motion, const LoadStep& step) {
+  const UnknownsTable last = loads_at(scene, motion.q, step.from);
+  const auto stays = [&](const CarriedPoint& point) { return point.curve.at(step.from) == point.curve.at(step.to); };
+  const int wanted = scene.settings.standard.load_steps;
+  const int growing = std::min(wanted, scene.settings.step_count);  // steps
+  const auto shares_after = [&](int steps) {
+    return static_cast<int>(std::int64_t{wanted} * std::min(steps, growing) / growing);
+  };
+  const int end = shares_after(step.made + 1);
+  int share = std::min(shares_after(step.made) + 1, end);
+  scene.load_share = static_cast<double>(share) / wanted;
+  if (step.made > 0 && !step.is_new && last == loads_at(scene, motion.q, step.to) &&
+      std::ranges::all_of(scene.held, stays))
+    return unchanged(scene, motion, step.to);
+  StandardStep made = equilibrium_from(scene, motion, step.to);
+  if (step.made == 0 && wanted == 1 && !scene.is_linear())
+    made = in_finer_shares(scene, motion, std::move(made), step.to);
+  while (++share <= end && made.converged && made.failure.empty()) {
+    scene.load_share = static_cast<double>(share) / wanted;
+    made = joined(made, equilibrium_from(scene, made.motion, step.to));
+  }
+  return made;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,118 @@
+// Sentences of failed steps, counts of accepted ones; see step_outcome.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/step_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/rows/gap.hpp"
+#include "material/elastic.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr std::size_t kMostNamed = 10;  // contacts in a message; the record lists them all
+
+// A step that failed may know nothing of them.
+bool has_points_of(const BodiesMotion& motion, const BodiesMotion& other) {
+  return motion.points.blocks.size() == other.points.blocks.size() &&
+         motion.points.covers.size() == other.points.covers.size();
+}
+
+bool rock_yields(const StandardScene& scene, const BodiesMotion& motion) {
+  PlasticTotals totals;
+  for (const auto& group : scene.groups) group->add_plastic(motion, totals);
+  return totals.yielding > 0;
+}
+
+}  // namespace
+
+StepReport report_of(const StandardScene& scene, const Motion& motion, const State& state, const ControlledStep& made) {
+  StepReport report;
+  report.step = state.step;
+  report.time = state.time;
+  report.dt = made.least;
+  report.passes = made.step.solves;
+  report.redos = made.step.halvings;
+  report.unresolved_parts = made.unresolved;
+  report.fallbacks = made.step.fallbacks;
+  report.locked_overlaps = made.step.locked_overlaps;
+  report.unsettled_contacts = static_cast<int>(made.step.undecided.size());
+  report.contacts = static_cast<int>(made.step.touches.size());
+  report.closed = static_cast<int>(motion.closed.size());
+  report.matrix_blocks = static_cast<int>(scene.bodies().size());
+  report.penalty = scene.has_springs() ? scene.normal_stiffness() : 0;
+  report.residual = made.step.residual;
+  report.displacement_ratio = made.displacement / (scene.settings.allowed_displacement_ratio * scene.model.scale);
+  for (const auto& [touch, memory] : motion.closed.all()) {
+    const double depth = -gap_of(touch, state.vertices);
+    const Body& one = scene.bodies()[scene.model.vertices[touch.vertex].element];
+    const Body& other = scene.bodies()[scene.model.vertices[touch.start].element];
+    report.greatest_penetration = std::max(report.greatest_penetration, depth);
+    report.penetration_share = std::max(report.penetration_share, depth / std::min(one.size, other.size));
+  }
+  return report;
+}
+
+StepFailure failure_of(const StandardScene& scene, const Motion& motion, const State& state, const StandardStep& step) {
+  const bool yields =
+      scene.settings.standard.motion != MotionRule::dynamic &&
+      (rock_yields(scene, motion) || (has_points_of(step.motion, motion) && rock_yields(scene, step.motion)));
+  if (!step.failure.empty())
+    return {fmt::format("step {} (time {}): {}", state.step + 1, state.time, step.failure),
+            {},
+            step.moving.empty() ? FailureKind::undecided : FailureKind::accelerates,
+            step.solves,
+            yields,
+            step.moving.empty() ? step.restless : step.moving};
+  std::string names;
+  std::size_t named = 0;
+  for (std::size_t i : step.undecided) {
+    if (i >= step.touches.size() || ++named > kMostNamed) continue;  // behind the touches: bolts and held points
+    const Touch& touch = step.touches[i];
+    names += fmt::format("{}{} (block {} on block {})", names.empty() ? "" : ", ", i + 1,
+                         scene.model.vertices[touch.vertex].element.value + 1,
+                         scene.model.vertices[touch.start].element.value + 1);
+  }
+  return {fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
+                      state.step + 1, state.time, step.residual, names.empty() ? "" : "; undecided contacts: ",
+                      named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names),
+          step.undecided, FailureKind::undecided, step.solves, yields};
+}
+
+std::string crushed_before(const StandardScene& scene, const State& drawn, const State& before, const State& end) {
+  for (ElementIndex e : indices(end.elements)) {
+    const double area = end.elements[e].moments.area;
+    const std::optional<ElasticLaw> law = scene.groups.of(e).law_of_large_strain(scene.parts(), e);
+    if (!std::isfinite(area) || area > 0 || !law) continue;
+    const double first = drawn.elements[e].moments.area;
+    const std::string share = fmt::format("{:.2g}", before.elements[e].moments.area / first);
+    if (law != ElasticLaw::st_venant_kirchhoff)
+      return fmt::format("; a step before it had been compressed to {} of its area", share);
+    return fmt::format(
+        "; a step before it had been compressed to {} of its area, and the St. Venant-Kirchhoff law softens below a "
+        "stretch of {:.2g} (elastic_law = logarithmic does not)",
+        share, kSofteningStretch);
+  }
+  return {};
+}
+
+std::string too_deep(const StandardScene& scene, const Motion& motion, const State& end) {
+  for (const auto& [touch, memory] : motion.closed.all()) {
+    const ElementIndex vertex = scene.model.vertices[touch.vertex].element;
+    const ElementIndex edge = scene.model.vertices[touch.start].element;
+    if (scene.groups.of(vertex).resolves_impacts() || scene.groups.of(edge).resolves_impacts()) continue;
+    const double size = std::min(scene.bodies()[vertex].size, scene.bodies()[edge].size);
+    const double depth = -gap_of(touch, end.vertices) - memory.compression;
+    if (!(depth > scene.settings.trust.penetration * size)) continue;
+    return fmt::format(
+        "block {} and block {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "
+        "(penetration_limit) nothing that follows can be trusted",
+        vertex.value + 1, edge.value + 1, depth, depth / size, scene.settings.trust.penetration);
+  }
+  return {};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,82 @@
+// Meetings, jump, separation; see strike.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/time/strike.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/rows/gap.hpp"
+#include "step/scene/touch_search.hpp"
+#include "step/time/impact.hpp"
+
+namespace keyblock {
+namespace {
+
+// Touches that overlap take part in the jump, and those with a gap below this share of block size: the corners of a
+// flat impact meet within round-off.
+constexpr double kMeeting = 1e-10;
+
+// A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that
+// it left would push it in a direction in which there is no face.
+void drop_passed(const SmoothStep& of, ImpactTouches& impacts) {
+  const auto vertices = vertices_at(of.scene.model, of.scene.reference, of.smooth.q);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < impacts.touches.size(); ++i) {
+    if (!lies_over_edge(impacts.touches[i], vertices)) continue;
+    impacts.touches[kept] = impacts.touches[i];
+    impacts.speeds[kept++] = impacts.speeds[i];
+  }
+  impacts.touches.resize(kept);
+  impacts.speeds.resize(kept);
+}
+
+// Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and
+// d the overshoot; d was covered at the mean of both speeds.
+Meeting meeting(const Touch& touch, double dt, double at_start, double at_end, double overshoot) {
+  if (at_end >= 0) return {touch, 0, 0};
+  const double acceleration = (at_end - at_start) / dt;
+  const double at_surface = std::sqrt(std::max(0.0, at_end * at_end + 2 * acceleration * overshoot));
+  return {touch, std::min(dt, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
+}
+
+}  // namespace
+
+bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
+  return scene.groups.are_one_body(scene.model.vertices[touch.vertex].element,
+                                   scene.model.vertices[touch.start].element);
+}
+
+void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& others, StandardStep& step) {
+  drop_passed(of, impacts);
+  const auto vertices = vertices_at(of.scene.model, of.scene.reference, of.smooth.q);
+  const Eigen::VectorXd speeds =
+      rates(contact_rows(of.scene.model, of.scene.reference, of.smooth.q, impacts.touches), rigid_part(step.motion.v));
+  Impacts struck;
+  std::vector<std::size_t> met;
+  for (std::size_t i = 0; i < impacts.touches.size(); ++i) {
+    const double gap = gap_of(impacts.touches[i], vertices) - impacts.touches[i].rest_gap;
+    if (gap > kMeeting * of.size) continue;
+    met.push_back(i);
+    struck.meetings.push_back(meeting(impacts.touches[i], of.dt, impacts.speeds[i],
+                                      speeds[static_cast<Eigen::Index>(2 * i)], std::max(0.0, -gap)));
+  }
+  if (struck.meetings.empty()) return;
+  struck.closed = others.closed;
+  std::erase_if(struck.closed, [&](const Touch& touch) { return is_within_one_body(of.scene, touch); });
+  const Flexibility flexibility = impact_flexibility(of.scene, of.smooth.flexibility, of.rule);
+  struck.bonds = of.smooth.bonds;
+  struck.slow = of.slow;
+  Jump jump = after_jump(of.scene, of.smooth.q, step.motion.v, struck, flexibility);
+  for (std::size_t i : jump.undecided) step.undecided.push_back(of.touches + met[i]);
+  step.motion.v = std::move(jump.v);
+  if (!jump.undecided.empty())  // points that are held do not take part in what is left open
+    step.motion.v = with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
+                                         of.smooth.flexibility);
+  Separated separated =
+      without_overlap(of.scene, std::move(jump.q), impacts.touches, others.not_driven_in(), of.smooth.q, flexibility);
+  step.motion.q = with_points_in_place(of.scene, std::move(separated.q), of.time + of.dt, flexibility);
+  step.solves += jump.solves + separated.solves;
+  step.locked_overlaps += separated.locked;
+}
+
+}  // namespace keyblock

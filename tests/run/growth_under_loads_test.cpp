@@ -1,0 +1,189 @@
+// Cracks that grow under the loads as they are: energy, momentum, checkpoints, blocks beside them, cracks that start.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "formats/case.hpp"
+#include "formats/registry.hpp"
+#include "model/continuum.hpp"
+#include "result/ledger.hpp"
+#include "run/checkpoint.hpp"
+#include "run/prepare.hpp"
+#include "run/steppers.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::growth_under_loads_test {
+namespace {
+
+constexpr double kYoung = 1e5, kPoisson = 0.3, kToughness = 10;
+constexpr double kEnergy = kToughness * kToughness * (1 - kPoisson * kPoisson) / kYoung;  // Γ = K²/E' (Irwin 1957)
+
+std::string file_of(const std::string& name, const std::string& text) {
+  const std::string file = support::fresh_folder("growth_under_loads_" + name) + "/in.json";
+  support::write_text(file, text);
+  return file;
+}
+
+Scene scene_of(const std::string& file) {
+  return prepare(formats::load_case({file}).problem, "standard", {}).scene;
+}
+
+std::string bytes_of(Stepper& stepper) {
+  Archive archive;
+  stepper.save(archive);
+  return checkpoint_bytes(archive);
+}
+
+// Arms of a double cantilever that four points drive apart, slowly for waves that cross it in 0.1.
+std::string cantilever(int steps) {
+  return fmt::format(
+      R"({{"keyblock": 1,
+      "blocks": {{"blocks": [{{"outer": [[0, -1, 1], [8, -1, 1], [8, 1, 1], [0, 1, 1]]}}],
+        "fixed_points": [[0.05, 0.5, 1], [0.05, -0.5, 1]]}},
+      "covers": {{"mesh": {{"side": 0.5, "angle": 10, "tip_side": 0.03}}, "cracks": [{{"along": [[0, 0], [2, 0]]}}],
+        "growth": {{"increment": 0.4}}}},
+      "analysis": {{"step_count": {}, "time_step": 0.02, "velocity_carry_over": 1, "allowed_displacement_ratio": 0.1,
+        "plane_strain": true, "gravity": 0, "joint_materials": [{{}}],
+        "fixed_point_motions": [[[0, 0, 0], [10, 0, 0.05]], [[0, 0, 0], [10, 0, -0.05]]],
+        "block_materials": [{{"density": 1, "unit_weight": 0, "youngs_modulus": {}, "poissons_ratio": {},
+          "toughness": {{"mode_1": {}}}}}]}}}})",
+      steps, kYoung, kPoisson, kToughness);
+}
+
+// Each increment takes its energy, and what the ledger names is all there is.
+TEST(GrowthUnderLoads, takes_the_energy_of_fracture) {
+  const std::unique_ptr<Stepper> stepper = stepper_for(scene_of(file_of("energy", cantilever(130))));
+  LedgerSums sums;
+  sums.add(stepper->ledger());
+  for (int step = 0; step < 130; ++step) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance())) << step;
+    sums.add(stepper->ledger());
+  }
+  ASSERT_EQ(stepper->tips().size(), 1U);
+  const double grown = stepper->tips().front().length - 2;
+  ASSERT_GT(grown, 0.75) << "no growth to speak of";
+  EXPECT_LT(sums.energy_closure(), 1e-8);
+  const double taken = stepper->ledger().flow.fracture;
+  // Of the last increment the faces may still be parting.
+  EXPECT_LE(taken, 1.0001 * kEnergy * grown);
+  EXPECT_GE(taken, 0.99 * kEnergy * (grown - 0.4));
+  EXPECT_NEAR(stepper->tips().front().at.y, 0, 0.1);
+}
+
+TEST(GrowthUnderLoads, left_at_any_step_it_goes_on_to_the_same_bytes) {
+  const int steps = 90;
+  const Scene scene = scene_of(file_of("bytes", cantilever(steps)));
+  const std::unique_ptr<Stepper> whole = stepper_for(scene);
+  std::vector<std::string> saved;
+  for (int step = 0; step < steps; ++step) {
+    if (step % 11 == 0) saved.push_back(bytes_of(*whole));
+    ASSERT_TRUE(std::holds_alternative<StepReport>(whole->advance()));
+  }
+  ASSERT_GT(whole->tips().front().length, 2.3);
+  const std::string end = bytes_of(*whole);
+  for (std::size_t i = 0; i < saved.size(); i += 2) {
+    Archive archive = archive_of_checkpoint("checkpoint.h5", saved[i]);
+    const std::unique_ptr<Stepper> again = restored_stepper(scene, archive);
+    EXPECT_TRUE(bytes_of(*again) == saved[i]) << i;
+    for (int step = static_cast<int>(11 * i); step < steps; ++step) again->advance();
+    EXPECT_TRUE(bytes_of(*again) == end) << i;
+  }
+}
+
+// A free plate that two equal pulls tear: no support takes momentum.
+TEST(GrowthUnderLoads, keeps_momentum_of_a_free_plate) {
+  const std::string text = fmt::format(
+      R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[-3, -2, 1], [3, -2, 1], [3, 2, 1], [-3, 2, 1]]}}]}},
+      "covers": {{"mesh": {{"side": 0.6, "angle": 10}}, "cracks": [{{"along": [[-0.8, 0.1], [0.8, -0.1]]}}],
+        "growth": {{"increment": 0.3}},
+        "tractions": [{{"along": [[3, 2], [-3, 2]], "y": 8}}, {{"along": [[-3, -2], [3, -2]], "y": -8}}]}},
+      "analysis": {{"step_count": 60, "time_step": 0.004, "velocity_carry_over": 1, "allowed_displacement_ratio": 0.1,
+        "plane_strain": true, "gravity": 0, "joint_materials": [{{}}],
+        "block_materials": [{{"density": 1, "unit_weight": 0, "youngs_modulus": {}, "poissons_ratio": {},
+          "initial_velocity": [3, 2, 1], "toughness": {{"mode_1": {}}}}}]}}}})",
+      kYoung, kPoisson, kToughness);
+  const std::unique_ptr<Stepper> stepper = stepper_for(scene_of(file_of("momentum", text)));
+  LedgerSums sums;
+  sums.add(stepper->ledger());
+  double longest = 0;
+  for (int step = 0; step < 60; ++step) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance())) << step;
+    sums.add(stepper->ledger());
+    for (const TipState& tip : stepper->tips()) longest = std::max(longest, tip.length);
+  }
+  EXPECT_GT(longest, 2.1);
+  EXPECT_LT(sums.energy_closure(), 1e-8);
+  EXPECT_LT(sums.linear_momentum_closure(), 1e-10);
+  EXPECT_LT(sums.angular_momentum_closure(), 1e-10);
+}
+
+// A notched beam between three blocks is broken in two.
+TEST(GrowthUnderLoads, a_beam_on_blocks_breaks_in_two) {
+  const std::string text =
+      R"({"keyblock": 1,
+      "blocks": {"blocks": [{"outer": [[-0.22, -0.05, 1], [0.22, -0.05, 1], [0.22, 0.05, 1], [-0.22, 0.05, 1]]},
+        {"outer": [[-0.21, -0.07, 1], [-0.19, -0.07, 1], [-0.197, -0.05, 1], [-0.203, -0.05, 1]], "material": 2},
+        {"outer": [[0.19, -0.07, 1], [0.21, -0.07, 1], [0.203, -0.05, 1], [0.197, -0.05, 1]], "material": 2},
+        {"outer": [[-0.003, 0.05, 1], [0.003, 0.05, 1], [0.01, 0.07, 1], [-0.01, 0.07, 1]], "material": 2}],
+        "fixed_points": [[-0.205, -0.068, 2], [-0.195, -0.068, 2], [0.195, -0.068, 3], [0.205, -0.068, 3],
+          [-0.006, 0.068, 4], [0.006, 0.068, 4]]},
+      "covers": {"mesh": {"side": 0.04, "angle": 10, "materials": [[1]]}, "cracks": [{"along": [[0, -0.05], [0, 0]]}],
+        "growth": {"increment": 0.012}},
+      "analysis": {"velocity_carry_over": 1, "step_count": 150, "time_step": 1e-4, "allowed_displacement_ratio": 0.1,
+        "plane_strain": true, "gravity": 9.81, "joint_materials": [{}],
+        "fixed_point_motions": [[], [], [], [], [[0, 0, 0], [0.01, 0, -3e-4]], [[0, 0, 0], [0.01, 0, -3e-4]]],
+        "block_materials": [{"density": 2400, "unit_weight": 0, "youngs_modulus": 3e10, "poissons_ratio": 0.2,
+            "toughness": {"mode_1": 1e6}},
+          {"density": 7800, "unit_weight": 0, "youngs_modulus": 2e11, "poissons_ratio": 0.3}]}})";
+  const std::unique_ptr<Stepper> stepper = stepper_for(scene_of(file_of("beam", text)));
+  LedgerSums sums;
+  sums.add(stepper->ledger());
+  for (int step = 0; step < 150; ++step) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance())) << step;
+    sums.add(stepper->ledger());
+  }
+  EXPECT_TRUE(stepper->tips().empty()) << "it hangs together";
+  EXPECT_LT(sums.energy_closure(), 1e-8);
+  const double energy = 1e6 * 1e6 * (1 - 0.04) / 3e10 * 0.05;
+  EXPECT_NEAR(stepper->ledger().flow.fracture, energy,
+              0.25 * energy);  // the last bit breaks under the block's pressure
+}
+
+// A plate pressed at its ends, narrowest at half its height: the first crack starts in shear at the strength of Coulomb,
+// 2 c cos φ / (1 - sin φ), at 45° + φ/2 to the horizontal.
+TEST(GrowthUnderLoads, a_crack_starts_in_shear_as_coulomb_says) {
+  const double friction = 30, cohesion = 5;
+  const std::string text = fmt::format(
+      R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[-2, -4, 1], [2, -4, 1], [1.99, 0, 1], [2, 4, 1], [-2, 4, 1],
+        [-1.99, 0, 1]]}}]}},
+      "covers": {{"mesh": {{"side": 0.5, "angle": 10}}, "growth": {{"increment": 0.4}},
+        "tractions": [{{"along": [[2, 4], [-2, 4]], "y": -1}}, {{"along": [[-2, -4], [2, -4]], "y": 1}}],
+        "springs": [[0, -4, 1, 0, 1e4], [0, -4, 0, 1, 1e4], [0, 4, 1, 0, 1e4]]}},
+      "analysis": {{"step_count": 2, "time_step": 1, "velocity_carry_over": 0, "allowed_displacement_ratio": 0.1,
+        "plane_strain": true, "gravity": 0, "joint_materials": [{{"friction_angle_deg": {0}}}],
+        "block_materials": [{{"density": 1, "unit_weight": 0, "youngs_modulus": 1e5, "poissons_ratio": 0.3,
+          "toughness": {{"mode_1": 1e3, "mode_2": {1}, "cohesion": {2}, "friction_deg": {0}}}}}]}}}})",
+      friction, cohesion * std::sqrt(std::numbers::pi * 1.2), cohesion);
+  const std::unique_ptr<Stepper> stepper = stepper_for(scene_of(file_of("shear", text)));
+  ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+  const double phi = friction * std::numbers::pi / 180;
+  const double strength = 2 * cohesion * std::cos(phi) / (1 - std::sin(phi));
+  EXPECT_NEAR(stepper->load_factor(), strength, 0.02 * strength);
+  const auto second = stepper->advance();
+  ASSERT_TRUE(std::holds_alternative<StepReport>(second)) << std::get<StepFailure>(second).reason;
+  ASSERT_FALSE(stepper->model().continuum->cracks.empty());
+  const CrackPlan& crack = stepper->model().continuum->cracks.front();
+  EXPECT_TRUE(crack.is_shear);
+  const Point way = crack.along.back() - crack.along.front();
+  EXPECT_NEAR(length(way), 2.4, 1e-6);
+  EXPECT_NEAR(std::atan2(std::abs(way.y), std::abs(way.x)) * 180 / std::numbers::pi, 45 + friction / 2, 1.5);
+}
+
+}  // namespace
+}  // namespace keyblock::growth_under_loads_test

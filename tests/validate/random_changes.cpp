@@ -1,0 +1,51 @@
+// Prints how random changes of bodies in flight keep momentum and energy, a hundred changes a run, ten runs of each kind;
+// fails where a run does not end, momentum is off by 1e-12 or energy by 1e-7.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/random_changes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <vector>
+
+#include "tests/support/continuum_scenes.hpp"
+
+int main() {
+  using namespace keyblock;
+  using support::ChangingBodies;
+  constexpr int kChanges = 100;
+  constexpr unsigned kSeeds = 10;
+  constexpr double kMomentum = 1e-12;
+  constexpr double kEnergy = 1e-7;
+  const struct {
+    const char* name;
+    ChangingBodies bodies;
+    std::vector<CoverFunctions> functions;
+  } kinds[] = {{"blocks", ChangingBodies::blocks, {CoverFunctions::derived}},
+               {"meshes", ChangingBodies::meshes, {std::begin(kAllCoverFunctions), std::end(kAllCoverFunctions)}},
+               {"one mesh", ChangingBodies::one_mesh, {CoverFunctions::constant, CoverFunctions::derived}}};
+  int missed = 0;
+  fmt::print("{:<9} {:<10} {:>7} {:>6} {:>11} {:>11}\n", "bodies", "functions", "changes", "failed", "momentum",
+             "energy");
+  for (const auto& [name, bodies, all_functions] : kinds)
+    for (const CoverFunctions functions : all_functions) {
+      int failed = 0;
+      double momentum = 0, energy = 0;
+      for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+        const support::ChangesTold told =
+            support::told_of_changes(support::random_changes(bodies, 5, kChanges, seed, functions));
+        if (!told.why.empty()) fmt::print("  seed {}: scene {}: {}\n", seed, told.scenes, told.why);
+        failed += told.why.empty() ? 0 : 1;
+        momentum = std::max(momentum, told.at_change);
+        energy = std::max(energy, told.energy);
+      }
+      const bool holds = failed == 0 && momentum < kMomentum && energy < kEnergy;
+      missed += holds ? 0 : 1;
+      fmt::print("{:<9} {:<10} {:>7} {:>6} {:>11.1e} {:>11.1e}{}\n", name, name_of(functions), kSeeds * kChanges,
+                 failed, momentum, energy, holds ? "" : "  MISSED");
+      std::fflush(stdout);
+    }
+  return missed > 0 ? 1 : 0;
+}
