@@ -14,9 +14,10 @@ namespace keyblock::formats {
 
 /// What a visitor F is handed: const where it writes. A visitor has `real`, `integer` (with the demand that a value
 /// must meet), `index` (from 1 in the file, from 0 inside), `formula` (a number or a text), `flag`, `word` (of an
-/// enumeration), `text`, `mass_by` (what may stand in place of a unit of mass); `optional_real`, `optional_integer`; `row` (a struct as an array), `object`,
-/// `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors, with how many they hold at least where the
-/// list is needed; `curve`, `curves` (rows of time and value) and `pairs` (an object of words).
+/// enumeration), `text`, `mass_by` (what may stand in place of a unit of mass); `optional_real`, `optional_integer`;
+/// `row` (a struct as an array), `object`, `optional_object`; `rows`, `objects` and `lists` (of rows) of vectors, with
+/// how many they hold at least where the list is needed; `curve`, `curves` (rows of time and value) and `pairs` (an
+/// object of words).
 template <class F, class T>
 using In = std::conditional_t<F::is_writing, const T, T>;
 

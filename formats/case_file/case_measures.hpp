@@ -9,8 +9,8 @@
 
 namespace keyblock::formats {
 
-/// Of the number under `key`, which stands under `parent` ("tractions", "x"): plain ones are `measures::kNumber`. Nothing
-/// where the table does not know it, and so for all that is no number.
+/// Of the number under `key`, which stands under `parent` ("tractions", "x"): plain ones are `measures::kNumber`.
+/// Nothing where the table does not know it, and so for all that is no number.
 std::optional<Measure> measure_of(std::string_view parent, std::string_view key);
 
 /// Whether a value with a unit may stand there.

@@ -119,9 +119,12 @@ std::string cracks_vtp(const FieldFrame& field, const Units& units) {
     return vector_text(f.edge->ends[0].displacement) + "\n" + vector_text(f.edge->ends[1].displacement);
   });
   text += "</PointData>\n<CellData>\n";
-  append(text, faces, "Int32", heading(kCrackArrays, "crack", units), 1, [](F f) { return fmt::format("{}", f.crack + 1); });
-  append(text, faces, "Int32", heading(kCrackArrays, "side", units), 1, [](F f) { return fmt::format("{:d}", f.edge->is_left); });
-  append(text, faces, "Int32", heading(kCrackArrays, "is_shear", units), 1, [](F f) { return fmt::format("{:d}", f.is_shear); });
+  append(text, faces, "Int32", heading(kCrackArrays, "crack", units), 1,
+         [](F f) { return fmt::format("{}", f.crack + 1); });
+  append(text, faces, "Int32", heading(kCrackArrays, "side", units), 1,
+         [](F f) { return fmt::format("{:d}", f.edge->is_left); });
+  append(text, faces, "Int32", heading(kCrackArrays, "is_shear", units), 1,
+         [](F f) { return fmt::format("{:d}", f.is_shear); });
   text += "</CellData>\n";
   text += kPointsOpening;
   for (F f : faces)

@@ -4,7 +4,8 @@
 // .vtp: VTK XML PolyData, ASCII, the time in the field TimeValue. Contacts are vertices with point data block, other,
 // joint_material (from 1), state (0 open, 1 stick, 2 slide), gap, slip, normal_force, shear_force, and as vectors
 // normal, force (on `block`; `other` has the opposite): signs as in formats/text/contact_csv.hpp. Bolts are lines with
-// cell data bolt (from 1), force (tension positive), is_broken (0, 1). Faces of cracks are lines where they are now, with
+// cell data bolt (from 1), force (tension positive), is_broken (0, 1). Faces of cracks are lines where they are now,
+// with
 // cell data crack (from 1), side (0 the right one of the way along the crack, 1 the left one), is_shear (0, 1: it
 // started in shear) and point data displacement.
 #pragma once

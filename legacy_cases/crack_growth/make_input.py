@@ -95,7 +95,54 @@ def split_disc():
           'Brazilian disc that cracks along its diameter (fra-10)', young, 0.2, {'mode_1': round(strength * math.sqrt(math.pi * radius), 9), 'tensile_strength': strength})
 
 
+def cantilever_in_time():
+    """Arms driven apart slowly; the tip follows the opening as at rest: with K = P (3.46 a + 2.38 h)/h^1.5 and G = P^2/2 dC/da the opening under
+    which the tip stands at a is 2 K (3.46 a + 2.38 h)^2/(10.38 h^1.5 E')."""
+    young, poisson, tough, steps, dt = 1e5, 0.3, 10, 130, 0.02
+    values = []
+    for step in (70, 100, 130):
+        opening = 2e-3 * step * dt
+        a = (math.sqrt(opening * 10.38 * young / (1 - poisson ** 2) / (2 * tough)) - 2.38) / 3.46
+        values.append(('crack_length', 1, a, 0.4, 'an increment: a tip goes on by 0.4 at once', 'Kanninen 1973; G = P^2/2 dC/da', step * dt))
+    mesh = free_mesh(0.5)
+    mesh['tip_side'] = 0.03
+    case = {'keyblock': 1,
+            'blocks': {'blocks': [{'outer': [[x, y, 1] for x, y in rectangle(0, -1, 8, 1)]}], 'fixed_points': [[0.05, 0.5, 1], [0.05, -0.5, 1]]},
+            'covers': {'mesh': mesh, 'cracks': [{'along': [[0, 0], [2, 0]]}], 'growth': {'increment': 0.4}},
+            'analysis': {'step_count': steps, 'time_step': dt, 'velocity_carry_over': 1, 'allowed_displacement_ratio': 0.1, 'plane_strain': True, 'gravity': 0,
+                         'fixed_point_motions': [[[0, 0, 0], [10, 0, 0.01]], [[0, 0, 0], [10, 0, -0.01]]], 'joint_materials': [{}],
+                         'block_materials': [{'density': 1, 'unit_weight': 0, 'youngs_modulus': young, 'poissons_ratio': poisson, 'toughness': {'mode_1': tough}}]}}
+    write_case(os.path.join(HERE, 'cantilever_in_time'), json.dumps(case, indent=1) + '\n', values, 'double cantilever driven apart in time', slow=True)
+
+
+def beam_in_two():
+    """A notched beam of concrete on two blocks, pressed by a third (m, kg, s): it breaks, and its halves turn about the block that drives them."""
+    steps, dt, speed = 150, 1e-4, 0.03
+    half, span = 0.22, 0.2
+    def support(x):
+        return {'outer': [[x - 0.01, -0.07, 1], [x + 0.01, -0.07, 1], [x + 0.003, -0.05, 1], [x - 0.003, -0.05, 1]], 'material': 2}
+    load = {'outer': [[-0.003, 0.05, 1], [0.003, 0.05, 1], [0.01, 0.07, 1], [-0.01, 0.07, 1]], 'material': 2}
+    drive = [[0, 0, 0], [1, 0, -speed]]
+    deflection = speed * steps * dt
+    opening = deflection / span * 0.099
+    case = {'keyblock': 1, 'units': {'length': 'm', 'mass': 'kg', 'time': 's'},
+            'blocks': {'blocks': [{'outer': [[x, y, 1] for x, y in rectangle(-half, -0.05, half, 0.05)]}, support(-span), support(span), load],
+                       'fixed_points': [[-0.205, -0.068, 2], [-0.195, -0.068, 2], [0.195, -0.068, 3], [0.205, -0.068, 3], [-0.006, 0.068, 4], [0.006, 0.068, 4]],
+                       'measured_points': [[-0.001, -0.049, 1], [0.001, -0.049, 1]]},
+            'covers': {'mesh': dict(free_mesh(0.04), materials=[[1]]), 'cracks': [{'along': [[0, -0.05], [0, 0]]}], 'growth': {'increment': 0.012}},
+            'analysis': {'velocity_carry_over': 1, 'step_count': steps, 'time_step': dt, 'allowed_displacement_ratio': 0.1, 'plane_strain': True, 'gravity': 9.81,
+                         'joint_materials': [{}], 'fixed_point_motions': [[], [], [], [], drive, drive],
+                         'block_materials': [{'density': 2400, 'unit_weight': 0, 'youngs_modulus': 3e10, 'poissons_ratio': 0.2, 'toughness': {'mode_1': 1e6}},
+                                             {'density': 7800, 'unit_weight': 0, 'youngs_modulus': 2e11, 'poissons_ratio': 0.3}]}}
+    del case['covers']['mesh']['through_x'], case['covers']['mesh']['through_y']
+    write_case(os.path.join(HERE, 'beam_in_two'), json.dumps(case, indent=1) + '\n',
+               [('point_dx', point, sign * opening, 0.1 * opening, 'halves are elastic, and swing', 'two rigid halves, a hinge under the block', steps * dt)
+                for point, sign in ((1, -1), (2, 1))], 'notched beam on blocks that breaks in two', slow=True)
+
+
 if __name__ == '__main__':
+    cantilever_in_time()
+    beam_in_two()
     PATH = 'independent reckoning with singular functions, corrected steps of 0.15 in.; Cotterell & Rice 1980: unstable for T > 0'
     cantilever('cantilever_tilted', 5.71, 0.15, 13, [('tip_y', 1, 1.10, 0.165, 'asked for: 15 % of the deviation', PATH, 13), ('tip_x', 1, 5.16, 0.18, 'asked for: 15 % of the way', PATH, 13),
                                                     ('K_II', 1, 0, 50, 'asked for: K_II/K_I <= 0.05 behind each step', PATH, 13)],

@@ -11,8 +11,8 @@
 namespace keyblock {
 
 /// step, time, dt, passes, redos, fallbacks, contacts, closed, penalty, greatest_penetration, displacement_ratio,
-/// residual, unsettled_contacts, with their units where the case declares them, and, of load steps of rock that may yield, parts. Passes of those are rounds of
-/// Newton's method, redos are cuts.
+/// residual, unsettled_contacts, with their units where the case declares them, and, of load steps of rock that may
+/// yield, parts. Passes of those are rounds of Newton's method, redos are cuts.
 std::vector<std::string> step_columns(const std::vector<StepReport>& rows, const Units& units);
 
 /// Under these names.

@@ -23,7 +23,8 @@ constexpr double kLine = 20;
 std::string reaction_picture(const std::string& title, const std::vector<ReactionCurve>& curves, const Units& units) {
   std::vector<Curve> drawn;
   std::vector<std::string> sentences;
-  const std::string unit = is_declared(measures::kForce, units) ? " " + unit_of(measures::kForce, units) : "";
+  const std::string unit =
+      is_declared(measures::kForce, units) ? fmt::format(" {}", unit_of(measures::kForce, units)) : std::string();
   for (const ReactionCurve& curve : curves) {
     Curve& line = drawn.emplace_back();
     line.label = fmt::format("displacement {}, reaction {}", curve.number + 1, curve.component);

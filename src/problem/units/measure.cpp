@@ -58,7 +58,7 @@ class Product {
       const std::string factor = power_of(name, power);
       above_ += (above_.empty() ? "" : std::string(times_)) + factor;
     }
-    if (power < 0) below_ += "/" + power_of(name, -power);
+    if (power < 0) below_.append("/").append(power_of(name, -power));
   }
   std::string text() const { return (above_.empty() ? "1" : above_) + below_; }
 

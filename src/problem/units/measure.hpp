@@ -49,8 +49,8 @@ inline constexpr Measure kAngularMomentum{{1, 2, -1}, true};
 /// Of the number itself: that of the whole over a length where it is of a slice.
 Dimension dimension_of(const Measure& measure);
 
-/// "kN/m", "MPa", "t·m²/m", "rad/s": in the units of the case, as `unit_named` reads them. Where the case does not declare
-/// what that takes, by letters per unit thickness: "F", "F/L²", "M L²". Empty for a plain number.
+/// "kN/m", "MPa", "t·m²/m", "rad/s": in the units of the case, as `unit_named` reads them. Where the case does not
+/// declare what that takes, by letters per unit thickness: "F", "F/L²", "M L²". Empty for a plain number.
 std::string unit_of(const Measure& measure, const Units& units);
 
 /// Whether `unit_of` has a name other than letters.
@@ -66,8 +66,8 @@ std::string with_declared(std::string_view name, const Measure& measure, const U
 std::string_view example_value(const Measure& measure);
 std::string example_of(const Measure& measure);
 
-/// In the units of the case, "20 GPa" that should be of this kind; nothing where it is another, or no value with a unit.
-/// Throws nothing; where the case declares too little, `lacks_units` says so.
+/// In the units of the case, "20 GPa" that should be of this kind; nothing where it is another, or no value with a
+/// unit. Throws nothing; where the case declares too little, `lacks_units` says so.
 struct Converted {
   std::optional<double> number;
   bool lacks_units = false;

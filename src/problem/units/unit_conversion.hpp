@@ -37,9 +37,9 @@ struct Unit {
   bool is_angle = false;
 };
 
-/// "GPa", "kN/m3", "m/s^2", "MN/m/m", "N·mm", "MPa√m", "kN/m^1.5", "1/s", "deg", "rad/s"; nothing where it is none. Alone
-/// an angle is one of degrees; in a product it is a number, of radians. Factors: SI brochure (BIPM 2019), 9th edition, and
-/// for inch, foot, yard and pound the international yard and pound agreement of 1959.
+/// "GPa", "kN/m3", "m/s^2", "MN/m/m", "N·mm", "MPa√m", "kN/m^1.5", "1/s", "deg", "rad/s"; nothing where it is none.
+/// Alone an angle is one of degrees; in a product it is a number, of radians. Factors: SI brochure (BIPM 2019), 9th
+/// edition, and for inch, foot, yard and pound the international yard and pound agreement of 1959.
 std::optional<Unit> unit_named(std::string_view name);
 
 /// The number and the unit of "20 GPa"; nothing where the text is no such value.

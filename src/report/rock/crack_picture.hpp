@@ -19,9 +19,9 @@ struct CrackPicture {
   Units units = {};
 };
 
-/// An SVG document: the bodies of the first frame with the paths of all tips and the cracks as they are at the end, those
-/// that started in shear in a colour of their own; the bodies as they lie at the end, small displacements enlarged; K_I
-/// and K_II of each tip over the length of its crack, and, where cracks grow, the factor of the loads.
+/// An SVG document: the bodies of the first frame with the paths of all tips and the cracks as they are at the end,
+/// those that started in shear in a colour of their own; the bodies as they lie at the end, small displacements
+/// enlarged; K_I and K_II of each tip over the length of its crack, and, where cracks grow, the factor of the loads.
 std::string crack_picture(const CrackPicture& picture);
 
 }  // namespace keyblock::report

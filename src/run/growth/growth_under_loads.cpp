@@ -127,7 +127,7 @@ void GrowthUnderLoads::describe(Archive& archive) {
     archive.value("energy", piece.energy);
   });
   archive.list("refined", refined_, [&](RefinedPoint& refined) {
-    point("x", "y", refined.at);
+    describe_point(archive, "x", "y", refined.at);
     archive.value("side", refined.side);
   });
   archive.list("arrivals", arrivals_, [&](Arrival& arrival) {
