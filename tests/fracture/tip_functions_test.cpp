@@ -108,7 +108,7 @@ TEST(TipFunctions, the_near_tip_field_is_exact) {
     if (element_of(continuum.manifold, {x, {}, 0, ""}) != e || distance(x, at) < 0.01) continue;
     const Eigen::Vector3d s = near_tip_stress(k, distance(x, at), std::atan2(x.y - at.y, x.x - at.x));
     const Eigen::Vector3d found = continuum.modulus(e) * solution.strain(e, x);
-    EXPECT_LT((found - s).norm(), 1e-4 * s.norm()) << x.x << " " << x.y;
+    EXPECT_LT((found - s).norm(), 1e-3 * s.norm()) << x.x << " " << x.y;
     ++seen;
   }
   EXPECT_GT(seen, 40);

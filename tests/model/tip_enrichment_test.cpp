@@ -164,8 +164,12 @@ TEST(TipEnrichment, covers_within_the_radius_carry_functions_and_those_around_gr
     const int node = manifold.covers[static_cast<std::size_t>(c)].node;
     const double d = distance(manifold.mesh.nodes[static_cast<std::size_t>(node)], {0.03, 0});
     EXPECT_EQ(tips.carries_functions(c), d <= 0.12) << d;
-    if (d < 0.12 + 0.05) EXPECT_TRUE(tips.has_own_gradient(c));
-    if (d > 0.12 + 0.1) EXPECT_FALSE(tips.has_own_gradient(c));
+    if (d < 0.12 + 0.05) {
+      EXPECT_TRUE(tips.has_own_gradient(c));
+    }
+    if (d > 0.12 + 0.1) {
+      EXPECT_FALSE(tips.has_own_gradient(c));
+    }
     carriers += tips.carries_functions(c) ? 1 : 0;
   }
   // In covers cut thin a combination may say nothing.
