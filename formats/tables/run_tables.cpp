@@ -279,7 +279,7 @@ std::string heading(const RunTable& table, std::string_view name, const Units& u
 
 std::string headings(const RunTable& table, std::span<const std::string_view> names, const Units& units) {
   std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ",") + heading(table, name, units);
+  for (const std::string_view name : names) text.append(text.empty() ? "" : ",").append(heading(table, name, units));
   return text;
 }
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "base/heap.hpp"
 #include "base/loop.hpp"
 #include "model/setup/choose_basis.hpp"
 #include "model/setup/from_blocks.hpp"
@@ -163,7 +162,6 @@ int main() {
       "{:>26} {:>9} {:>9} {:>9} {:>20}\n",
       b2_version.major, b2_version.minor, b2_version.revision, "", "steps/s", "sinks m", "energy",
       "legacy/  standard/");
-  keyblock::keep_freed_memory();
   keyblock::set_loop_threads(1);  // processor time is counted, and Box2D takes one
   for (const int side : {10, 30, 50}) compare("brick", brick_wall(side));
   for (const int rows : {14, 45}) compare("pyramid", pyramid(rows));

@@ -13,7 +13,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/heap.hpp"
 #include "base/loop.hpp"
 #include "contact/find/candidates.hpp"
 #include "contact/rows/gap.hpp"
@@ -302,7 +301,6 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "file for the numbers");
   CLI11_PARSE(app, argc, argv);
   set_loop_threads(threads);
-  keep_freed_memory();
   Json kept{{"steps", Json::array()}, {"parts_of_legacy", Json::array()}, {"search", Json::array()}};
   fmt::print("{:>8} {:>9} {:>8} {:>9} {:>9} {:>11} {:>7} {:>9} {:>6} {:>9} {:>8} {:>10}\n", "layout", "profile",
              "blocks", "contacts", "start s", "step ms", "passes", "us/b/pass", "/bound", "kB/block", "growth",
