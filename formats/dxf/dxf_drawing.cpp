@@ -66,8 +66,8 @@ class DrawingMaker {
     return parts_.other();
   }
 
-  /// Layers by table and names; those without a known word get the first joint materials not yet taken, but for drawings of
-  /// the old Windows program: there the colour says the joint material.
+  /// Layers by table and names; those without a known word get the first joint materials not yet taken, but for
+  /// drawings of the old Windows program: there the colour says the joint material.
   void name_layers() {
     find_marks();
     std::set<int> taken;

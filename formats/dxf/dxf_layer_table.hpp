@@ -4,9 +4,9 @@
 // Text, a row a line, comma separated; the first line is
 //   layer,part
 // and each other one the name of a layer (upper or lower case, in quotes where it has a comma) and a part: boundary (or
-// outline), joint N, material N, bolt N, block N, fixed, load, measured, hole, ignored; N counts from 1, and is 1 where it
-// is missing. The layer * stands for all that neither the table nor their own names say. # begins a comment. A case file
-// has the same words in its section `layers`.
+// outline), joint N, material N, bolt N, block N, fixed, load, measured, hole, ignored; N counts from 1, and is 1 where
+// it is missing. The layer * stands for all that neither the table nor their own names say. # begins a comment. A case
+// file has the same words in its section `layers`.
 #pragma once
 
 #include <optional>

@@ -9,8 +9,8 @@
 //   MATERIAL  lines and points that give block material n  MEASURED  measured points
 //   BOLT      bolts, n: bolt type                        HOLE      points whose blocks are taken out
 //   BLOCK     outlines of blocks of block material n, closed polylines
-// A table of layers (dxf_layer_table.hpp) overrules names. Any other layer holds joints; each such layer has a joint material of its own: the first number not yet
-// taken.
+// A table of layers (dxf_layer_table.hpp) overrules names. Any other layer holds joints; each such layer has a joint
+// material of its own: the first number not yet taken.
 #pragma once
 
 #include <optional>

@@ -13,8 +13,8 @@
 namespace keyblock {
 
 /// On a terminal one line renewed a few times a second; elsewhere a line now and then. Between steps that take long,
-/// and in the search for the start or for an equilibrium, it says for how long by now, how far it is and how much time is
-/// left, as far as the search tells that. Nothing under --quiet.
+/// and in the search for the start or for an equilibrium, it says for how long by now, how far it is and how much time
+/// is left, as far as the search tells that. Nothing under --quiet.
 class ProgressLine {
  public:
   /// `steps_done`: by an earlier part of the run.

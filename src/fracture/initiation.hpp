@@ -28,9 +28,9 @@ struct CrackStart {
 /// together; a crack of half-length L under f_t has K = K_Ic (theory of critical distances, Taylor 2007; finite
 /// fracture mechanics, Leguillon 2002). Where the element's side h is above L/2: R = 2h and the strength K_Ic/√(2 π
 /// h) (crack band, Bažant & Oh 1983). Where rock has a cohesion, closed cracks start in shear likewise, with K_IIc, L =
-/// (K_IIc/c)²/π and c for the strength: along the plane on which |τ| + σ tan φ is greatest, at 45° - φ/2 to the greatest
-/// compression (Coulomb 1773; as the crack slides its drop of stress is c where it rubs as the rock did). Of the two
-/// such planes the one at whose ends, L away, that is greater. Within 2 R of a tip that tip goes on instead.
+/// (K_IIc/c)²/π and c for the strength: along the plane on which |τ| + σ tan φ is greatest, at 45° - φ/2 to the
+/// greatest compression (Coulomb 1773; as the crack slides its drop of stress is c where it rubs as the rock did). Of
+/// the two such planes the one at whose ends, L away, that is greater. Within 2 R of a tip that tip goes on instead.
 std::vector<CrackStart> crack_starts(const CoverSolution& solution);
 
 }  // namespace keyblock

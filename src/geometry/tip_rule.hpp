@@ -10,9 +10,9 @@ namespace keyblock {
 /// Over the triangle (tip, from, to), negative where it is clockwise. With the distance d of the tip from the line of
 /// the far edge and v along that line from the foot of the perpendicular,
 ///     x = tip + ρ² (p(v) - tip),  v = d sinh u,
-/// by Gauss points of ρ and of u, on either side of the foot: 1/√r and 1/r become polynomials of ρ, and what varies over
-/// d along the edge becomes even in u (relatives: almost polar rules of Laborde et al. 2005, distance transformations of
-/// Ma & Kamiya 2002). Exact along ρ for ρ^k/r to k = 10.
+/// by Gauss points of ρ and of u, on either side of the foot: 1/√r and 1/r become polynomials of ρ, and what varies
+/// over d along the edge becomes even in u (relatives: almost polar rules of Laborde et al. 2005, distance
+/// transformations of Ma & Kamiya 2002). Exact along ρ for ρ^k/r to k = 10.
 std::vector<AreaPoint> tip_triangle_rule(Point tip, Point from, Point to);
 
 /// Over the region to the left of closed loops (holes clockwise), for integrands whose sources are near-tip fields of

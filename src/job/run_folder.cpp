@@ -277,7 +277,7 @@ void RunFolder::finish(const RunResults& results) {
   outputs_.clear();  // in the same order whatever was written on the way
   write_list_of_frames();
   flush_histories();
-  if (histories_.has_begun()) outputs_.emplace_back(formats::kHistoriesTable.file);
+  if (results.follows_by_choice && histories_.has_begun()) outputs_.emplace_back(formats::kHistoriesTable.file);
   for (const std::string& name : frame_tables_.names()) outputs_.push_back(name);
   write_tables(results.tables);
   if (!results.follows_by_choice)

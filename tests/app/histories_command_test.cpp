@@ -86,7 +86,7 @@ TEST(HistoriesCommand, all_kinds_come_in_long_form_with_units) {
   EXPECT_EQ(last.at("block 3 rotation").second, "rad");
   EXPECT_LT(last.at("block 3 stress_yy").first, 0);
   EXPECT_NEAR(last.at("block 3 contact_force_y").first / kWeight, 1, 1e-6) << "it bears its weight";
-  EXPECT_NEAR(last.at("contact 3-2 force_y").first / kWeight, 1, 1e-6) << "on the first of the two";
+  EXPECT_NEAR(last.at("contact 3-2 force_y").first / kWeight, -1, 1e-6) << "on the first, which lies below the second";
   EXPECT_NEAR(last.at("joint 6 normal_force").first / kWeight, 1, 1e-6);
   EXPECT_EQ(last.at("joint 6 normal_force").second, "N/m");
   EXPECT_NEAR(last.at("line all force_y").first / (2 * kWeight), 1, 1e-6);
@@ -98,11 +98,12 @@ TEST(HistoriesCommand, all_kinds_come_in_long_form_with_units) {
 
 TEST(HistoriesCommand, a_case_file_asks_for_them_too) {
   const std::string folder = case_in("histories_case", R"(, "outputs": {"histories": [
-      {"name": "roof", "point": [0.5, 3]}, {"block": 2}, {"contact": [1, 2]}, {"joint": 5}, {"line": [-1, 2, 2, 2]}]})");
+      {"name": "roof", "point": [0.5, 3]}, {"block": 2}, {"contact": [1, 3]}, {"joint": 5},
+      {"line": [-1, 2, 2, 2]}]})");
   ASSERT_EQ(run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"}).exit_code, 0);
   const auto last = last_of(folder + "/out/histories.csv");
   EXPECT_TRUE(last.contains("point roof displacement_x"));
-  EXPECT_NEAR(last.at("contact 1-2 force_y").first / (-2 * kWeight), 1, 1e-6) << "pressed down by what stands on it";
+  EXPECT_NEAR(last.at("contact 1-3 force_y").first / (-2 * kWeight), 1, 1e-6) << "pressed down by what stands on it";
   EXPECT_NEAR(last.at("joint 5 normal_force").first / (2 * kWeight), 1, 1e-6);
   EXPECT_NEAR(last.at("line -1 2 to 2 2 force_y").first / kWeight, 1, 1e-6);
 }

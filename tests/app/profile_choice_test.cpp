@@ -104,7 +104,7 @@ TEST(ProfileChoice, legacy_that_breaks_off_names_block_and_limit) {
   EXPECT_EQ(run.exit_code, 4);
   EXPECT_TRUE(contains(run.messages, "blocks move too far even at the smallest step: block 2 at ")) << run.messages;
   EXPECT_TRUE(contains(run.messages, "3 times allowed_displacement_ratio")) << run.messages;
-  EXPECT_TRUE(contains(run.messages, "drawn with 1, ")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "drawn with 2, ")) << run.messages;
   EXPECT_TRUE(contains(run.messages, "the old program repeats such a step without end")) << run.messages;
   EXPECT_FALSE(contains(run.messages, "would have ended here too")) << run.messages;
   EXPECT_TRUE(contains(run.messages, "--profile standard")) << run.messages;

@@ -173,16 +173,6 @@ TEST(Shell, a_start_that_nobody_asked_for_is_no_warning) {
   EXPECT_FALSE(contains(run.messages, "start_not_as_asked")) << run.messages;
 }
 
-// The start of many touching blocks, in words that say what was done and what else there is.
-TEST(Shell, a_start_of_many_blocks_says_how_it_was_found) {
-  const std::string folder = fresh_folder("settled_start");
-  const ProgramRun run = run_keyblock({"run", KEYBLOCK_SOURCE_DIR "/legacy_cases/masonry_arch/quake_thin_falls",
-                                       "--profile", "standard", "--set", "steps=1", "-o", folder + "/out"});
-  EXPECT_TRUE(contains(run.messages, "held together under the loads and then let go")) << run.messages;
-  EXPECT_TRUE(contains(run.messages, "--set start=sudden begins without one")) << run.messages;
-  EXPECT_FALSE(contains(run.messages, "glued and softening")) << run.messages;
-}
-
 // A setting that is none, and the nearest that is; warnings come before the first step.
 TEST(Shell, a_setting_that_is_none_has_a_nearest_and_warnings_come_first) {
   const ProgramRun setting =

@@ -255,11 +255,15 @@ TEST(CrackGrowth, needs_statics_toughness_and_elastic_rock) {
   const ProgramRun no_toughness = run_keyblock({"run", file_of("needs", plate(covers + kPulled)), "-o", out});
   EXPECT_EQ(no_toughness.exit_code, 3);
   EXPECT_NE(no_toughness.messages.find("expected a toughness"), std::string::npos) << no_toughness.messages;
+  const std::string scaled =
+      R"("mesh": {"side": 0.2, "tip_side": 0.005}, "cracks": [{"along": [[0, 0], [0.5, 0]]}],
+         "growth": {"increment": 0.1, "loads": "scaled"}, )";
   const ProgramRun in_time =
-      run_keyblock({"run", file_of("time", plate(covers + kPulled, R"(, "toughness": {"mode_1": 10})")), "--set",
+      run_keyblock({"run", file_of("time", plate(scaled + kPulled, R"(, "toughness": {"mode_1": 10})")), "--set",
                     "motion=dynamic", "-o", out});
   EXPECT_EQ(in_time.exit_code, 3);
-  EXPECT_NE(in_time.messages.find("expected statics where cracks grow"), std::string::npos) << in_time.messages;
+  EXPECT_NE(in_time.messages.find("expected statics where cracks grow under scaled loads"), std::string::npos)
+      << in_time.messages;
 }
 
 }  // namespace

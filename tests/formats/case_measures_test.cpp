@@ -43,7 +43,8 @@ const std::string kDrawing = R"("drawing": {"edge_node_ratio": 0.001, "joints": 
   "loading_points": [[1, 2]], "measured_points": [[2, 3]], "hole_points": [[3, 1]]},
  "stages": [{"duration": 0.5, "equilibrium": 0.001, "excavations": [{"outline": [[0, 0], [1, 0], [1, 1]]}],
   "cuts": [[0, 0, 1, 1, 1]], "block_materials": [{"outline": [[0, 0], [1, 0], [1, 1]], "block_material": 1}],
-  "bolts": [[1, 1, 2, 2, 1e7, 1e5, 1e4, 1]], "removed_bolts": [[1]], "held_points": [[0.5, 0.5]], "released": [{"outline": [[0, 0], [1, 0], [1, 1]]}],
+  "bolts": [[1, 1, 2, 2, 1e7, 1e5, 1e4, 1]], "removed_bolts": [[1]], "held_points": [[0.5, 0.5]],
+  "released": [{"outline": [[0, 0], [1, 0], [1, 1]]}],
   "forces": [[0.5, 0.5, 100, -50]], "set": {"time_step": "0.125"}}])";
 const std::string kBlocks = R"("blocks": {"blocks": [{"material": 1, "outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1]],
    "holes": [[[0.5, 0.25, 1], [0.5, 0.5, 1], [0.75, 0.5, 1]]]}],

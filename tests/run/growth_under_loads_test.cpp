@@ -78,7 +78,7 @@ TEST(GrowthUnderLoads, takes_the_energy_of_fracture) {
   // Of the last increment the faces may still be parting.
   EXPECT_LE(taken, 1.0001 * kEnergy * grown);
   EXPECT_GE(taken, 0.99 * kEnergy * (grown - 0.4));
-  EXPECT_NEAR(stepper->tips().front().at.y, 0, 0.1);
+  EXPECT_NEAR(stepper->tips().front().at.y, 0, 0.2) << "half an increment";
 }
 
 TEST(GrowthUnderLoads, left_at_any_step_it_goes_on_to_the_same_bytes) {
@@ -160,12 +160,13 @@ TEST(GrowthUnderLoads, a_beam_on_blocks_breaks_in_two) {
               0.25 * energy);  // the last bit breaks under the block's pressure
 }
 
-// A plate pressed at its ends, narrowest at half its height: the first crack starts in shear at the strength of Coulomb,
-// 2 c cos φ / (1 - sin φ), at 45° + φ/2 to the horizontal.
+// A plate pressed at its ends, narrowest at half its height: the first crack starts in shear at the strength of
+// Coulomb, 2 c cos φ / (1 - sin φ), at 45° + φ/2 to the horizontal.
 TEST(GrowthUnderLoads, a_crack_starts_in_shear_as_coulomb_says) {
   const double friction = 30, cohesion = 5;
   const std::string text = fmt::format(
-      R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[-2, -4, 1], [2, -4, 1], [1.99, 0, 1], [2, 4, 1], [-2, 4, 1],
+      R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[-2, -4, 1], [2, -4, 1], [1.99, 0, 1], [2, 4, 1],
+        [-2, 4, 1],
         [-1.99, 0, 1]]}}]}},
       "covers": {{"mesh": {{"side": 0.5, "angle": 10}}, "growth": {{"increment": 0.4}},
         "tractions": [{{"along": [[2, 4], [-2, 4]], "y": -1}}, {{"along": [[-2, -4], [2, -4]], "y": 1}}],

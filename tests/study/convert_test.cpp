@@ -59,6 +59,7 @@ Content read_back(const Conversion& conversion) {
     if (read.analysis) back.analysis = read.analysis;
     if (read.units) back.units = read.units;
     if (read.choices) back.choices = read.choices;
+    if (read.outputs) back.outputs = read.outputs;
     if (!read.stages.empty()) back.stages = read.stages;
     if (read.motion) back.motion = read.motion;
     if (!read.frames.empty()) back.frames = read.frames;
@@ -97,6 +98,7 @@ std::string rest_of(const Content& content, const std::vector<Loss>& losses) {
   Json json = Json::parse(formats::kKeyblockCase.write(content));
   for (const Loss& loss : losses)
     if (loss.sentence.find(" → ") != std::string::npos) remove_item(json, kSchema, loss.item);
+  json.erase("layers");  // of a drawing that has been read by them
   if (!json.contains("analysis")) return json.dump();
   json["analysis"].erase("dialect");
   for (const char* name : {"fixed_point_motions", "point_loads"}) {  // a point without a curve may have an empty one

@@ -1,5 +1,5 @@
-// Prints how random changes of bodies in flight keep momentum and energy, a hundred changes a run, ten runs of each kind;
-// fails where a run does not end, momentum is off by 1e-12 or energy by 1e-7.
+// Prints how random changes of bodies in flight keep momentum and energy, a hundred changes a run, ten runs of each
+// kind; fails where a run does not end, momentum is off by 1e-12 or energy by 1e-7.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_changes.hpp"
 

@@ -527,6 +527,22 @@ ExitCode run_files(const RunOptions& options) {
   return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr).code;
 }
 
+// What is followed in histories.csv, and which contacts are written.
+std::pair<CLI::Option*, CLI::Option*> add_table_options(CLI::App& options, RunOptions& chosen) {
+  CLI::Option* histories =
+      options
+          .add_option("--history", chosen.histories,
+                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2: followed at every step in "
+                      "histories.csv; may be repeated")
+          ->take_all();
+  CLI::Option* contacts = options.add_option(
+      "--contacts", chosen.contacts,
+      fmt::format("which contacts are written: automatic (all; up to {:g} rows those of every frame), all, chosen "
+                  "(those of histories), none, or N: those of every N-th frame",
+                  kMostContactRows));
+  return {histories, contacts};
+}
+
 }  // namespace
 
 Action configure_run(CLI::App& options) {
@@ -554,17 +570,7 @@ Action configure_run(CLI::App& options) {
           ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
-  CLI::Option* histories =
-      options
-          .add_option("--history", chosen->histories,
-                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2: followed at every step in "
-                      "histories.csv; may be repeated")
-          ->take_all();
-  CLI::Option* contacts = options.add_option(
-      "--contacts", chosen->contacts,
-      fmt::format("which contacts are written: automatic (all; up to {:g} rows those of every frame), all, chosen "
-                  "(those of histories), none, or N: those of every N-th frame",
-                  kMostContactRows));
+  const auto [histories, contacts] = add_table_options(options, *chosen);
   CLI::Option* layers = add_layers_option(options, chosen->layers);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,

@@ -18,9 +18,9 @@ struct TipAxes {
 };
 
 /// √r {cos θ/2, sin θ/2, cos 3θ/2, sin 3θ/2} (Williams 1957; the span of the four of Belytschko & Black 1999), r the
-/// distance from the tip, θ the angle from straight ahead: continued from where it is `middle`, less than half a turn to
-/// either side. Taken for both components of the displacement they are a space that turns with the body: {field of mode
-/// I, of mode II} is none.
+/// distance from the tip, θ the angle from straight ahead: continued from where it is `middle`, less than half a turn
+/// to either side. Taken for both components of the displacement they are a space that turns with the body: {field of
+/// mode I, of mode II} is none.
 struct NearTipValues {
   Eigen::RowVector4d values;
   Eigen::Matrix<double, 2, 4> gradients;  ///< ∂/∂x, ∂/∂y of the plane; not finite at the tip

@@ -22,10 +22,10 @@ struct TipCover {
 };
 
 /// Covers whose node is nearer to a tip than R carry its functions; those nearer than R + 1.5 sides have gradients of
-/// their own in place of derived ones. θ goes on from element to element across the sides that they share, from straight
-/// ahead of the tip: so it knows on which side of a kinked crack an element lies. A cover is left out where elements
-/// about it do not hang together with the tip near it, or where θ jumps between two of them: behind the other end of a
-/// short crack.
+/// their own in place of derived ones. θ goes on from element to element across the sides that they share, from
+/// straight ahead of the tip: so it knows on which side of a kinked crack an element lies. A cover is left out where
+/// elements about it do not hang together with the tip near it, or where θ jumps between two of them: behind the other
+/// end of a short crack.
 class TipEnrichment {
  public:
   /// `plan.radius` 0: R is three times the longest side at the tip.

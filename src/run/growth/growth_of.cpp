@@ -67,7 +67,7 @@ std::string why_not(const Problem& problem, const Scene& scene) {
   if (problem.covers->growth->increment > longest)
     return fmt::format("expected an increment of at most {:.4g}, a quarter of the bodies' lesser extent, found {:.4g}",
                        longest, problem.covers->growth->increment);
-  if (scene.is_untouched &&
+  if (problem.covers->contact == CoverContact::ignored &&
       std::ranges::any_of(materials, [](const BlockMaterial& m) { return m.toughness && m.toughness->cohesion; }))
     return "expected contact felt where cracks start in shear, for their faces rub, found it ignored";
   if (std::ranges::none_of(materials, [](const BlockMaterial& m) { return m.toughness.has_value(); }))

@@ -138,8 +138,9 @@ Eigen::VectorXd loads_of(std::span<const std::vector<FieldPoint>> fields, const 
 
 /// Displacements nearest to those of points in the energy of elastic rock as it is strained there: of all that the
 /// functions hold, the least of ½ ∫ E : C : E + ½ w ∫ |δ|², δ what they lack, E = sym(Fᵀ ∇δ) with the gradient F of the
-/// points. Strain energy then falls by what the functions cannot hold and by no more (Galerkin's orthogonality), which a
-/// projection by mass does not grant. `w` holds the rigid motion, which is among the functions, and decides nothing else.
+/// points. Strain energy then falls by what the functions cannot hold and by no more (Galerkin's orthogonality), which
+/// a projection by mass does not grant. `w` holds the rigid motion, which is among the functions, and decides nothing
+/// else.
 class Displacements {
  public:
   explicit Displacements(const CoverScene& after) : after_(after), system_(system_of(after)) {

@@ -10,7 +10,8 @@
 
 namespace keyblock {
 
-/// How rounds stand. All but the first two are the names of cuts: a shorter step, or a part of the loads, is the remedy.
+/// How rounds stand. All but the first two are the names of cuts: a shorter step, or a part of the loads, is the
+/// remedy.
 enum class RoundsEnd {
   open,               ///< forces are out of balance
   balanced,           ///< they are not

@@ -16,11 +16,11 @@ struct PathPoint {
   double share_change = 0;  ///< in it
 };
 
-/// Newton's method under control by arc length (Riks 1979), on a cylinder: |Δd| = l, the share of the loads being sought with it
-/// (Crisfield 1981). In each round K δ1 = -r and K δ2 = p, p what the loads of the whole scene are; of the two shares
-/// that Δd + δ1 + δs δ2 has on the cylinder that is taken which goes on in the direction of the step. The next step is
-/// guessed along the last, by which it also knows which way is on: a share that has fallen goes on falling. The first
-/// is guessed by elasticity. Rounds stop as those of ShareControl do.
+/// Newton's method under control by arc length (Riks 1979), on a cylinder: |Δd| = l, the share of the loads being
+/// sought with it (Crisfield 1981). In each round K δ1 = -r and K δ2 = p, p what the loads of the whole scene are; of
+/// the two shares that Δd + δ1 + δs δ2 has on the cylinder that is taken which goes on in the direction of the step.
+/// The next step is guessed along the last, by which it also knows which way is on: a share that has fallen goes on
+/// falling. The first is guessed by elasticity. Rounds stop as those of ShareControl do.
 class ArcLength {
  public:
   explicit ArcLength(const LoadedBodies& bodies) : tangent_(bodies) {}
