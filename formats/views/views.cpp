@@ -128,7 +128,8 @@ std::string write_csv(const Content& content) {
   throw std::invalid_argument("there is no geometry and there are no frames to write");
 }
 
-constexpr std::array<std::string_view, 6> kNeverShown{"units", "covers", "analysis", "motion", "tracks", "run"};
+constexpr std::array<std::string_view, 7> kNeverShown{"units",  "covers", "analysis", "motion",
+                                                      "tracks", "run",    "outputs"};
 
 // Everything but the part that the view takes.
 LeftOut all_but(std::string_view part) {

@@ -118,10 +118,10 @@ TEST(Shell, check_of_a_folder_of_cases_says_a_verdict_a_line) {
   EXPECT_TRUE(contains(bad.output, "failed    b.geo: ")) << bad.output;
   const ProgramRun json = run_keyblock({"check", folder, "--json"});
   EXPECT_EQ(json.exit_code, 3);
-  const auto rows = nlohmann::json::parse(json.output);
+  const auto rows = nlohmann::json::parse(json.output).at("jobs");
   bool is_told = false;
   for (const auto& row : rows)
-    if (row.at("name") == "b.geo" && row.at("outcome") == "failed") is_told = true;
+    if (row.at("job") == "b.geo" && row.at("outcome") == "failed") is_told = true;
   EXPECT_TRUE(is_told) << json.output;
 }
 
