@@ -1,8 +1,6 @@
 // Bodies on covers that fly, spin, swing and bend far, against closed forms: benchmarks nmm-02 and nmm-06, the
 // elastica.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/bodies/cover_motion.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,9 +11,12 @@
 #include "terms/cover_inertia.hpp"
 #include "tests/support/continuum_benchmarks.hpp"
 #include "tests/support/cover_modes.hpp"
+#include "tests/support/covers_alone.hpp"
 
 namespace keyblock::cover_motion_test {
 namespace {
+
+using support::CoversAlone;
 
 StepRule weighted(double force_weight, double dt) {
   StandardChoices choices;
@@ -33,8 +34,8 @@ Continuum square(CoverFunctions functions, double h) {
   return continuum;
 }
 
-CoverMotion moving(const ElasticBodies& bodies, const Eigen::Vector3d& rates) {
-  CoverMotion motion = rest(bodies);
+CoverMotion moving(const CoversAlone& alone, const ElasticBodies& bodies, const Eigen::Vector3d& rates) {
+  CoverMotion motion = alone.rest();
   const Point centre = bodies.rigid.motions(motion.q, motion.v)[0].centre;
   motion.v = bodies.rigid.modes(0, motion.q, centre) * rates;
   return motion;
@@ -56,11 +57,11 @@ double area_of(const ElasticBodies& bodies, const Eigen::VectorXd& q) {
 
 TEST(CoverMotion, free_fall_is_exact) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
+    const CoversAlone alone(square(functions, 0.6));
     const ElasticBodies bodies(square(functions, 0.6));
-    CoverEquations equations(bodies);
-    CoverMotion motion = moving(bodies, {2, 3, 0});
+    CoverMotion motion = moving(alone, bodies, {2, 3, 0});
     const Eigen::VectorXd weight = cover_weight(bodies.continuum, bodies.basis(), {0, -10});
-    for (int step = 0; step < 100; ++step) motion = cover_step(equations, motion, weight, weighted(1, 0.01), 0.01).end;
+    for (int step = 0; step < 100; ++step) motion = alone.step(motion, weight, weighted(1, 0.01), 0.01).end;
     const Point at = bodies.elasticity.position(motion.q, 0, {0.5, 0.5});
     EXPECT_NEAR(at.x, 2.5, 1e-12) << name_of(functions);
     EXPECT_NEAR(at.y, 0.5 + 3 - 5, 1e-12);
@@ -77,15 +78,15 @@ struct Spin {
 };
 Spin spin(CoverFunctions functions, double force_weight, int steps) {
   const double dt = 0.01;
+  const CoversAlone alone(square(functions, 0.6));
   const ElasticBodies bodies(square(functions, 0.6));
-  CoverEquations equations(bodies);
-  CoverMotion motion = moving(bodies, {0.3, -0.2, 2});
+  CoverMotion motion = moving(alone, bodies, {0.3, -0.2, 2});
   const RigidMotion start = bodies.rigid.motions(motion.q, motion.v)[0];
   const StepRule rule = weighted(force_weight, dt);
   const Eigen::VectorXd no_load = Eigen::VectorXd::Zero(bodies.unknown_count());
   Spin worst;
   for (int step = 1; step <= steps; ++step) {
-    const ElasticStep made = cover_step(equations, motion, no_load, rule, dt);
+    const CoversAlone::Step made = alone.step(motion, no_load, rule, dt);
     EXPECT_TRUE(made.is_solved) << "step " << step;
     motion = made.end;
     if (step % 100 != 0) continue;
@@ -127,15 +128,15 @@ TEST(CoverMotion, a_weight_above_one_half_damps_strain_and_keeps_momenta) {
 // within a turn.
 TEST(CoverMotion, stiffness_damping_leaves_a_turning_body_alone) {
   const double dt = 0.01;
-  const ElasticBodies bodies(square(CoverFunctions::derived, 0.6), {{}, {0.01}});
-  CoverEquations equations(bodies);
-  CoverMotion motion = moving(bodies, {0, 0, 2});
+  const CoversAlone alone(square(CoverFunctions::derived, 0.6), 0.01);
+  const ElasticBodies bodies(square(CoverFunctions::derived, 0.6));
+  CoverMotion motion = moving(alone, bodies, {0, 0, 2});
   const Eigen::VectorXd no_load = Eigen::VectorXd::Zero(bodies.unknown_count());
   const auto energy = [&] {
     return bodies.rigid.motions(motion.q, motion.v)[0].kinetic_energy + bodies.energy(motion.q, {});
   };
   const auto turn = [&](int steps) {
-    for (int step = 0; step < steps; ++step) motion = cover_step(equations, motion, no_load, weighted(0.5, dt), dt).end;
+    for (int step = 0; step < steps; ++step) motion = alone.step(motion, no_load, weighted(0.5, dt), dt).end;
   };
   turn(300);
   const double settled = energy();
@@ -154,17 +155,17 @@ TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection)
   EXPECT_NEAR(mode.frequency(), 1.0149, 0.002 * 1.0149);
 
   const Eigen::VectorXd& load = bodies.supports.load();
-  const CoverEquilibrium still = cover_equilibrium(bodies, rest(bodies).q, load);
-  ASSERT_TRUE(still.is_solved);
+  const std::optional<Eigen::VectorXd> still = support::at_rest_under_loads(beam.continuum);
+  ASSERT_TRUE(still);
   const int tip_element = element_at(bodies.continuum.manifold, 0, {10, 0.5});
   const auto tip = [&](const Eigen::VectorXd& q) {
     return bodies.elasticity.position(q, tip_element, {10, 0.5}).y - 0.5;
   };
-  EXPECT_NEAR(tip(still.q), 4.0238e-6, 0.002 * 4.0238e-6);
+  EXPECT_NEAR(tip(*still), 4.0238e-6, 0.002 * 4.0238e-6);
 
   const double dt = 0.01;
-  CoverEquations equations(bodies);
-  CoverMotion motion = rest(bodies);
+  const CoversAlone alone(beam.continuum);
+  CoverMotion motion = alone.rest();
   double highest = 0;
   double peak = 0;
   int crossings = 0;
@@ -172,11 +173,11 @@ TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection)
   double first_crossing = 0;
   double before = -1;
   for (int step = 1; step <= 400; ++step) {
-    const ElasticStep made = cover_step(equations, motion, load, weighted(0.5, dt), dt);
+    const CoversAlone::Step made = alone.step(motion, load, weighted(0.5, dt), dt);
     ASSERT_TRUE(made.is_solved);
     motion = made.end;
-    highest = std::max(highest, tip(motion.q) / tip(still.q));
-    const double off = mode.coordinate(motion.q) / mode.coordinate(still.q) - 1;
+    highest = std::max(highest, tip(motion.q) / tip(*still));
+    const double off = mode.coordinate(motion.q) / mode.coordinate(*still) - 1;
     peak = std::max(peak, off + 1);
     if (off > 0 && before <= 0) {
       last_crossing = (step - off / (off - before)) * dt;
@@ -209,23 +210,18 @@ TEST(CoverMotion, a_thin_cantilever_bends_as_the_elastica) {
   continuum.materials = {elastic_material(12 / std::pow(height, 3), 0)};  // EI = 1
   continuum.functions = CoverFunctions::derived;
   continuum.prescribed = {{{corners[3], corners[0]}, Held::both, [](Point, Point) { return Point{}; }}};
-  continuum.tractions = {{{corners[1], corners[2]}, [&](Point, Point) { return Point{0, 1 / height}; }}};
   const ElasticBodies bodies(continuum);
   const int tip = element_at(bodies.continuum.manifold, 0, {1, height / 2});
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(bodies.unknown_count());
-  const auto bend = [&](double from, double to, int steps) {
-    for (int step = 1; step <= steps; ++step) {
-      const double force = from + (to - from) * step / steps;
-      const CoverEquilibrium found = cover_equilibrium(bodies, q, force * bodies.supports.load());
-      EXPECT_TRUE(found.is_solved) << "P = " << force << ", residual " << found.residual;
-      q = found.q;
-    }
-    return bodies.elasticity.position(q, tip, {1, height / 2}) - Point{0, height / 2};
+  const auto bent_by = [&](double force) {
+    continuum.tractions = {{{corners[1], corners[2]}, [&](Point, Point) { return Point{0, force / height}; }}};
+    const std::optional<Eigen::VectorXd> found = support::at_rest_under_loads(continuum);
+    EXPECT_TRUE(found) << "P = " << force;
+    return found ? bodies.elasticity.position(*found, tip, {1, height / 2}) - Point{0, height / 2} : Point{};
   };
-  const Point two = bend(0, 2, 10);
+  const Point two = bent_by(2);
   EXPECT_NEAR(two.y, 0.49346, 1e-3);
   EXPECT_NEAR(1 - two.x, 0.16064, 1e-3);
-  const Point five = bend(2, 5, 10);
+  const Point five = bent_by(5);
   EXPECT_NEAR(five.y, 0.71379, 1e-3);
   EXPECT_NEAR(1 - five.x, 0.38763, 1e-3);
 }

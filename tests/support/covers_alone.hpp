@@ -1,31 +1,37 @@
-// Bodies on covers that nothing touches, moved by the step of the program and brought to rest by its Newton's method.
+// Bodies on covers that nothing touches, moved by the step of the program and brought to rest by its statics.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <variant>
 
 #include "model/continuum.hpp"
 #include "model/setup/from_manifold.hpp"
 #include "step/groups/cover_group.hpp"
-#include "step/rest/share_control.hpp"
+#include "step/standard_stepper.hpp"
 #include "step/time/smooth_solve.hpp"
 
 namespace keyblock::support {
+
+inline Scene scene_of_covers(const Continuum& continuum) {
+  Analysis analysis;
+  analysis.block_materials = continuum.materials;
+  analysis.joint_materials.emplace_back();
+  Scene scene{model_from_manifold(continuum.manifold, {}, analysis), {}};
+  scene.model.continuum = std::make_shared<Continuum>(continuum);
+  return scene;
+}
 
 class CoversAlone {
  public:
   /// `stiffness_damping`: of all bodies, time.
   explicit CoversAlone(const Continuum& continuum, double stiffness_damping = 0) {
-    Analysis analysis;
-    analysis.block_materials = continuum.materials;
-    analysis.joint_materials.emplace_back();
-    Model model = model_from_manifold(continuum.manifold, {}, analysis);
-    model.continuum = std::make_shared<Continuum>(continuum);
-    Settings settings;
-    if (stiffness_damping > 0) settings.stiffness_damping = std::optional(stiffness_damping);
-    scene_ = std::make_unique<StandardScene>(standard_scene(std::move(model), std::move(settings)));
+    Scene scene = scene_of_covers(continuum);
+    if (stiffness_damping > 0) scene.settings.stiffness_damping = std::optional(stiffness_damping);
+    scene_ = std::make_unique<StandardScene>(standard_scene(std::move(scene.model), std::move(scene.settings)));
     start_ = start_motion(*scene_);
     for (const auto& group : scene_->groups)
       if (const auto* covers = dynamic_cast<const CoverGroup*>(group.get())) covers_ = &covers->bodies();
@@ -65,27 +71,16 @@ class CoversAlone {
   const CoverScene* covers_ = nullptr;
 };
 
-/// The states at rest of bodies whose loads grow from none.
-class RestUnderLoads {
- public:
-  explicit RestUnderLoads(const Continuum& continuum)
-      : bodies_(continuum), control_(bodies_), now_(bodies_.at_start()) {
-    bodies_.begin(now_, nullptr);
-  }
-
-  /// At a share of the loads, from the last; none: no state was found.
-  std::optional<Eigen::VectorXd> at(double share) {
-    NewtonRounds rounds;
-    std::optional<LoadedState> found = control_.solve(now_, now_.d, share, rounds);
-    if (!found) return std::nullopt;
-    now_ = std::move(*found);
-    return now_.d;
-  }
-
- private:
-  LoadedBodies bodies_;
-  ShareControl control_;
-  LoadedState now_;
-};
+/// Where the loads of bodies on covers are in balance, as far as they have to go; none: no such state was found.
+inline std::optional<Eigen::VectorXd> at_rest_under_loads(const Continuum& continuum) {
+  Scene scene = scene_of_covers(continuum);
+  scene.settings.standard.motion = MotionRule::equilibrium;
+  scene.settings.velocity_carry_over = 0;
+  scene.settings.step_count = 1;
+  scene.settings.time_step = scene.settings.allowed_displacement_ratio = 1;
+  StandardStepper stepper(std::move(scene));
+  if (!std::holds_alternative<StepReport>(stepper.advance())) return std::nullopt;
+  return stepper.on_covers()->d;
+}
 
 }  // namespace keyblock::support

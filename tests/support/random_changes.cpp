@@ -149,8 +149,15 @@ ChangesTold told_of_changes(const Problem& problem) {
   Ledger ledger;
   Observer observer;
   observer.on_ledger = [&](const LedgerRow& row) { ledger.rows.push_back(row); };
-  const RunOutcome outcome = run(prepare(problem, "standard", {}).scene, 1000, observer);
   ChangesTold told;
+  Scene scene;
+  try {
+    scene = prepare(problem, "standard", {}).scene;
+  } catch (const InputError& error) {  // covers that a random cut leaves without mass
+    told.why = told.refused = error.what();
+    return told;
+  }
+  const RunOutcome outcome = run(scene, 1000, observer);
   if (outcome.end != RunEnd::finished) told.why = outcome.reason.empty() ? "it did not end" : outcome.reason;
   told.scenes = outcome.scenes.size();
   const int first = problem.stages[0].steps;

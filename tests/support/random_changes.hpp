@@ -19,7 +19,8 @@ enum class ChangingBodies {
 Problem random_changes(ChangingBodies bodies, int rows, int count, unsigned seed, CoverFunctions functions);
 
 struct ChangesTold {
-  std::string why;  ///< it ended before its last stage; empty: it did not
+  std::string why;      ///< it ended before its last stage; empty: it did not
+  std::string refused;  ///< why it was not begun
   std::size_t scenes = 0;
   double at_change = 0;  ///< greatest change of momentum in a step that begins with a change which takes no body away
   double momentum = 0;   ///< closure of the whole run

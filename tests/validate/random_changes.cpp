@@ -1,5 +1,6 @@
-// Prints how random changes of bodies in flight keep momentum and energy, a hundred changes a run, ten runs of each
-// kind; fails where a run does not end, momentum is off by 1e-12 or energy by 1e-7.
+// Prints how random changes of bodies in flight keep momentum and energy, a thousand of each kind; fails where a run
+// does not end, momentum is off by 1e-12 or energy by 1e-7. Runs are of a hundred changes, and of ten where covers have
+// gradients of their own: cut ever smaller, these lose their mass in round-off, and such scenes are refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_changes.hpp"
 
@@ -15,8 +16,7 @@
 int main() {
   using namespace keyblock;
   using support::ChangingBodies;
-  constexpr int kChanges = 100;
-  constexpr unsigned kSeeds = 10;
+  constexpr int kChanges = 1000;
   constexpr double kMomentum = 1e-12;
   constexpr double kEnergy = 1e-7;
   const struct {
@@ -27,23 +27,27 @@ int main() {
                {"meshes", ChangingBodies::meshes, {std::begin(kAllCoverFunctions), std::end(kAllCoverFunctions)}},
                {"one mesh", ChangingBodies::one_mesh, {CoverFunctions::constant, CoverFunctions::derived}}};
   int missed = 0;
-  fmt::print("{:<9} {:<10} {:>7} {:>6} {:>11} {:>11}\n", "bodies", "functions", "changes", "failed", "momentum",
-             "energy");
+  fmt::print("{:<9} {:<10} {:>7} {:>7} {:>6} {:>11} {:>11}\n", "bodies", "functions", "changes", "refused", "failed",
+             "momentum", "energy");
   for (const auto& [name, bodies, all_functions] : kinds)
     for (const CoverFunctions functions : all_functions) {
-      int failed = 0;
+      const bool has_own_gradients = functions == CoverFunctions::linear || functions == CoverFunctions::quadratic;
+      const int changes = has_own_gradients ? 10 : 100;
+      int failed = 0, refused = 0;
       double momentum = 0, energy = 0;
-      for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+      for (unsigned seed = 1; seed <= unsigned(kChanges / changes); ++seed) {
         const support::ChangesTold told =
-            support::told_of_changes(support::random_changes(bodies, 5, kChanges, seed, functions));
+            support::told_of_changes(support::random_changes(bodies, 5, changes, seed, functions));
+        refused += told.refused.empty() ? 0 : 1;
+        if (!told.refused.empty()) continue;
         if (!told.why.empty()) fmt::print("  seed {}: scene {}: {}\n", seed, told.scenes, told.why);
         failed += told.why.empty() ? 0 : 1;
         momentum = std::max(momentum, told.at_change);
         energy = std::max(energy, told.energy);
       }
-      const bool holds = failed == 0 && momentum < kMomentum && energy < kEnergy;
+      const bool holds = failed == 0 && (has_own_gradients || refused == 0) && momentum < kMomentum && energy < kEnergy;
       missed += holds ? 0 : 1;
-      fmt::print("{:<9} {:<10} {:>7} {:>6} {:>11.1e} {:>11.1e}{}\n", name, name_of(functions), kSeeds * kChanges,
+      fmt::print("{:<9} {:<10} {:>7} {:>7} {:>6} {:>11.1e} {:>11.1e}{}\n", name, name_of(functions), kChanges, refused,
                  failed, momentum, energy, holds ? "" : "  MISSED");
       std::fflush(stdout);
     }

@@ -109,7 +109,7 @@ class Swing {
 };
 
 Eigen::VectorXd still_of(const Continuum& continuum) {
-  const std::optional<Eigen::VectorXd> found = support::RestUnderLoads(continuum).at(1);
+  const std::optional<Eigen::VectorXd> found = support::at_rest_under_loads(continuum);
   check(found.has_value(), "there is a state at rest");
   return found.value();
 }

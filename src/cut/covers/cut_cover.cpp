@@ -92,6 +92,21 @@ class Elements {
   std::vector<int> corner_;  // that it leaves
 };
 
+/// A body so thin that all of its elements are lost in round-off, as what a region leaves that was dug out along an
+/// outline of the body, is none: the others are numbered on without it.
+void leave_out_empty(Manifold& manifold) {
+  std::vector<int> number(manifold.body_materials.size(), -1);
+  for (const ManifoldElement& element : manifold.elements) number[static_cast<std::size_t>(element.body)] = 0;
+  std::vector<int> materials;
+  for (std::size_t b = 0; b < number.size(); ++b) {
+    if (number[b] < 0) continue;
+    number[b] = static_cast<int>(materials.size());
+    materials.push_back(manifold.body_materials[b]);
+  }
+  for (ManifoldElement& element : manifold.elements) element.body = number[static_cast<std::size_t>(element.body)];
+  manifold.body_materials = std::move(materials);
+}
+
 }  // namespace
 
 Manifold cut_cover(const BodyGraph& graph, TriangleMesh mesh) {
@@ -101,6 +116,7 @@ Manifold cut_cover(const BodyGraph& graph, TriangleMesh mesh) {
   manifold.body_materials = graph.materials;
   Elements elements(graph, cut, manifold);
   elements.add_all();
+  leave_out_empty(manifold);
   elements.add_boundary();
   set_covers(manifold);
   manifold.tips = tips_of(graph);

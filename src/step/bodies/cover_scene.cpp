@@ -92,6 +92,26 @@ ElementIndex first_on_covers(const Model& model) {
   return model.elements.end_index();
 }
 
+/// Displacements of all corners of elements by unknowns.
+Eigen::SparseMatrix<double> values_at_corners(const Continuum& continuum, const CoverBasis& basis) {
+  std::vector<Eigen::Triplet<double>> values;
+  int row = 0;
+  for (int e = 0; e < basis.element_count(); ++e) {
+    const ElementShape shape = basis.shape(e);
+    for (const auto& loop : continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]))
+      for (const Point& corner : loop) {
+        const Eigen::RowVectorXd n = shape.values(corner);
+        for (int a = 0; a < shape.function_count(); ++a)
+          for (int i = 0; i < 2; ++i)
+            values.emplace_back(row + i, 2 * shape.functions[static_cast<std::size_t>(a)] + i, n(a));
+        row += 2;
+      }
+  }
+  Eigen::SparseMatrix<double> matrix(row, 2 * basis.function_count());
+  matrix.setFromTriplets(values.begin(), values.end());
+  return matrix;
+}
+
 }  // namespace
 
 CoverScene::CoverScene(const Model& model, const Settings& settings)
@@ -100,6 +120,8 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
       kinematics_(std::make_shared<CoverKinematics>(model, first_, bodies_.basis())),
       equations_(std::make_unique<CoverEquations>(bodies_)),
       mass_inverse_(std::make_shared<MassAnswer>(bodies_)) {
+  if (definiteness_of(bodies_.continuum.functions) == Definiteness::semidefinite)
+    at_corners_ = values_at_corners(bodies_.continuum, bodies_.basis());
   weight_ = bodies_.supports.load();
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(bodies_.unknown_count());
   initial_force_ = -bodies_.elasticity.force(still, still, 1);
@@ -119,6 +141,11 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
     const BlockMaterial& material = bodies_.continuum.materials[static_cast<std::size_t>(number)];
     slow_frequency_ = std::min(slow_frequency_, std::sqrt(material.youngs_modulus / material.density) / size_);
   }
+}
+
+Eigen::VectorXd CoverScene::felt(const Eigen::VectorXd& unknowns) const {
+  if (at_corners_.rows() == 0) return unknowns.cwiseAbs();
+  return (at_corners_ * unknowns).cwiseAbs();
 }
 
 int CoverScene::body_of(ElementIndex e) const {

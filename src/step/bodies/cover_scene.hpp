@@ -52,6 +52,9 @@ class CoverScene {
   std::vector<WholeBody> whole(const Eigen::VectorXd& d, const Eigen::VectorXd& forces) const;
   Eigen::VectorXd momentum(const Eigen::VectorXd& v) const { return bodies_.mass.times(v); }  ///< M v
   static double top_speed(const Eigen::VectorXd& v);
+  /// How far unknowns like these move the bodies, without sign: the unknowns themselves, or, where unknowns may depend
+  /// on each other and be large for nothing, what they move at the corners of all elements.
+  Eigen::VectorXd felt(const Eigen::VectorXd& unknowns) const;
   /// The greatest of a body: the sum over its functions, whatever the directions.
   double largest_load(const Eigen::VectorXd& forces) const;
   double greatest_momentum(const Eigen::VectorXd& v) const { return largest_load(momentum(v)); }
@@ -101,6 +104,7 @@ class CoverScene {
   Eigen::VectorXd initial_force_;
   std::unique_ptr<CoverEquations> equations_;
   std::shared_ptr<const SharedFlexibility> mass_inverse_;
+  Eigen::SparseMatrix<double> at_corners_;  ///< of unknowns that may depend on each other; empty else
 };
 
 }  // namespace keyblock

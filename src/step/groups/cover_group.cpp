@@ -181,7 +181,7 @@ void CoverGroup::look_at_bodies(const SceneParts&, const UnknownsTable& q, const
 }
 
 double CoverGroup::greatest_change(const UnknownsTable& a, const UnknownsTable& b) const {
-  return (a.shared - b.shared).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / bodies_->size();
+  return bodies_->felt(a.shared - b.shared).maxCoeff<Eigen::PropagateNaN>() / bodies_->size();
 }
 
 double CoverGroup::step_error(const BodiesMotion& before, const BodiesMotion& after, const StepRule& rule,
@@ -190,8 +190,8 @@ double CoverGroup::step_error(const BodiesMotion& before, const BodiesMotion& af
   const Eigen::VectorXd mean =
       rule.carries_acceleration() ? Eigen::VectorXd(before.a.shared + change / 2) : after.a.shared;
   const Eigen::VectorXd error =
-      dt * dt * (rule.error_of_change * change.cwiseAbs() + rule.error_of_acceleration * mean.cwiseAbs()) +
-      dt * (after.v.shared - before.v.shared - dt * mean).cwiseAbs();
+      dt * dt * (rule.error_of_change * bodies_->felt(change) + rule.error_of_acceleration * bodies_->felt(mean)) +
+      dt * bodies_->felt(after.v.shared - before.v.shared - dt * mean);
   return error.maxCoeff<Eigen::PropagateNaN>() / bodies_->size();
 }
 
