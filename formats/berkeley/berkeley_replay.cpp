@@ -48,7 +48,7 @@ std::int64_t whole_frames(const Head& head, std::size_t numbers) {
   return (static_cast<std::int64_t>(numbers) - head.before_frames()) / head.frame();
 }
 
-Recognition recognise(const Tokens& tokens) {
+Recognition recognise_replay(const Tokens& tokens) {
   using Fit = Recognition::Fit;
   const auto head = head_of(tokens.numbers);
   if (!head) return {};
@@ -194,8 +194,9 @@ Reading read_tokens(const Tokens& tokens, const ReadHint&) {
 
 }  // namespace
 
-constinit const Format kBerkeleyReplay{
-    "berkeley-replay", "replay file of Berkeley's DDA (frames)", nullptr, read_split<read_tokens>, nullptr, recognise,
-    read_tokens};
+constinit const Format kBerkeleyReplay{"berkeley-replay", "replay file of Berkeley's DDA (frames)",
+                                       nullptr,           read_split<read_tokens>,
+                                       nullptr,           recognise_replay,
+                                       read_tokens};
 
 }  // namespace keyblock::formats

@@ -21,7 +21,7 @@ bool is_ours(const Element& root) {
   return root.name() == "DDA" || root.name() == "Geometry" || root.name() == "Analysis";
 }
 
-Recognition recognise(const Source& source) {
+Recognition recognise_model(const Source& source) {
   using Fit = Recognition::Fit;
   if (!begins_with_markup(source.text)) return {};
   try {
@@ -38,7 +38,7 @@ std::vector<Element> sections_of(const Element& root) {
   return {root};
 }
 
-Reading read(const Source& source, const ReadHint&) {
+Reading read_model(const Source& source, const ReadHint&) {
   const Document document(source);
   const Element root = document.root();
   if (!is_ours(root))
@@ -70,7 +70,7 @@ Reading read(const Source& source, const ReadHint&) {
 
 }  // namespace
 
-constinit const Format kDdaml{"ddaml", "DDAML (XML geometry and analysis of Berkeley's DDA)", recognise, read,
-                              ddaml_text};
+constinit const Format kDdaml{"ddaml", "DDAML (XML geometry and analysis of Berkeley's DDA)", recognise_model,
+                              read_model, ddaml_text};
 
 }  // namespace keyblock::formats

@@ -9,18 +9,16 @@
 namespace keyblock::formats {
 namespace {
 
-using Fit = Recognition::Fit;
-
 Recognition recognise_extended(const Source& source) {
   if (!without_bom(source.text).starts_with("#!0xDDA")) return {};
-  return {Fit::exact, "it begins with #!0xDDA"};
+  return {Recognition::Fit::exact, "it begins with #!0xDDA"};
 }
 
 Recognition recognise_disk(const Tokens& tokens) {
   const std::span<const double> n = tokens.numbers;
   const auto is_fraction = [](double v) { return v > 0 && v < 1; };
   if (n.size() < 3 || !(n[0] == 0 || n[0] == 1 || n[0] == 2) || !is_fraction(n[1]) || !is_fraction(n[2])) return {};
-  return {Fit::exact, "it begins with a kind of 0, 1 or 2 and two integration weights between 0 and 1"};
+  return {Recognition::Fit::exact, "it begins with a kind of 0, 1 or 2 and two integration weights between 0 and 1"};
 }
 
 }  // namespace

@@ -18,24 +18,6 @@ constexpr std::size_t kMostOfEmptyCurves = 12;
 // As Shi's samples have it.
 constexpr double kDisplacementRatioOfToday = 0.01;
 
-// A number and the name of a unit, which no expression is: x, y and functions are none.
-bool is_quantity(std::string_view text) {
-  const std::optional<Quantity> quantity = quantity_in(text);
-  return quantity && unit_named(quantity->unit);
-}
-
-// The number that a text stands for, in the units of the case; `or_else`: what else may stand there.
-double converted_at(const JsonValue& value, std::string_view name, const std::optional<Measure>& of,
-                    std::string_view or_else) {
-  const Measure measure = of.value_or(measures::kNumber);
-  const auto [number, lacks_units] = converted(value.string(), measure, value.units());
-  if (lacks_units)
-    value.fail(fmt::format(
-        "{}: units of the case (\"units\": {{\"length\": \"m\", …}}), into which a value is converted", name));
-  if (!number) value.fail(fmt::format("{}: {}, or {}", name, or_else, example_of(measure)));
-  return *number;
-}
-
 // What a setting measures; those of meshes are the keys of `mesh`.
 std::optional<Measure> measure_of_choice(const std::string& name) {
   constexpr std::string_view kMesh = "mesh.";
@@ -57,35 +39,6 @@ Analysis CaseReading::start_of_analysis() const {
   analysis.plane_strain = true;
   analysis.allowed_displacement_ratio = kDisplacementRatioOfToday;
   return analysis;
-}
-
-void CaseReading::real(std::string_view name, double& value, const Demand& demand) {
-  const auto fail_at = [&](const JsonValue& at) { at.fail(fmt::format("{} of {}: {}", name, noun_, demand.wording)); };
-  if (take(name)) {
-    if (value_->kind() == JsonKind::string && takes_unit(noun_, name))
-      value = converted_at(*value_, name, measure_of(noun_, name), "a number");
-    else if (value_->kind() != JsonKind::number)
-      fail_at(*value_);
-    else
-      value = value_->number();
-    if (!demand.holds(value)) fail_at(*value_);
-  } else if (!demand.holds(value)) {
-    if (missing_.empty()) missing_ = fmt::format("the key {} of {}: {}", name, noun_, demand.wording);
-  }
-}
-
-void CaseReading::index(std::string_view name, int& value) {
-  constexpr Demand number{[](double v) { return is_whole(v) && std::abs(v) <= std::numeric_limits<int>::max(); },
-                          "a whole number"};
-  double from_one = static_cast<double>(value) + 1;
-  real(name, from_one, number);
-  value = static_cast<int>(from_one - 1);
-}
-
-void CaseReading::optional_index(std::string_view name, std::optional<int>& value) {
-  std::optional<int> number;
-  optional_integer(name, number, kAtLeastOne);
-  if (number) value = *number - 1;
 }
 
 void CaseReading::flag(std::string_view name, bool& value) {
@@ -119,42 +72,6 @@ void CaseReading::mass_by(std::string_view force, std::string_view stress, Units
     units.mass = mass_of_stress(unit, units.length, units.time);
     if (units.mass.empty()) value_->fail(fmt::format("length and time in {}, with which mass follows", noun_));
   }
-}
-
-void CaseReading::formula(std::string_view name, Formula& formula) {
-  if (!take(name)) return;
-  if (value_->kind() != JsonKind::number && value_->kind() != JsonKind::string)
-    value_->fail(fmt::format("{} of {}: a number or an expression in quotes", name, noun_));
-  formula.place = value_->place();
-  if (value_->kind() == JsonKind::number)
-    formula.text = format_real(value_->number());
-  else if (is_quantity(value_->string()) && takes_unit(noun_, name))
-    formula.text = format_real(converted_at(*value_, name, measure_of(noun_, name), "a number, an expression"));
-  else
-    formula.text = value_->string();
-}
-
-void CaseReading::optional_formula(std::string_view name, std::optional<Formula>& formula) {
-  Formula given;
-  given.text.clear();
-  this->formula(name, given);
-  if (!given.text.empty()) formula = given;
-}
-
-void CaseReading::optional_real(std::string_view name, std::optional<double>& value, const Demand& demand) {
-  if (!from_.member(name)) {
-    known_.push_back(name);
-    return;
-  }
-  real(name, value.emplace(), demand);
-}
-
-void CaseReading::optional_integer(std::string_view name, std::optional<int>& value, const Demand& demand) {
-  if (!from_.member(name)) {
-    known_.push_back(name);
-    return;
-  }
-  integer(name, value.emplace(), demand);
 }
 
 TimeCurve CaseReading::curve_of(const JsonValue& from, std::string_view name) {

@@ -13,33 +13,22 @@
 #include <vector>
 
 #include "formats/case_file/material_library.hpp"
+#include "formats/case_file/number_fields.hpp"
 #include "formats/case_file/unit_names.hpp"
-#include "formats/case_file/taken_fields.hpp"
-#include "formats/text/demands.hpp"
-#include "problem/formula.hpp"
 
 namespace keyblock::formats {
 
 /// Reads the fields of one JSON value into one struct.
-class CaseReading : public TakenFields {
+class CaseReading : public NumberFields {
  public:
   static constexpr bool is_writing = false;
 
-  using TakenFields::TakenFields;
+  using NumberFields::NumberFields;
 
   /// Where an analysis begins whose keys say nothing: as in version 1 of the layout, or as in version 2.
   void take_defaults_of_today() { is_of_today_ = true; }
   Analysis start_of_analysis() const;
 
-  void real(std::string_view name, double& value, const Demand& demand = {[](double) { return true; }, "a number"});
-  template <class Integer>
-  void integer(std::string_view name, Integer& value, const Demand& demand) {
-    double number = static_cast<double>(value);
-    real(name, number, demand);
-    value = static_cast<Integer>(number);
-  }
-  void index(std::string_view name, int& value);
-  void optional_index(std::string_view name, std::optional<int>& value);
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
   /// A unit of force, or of stress, from which that of mass follows.
@@ -65,8 +54,6 @@ class CaseReading : public TakenFields {
       fill(of_kind(JsonKind::object, name), name, value.emplace());
     }
   }
-  void formula(std::string_view name, Formula& formula);
-  void optional_formula(std::string_view name, std::optional<Formula>& formula);
   template <class Enum>
   void word(std::string_view name, Enum& value, std::span<const std::string_view> words) {
     std::string found(words[static_cast<std::size_t>(value)]);
@@ -79,8 +66,6 @@ class CaseReading : public TakenFields {
   void optional_word(std::string_view name, std::optional<Enum>& value, std::span<const std::string_view> words) {
     if (from_.member(name)) word(name, value ? *value : value.emplace(), words);
   }
-  void optional_real(std::string_view name, std::optional<double>& value, const Demand& demand);
-  void optional_integer(std::string_view name, std::optional<int>& value, const Demand& demand);
 
   template <class T>
   void row(std::string_view name, T& value) {

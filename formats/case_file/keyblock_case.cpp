@@ -338,7 +338,7 @@ void name_file(std::optional<Part>& part, const std::string& file) {
   if (part) part->place = {file};
 }
 
-Reading read(const Source& source, const ReadHint&) {
+Reading read_case(const Source& source, const ReadHint&) {
   std::optional<JsonText> parsed;
   if (is_yaml_case(source.text))
     read_yaml(parsed.emplace(source, JsonText::Unread{}), source);
@@ -390,7 +390,7 @@ Reading read(const Source& source, const ReadHint&) {
   return reading;
 }
 
-std::string write(const Content& content) {
+std::string write_case(const Content& content) {
   if (!fits_a_case(content))
     throw std::invalid_argument("a case file needs a geometry, an analysis, a motion or results");
   std::string text;
@@ -410,6 +410,6 @@ bool fits_a_case(const Content& content) {
          !content.stages.empty() || !content.frames.empty() || !content.tracks.empty();
 }
 
-const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read, write};
+const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read_case, write_case};
 
 }  // namespace keyblock::formats

@@ -215,7 +215,7 @@ class DrawingMaker {
   /// block material. A clockwise loop inside the one before it is a hole of that.
   void add_block(const DxfShape& shape, const DxfLayer& layer) {
     for (std::size_t i = 0; i < shape.points.size(); ++i) {
-      const auto own = i < shape.side_layers.size() ? layer_of(shape.side_layers[i]) : std::nullopt;
+      const auto own = i < shape.side_layers.size() ? part_of(shape.side_layers[i]) : std::nullopt;
       const bool names_joint = own && own->role == DxfRole::joint && !own->number_is_too_long;
       result_.drawing.joints.push_back({side(shape, i), names_joint ? own->index : 0, shape.place});
     }

@@ -89,7 +89,7 @@ std::string_view first_line(std::string_view text) {
   return trimmed(text.substr(0, text.find('\n')));
 }
 
-Recognition recognise(const Source& source) {
+Recognition recognise_table(const Source& source) {
   std::string head = lower(first_line(without_bom(source.text)));
   std::erase(head, ' ');
   if (head != kHeader) return {};
@@ -108,7 +108,7 @@ std::string unquoted(std::string_view text) {
   return name;
 }
 
-Reading read(const Source& source, const ReadHint&) {
+Reading read_table(const Source& source, const ReadHint&) {
   Reading reading;
   LayerTable& table = reading.content.layers;
   std::string_view rest = without_bom(source.text);
@@ -182,6 +182,6 @@ std::vector<std::size_t> LayerParts::unused() const {
   return rows;
 }
 
-constinit const Format kDxfLayers{"dxf-layers", "layers of a DXF drawing (table)", recognise, read};
+constinit const Format kDxfLayers{"dxf-layers", "layers of a DXF drawing (table)", recognise_table, read_table};
 
 }  // namespace keyblock::formats

@@ -16,7 +16,7 @@
 namespace keyblock::formats {
 namespace {
 
-void append(std::string& text, std::initializer_list<double> values) {
+void append_row(std::string& text, std::initializer_list<double> values) {
   for (double value : values) {
     text += ',';
     text += format_real(value);
@@ -104,13 +104,13 @@ std::string headings_of(const RunTable& table, bool has_plastic, const Units& un
 
 void append_plastic(std::string& text, const std::optional<PlasticState>& plastic, const Stress& stress) {
   if (plastic) {
-    append(text, {plastic->xx, plastic->yy, plastic->xy, plastic->zz, plastic->equivalent});
+    append_row(text, {plastic->xx, plastic->yy, plastic->xy, plastic->zz, plastic->equivalent});
     text += fmt::format(",{},{:d}", static_cast<int>(plastic->region), plastic->has_yielded);
   } else {
     text += ",,,,,,,";
   }
   const StressInvariants invariants = invariants_of(stress);
-  append(text, {invariants.mean, invariants.von_mises, invariants.lode_deg});
+  append_row(text, {invariants.mean, invariants.von_mises, invariants.lode_deg});
 }
 
 void append_number_or_nothing(std::string& text, std::span<const double> values, std::size_t index) {
@@ -123,7 +123,7 @@ void append_totals(std::string& text, const std::optional<PlasticTotals>& plasti
     text += ",,,";
     return;
   }
-  append(text, {plastic->yielded_fraction(), plastic->yielding_fraction()});
+  append_row(text, {plastic->yielded_fraction(), plastic->yielding_fraction()});
   text += ',';
   if (plastic->work) text += format_real(*plastic->work);
 }
@@ -174,24 +174,24 @@ std::string history_csv(const History& history, const Units& units) {
   std::string text = columns.header(units);
   for (const HistoryRow& row : history.rows) {
     text += fmt::format("{}", row.step);
-    append(text, {row.time});
+    append_row(text, {row.time});
     for (std::size_t i = 0; i < columns.points; ++i) {
       if (i < row.points.size() && is_there(row.points[i]))
-        append(text, {row.points[i].position.x, row.points[i].position.y, row.points[i].displacement.x,
-                      row.points[i].displacement.y});
+        append_row(text, {row.points[i].position.x, row.points[i].position.y, row.points[i].displacement.x,
+                          row.points[i].displacement.y});
       else
         text += ",,,,";
     }
     for (std::size_t i = 0; i < columns.bolts; ++i) append_number_or_nothing(text, row.bolt_forces, i);
     for (std::size_t i = 0; i < columns.reactions; ++i) {
       if (i < row.reactions.size())
-        append(text, {row.reactions[i].x, row.reactions[i].y});
+        append_row(text, {row.reactions[i].x, row.reactions[i].y});
       else
         text += ",,";
     }
     for (std::size_t i = 0; i < columns.driven; ++i) append_number_or_nothing(text, row.driven, i);
-    if (columns.has_share) append(text, {row.load_share.value_or(0)});
-    if (columns.has_factor) append(text, {row.load_factor});
+    if (columns.has_share) append_row(text, {row.load_share.value_or(0)});
+    if (columns.has_factor) append_row(text, {row.load_factor});
     if (columns.has_plastic) append_totals(text, row.plastic);
     text += '\n';
   }
@@ -206,10 +206,10 @@ std::string points_csv(const History& history, const Units& units) {
       const PointFrame& p = row.points[i];
       if (!is_there(p)) continue;
       text += fmt::format("{}", row.step);
-      append(text, {row.time});
+      append_row(text, {row.time});
       text += fmt::format(",{}", i + 1);
-      append(text, {p.position.x, p.position.y, p.displacement.x, p.displacement.y, p.stress.xx, p.stress.yy,
-                    p.stress.xy, p.stress.zz});
+      append_row(text, {p.position.x, p.position.y, p.displacement.x, p.displacement.y, p.stress.xx, p.stress.yy,
+                        p.stress.xy, p.stress.zz});
       if (has_plastic) append_plastic(text, p.plastic, p.stress);
       text += '\n';
     }
@@ -221,9 +221,9 @@ std::string steps_csv(std::span<const StepReport> steps, const Units& units) {
   std::string text = headings(kTraceOfSteps, units) + '\n';
   for (const StepReport& step : steps) {
     text += fmt::format("{}", step.step);
-    append(text, {step.time, step.dt});
+    append_row(text, {step.time, step.dt});
     text += fmt::format(",{},{},{},{}", step.passes, step.contacts, step.closed, step.matrix_blocks);
-    append(text, {step.penalty, step.displacement_ratio, step.greatest_penetration});
+    append_row(text, {step.penalty, step.displacement_ratio, step.greatest_penetration});
     text += '\n';
   }
   return text;
@@ -234,7 +234,7 @@ std::string rounds_csv(std::span<const StepReport> steps) {
   for (const StepReport& step : steps)
     for (std::size_t i = 0; i < step.residuals.size(); ++i) {
       text += fmt::format("{},{}", step.step, i);
-      append(text, {step.residuals[i]});
+      append_row(text, {step.residuals[i]});
       text += '\n';
     }
   return text;
@@ -247,10 +247,10 @@ std::string blocks_csv(std::span<const Frame> frames, const Units& units) {
     for (std::size_t i = 0; i < frame.elements.size(); ++i) {
       const ElementFrame& block = frame.elements[i];
       text += fmt::format("{}", frame.step);
-      append(text, {frame.time});
+      append_row(text, {frame.time});
       text += fmt::format(",{},{}", number_of(frame, i) + 1, block.material + 1);
-      append(text, {block.centroid.x, block.centroid.y, block.rotation, block.displacement.x, block.displacement.y,
-                    block.stress.xx, block.stress.yy, block.stress.xy, block.area, block.stress.zz});
+      append_row(text, {block.centroid.x, block.centroid.y, block.rotation, block.displacement.x, block.displacement.y,
+                        block.stress.xx, block.stress.yy, block.stress.xy, block.area, block.stress.zz});
       if (has_plastic) append_plastic(text, block.plastic, block.stress);
       text += '\n';
     }

@@ -19,7 +19,7 @@ void append(std::string& text, bool is_there, double value) {
   if (is_there) text += format_real(value);
 }
 
-void append(std::string& text, const TipState& tip, std::size_t number) {
+void append_tip(std::string& text, const TipState& tip, std::size_t number) {
   text += fmt::format(",{},{},{}", number + 1, tip.crack + 1, tip.at_end ? 2 : 1);
   for (const double value : {tip.at.x, tip.at.y, tip.length}) append(text, true, value);
   for (const double value : {tip.mode_1, tip.mode_2, tip.energy_release, tip.equivalent, tip.kink * kDegrees})
@@ -35,7 +35,7 @@ std::string tips_csv(const History& history, const Units& units) {
   for (const HistoryRow& row : history.rows)
     for (std::size_t i = 0; i < row.tips.size(); ++i) {
       text += fmt::format("{},{},{}", row.step, format_real(row.time), format_real(row.load_factor));
-      append(text, row.tips[i], i);
+      append_tip(text, row.tips[i], i);
     }
   if (text.empty()) return text;
   return headings(kTipsTable, units) + '\n' + text;

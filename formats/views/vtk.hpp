@@ -13,7 +13,7 @@
 // principal_stress_greatest and _least, principal_axis; and body (from 1) among the cell data.
 // Where rock may yield (frame.plastic) also cell data, at the centroid, and with stress at corners but for the last two
 // point data: plastic_strain_xx _yy _xy _zz since the start (components of the tensor, xy half of the shear angle),
-// equivalent_plastic_strain (κ = ∫ √(2/3) ‖dev dεᵖ‖), mean_stress, von_mises_stress, lode_angle_degree
+// equivalent_plastic_strain (κ = ∫ √(2/3) ‖dev dεᵖ‖), mean_stress, von_mises_stress, lode_angle
 // (material/stress_invariants.hpp), yield_state at the end of the step (0 elastic, 1 smooth part of the surface,
 // 2 edge, 3 apex, 4 tension), has_yielded since the start (0, 1); rock that cannot yield has no plastic strain.
 // .pvd: VTK XML Collection; 17 significant digits of time, so that each double is told from its neighbours.

@@ -151,6 +151,11 @@ std::optional<Point> line_beside(const Manifold& manifold, const CrackTip& tip, 
   return nearest;
 }
 
+double rayleigh_speed(const PlaneElasticity& rock, double density) {
+  const double nu = rock.is_plane_strain ? rock.poissons_ratio : rock.poissons_ratio / (1 + rock.poissons_ratio);
+  return std::sqrt(rock.shear_modulus() / density) * (0.862 + 1.14 * nu) / (1 + nu);
+}
+
 Point turned_to_left(Point direction, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};

@@ -40,6 +40,10 @@ std::optional<Point> facing_tip(const Manifold& manifold, Point tip, Point direc
 /// The nearest point of another line that is not behind the tip, within `reach`: where a tip without room goes.
 std::optional<Point> line_beside(const Manifold& manifold, const CrackTip& tip, double reach);
 
+/// Of waves along a free surface, length / time, within half a per cent (Achenbach 1973, Wave Propagation in Elastic
+/// Solids): what a tip in mode I nears and never passes (Freund 1990, Dynamic Fracture Mechanics, chapter 7).
+double rayleigh_speed(const PlaneElasticity& rock, double density);
+
 /// A direction turned to the left by an angle (rad).
 Point turned_to_left(Point direction, double angle);
 

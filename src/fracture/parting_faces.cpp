@@ -12,7 +12,7 @@ namespace keyblock {
 namespace {
 
 constexpr int kPoints = 12;  // of a piece: tip_side is a sixteenth of an increment unless the case says otherwise
-// Of the pull, that goes at once: 1 % of the force of a release under just the toughness.
+// What of the square of the pull goes at once: a force of 1 % less than under just the toughness.
 constexpr double kGoesAtOnce = 0.02;
 // Of the energy: what is left of it is nothing, and the faces have parted.
 constexpr double kParted = 1e-4;
@@ -34,7 +34,7 @@ int element_at(const Manifold& manifold, Point p) {
   return -1;
 }
 
-Point opening(const PartingPoint& point, const std::function<Point(int, Point)>& displacement) {
+Point opening_at(const PartingPoint& point, const std::function<Point(int, Point)>& displacement) {
   return displacement(point.left, point.at) - displacement(point.right, point.at);
 }
 
@@ -68,7 +68,7 @@ void put_elements(PartingFaces& faces, const Manifold& manifold) {
 void let_go(PartingFaces& faces, const std::function<Point(int, Point)>& displacement) {
   for (PartingPoint& point : faces.points) {
     if (point.left < 0) continue;
-    const Point apart = opening(point, displacement);
+    const Point apart = opening_at(point, displacement);
     faces.taken -= faces.share * dot(point.pull, apart - point.apart);
     point.apart = apart;
   }
@@ -78,7 +78,7 @@ void let_go(PartingFaces& faces, const std::function<Point(int, Point)>& displac
 
 void look_at_openings(PartingFaces& faces, const std::function<Point(int, Point)>& displacement) {
   for (PartingPoint& point : faces.points)
-    if (point.left >= 0) point.apart = opening(point, displacement);
+    if (point.left >= 0) point.apart = opening_at(point, displacement);
 }
 
 }  // namespace keyblock

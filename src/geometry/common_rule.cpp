@@ -15,7 +15,7 @@ struct SignedTriangle {
   double sign = 1;
 };
 
-std::vector<SignedTriangle> fan_of(std::span<const std::vector<Point>> loops) {
+std::vector<SignedTriangle> triangles_about(std::span<const std::vector<Point>> loops) {
   std::vector<SignedTriangle> fan;
   for (const std::vector<Point>& loop : loops)
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
@@ -37,7 +37,7 @@ bool overlap(const Box& a, const Box& b) {
 }
 
 // What lies to the left of the line from a to b.
-std::vector<Point> left_of(const std::vector<Point>& polygon, Point a, Point b) {
+std::vector<Point> half_plane_of(const std::vector<Point>& polygon, Point a, Point b) {
   std::vector<Point> kept;
   const auto side = [&](Point p) { return cross(b - a, p - a); };
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -53,7 +53,8 @@ std::vector<Point> left_of(const std::vector<Point>& polygon, Point a, Point b) 
 
 std::vector<Point> common_part(const SignedTriangle& a, const SignedTriangle& b) {
   std::vector<Point> part(a.corners.begin(), a.corners.end());
-  for (std::size_t i = 0; i < 3 && part.size() > 2; ++i) part = left_of(part, b.corners[i], b.corners[(i + 1) % 3]);
+  for (std::size_t i = 0; i < 3 && part.size() > 2; ++i)
+    part = half_plane_of(part, b.corners[i], b.corners[(i + 1) % 3]);
   return part;
 }
 
@@ -62,8 +63,8 @@ std::vector<Point> common_part(const SignedTriangle& a, const SignedTriangle& b)
 std::vector<AreaPoint> common_rule(std::span<const std::vector<Point>> a, std::span<const std::vector<Point>> b,
                                    int degree) {
   std::vector<AreaPoint> rule;
-  const std::vector<SignedTriangle> others = fan_of(b);
-  for (const SignedTriangle& one : fan_of(a)) {
+  const std::vector<SignedTriangle> others = triangles_about(b);
+  for (const SignedTriangle& one : triangles_about(a)) {
     const Box box = box_of(one);
     for (const SignedTriangle& other : others) {
       if (!overlap(box, box_of(other))) continue;

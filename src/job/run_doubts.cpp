@@ -140,6 +140,32 @@ void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) 
   }
 }
 
+// Under given loads a tip that cannot be judged stays where it is, and at rest each step sees one increment.
+void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last, const Place& place) {
+  const CrackGrowth* growth = prepared.scene.growth.get();
+  if (growth == nullptr || growth->plan.loads != GrowthLoads::given) return;
+  const bool is_at_rest = is_statics(prepared.scene.settings);
+  const auto number_of = [&](const TipState& tip) { return &tip - last.tips.data() + 1; };
+  for (const TipState& tip : last.tips) {
+    if (!tip.has_room && !tip.goes_on && tip.toughness > 0) {
+      judgement.doubts.push_back(
+          {"tip_without_room", place,
+           fmt::format(
+               "tip {} at {:.4g}, {:.4g} has no factors: no domain of elements about it is free of other lines, "
+               "and whether it would go on is not known; a smaller tip_side gives it room",
+               number_of(tip), tip.at.x, tip.at.y)});
+      return;
+    }
+    if (is_at_rest && tip.goes_on) {
+      judgement.doubts.push_back({"tips_still_go_on", place,
+                                  fmt::format("tip {} at {:.4g}, {:.4g} would go on under the loads of the last step: "
+                                              "at rest a step sees one increment, and more steps are needed",
+                                              number_of(tip), tip.at.x, tip.at.y)});
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
@@ -151,6 +177,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, place);
   add_stages(found, record.outcome, place);
+  add_tips(judgement, prepared, last, place);
   return judgement;
 }
 

@@ -5,13 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "base/error.hpp"
 #include "formats/dxf/dxf_writer.hpp"
-#include "formats/registry.hpp"
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/csv.hpp"
 #include "formats/text/tips_csv.hpp"
@@ -33,38 +29,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kRecord = "run.json";
-constexpr const char* kCheckpoint = "checkpoint.h5";
-constexpr const char* kFrameList = "fields.pvd";
-constexpr const char* kReactionFile = "reactions.svg";
 // The list is written whole each time: of many frames not with each.
 constexpr std::chrono::milliseconds kListEvery{500};
 
 // Rows of histories are written in lots.
 constexpr std::size_t kLotOfRows = 1 << 16;
-
-// What a run may leave in its folder, beside its tables, and all that it may leave.
-constexpr std::array<std::string_view, 10> kOtherFiles{kRecord,      kFrameList,    "picture.svg", "energy.svg",
-                                                       "field.svg",  "plastic.svg", kReactionFile, "cracks.svg",
-                                                       "cracks.dxf", kCheckpoint};
-// What is written as the run goes: a run that was killed leaves it without a record.
-constexpr std::array<const formats::RunTable*, 9> kGrowing{
-    &formats::kContactsTable, &formats::kJointsTable,    &formats::kJointLinesTable,
-    &formats::kBoltsTable,    &formats::kHistoriesTable, &formats::kHistoryTable,
-    &formats::kPointsTable,   &formats::kStepTable,      &formats::kLedgerTable};
-
-std::vector<std::string> growing_files() {
-  std::vector<std::string> files{kFrameList};
-  for (const formats::RunTable* table : kGrowing) files.emplace_back(table->file);
-  return files;
-}
-
-std::vector<std::string> all_files() {
-  std::vector<std::string> files(kOtherFiles.begin(), kOtherFiles.end());
-  for (const formats::RunTable* table : formats::run_tables())
-    if (table->file != kFrameFolder) files.emplace_back(table->file);
-  return files;
-}
 
 // Layer JOINT_2 has those that started in shear, JOINT_1 all others.
 std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
@@ -85,55 +54,22 @@ std::string histories_header(const Units& units) {
 
 RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace, Units units)
     : folder_(std::move(folder)),
+      files_(folder_, overwrite),
       units_(std::move(units)),
       frame_files_(folder_),
       frame_tables_(folder_, units_),
       histories_(folder_ / formats::kHistoriesTable.file, histories_header(units_)),
-      trace_(trace),
-      overwrite_(overwrite) {
-  if (fs::exists(folder_) && !fs::is_directory(folder_))
-    throw UsageError(fmt::format("{} is a file, not a folder", folder_.string()));
-  require_names_free();
+      trace_(trace) {
+  files_.require_free();
   // A link to a folder is no folder of this run: what lies behind it is the user's.
   if (const fs::path frames = folder_ / kFrameFolder;
       fs::exists(fs::symlink_status(frames)) && !fs::is_directory(fs::symlink_status(frames)))
     throw UsageError(fmt::format("{} is a file or a link, not a folder", frames.string()));
 }
 
-void RunFolder::require_names_free() const {
-  for (const std::string& name : all_files()) require_free(folder_ / name, overwrite_);
-  require_free(folder_ / kFrameFolder, overwrite_);
-}
-
 RunFolder::RunFolder(fs::path folder, Trace trace, Units units)
     : RunFolder(std::move(folder), Overwrite::yes, trace, std::move(units)) {
   lock_ = FolderLock(folder_);
-}
-
-// By its record; a run that was killed before it wrote one left its frames and checkpoint alone.
-std::set<std::string> RunFolder::written_before() const {
-  std::set<std::string> names{kRecord, kCheckpoint};
-  if (!fs::is_regular_file(folder_ / kRecord)) {
-    if (fs::is_regular_file(folder_ / kCheckpoint))
-      for (const std::string& name : growing_files()) names.insert(name);
-    return names;
-  }
-  const auto record = nlohmann::json::parse(formats::load((folder_ / kRecord).string()).text, nullptr, false);
-  if (!record.is_object() || !record.contains("outputs")) return names;
-  const std::vector<std::string> files = all_files();
-  for (const auto& name : record.at("outputs"))
-    if (name.is_string() && std::ranges::find(files, name.get<std::string>()) != files.end()) names.insert(name);
-  return names;
-}
-
-void RunFolder::clear() {
-  std::error_code error;
-  for (const std::string& name : written_before()) {
-    fs::remove(folder_ / name, error);
-    if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
-  }
-  FrameFiles::remove_others(folder_, {});
-  remove_drafts(folder_);
 }
 
 // Whatever came to stand there since the folder was looked at is another run's, or the user's.
@@ -142,21 +78,21 @@ void RunFolder::begin(const std::string& checkpoint) {
   made_folder_ = fs::create_directories(folder_, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
   lock_ = FolderLock(folder_);
-  if (overwrite_ == Overwrite::yes)
-    clear();
+  if (files_.overwrite() == Overwrite::yes)
+    files_.remove_earlier();
   else
-    require_names_free();
+    files_.require_free();
   if (!checkpoint.empty()) write_durably(checkpoint_in(folder_), checkpoint, Overwrite::no);
   const bool made_frames = fs::create_directory(folder_ / kFrameFolder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));
-  if (!made_frames && overwrite_ == Overwrite::no)
+  if (!made_frames && files_.overwrite() == Overwrite::no)
     throw UsageError(fmt::format("{} holds the frames of another run; give another folder", folder_.string()));
 }
 
 void RunFolder::take_back() {
   std::error_code error;
   frame_files_.remove();
-  for (const std::string& name : growing_files()) fs::remove(folder_ / name, error);
+  files_.remove_growing();
   fs::remove(checkpoint_in(folder_), error);
   fs::remove(folder_ / kFrameFolder, error);  // unless something else lies there
   if (made_folder_) fs::remove(folder_, error);
@@ -187,7 +123,7 @@ void RunFolder::write_checkpoint(const std::string& bytes) {
 void RunFolder::remove_checkpoint() {
   if (!fs::exists(checkpoint_in(folder_))) return;
   flush_frames();
-  for (const std::string& name : outputs_) flush_to_disk(folder_ / name);
+  for (const std::string& name : files_.names()) flush_to_disk(folder_ / name);
   flush_to_disk(folder_);
   fs::remove(checkpoint_in(folder_));
 }
@@ -201,19 +137,12 @@ void RunFolder::describe(Archive& archive) {
   frame_files_.require_unchanged(archive);
 }
 
-void RunFolder::write(std::string_view file, const std::string& text) {
-  const std::string name(file);
-  write_file(folder_ / name, text, own_.contains(name) ? Overwrite::yes : overwrite_);
-  own_.insert(name);
-  if (std::ranges::find(outputs_, name) == outputs_.end()) outputs_.push_back(name);
-}
-
 void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
   const ContactFrames shown = frame_tables_.shown(contacts);
   frame_files_.write(frame, field, shown, units_);
   frame_tables_.append(frame, shown, contacts);
   if (const auto now = std::chrono::steady_clock::now(); now - listed_ > kListEvery) {
-    write(kFrameList, frame_files_.list());
+    files_.write(kFrameList, frame_files_.list());
     listed_ = now;
   }
   if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
@@ -236,17 +165,19 @@ void RunFolder::write_list_of_frames() {
     frame_files_.require_there();
   } catch (const OutputError&) {
     std::error_code error;
-    if (own_.contains(kFrameList)) fs::remove(folder_ / kFrameList, error);
+    if (files_.is_own(kFrameList)) fs::remove(folder_ / kFrameList, error);
     throw;
   }
-  write(kFrameList, frame_files_.list());
+  files_.write(kFrameList, frame_files_.list());
 }
 
 void RunFolder::write_tables(const RunTables& tables) {
-  write(formats::kHistoryTable.file, formats::history_csv(tables.history, units_));
-  write(formats::kStepTable.file, tables.steps);
-  if (!tables.ledger.empty()) write(formats::kLedgerTable.file, tables.ledger);
-  if (tables.history.of_measured_points) write(formats::kPointsTable.file, formats::points_csv(tables.history, units_));
+  flush_histories();
+  files_.write(formats::kHistoryTable.file, formats::history_csv(tables.history, units_));
+  files_.write(formats::kStepTable.file, tables.steps);
+  if (!tables.ledger.empty()) files_.write(formats::kLedgerTable.file, tables.ledger);
+  if (tables.history.of_measured_points)
+    files_.write(formats::kPointsTable.file, formats::points_csv(tables.history, units_));
 }
 
 void RunFolder::write_pictures(const RunResults& results) {
@@ -254,51 +185,52 @@ void RunFolder::write_pictures(const RunResults& results) {
   const History& history = tables.history;
   const std::string at_end =
       fmt::format("{}, time {:g}{}{}", title, field.time, units_.time.empty() ? "" : " ", units_.time);
-  write("picture.svg", report::run_picture({title,
-                                            frames_.front(),
-                                            frames_.back(),
-                                            displacement_curves(history, frames_.front(), field),
-                                            {with_unit("time", measures::kTime, units_),
-                                             with_unit("displacement", measures::kLength, units_)},
-                                            units_.time,
-                                            marked,
-                                            marked_words,
-                                            units_}));
-  if (!ledger.rows.empty()) write("energy.svg", report::energy_picture(title + ", energy", ledger, units_));
-  write("field.svg", report::field_picture({at_end, field, field, frames_.back().measured_points,
-                                            report::most_varied(field), is_of_motion, units_}));
-  if (field.plastic) write("plastic.svg", report::plastic_picture({at_end, field, frames_.back().outlines, units_}));
+  files_.write("picture.svg", report::run_picture({title,
+                                                   frames_.front(),
+                                                   frames_.back(),
+                                                   displacement_curves(history, frames_.front(), field),
+                                                   {with_unit("time", measures::kTime, units_),
+                                                    with_unit("displacement", measures::kLength, units_)},
+                                                   units_.time,
+                                                   marked,
+                                                   marked_words,
+                                                   units_}));
+  if (!ledger.rows.empty()) files_.write("energy.svg", report::energy_picture(title + ", energy", ledger, units_));
+  files_.write("field.svg", report::field_picture({at_end, field, field, frames_.back().measured_points,
+                                                   report::most_varied(field), is_of_motion, units_}));
+  if (field.plastic)
+    files_.write("plastic.svg", report::plastic_picture({at_end, field, frames_.back().outlines, units_}));
   if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
-    write(kReactionFile, report::reaction_picture(title + ", reactions", curves, units_));
+    files_.write(kReactionFile, report::reaction_picture(title + ", reactions", curves, units_));
 }
 
 void RunFolder::finish(const RunResults& results) {
   const History& history = results.tables.history;
-  outputs_.clear();  // in the same order whatever was written on the way
+  files_.forget_names();
   write_list_of_frames();
   flush_histories();
-  if (results.follows_by_choice && histories_.has_begun()) outputs_.emplace_back(formats::kHistoriesTable.file);
-  for (const std::string& name : frame_tables_.names()) outputs_.push_back(name);
+  if (results.follows_by_choice && histories_.has_begun()) files_.name(formats::kHistoriesTable.file);
+  for (const std::string& name : frame_tables_.names()) files_.name(name);
   write_tables(results.tables);
   if (!results.follows_by_choice)
-    write(formats::kHistoriesTable.file,
-          histories_header(units_) + most_moved_rows(history, frames_.front(), results.field, units_));
+    files_.write(formats::kHistoriesTable.file,
+                 histories_header(units_) + most_moved_rows(history, frames_.front(), results.field, units_));
   write_pictures(results);
   if (const std::string tips = formats::tips_csv(history, units_); !tips.empty()) {
-    write(formats::kTipsTable.file, tips);
-    write("cracks.svg",
-          report::crack_picture({results.title + ", cracks", frames_.front(), history, results.field, units_}));
+    files_.write(formats::kTipsTable.file, tips);
+    files_.write("cracks.svg",
+                 report::crack_picture({results.title + ", cracks", frames_.front(), history, results.field, units_}));
   }
-  if (!results.field.cracks.empty()) write("cracks.dxf", dxf_of(results.field.cracks, units_));
+  if (!results.field.cracks.empty()) files_.write("cracks.dxf", dxf_of(results.field.cracks, units_));
   if (trace_ == Trace::no) return;
-  write(formats::kTraceOfSteps.file, formats::steps_csv(results.steps, units_));
+  files_.write(formats::kTraceOfSteps.file, formats::steps_csv(results.steps, units_));
   if (std::ranges::any_of(results.steps, [](const StepReport& step) { return !step.residuals.empty(); }))
-    write(formats::kTraceOfRounds.file, formats::rounds_csv(results.steps));
-  write(formats::kTraceOfBlocks.file, formats::blocks_csv(frames_, units_));
+    files_.write(formats::kTraceOfRounds.file, formats::rounds_csv(results.steps));
+  files_.write(formats::kTraceOfBlocks.file, formats::blocks_csv(frames_, units_));
 }
 
 void RunFolder::write_record(const std::string& json) {
-  write(kRecord, json);
+  files_.write(kRecord, json);
 }
 
 fs::path checkpoint_in(const fs::path& folder) {

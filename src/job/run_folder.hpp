@@ -4,9 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
-#include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +14,7 @@
 #include "job/folder/frame_files.hpp"
 #include "job/folder/frame_tables.hpp"
 #include "job/folder/growing_table.hpp"
+#include "job/folder/output_files.hpp"
 #include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/extremes.hpp"
@@ -111,19 +110,16 @@ class RunFolder {
   Extremes extremes() const { return extremes_of(frames_.front(), frames_.back()); }
 
   /// Names of what was written, in order.
-  const std::vector<std::string>& outputs() const { return outputs_; }
+  const std::vector<std::string>& outputs() const { return files_.names(); }
 
  private:
-  void require_names_free() const;
-  void write(std::string_view file, const std::string& text);
   void write_list_of_frames();
   void write_pictures(const RunResults& results);
-  void clear();
-  std::set<std::string> written_before() const;
   void flush_frames();
   void flush_histories();
 
   std::filesystem::path folder_;
+  OutputFiles files_;
   Units units_;
   FolderLock lock_;  ///< of a new run from `begin` on
   FrameFiles frame_files_;
@@ -133,10 +129,7 @@ class RunFolder {
   std::chrono::steady_clock::time_point listed_ = {};  ///< when the list of frames was written last
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
-  std::vector<std::string> outputs_;
-  std::set<std::string> own_;  ///< written by this process, and so its to write again
   bool made_folder_ = false;
-  Overwrite overwrite_ = Overwrite::yes;  ///< of what stands there before; a run that goes on meets its own files
 };
 
 /// Where a run's folder has its checkpoint.

@@ -35,7 +35,7 @@ std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
 
 // As the legend of the picture has it.
 std::string what_failed_does(const RunOutcome& outcome, Dynamics dynamics) {
-  const std::string blocks = outcome.elements.size() == 1 ? fmt::format("block {}", outcome.elements.front().value + 1)
+  const std::string blocks = outcome.elements.size() == 1 ? fmt::format("block {}", outcome.numbers.front())
                                                           : counted(outcome.elements.size(), "block");
   const bool is_inside_out =
       outcome.failure != FailureKind::accelerates && outcome.reason.find("turned inside out") != std::string::npos;
@@ -69,6 +69,7 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
 
 void RunJob::choose_outputs() {
   const OutputPlan& plan = options_.outputs;
+  if (plan.place.line > 0) require_choice(plan);
   if (plan.contacts == ContactTables::chosen && !followed_.follows_contacts())
     throw UsageError("contacts are to be those of histories, and there is no history of a block, a contact or a joint");
   const int frames = 1 + prepared_.scene.settings.step_count / std::max(1, record_.record_every);
@@ -87,11 +88,12 @@ void RunJob::follow(const Stepper& stepper) {
 
 Warnings RunJob::remarks_on_outputs() const {
   if (folder_.frame_tables().thinned_every() < 2) return {};
-  return {
-      {"contacts_thinned", options_.place,
-       fmt::format("contacts.csv and joints.csv would have {:.3g} rows and more; beyond {:g} they hold one frame of "
-                   "{} (--contacts all: every frame; none or chosen: less)",
-                   folder_.frame_tables().expected_rows(), kMostContactRows, folder_.frame_tables().thinned_every())}};
+  return {{"contacts_thinned", options_.place,
+           fmt::format("contacts.csv, joints.csv and joint_lines.csv would have {:.3g} rows and more; beyond {:g} they "
+                       "hold one frame of "
+                       "{} (--contacts all: every frame; none or chosen: less)",
+                       folder_.frame_tables().expected_rows(), kMostContactRows,
+                       options_.outputs.contacts_every * folder_.frame_tables().thinned_every())}};
 }
 
 void RunJob::open() {

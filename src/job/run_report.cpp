@@ -106,7 +106,7 @@ Json outcome_json(const RunRecord& record, const Settings& settings) {
     json["reason"] = outcome.reason;
     json["contacts"] = contacts;
     json["blocks"] = Json::array();
-    for (const ElementIndex e : outcome.elements) json["blocks"].push_back(e.value + 1);
+    for (const int number : outcome.numbers) json["blocks"].push_back(number);
     json["try"] = what_to_try(settings, outcome);
   }
   Json doubts = Json::array();

@@ -17,7 +17,7 @@ namespace {
 /// A number with its derivatives by the three trial stresses and κ.
 using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
 template <class T>
-using Stress = std::array<T, 3>;
+using Principal = std::array<T, 3>;
 
 constexpr double kDegree = std::numbers::pi / 180;
 // Of the stress at hand: what multipliers, order and limits may miss by rounding when sides are chosen.
@@ -118,12 +118,12 @@ constexpr std::array<Corner, 8> kTensionCorners = {{
 /// Of a side: normal, D times its flow, and the limit.
 template <class T>
 struct SideAt {
-  Stress<T> normal, relaxed;
+  Principal<T> normal, relaxed;
   T limit;
 
   SideAt(Side side, const Planes<T>& p, const Eigen::Matrix3d& d) {
     normal.fill(T(0.0));
-    Stress<T> flow;
+    Principal<T> flow;
     flow.fill(T(0.0));
     const auto i = static_cast<std::size_t>(side.greater);
     if (side.lesser < 0) {
@@ -144,12 +144,12 @@ struct SideAt {
 };
 
 template <class T>
-T dot(const Stress<T>& a, const Stress<T>& b) {
+T dot(const Principal<T>& a, const Principal<T>& b) {
   return T(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
 /// What the sides of a corner give way by, x.
-Eigen::Vector3d multipliers(const Corner& corner, const Stress<double>& trial, const Planes<double>& p,
+Eigen::Vector3d multipliers(const Corner& corner, const Principal<double>& trial, const Planes<double>& p,
                             const Eigen::Matrix3d& d) {
   Eigen::Matrix3d system = Eigen::Matrix3d::Identity();
   Eigen::Vector3d beyond = Eigen::Vector3d::Zero();
@@ -164,11 +164,12 @@ Eigen::Vector3d multipliers(const Corner& corner, const Stress<double>& trial, c
 
 /// The stress on one side or on two of them, before rounding is taken out of what they fix.
 template <class T>
-Stress<T> relaxed_onto(const Corner& corner, const Stress<T>& trial, const Planes<T>& p, const Eigen::Matrix3d& d) {
+Principal<T> relaxed_onto(const Corner& corner, const Principal<T>& trial, const Planes<T>& p,
+                          const Eigen::Matrix3d& d) {
   const SideAt<T> a(corner.sides[0], p, d);
   const T beyond = T(dot(a.normal, trial) - a.limit);
   const T stiffness = dot(a.normal, a.relaxed);
-  Stress<T> stress = trial;
+  Principal<T> stress = trial;
   if (corner.count == 1) {
     const T x = T(beyond / stiffness);
     for (std::size_t i = 0; i < 3; ++i) stress[i] = T(trial[i] - x * a.relaxed[i]);
@@ -186,7 +187,7 @@ Stress<T> relaxed_onto(const Corner& corner, const Stress<T>& trial, const Plane
 
 /// The stress in a corner: what its sides fix is set, not subtracted, so that it lies on them to the last digit.
 template <class T>
-Stress<T> land(const Corner& corner, const Stress<T>& trial, const Planes<T>& p, const Eigen::Matrix3d& d) {
+Principal<T> land(const Corner& corner, const Principal<T>& trial, const Planes<T>& p, const Eigen::Matrix3d& d) {
   const auto below = [&](const T& greater) { return T(p.ratio * greater - p.strength); };
   if (corner.count == 0) return {p.apex(), p.apex(), p.apex()};
   const bool limits = corner.region == YieldRegion::tension;
@@ -197,7 +198,7 @@ Stress<T> land(const Corner& corner, const Stress<T>& trial, const Planes<T>& p,
     const bool lower = corner.sides[1].lesser == 1;
     return {p.tension, lower ? low : p.tension, low};
   }
-  const Stress<T> s = relaxed_onto(corner, trial, p, d);
+  const Principal<T> s = relaxed_onto(corner, trial, p, d);
   if (!limits) {
     if (corner.count == 1) return {s[0], s[1], below(s[0])};
     if (corner.sides[1].greater == 0) return {s[0], below(s[0]), below(s[0])};
@@ -208,15 +209,15 @@ Stress<T> land(const Corner& corner, const Stress<T>& trial, const Planes<T>& p,
   return {p.tension, corner.count == 2 ? p.tension : s[1], s[2]};
 }
 
-bool is_ordered(const Stress<double>& s) {
+bool is_ordered(const Principal<double>& s) {
   return s[0] >= s[1] && s[1] >= s[2];
 }
 
-Corner shear_corner(const Stress<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
-  const Stress<double> plane = land(kPlane, trial, p, d);
+Corner shear_corner(const Principal<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
+  const Principal<double> plane = land(kPlane, trial, p, d);
   if (is_ordered(plane)) return kPlane;
   const auto holds = [&](const Corner& edge) {
-    const Stress<double> s = land(edge, trial, p, d);
+    const Principal<double> s = land(edge, trial, p, d);
     return !p.has_apex() || s[0] >= s[2];
   };
   if (plane[0] < plane[1] && holds(kUpperEdge)) {
@@ -228,15 +229,16 @@ Corner shear_corner(const Stress<double>& trial, const Planes<double>& p, const 
 }
 
 /// By how much a corner's stress breaks what makes it the one sought.
-double fault_of(const Corner& corner, const Stress<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
-  const Stress<double> s = land(corner, trial, p, d);
+double fault_of(const Corner& corner, const Principal<double>& trial, const Planes<double>& p,
+                const Eigen::Matrix3d& d) {
+  const Principal<double> s = land(corner, trial, p, d);
   double fault = std::max({s[1] - s[0], s[2] - s[1], s[0] - p.tension, p.ratio * s[0] - s[2] - p.strength});
   const Eigen::Vector3d x = multipliers(corner, trial, p, d) * d(0, 0);
   for (int i = 0; i < corner.count; ++i) fault = std::max(fault, -x(i));
   return std::isfinite(fault) ? fault : std::numeric_limits<double>::infinity();
 }
 
-Corner corner_of(const Stress<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
+Corner corner_of(const Principal<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
   const bool sheared = p.ratio * trial[0] - trial[2] > p.strength;
   const Corner shear = sheared ? shear_corner(trial, p, d) : kPlane;
   if (!p.limited || (sheared ? land(shear, trial, p, d)[0] : trial[0]) <= p.tension) return shear;
@@ -297,13 +299,13 @@ struct ConeAt {
 };
 
 template <class T>
-T mean_of(const Stress<T>& s) {
+T mean_of(const Principal<T>& s) {
   return T((s[0] + s[1] + s[2]) / 3.0);
 }
 
 /// √J2.
 template <class T>
-T shear_of(const Stress<T>& s) {
+T shear_of(const Principal<T>& s) {
   using std::sqrt;
   const T a = T(s[0] - s[1]), b = T(s[1] - s[2]), c = T(s[2] - s[0]);
   return T(sqrt(T((a * a + b * b + c * c) / 6.0)));
@@ -313,29 +315,29 @@ enum class ConePart { cone, apex, limit, rim };
 
 /// The deviator, without what rounding of a great mean leaves in its own.
 template <class T>
-Stress<T> deviator_of(const Stress<T>& s) {
+Principal<T> deviator_of(const Principal<T>& s) {
   const T mean = mean_of(s);
-  const Stress<T> d = {T(s[0] - mean), T(s[1] - mean), T(s[2] - mean)};
+  const Principal<T> d = {T(s[0] - mean), T(s[1] - mean), T(s[2] - mean)};
   const T rest = mean_of(d);
   return {T(d[0] - rest), T(d[1] - rest), T(d[2] - rest)};
 }
 
 /// The stress of this deviator's direction with √J2 and the mean given.
 template <class T>
-Stress<T> with_shear(const Stress<T>& trial, const T& shear, const T& mean) {
+Principal<T> with_shear(const Principal<T>& trial, const T& shear, const T& mean) {
   const T ratio = T(shear / shear_of(trial));
-  Stress<T> s = deviator_of(trial);
+  Principal<T> s = deviator_of(trial);
   for (T& value : s) value = T(value * ratio + mean);
   return s;
 }
 
 template <class T>
-Stress<T> land(ConePart part, const Stress<T>& trial, const ConeAt<T>& cone, double bulk, double shear_modulus) {
+Principal<T> land(ConePart part, const Principal<T>& trial, const ConeAt<T>& cone, double bulk, double shear_modulus) {
   switch (part) {
     case ConePart::apex:
       return {cone.apex(), cone.apex(), cone.apex()};
     case ConePart::limit: {
-      const Stress<T> d = deviator_of(trial);
+      const Principal<T> d = deviator_of(trial);
       return {T(d[0] + cone.tension), T(d[1] + cone.tension), T(d[2] + cone.tension)};
     }
     case ConePart::rim:
@@ -350,7 +352,7 @@ Stress<T> land(ConePart part, const Stress<T>& trial, const ConeAt<T>& cone, dou
   return with_shear(trial, T(cone.strength - 3.0 * cone.slope * lower), lower);
 }
 
-ConePart part_of(const Stress<double>& trial, const ConeAt<double>& cone, double bulk, double shear_modulus) {
+ConePart part_of(const Principal<double>& trial, const ConeAt<double>& cone, double bulk, double shear_modulus) {
   const double shear = shear_of(trial);
   const double mean = mean_of(trial);
   const double beyond = shear + 3 * cone.slope * mean - cone.strength;
@@ -386,11 +388,11 @@ YieldRegion region_of(ConePart part) {
   return part == ConePart::apex ? YieldRegion::apex : YieldRegion::tension;
 }
 
-Stress<double> array_of(const Eigen::Vector3d& v) {
+Principal<double> array_of(const Eigen::Vector3d& v) {
   return {v(0), v(1), v(2)};
 }
 
-Eigen::Vector3d ordered(const Stress<double>& s) {
+Eigen::Vector3d ordered(const Principal<double>& s) {
   return {std::max(s[0], s[2]), std::clamp(s[1], std::min(s[0], s[2]), std::max(s[0], s[2])), std::min(s[0], s[2])};
 }
 
@@ -422,7 +424,7 @@ double excess_of_stress(const SurfaceOfKappa& surface, double kappa, const Eigen
 Eigen::Vector3d stress_on_surface(const SurfaceOfKappa& surface, double kappa, const Eigen::Vector3d& trial,
                                   const Eigen::Matrix3d& d) {
   if (!(excess_of_stress(surface, kappa, trial) > 0)) return trial;
-  const Stress<double> from = array_of(trial);
+  const Principal<double> from = array_of(trial);
   if (has_planes(surface)) {
     const Planes<double> p(surface, kappa);
     return ordered(land(corner_of(from, p, d), from, p, d));
@@ -439,10 +441,10 @@ PrincipalReturn return_to_surface(const SurfaceOfKappa& surface, double kappa, c
   back.by_trial.setIdentity();
   back.by_kappa.setZero();
   if (!(excess_of_stress(surface, kappa, trial) > 0)) return back;
-  const Stress<double> from = array_of(trial);
-  Stress<Dual> dual;
+  const Principal<double> from = array_of(trial);
+  Principal<Dual> dual;
   for (int i = 0; i < 3; ++i) dual[static_cast<std::size_t>(i)] = Dual(trial(i), 4, i);
-  Stress<Dual> landed;
+  Principal<Dual> landed;
   if (has_planes(surface)) {
     const Corner corner = corner_of(from, Planes<double>(surface, kappa), d);
     landed = land(corner, dual, Planes<Dual>(surface, kappa), d);
@@ -453,7 +455,7 @@ PrincipalReturn return_to_surface(const SurfaceOfKappa& surface, double kappa, c
     landed = land(part, dual, ConeAt<Dual>(surface, kappa), bulk, shear);
     back.region = region_of(part);
   }
-  Stress<double> values;
+  Principal<double> values;
   for (std::size_t i = 0; i < 3; ++i) {
     values[i] = landed[i].value();
     back.by_trial.row(static_cast<Eigen::Index>(i)) = landed[i].derivatives().head<3>();

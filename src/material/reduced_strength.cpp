@@ -9,10 +9,10 @@
 namespace keyblock {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kRadian = std::numbers::pi / 180;
 
 double angle_over(double degrees, double factor) {
-  return std::atan(std::tan(degrees * kDegree) / factor) / kDegree;
+  return std::atan(std::tan(degrees * kRadian) / factor) / kRadian;
 }
 
 StrengthValues reduced(StrengthValues values, double factor) {

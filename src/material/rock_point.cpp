@@ -10,7 +10,7 @@ namespace keyblock {
 namespace {
 
 // Of the energies at both ends: what their difference may be off by, and no more is to be made up for.
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+constexpr double kRoundingOfState = 16 * std::numeric_limits<double>::epsilon();
 
 bool is_uniform(const CrackedResponse& r) {
   return r.closed == 0 || r.closed == r.possible;
@@ -80,7 +80,7 @@ RockPoint::Missing RockPoint::missing(const Eigen::Vector3d& strain0, const Yiel
   m.along = m.change;
   m.along(2) /= 2;
   const double work = m.to.stored - m.from.stored - m.change.dot(m.from.stress + m.to.stress) / 2;
-  if (std::abs(work) > kRounding * std::max(m.from.stored, m.to.stored)) m.work = work;
+  if (std::abs(work) > kRoundingOfState * std::max(m.from.stored, m.to.stored)) m.work = work;
   return m;
 }
 

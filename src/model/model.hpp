@@ -133,6 +133,9 @@ struct Model {
 
   /// The joint material of the edge that arrives at `vertex`.
   const JointMaterial& joint_at(VertexIndex vertex) const { return joint_material(vertices[vertex].joint_material); }
+  /// As messages and tables call it, from 1, whatever changed since the first scene.
+  int number_of(ElementIndex e) const { return identities.of_element(e.value).number + 1; }
+
   const JointMaterial& joint_material(int number) const { return joint_materials[static_cast<std::size_t>(number)]; }
   /// Whether elements share unknowns, as those of a body on covers do.
   bool shares_unknowns() const { return continuum != nullptr; }

@@ -38,15 +38,18 @@ struct HistoryPlan {
 };
 
 /// Which contacts go into tables and the part of contacts for viewers. automatic: all, in tables that would grow too
-/// long those of every so-manieth frame; chosen: those of histories.
+/// long those of every n-th frame; chosen: those of histories.
 enum class ContactTables { automatic, all, chosen, none };
 
 struct OutputPlan {
   std::vector<HistoryPlan> histories;
   ContactTables contacts = ContactTables::automatic;
   int contacts_every = 1;  ///< frames from one to the next
+  Place place = {};
 
-  bool operator==(const OutputPlan&) const = default;
+  bool operator==(const OutputPlan& other) const {
+    return histories == other.histories && contacts == other.contacts && contacts_every == other.contacts_every;
+  }
 };
 
 }  // namespace keyblock

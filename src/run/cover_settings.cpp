@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const char* expected, const std::string& value) {
+[[noreturn]] void refuse_setting(const std::string& name, const char* expected, const std::string& value) {
   throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}\"", name, expected, value));
 }
 
@@ -23,7 +23,7 @@ double number_of(const std::string& name, const char* expected, const std::strin
   double number = 0;
   const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), number);
   if (fault != std::errc() || end != value.data() + value.size() || !std::isfinite(number))
-    refuse(name, expected, value);
+    refuse_setting(name, expected, value);
   return number;
 }
 
@@ -37,23 +37,23 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
       plan.functions = f;
       return;
     }
-    refuse(name, "constant, derived, linear or quadratic", value);
+    refuse_setting(name, "constant, derived, linear or quadratic", value);
   }
   if (name == "contact") {
-    if (value != "felt" && value != "ignored") refuse(name, "felt or ignored", value);
+    if (value != "felt" && value != "ignored") refuse_setting(name, "felt or ignored", value);
     plan.contact = value == "felt" ? CoverContact::felt : CoverContact::ignored;
     return;
   }
   if (name == "mesh.side") {
     plan.mesh.side = number_of(name, "a length above 0", value);
-    if (!(plan.mesh.side > 0)) refuse(name, "a length above 0", value);
+    if (!(plan.mesh.side > 0)) refuse_setting(name, "a length above 0", value);
     plan.mesh.half_rows = 0;
     return;
   }
   if (name == "mesh.half_rows") {
     constexpr const char* kExpected = "a whole number from 1 to 1000";
     const double rows = number_of(name, kExpected, value);
-    if (rows != std::floor(rows) || rows < 1 || rows > kMostHalfRows) refuse(name, kExpected, value);
+    if (rows != std::floor(rows) || rows < 1 || rows > kMostHalfRows) refuse_setting(name, kExpected, value);
     plan.mesh.kind = MeshKind::regular;
     plan.mesh.half_rows = static_cast<int>(rows);
     plan.mesh.side = 0;

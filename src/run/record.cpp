@@ -184,12 +184,25 @@ std::vector<TipState> tips_of(const Stepper& stepper) {
   return tips;
 }
 
+namespace {
+
+// Of the way from a corner to the middle of its element: near-tip functions have no stress at the tip itself.
+constexpr double kBesideTip = 1e-3;
+
+Stress stress_beside_tip(const Stepper& stepper, ElementIndex e, Point at, Point middle) {
+  const Stress stress = stepper.stress_at(e, at);
+  const double sum = stress.xx + stress.yy + stress.xy + stress.zz;
+  return std::isfinite(sum) ? stress : stepper.stress_at(e, at + kBesideTip * (middle - at));
+}
+
+}  // namespace
+
 FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const State& state = stepper.state();
   const StartPlaces& start = stepper.unloaded();
   FieldFrame field{state.step, state.time, {}, stepper.plastic_totals(), model.nodes.empty()};
   const auto corner = [&](ElementIndex e, Point at, Point now) {
-    return FieldCorner{at, now - at, stepper.stress_at(e, at),
+    return FieldCorner{at, now - at, stress_beside_tip(stepper, e, at, start.elements[e].centroid),
                        field.plastic ? stepper.plastic_at(e, at) : std::nullopt};
   };
   const std::vector<int> bodies = body_numbers(model);

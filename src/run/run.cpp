@@ -50,6 +50,7 @@ class Loop {
         outcome.contacts = failure->contacts;
         outcome.failure = failure->kind;
         outcome.elements = failure->elements;
+        for (const ElementIndex e : failure->elements) outcome.numbers.push_back(stepper_.model().number_of(e));
         break;
       }
       auto& report = std::get<StepReport>(made);

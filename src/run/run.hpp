@@ -45,6 +45,7 @@ struct RunOutcome {
   std::vector<std::size_t> contacts;  ///< contacts (from 0) that would not settle
   FailureKind failure = FailureKind::undecided;
   std::vector<ElementIndex> elements;  ///< that move away, or too far for a step, where it failed for that
+  std::vector<int> numbers;            ///< theirs, from 1, as tables have them
   int steps = 0;                       ///< accepted
   double time = 0;                     ///< reached
   LedgerScope ledger_scope;

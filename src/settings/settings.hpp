@@ -96,4 +96,9 @@ struct Settings {
   StandardChoices standard;  ///< read by Dynamics::standard alone
 };
 
+/// Each step is an equilibrium, with no motion in time.
+inline bool is_statics(const Settings& settings) {
+  return settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
+}
+
 }  // namespace keyblock

@@ -73,8 +73,8 @@ StepFailure failure_of(const StandardScene& scene, const Motion& motion, const S
     if (i >= step.touches.size() || ++named > kMostNamed) continue;  // behind the touches: bolts and held points
     const Touch& touch = step.touches[i];
     names += fmt::format("{}{} (block {} on block {})", names.empty() ? "" : ", ", i + 1,
-                         scene.model.vertices[touch.vertex].element.value + 1,
-                         scene.model.vertices[touch.start].element.value + 1);
+                         scene.model.number_of(scene.model.vertices[touch.vertex].element),
+                         scene.model.number_of(scene.model.vertices[touch.start].element));
   }
   return {fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
                       state.step + 1, state.time, step.residual, names.empty() ? "" : "; undecided contacts: ",
@@ -110,7 +110,8 @@ std::string too_deep(const StandardScene& scene, const Motion& motion, const Sta
     return fmt::format(
         "block {} and block {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "
         "(penetration_limit) nothing that follows can be trusted",
-        vertex.value + 1, edge.value + 1, depth, depth / size, scene.settings.trust.penetration);
+        scene.model.number_of(vertex), scene.model.number_of(edge), depth, depth / size,
+        scene.settings.trust.penetration);
   }
   return {};
 }

@@ -74,15 +74,15 @@ TEST(CheckCommand, json_holds_the_same_report) {
   EXPECT_EQ(json["case"]["warnings"][0]["line"], 8);
 }
 
-// A case file with one square and what its key "run" says.
-std::string case_with(const std::string& run) {
+// A case file with one square, what its key "run" says, and more keys "run" says.
+std::string case_with(const std::string& run, const std::string& more = "") {
   const std::string file = support::fresh_folder("check_case") + "/case.json";
   support::write_text(file, R"({"keyblock": 1,
  "blocks": {"blocks": [{"material": 1, "outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1]]}],
   "fixed_points": [[0.5, 0.25, 1]]},
  "analysis": {"step_count": 1, "time_step": 0.01, "allowed_displacement_ratio": 0.1,
   "block_materials": [{"density": 1, "youngs_modulus": 1e6}], "joint_materials": [{"friction_angle_deg": 30}]},
- "run": )" + run + "}");
+ "run": )" + run + more + "}");
   return file;
 }
 
@@ -100,6 +100,25 @@ TEST(CheckCommand, a_profile_or_setting_of_a_case_file_that_is_none_is_named_whe
       const auto run = support::run_keyblock(arguments);
       EXPECT_EQ(run.exit_code, 3) << command << choices;
       EXPECT_TRUE(contains("\n" + run.messages, "\n" + file + message)) << run.messages;
+    }
+  }
+}
+
+// What is to be followed and is not there.
+TEST(CheckCommand, outputs_that_a_run_refuses_are_refused) {
+  const std::vector<std::pair<std::string, std::string>> faults{
+      {R"({"histories": [{"block": 99}]})",
+       ":7:27: error: expected the number of a block in a history, 1 to 1, found 99"},
+      {R"({"histories": [{"point": [5, 5]}]})", ":7:27: error: expected the point of a history within a block"},
+      {R"({"contacts": "chosen"})", ":7:12: error: expected a history of a block, a contact or a joint"}};
+  for (const auto& [outputs, message] : faults) {
+    const std::string file = case_with("{}", ",\n\"outputs\": " + outputs);
+    for (const std::string command : {"check", "run"}) {
+      std::vector<std::string> arguments{command, file};
+      if (command == "run") arguments.insert(arguments.end(), {"-o", support::fresh_folder("check_case_run")});
+      const auto run = support::run_keyblock(arguments);
+      EXPECT_EQ(run.exit_code, 3) << command << outputs;
+      EXPECT_TRUE(contains(run.messages, file + message)) << command << ": " << run.messages;
     }
   }
 }

@@ -118,6 +118,19 @@ TEST(HistoriesCommand, without_a_choice_the_table_has_what_moves_most) {
   EXPECT_EQ(rows[1][6], "m");
 }
 
+// The line y = 0.5 cuts the lowest square; y = 1 lies between it and the next.
+TEST(HistoriesCommand, a_line_through_a_body_on_covers_is_refused) {
+  const std::string folder = case_in("histories_covers", R"(, "covers": {"mesh": {"side": 0.3}})");
+  const auto run_with = [&](const std::string& line) {
+    return run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--force", "--history", line});
+  };
+  const auto through = run_with("line:-1,0.5,2,0.5");
+  EXPECT_EQ(through.exit_code, 3) << through.messages;
+  EXPECT_TRUE(contains(through.messages, "found one through a body on covers")) << through.messages;
+  const auto between = run_with("line:-1,1,2,1");
+  EXPECT_EQ(between.exit_code, 0) << between.messages;
+}
+
 TEST(HistoriesCommand, what_cannot_be_followed_is_refused_before_anything_is_written) {
   const std::string folder = case_in("histories_wrong");
   const auto refused = [&](const std::string& history) {
@@ -127,7 +140,8 @@ TEST(HistoriesCommand, what_cannot_be_followed_is_refused_before_anything_is_wri
   EXPECT_EQ(word.exit_code, 2);
   EXPECT_TRUE(contains(word.messages, "did you mean \"block\"?")) << word.messages;
   EXPECT_EQ(refused("block:9").exit_code, 3);
-  EXPECT_TRUE(contains(refused("block:9").messages, "1 to 3, found 9"));
+  EXPECT_TRUE(contains(refused("block:9").messages,
+                       "--history block:9: error: expected the number of a block in a history, 1 to 3, found 9"));
   EXPECT_EQ(refused("joint:9").exit_code, 3);
   EXPECT_TRUE(contains(refused("point:7,7").messages, "found 7, 7 in none")) << refused("point:7,7").messages;
   EXPECT_FALSE(std::filesystem::exists(folder + "/out"));

@@ -101,6 +101,14 @@ TEST(Shell, check_takes_the_folder_of_a_case) {
   EXPECT_TRUE(contains(many.messages, "beside others")) << many.messages;
 }
 
+TEST(Shell, check_of_a_folder_without_cases_is_an_error) {
+  const std::string folder = fresh_folder("check_empty");
+  const ProgramRun empty = run_keyblock({"check", folder});
+  EXPECT_EQ(empty.exit_code, 3) << empty.output;
+  EXPECT_TRUE(contains(empty.messages, folder + ": error: expected files of cases in the folder, found none"))
+      << empty.messages;
+}
+
 // One verdict a line, the exit code of the worst, nothing written.
 TEST(Shell, check_of_a_folder_of_cases_says_a_verdict_a_line) {
   const std::string folder = fresh_folder("check_folder");

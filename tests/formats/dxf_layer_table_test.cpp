@@ -53,6 +53,19 @@ TEST(DxfLayerTable, layers_are_what_the_table_says_whatever_their_case) {
   for (const Warning& warning : reading.warnings) EXPECT_NE(warning.name, "dxf_layer_as_joints") << warning.sentence;
 }
 
+// The sides of an outline of blocks lie on the layers of their vertices.
+TEST(DxfLayerTable, sides_of_blocks_are_what_the_table_says) {
+  std::string entities = "0\nPOLYLINE\n8\nBLOCK_1\n66\n1\n70\n1\n";
+  for (const char* vertex : {"Bedding\n10\n0\n20\n0", "Bedding\n10\n2\n20\n0", "JOINT_4\n10\n2\n20\n2"})
+    entities += std::string("0\nVERTEX\n8\n") + vertex + "\n";
+  const Reading reading = drawn(entities + "0\nSEQEND\n", "Bedding,joint 2\n");
+  const Drawing& drawing = *reading.content.drawing;
+  ASSERT_EQ(drawing.joints.size(), 3u);
+  EXPECT_EQ(drawing.joints[0].joint_material, 1);
+  EXPECT_EQ(drawing.joints[1].joint_material, 1);
+  EXPECT_EQ(drawing.joints[2].joint_material, 3);
+}
+
 TEST(DxfLayerTable, a_table_overrules_names_and_a_star_stands_for_all_others) {
   const std::string entities = line("JOINT_2", 0) + line("FIXED", 1) + line("x", 2) + line("y", 3);
   const Reading reading = drawn(entities, "joint_2,joint 5\n*,ignored\n");

@@ -200,7 +200,7 @@ TEST(KeyblockCase, the_schema_says_what_every_key_means) {
   EXPECT_GT(all.size(), 100U);
   for (const auto& [path, description] : all) EXPECT_NE(description, "") << path;
   EXPECT_EQ(all.at(".analysis.point_loads[].x"), "F");
-  EXPECT_EQ(all.at(".analysis.block_materials.density"), "mass per area, M/L²; greater than 0");
+  EXPECT_EQ(all.at(".analysis.block_materials.density"), "mass per volume, M/L³; greater than 0");
 }
 
 TEST(KeyblockCase, every_meaning_belongs_to_a_key) {

@@ -1,4 +1,4 @@
-// Tables of contacts that would grow too long have every so-manieth frame, and say so.
+// Tables of contacts that would grow too long have every n-th frame, and say so.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

@@ -18,6 +18,8 @@ const Units kMegapascals{"m", mass_of_stress("MPa", "m", "s"), "s"};
 const Units kFeet{"ft", "slug", "s"};
 const Units kInches{"in", mass_of_force("lbf", "in", "s"), "s"};
 const Units kPounds{"ft", "lb", "s"};
+const Units kFeetPsi{"ft", mass_of_stress("psi", "ft", "s"), "s"};      // force: 144 lbf, without a name
+const Units kCentimetres{"cm", mass_of_stress("MPa", "cm", "s"), "s"};  // 100 N
 
 }  // namespace
 
@@ -58,6 +60,8 @@ TEST(Measure, units_are_named_by_those_that_the_case_declares) {
   EXPECT_EQ(unit_of(measures::kStress, kFeet), "psf");
   EXPECT_EQ(unit_of(measures::kForce, kFeet), "lbf/ft");
   EXPECT_EQ(unit_of(measures::kStress, kInches), "psi");
+  EXPECT_EQ(unit_of(measures::kForce, kFeetPsi), "psi·ft²/ft");
+  EXPECT_EQ(unit_of(measures::kDensity, kCentimetres), "MPa·cm²·s²/cm^4");
   EXPECT_EQ(unit_of(measures::kDensity, kInches), "lbf·s²/in^4");
   EXPECT_EQ(unit_of(measures::kStress, kPounds), "lb/ft/s²");  // the poundal has no name here
 }
@@ -74,7 +78,8 @@ TEST(Measure, a_name_is_worth_what_the_declared_units_make_of_it) {
                          measures::kForce,          measures::kMoment,
                          measures::kStiffness,      measures::kMomentum,
                          measures::kAngularMomentum};
-  for (const Units& units : {kMetres, kTonnes, kKilonewtons, kMillimetres, kMegapascals, kFeet, kInches, kPounds})
+  for (const Units& units :
+       {kMetres, kTonnes, kKilonewtons, kMillimetres, kMegapascals, kFeet, kInches, kPounds, kFeetPsi, kCentimetres})
     for (const Measure& measure : all) {
       const std::string name = unit_of(measure, units);
       const std::optional<Unit> unit = unit_named(name);

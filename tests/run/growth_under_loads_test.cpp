@@ -161,6 +161,31 @@ TEST(GrowthUnderLoads, a_beam_on_blocks_breaks_in_two) {
               0.25 * energy);  // the last bit breaks under the block's pressure
 }
 
+// At rest each step sees one increment: a crack that would go on at once under the last load is told as such.
+TEST(GrowthUnderLoads, a_run_at_rest_that_ends_with_tips_that_go_on_is_not_trusted) {
+  // K_I = s √(π a) of an infinite plate (Irwin 1957) with a = 0.8 reaches the toughness of 10 at s = 6.3.
+  for (const double load : {3.0, 12.0}) {
+    const std::string file = file_of(
+        "at_rest",
+        fmt::format(
+            R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[-3, -2, 1], [3, -2, 1], [3, 2, 1], [-3, 2, 1]]}}]}},
+      "covers": {{"mesh": {{"side": 0.6, "angle": 10, "tip_side": 0.06}},
+        "cracks": [{{"along": [[-0.8, 0.1], [0.8, -0.1]]}}],
+        "growth": {{"increment": 0.3, "loads": "given"}},
+        "springs": [[0, -2, 1, 0, 1e4], [0, -2, 0, 1, 1e4], [0, 2, 1, 0, 1e4]],
+        "tractions": [{{"along": [[3, 2], [-3, 2]], "y": {0}}}, {{"along": [[-3, -2], [3, -2]], "y": -{0}}}]}},
+      "analysis": {{"step_count": 2, "time_step": 1, "velocity_carry_over": 0, "allowed_displacement_ratio": 0.1,
+        "plane_strain": true, "gravity": 0, "joint_materials": [{{}}],
+        "block_materials": [{{"density": 1, "unit_weight": 0, "youngs_modulus": {1}, "poissons_ratio": {2},
+          "toughness": {{"mode_1": {3}}}}}]}}}})",
+            load, kYoung, kPoisson, kToughness));
+    const support::ProgramRun run = support::run_keyblock({"run", file, "-o", file + ".out", "--force"});
+    const bool goes_on = run.messages.find("would go on under the loads of the last step") != std::string::npos;
+    EXPECT_EQ(run.exit_code, load > 6 ? 1 : 0) << run.messages;
+    EXPECT_EQ(goes_on, load > 6) << run.messages;
+  }
+}
+
 // A plate pressed at its ends, narrowest at half its height: the first crack starts in shear at the strength of
 // Coulomb, 2 c cos φ / (1 - sin φ), at 45° + φ/2 to the horizontal.
 TEST(GrowthUnderLoads, a_crack_starts_in_shear_as_coulomb_says) {

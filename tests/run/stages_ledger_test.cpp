@@ -65,8 +65,8 @@ class RandomChanges : public testing::TestWithParam<ChangesOnCovers> {};
 
 TEST_P(RandomChanges, on_covers_keep_momentum_and_energy) {
   const auto [bodies, functions] = GetParam();
-  // Covers with gradients of their own lose their mass in round-off sooner or later, as blocks are cut ever smaller; such
-  // scenes are refused.
+  // Covers with gradients of their own lose their mass in round-off sooner or later, as blocks are cut ever smaller;
+  // such scenes are refused.
   const int changes = functions == CoverFunctions::linear ? 10 : 100;
   const ChangesTold told = told_of_changes(random_changes(bodies, 5, changes, 1, functions));
   EXPECT_EQ(told.why, "");

@@ -251,7 +251,7 @@ TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
   ASSERT_EQ(touches.size(), 2);
   for (const double approach : {0.0, 1.0}) {
     motion.v[ElementIndex{1}] << 0, -approach, 0, 0, 0.4, 0;  // u v r ex ey gxy
-    std::vector<Meeting> meetings;
+    std::vector<ImpactMeeting> meetings;
     for (const Touch& touch : touches) meetings.push_back({touch, 0, 0});
     const Flexibility blocks_alone{rigid_mass_inverses(scene.bodies())};
     const Jump jump = after_jump(scene, motion.q, motion.v, {meetings, {}, {}}, blocks_alone);

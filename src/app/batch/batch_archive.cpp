@@ -25,8 +25,7 @@ SeenFile see(const fs::path& root, const std::string& path, int largest_mebibyte
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (!error && size > static_cast<std::uintmax_t>(largest_mebibytes) << 20U) {
-    seen.problem = fmt::format("{}: error: expected at most {} MiB (--largest-file), found {} bytes", path,
-                               largest_mebibytes, size);
+    seen.problem = fmt::format("{}: error: expected at most {} MiB, found {} bytes", path, largest_mebibytes, size);
     return seen;
   }
   try {

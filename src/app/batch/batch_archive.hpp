@@ -32,6 +32,8 @@ struct FileTree {
   std::string problem_of(const study::BatchJob& job) const;
 };
 
+inline constexpr int kLargestMebibytes = 64;  ///< unless asked otherwise
+
 /// Looks at every file below `root` but those below `left_out`, and pairs them; without jobs if stopped. Files larger
 /// than `largest_mebibytes` are not read.
 FileTree survey(const std::filesystem::path& root, const std::filesystem::path& left_out, int largest_mebibytes,

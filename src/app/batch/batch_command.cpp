@@ -57,7 +57,7 @@ struct BatchOptions {
   std::string format;  ///< to convert to; empty: none
   std::string profile;
   int threads = 0;  ///< 0: as many as cores
-  int largest_mebibytes = 64;
+  int largest_mebibytes = kLargestMebibytes;
   ChildLimits limits;
   std::vector<std::string> row_files;  ///< of one job, whose row is asked for and nothing else
   bool may_overwrite = false;

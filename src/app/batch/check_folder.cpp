@@ -1,6 +1,7 @@
 // `keyblock check FOLDER`: every job of a folder looked at, one verdict a line, nothing written.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include "app/batch/batch_archive.hpp"
 #include "app/command.hpp"
 #include "base/counted.hpp"
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/printable.hpp"
 #include "study/batch/batch_catalogue.hpp"
@@ -21,8 +23,6 @@ namespace keyblock {
 namespace {
 
 using report::CatalogueRow;
-
-constexpr int kLargestMebibytes = 64;  // as `batch` has it
 
 CatalogueRow row_of_job(const std::string& folder, const FileTree& tree, const study::BatchJob& job,
                         const std::string& profile) {
@@ -47,6 +47,8 @@ ExitCode check_folder(const std::string& folder, const std::string& profile, boo
   const auto never = [] { return false; };
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const FileTree tree = survey(folder, {}, kLargestMebibytes, threads, never);
+  if (!tree.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(tree.passed_over));
+  if (tree.jobs.empty()) throw InputError({folder}, "expected files of cases in the folder, found none");
   std::vector<CatalogueRow> rows(tree.jobs.size());
   for_each_in_parallel(rows.size(), threads, never, [&](std::size_t i) {
     rows[i] = row_of_job(folder, tree, tree.jobs[i], profile);

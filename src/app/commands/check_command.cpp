@@ -19,6 +19,9 @@
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
 #include "job/run_report.hpp"
+#include "run/follow/drawn_joints.hpp"
+#include "run/follow/followed.hpp"
+#include "run/follow/history_option.hpp"
 #include "run/look_ahead.hpp"
 #include "run/prepare.hpp"
 #include "run/settings_of.hpp"
@@ -226,6 +229,13 @@ void try_steps(CaseReport& report, const Scene& scene, double seconds, const Pla
     report.warnings.push_back({"first_steps_fail", place, "a run fails: " + report.trial->failure});
 }
 
+/// Throws InputError for a history of what is not there, as a run would.
+void require_followed(const Problem& problem, const Prepared& prepared) {
+  require_choice(problem.outputs);
+  const DrawnJoints joints(prepared.scene.model, prepared.joint_lines);
+  const Followed followed(problem.outputs.histories, prepared.scene, joints, problem.units);
+}
+
 CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile, double trial_seconds) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
@@ -239,7 +249,9 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
       manifold_of(*cover);  // throws where elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
     report.profile = chosen_profile(checked.problem, profile, {});
-    const Prepared prepared = prepare(study::with_named_files(checked.problem, {}, {}), report.profile.name, {});
+    const Problem problem = with_followed_points(study::with_named_files(checked.problem, {}, {}));
+    const Prepared prepared = prepare(problem, report.profile.name, {});
+    require_followed(problem, prepared);
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.warnings = joined(std::move(report.warnings), look_ahead(checked.problem, prepared));
     report.plan = prepared.requirements;
@@ -288,10 +300,9 @@ std::vector<std::string> inputs_of(const std::vector<std::string>& paths) {
       continue;
     }
     if (study::find_cases({path}).size() != 1)
-      throw UsageError(
-          fmt::format("check: expected files, the folder of one case, or a folder of cases alone; found the folder {} "
-                      "beside others",
-                      path));
+      throw UsageError(fmt::format(
+          "check: expected files, the folder of one case, or a folder of cases alone; found the folder {} {}", path,
+          paths.size() > 1 ? "beside others" : "and --layers"));
     const std::vector<std::string> inputs = study::the_case_in(path).inputs();
     files.insert(files.end(), inputs.begin(), inputs.end());
   }

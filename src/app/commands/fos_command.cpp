@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "app/command.hpp"
@@ -23,6 +24,8 @@ struct FosOptions : ReductionOptions {
 };
 
 ExitCode find_factor(FosOptions options) {
+  if (options.paths.size() == 1 && std::filesystem::is_directory(options.paths.front()) && !options.layers.empty())
+    options.paths = study::the_case_in(options.paths.front()).inputs();
   take_layers(options.paths, options.layers);
   study::StudyCase chosen = study::study_case(options.paths);
   chosen.common = overrides_of(options.sets);

@@ -104,12 +104,16 @@ std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& 
 // What the case file asks to be written, and the command line beside it.
 OutputPlan outputs_asked(OutputPlan plan, const RunOptions& options) {
   try {
-    for (const std::string& text : options.histories) plan.histories.push_back(history_of(text));
+    for (const std::string& text : options.histories) {
+      plan.histories.push_back(history_of(text));
+      plan.histories.back().place = {"--history " + text};
+    }
   } catch (const std::invalid_argument& error) {
     throw UsageError(fmt::format("--history: {}", error.what()));
   }
   if (options.contacts.empty()) return plan;
   plan.contacts_every = 1;
+  plan.place = {};
   constexpr std::array<std::pair<const char*, ContactTables>, 4> kWords{{{"automatic", ContactTables::automatic},
                                                                          {"all", ContactTables::all},
                                                                          {"chosen", ContactTables::chosen},
@@ -532,8 +536,8 @@ std::pair<CLI::Option*, CLI::Option*> add_table_options(CLI::App& options, RunOp
   CLI::Option* histories =
       options
           .add_option("--history", chosen.histories,
-                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2: followed at every step in "
-                      "histories.csv; may be repeated")
+                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2: followed in "
+                      "histories.csv, beyond 5,000 steps at every n-th; may be repeated")
           ->take_all();
   CLI::Option* contacts = options.add_option(
       "--contacts", chosen.contacts,

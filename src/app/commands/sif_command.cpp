@@ -31,6 +31,7 @@ struct SifOptions {
 };
 
 constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kFarApart = 0.03;  // of |K|, between treatments: as much as domains may differ
 
 nlohmann::ordered_json json_of(const TipFactors& f) {
   return {{"K_I", f.k.mode_1}, {"K_II", f.k.mode_2}, {"J", f.j}};
@@ -47,6 +48,16 @@ StressIntensity difference(const study::TipAtEnd& tip) {
 
 bool has_both(const study::TipAtEnd& tip) {
   return tip.report.factors && tip.other && tip.other->factors;
+}
+
+/// Of the domains, then of the two treatments.
+std::string doubt_of(const study::TipAtEnd& tip) {
+  if (std::string doubt = doubt_of(tip.report); !doubt.empty() || !has_both(tip)) return doubt;
+  const StressIntensity d = difference(tip);
+  const double apart = std::max(std::abs(d.mode_1), std::abs(d.mode_2));
+  if (!(apart > kFarApart)) return {};
+  return fmt::format("the treatments with and without near-tip functions are {:.2g} % of K apart: a finer mesh",
+                     100 * apart);
 }
 
 nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
@@ -70,7 +81,7 @@ nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
     json["other_treatment"]["difference_K_I"] = difference(tip).mode_1;
     json["other_treatment"]["difference_K_II"] = difference(tip).mode_2;
   }
-  json["doubt"] = doubt_of(report);
+  json["doubt"] = doubt_of(tip);
   json["domains"] = nlohmann::ordered_json::array();
   for (const DomainResult& domain : report.domains) {
     nlohmann::ordered_json row{{"domain", name_of(domain.choice)}};
@@ -138,7 +149,7 @@ ExitCode print_intensity(const SifOptions& options) {
   }
   bool is_sure = true;
   for (std::size_t i = 0; i < found.tips.size(); ++i) {
-    const std::string doubt = doubt_of(found.tips[i].report);
+    const std::string doubt = doubt_of(found.tips[i]);
     if (doubt.empty()) continue;
     is_sure = false;
     spdlog::warn("tip {}: {}", i + 1, doubt);
@@ -158,8 +169,7 @@ ExitCode print_intensity(const SifOptions& options) {
   } else {
     fmt::print("{} unknowns, {}\n", found.unknowns,
                found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
-    for (std::size_t i = 0; i < found.tips.size(); ++i)
-      print(found.tips[i], i + 1, found, chosen.input.problem.units);
+    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, found, chosen.input.problem.units);
     if (!found.no_other.empty()) fmt::print("no other treatment of tips: {}\n", found.no_other);
   }
   return is_sure ? ExitCode::ok : ExitCode::check_failed;

@@ -13,9 +13,9 @@ namespace keyblock {
 namespace {
 
 // A sweep over few pairs costs next to nothing beside the factor that made their matrix.
-constexpr int kFirstSweeps = 50;
+constexpr int kFirstPairSweeps = 50;
 constexpr int kMostSweeps = 5000;
-constexpr int kMostSets = 50;
+constexpr int kMostSetsOfPairs = 50;
 // Forces of contended pairs are wanted only as well as their states need: this share of the goal of the whole.
 constexpr double kShareOfGoal = 0.1;
 
@@ -35,7 +35,7 @@ class Small {
   Eigen::VectorXd solve() {
     newton();
     int sweeps = 0;
-    for (int more = kFirstSweeps; residual_ > goal_ && sweeps < kMostSweeps; more *= 2) {
+    for (int more = kFirstPairSweeps; residual_ > goal_ && sweeps < kMostSweeps; more *= 2) {
       sweep(more);
       sweeps += more;
       newton();
@@ -63,7 +63,7 @@ class Small {
   void newton() {
     std::set<std::vector<Grip>> visited;
     Eigen::VectorXd forces = best_;
-    for (int i = 0; i < kMostSets && residual_ > goal_; ++i) {
+    for (int i = 0; i < kMostSetsOfPairs && residual_ > goal_; ++i) {
       const std::vector<Grip> grips = of(forces).map.grips;
       if (!visited.insert(grips).second) return;
       const auto next = forces_of(grips);

@@ -92,8 +92,7 @@ class Elements {
   std::vector<int> corner_;  // that it leaves
 };
 
-/// A body so thin that all of its elements are lost in round-off, as what a region leaves that was dug out along an
-/// outline of the body, is none: the others are numbered on without it.
+/// Numbers the bodies that have elements, as a region that was dug out along an outline may leave one without.
 void leave_out_empty(Manifold& manifold) {
   std::vector<int> number(manifold.body_materials.size(), -1);
   for (const ManifoldElement& element : manifold.elements) number[static_cast<std::size_t>(element.body)] = 0;
@@ -109,14 +108,14 @@ void leave_out_empty(Manifold& manifold) {
 
 }  // namespace
 
-Manifold cut_cover(const BodyGraph& graph, TriangleMesh mesh) {
+Manifold cut_cover(const BodyGraph& graph, TriangleMesh mesh, EmptyBodies empty) {
   const CoverFaces cut = cover_faces(graph, mesh);
   Manifold manifold;
   manifold.mesh = std::move(mesh);
   manifold.body_materials = graph.materials;
   Elements elements(graph, cut, manifold);
   elements.add_all();
-  leave_out_empty(manifold);
+  if (empty == EmptyBodies::are_left_out) leave_out_empty(manifold);
   elements.add_boundary();
   set_covers(manifold);
   manifold.tips = tips_of(graph);

@@ -20,7 +20,7 @@ namespace {
 constexpr double kRoundOffUnits = 16;
 
 /// Crossings at a flat angle are known less well than this from floating-point numbers: they get exact ones.
-constexpr double kRoughStation = 1e-14;
+constexpr double kRoughPlaceOnSide = 1e-14;
 
 std::vector<MeshSide> sides_of(const TriangleMesh& mesh) {
   struct Half {
@@ -71,7 +71,7 @@ std::vector<Point> nodes_on_mesh(const BodyGraph& graph, const TriangleMesh& mes
 }
 
 /// A node strictly inside a segment; where two segments cross there, `other` is the other one, else -1.
-struct Stop {
+struct StopOnSegment {
   Station station;
   int node = 0;
   int other = -1;
@@ -172,17 +172,17 @@ class Overlaying {
   void add_crossing(int a, int b) {
     const int node = static_cast<int>(positions_.size());
     Station on_a = station(segments_[a], segments_[b]);
-    if (!(on_a.error <= kRoughStation)) on_a = exact_station(segments_[a], segments_[b]);
+    if (!(on_a.error <= kRoughPlaceOnSide)) on_a = exact_station(segments_[a], segments_[b]);
     positions_.push_back(point_at(segments_[a], on_a.value));
     stops_[a].push_back({on_a, node, b});
     stops_[b].push_back({station(segments_[b], segments_[a]), node, a});
   }
 
-  Segment mark(const Stop& stop) const {
+  Segment mark(const StopOnSegment& stop) const {
     return stop.other >= 0 ? segments_[stop.other] : Segment{positions_[stop.node], positions_[stop.node]};
   }
 
-  int compare(int segment, const Stop& a, const Stop& b) const {
+  int compare(int segment, const StopOnSegment& a, const StopOnSegment& b) const {
     if (is_order_certain(a.station, b.station)) return a.station.value < b.station.value ? -1 : 1;
     return a.node == b.node ? 0 : compare_stations(segments_[segment], mark(a), mark(b));
   }
@@ -190,8 +190,8 @@ class Overlaying {
   void unite_equal_stops() {
     for (std::size_t k = 0; k < stops_.size(); ++k) {
       const int segment = static_cast<int>(k);
-      std::vector<Stop>& stops = stops_[k];
-      std::sort(stops.begin(), stops.end(), [&](const Stop& a, const Stop& b) {
+      std::vector<StopOnSegment>& stops = stops_[k];
+      std::sort(stops.begin(), stops.end(), [&](const StopOnSegment& a, const StopOnSegment& b) {
         const int way = compare(segment, a, b);
         return way != 0 ? way < 0 : a.node < b.node;
       });
@@ -235,7 +235,7 @@ class Overlaying {
           parts.push_back({std::min(last, node), std::max(last, node), static_cast<int>(k), node < last});
         last = node;
       };
-      for (const Stop& stop : stops_[k]) go_to(number[stop.node]);
+      for (const StopOnSegment& stop : stops_[k]) go_to(number[stop.node]);
       go_to(number[ends_[k][1]]);
     }
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
@@ -274,7 +274,7 @@ class Overlaying {
   std::vector<Point> positions_;
   std::vector<std::array<int, 2>> ends_;
   std::vector<Segment> segments_;
-  std::vector<std::vector<Stop>> stops_;
+  std::vector<std::vector<StopOnSegment>> stops_;
   std::vector<std::pair<int, int>> same_;  // nodes that are one point
 };
 

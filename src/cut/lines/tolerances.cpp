@@ -4,23 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geometry/box.hpp"
 
 namespace keyblock {
 namespace {
 
-struct Box {
-  Point low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  Point high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
-};
-
 Box bounding_box(const std::vector<JointLine>& lines) {
   Box box;
   for (const JointLine& line : lines) {
-    for (const Point p : {line.segment.start, line.segment.end}) {
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
+    for (const Point p : {line.segment.start, line.segment.end}) box.add(p);
   }
   return box;
 }

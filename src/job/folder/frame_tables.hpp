@@ -42,7 +42,7 @@ class FrameTables {
   /// The rows of a frame, `shown` being those of `contacts` that are asked for.
   void append(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts);
 
-  /// The tables of contacts have those of every so-manieth frame, because they would have `expected_rows` with all.
+  /// The tables of contacts have those of every n-th frame, because they would have `expected_rows` with all.
   int thinned_every() const { return std::max(thinned_every_, 1); }
   double expected_rows() const { return expected_rows_; }
 

@@ -64,14 +64,15 @@ class Builder {
   std::vector<VertexIndex> vertex_of_corner_;
 };
 
-std::vector<CarriedPoint> carried(const std::vector<CoverPoint>& points, const std::vector<TimeCurve>& curves) {
+std::vector<CarriedPoint> carried_elements(const std::vector<CoverPoint>& points,
+                                           const std::vector<TimeCurve>& curves) {
   std::vector<CarriedPoint> result;
   for (std::size_t i = 0; i < points.size(); ++i)
     result.push_back({points[i].position, {points[i].element}, i < curves.size() ? curves[i] : TimeCurve{}});
   return result;
 }
 
-double mean_area_of(const Manifold& manifold) {
+double mean_area_of_elements(const Manifold& manifold) {
   double sum = 0;
   for (const ManifoldElement& element : manifold.elements)
     for (const std::vector<Point>& loop : manifold.polygon(element)) sum += area(loop);
@@ -85,11 +86,11 @@ Model model_from_manifold(const Manifold& manifold, const ElementPoints& points,
   model.block_materials = analysis.block_materials;
   model.joint_materials = analysis.joint_materials;
   Builder(manifold, model).run();
-  model.fixed_points = carried(points.fixed, analysis.fixed_point_motions);
-  model.loading_points = carried(points.loading, analysis.point_loads);
-  model.measured_points = carried(points.measured, {});
+  model.fixed_points = carried_elements(points.fixed, analysis.fixed_point_motions);
+  model.loading_points = carried_elements(points.loading, analysis.point_loads);
+  model.measured_points = carried_elements(points.measured, {});
   model.scale = scale_of(model.start_vertices);
-  model.mean_area = mean_area_of(manifold);
+  model.mean_area = mean_area_of_elements(manifold);
   return model;
 }
 

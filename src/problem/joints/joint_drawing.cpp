@@ -48,7 +48,7 @@ bool meet(const Outline& a, const Outline& b) {
 }
 
 /// The outline, then the tunnels.
-std::vector<Outline> loops_of(const JointScene& scene) {
+std::vector<Outline> outlines_of(const JointScene& scene) {
   std::vector<Outline> loops{std::visit([](const auto& shape) { return outline_of(shape); }, scene.outline)};
   for (const TunnelSection& tunnel : scene.tunnels) {
     Outline loop = outline_of(tunnel);
@@ -93,7 +93,7 @@ std::vector<Segment> clipped(const Segment& segment, const std::vector<Outline>&
 }
 
 Drawing drawing_of(const JointScene& scene) {
-  const std::vector<Outline> loops = loops_of(scene);
+  const std::vector<Outline> loops = outlines_of(scene);
   Drawing drawing;
   drawing.edge_node_ratio = scene.edge_node_ratio;
   drawing.fixed_lines = scene.fixed_lines;

@@ -12,10 +12,9 @@
 namespace keyblock {
 namespace {
 
-constexpr double kRoundOff = 1e-12;
+constexpr double kRoundOffOfUnit = 1e-12;
 constexpr Dimension kForceDimension{1, 1, -2};
-constexpr std::array<std::string_view, 12> kForceNames{"N",   "kN",  "MN",  "GN", "mN", "µN",
-                                                       "lbf", "kip", "kgf", "tf", "nN", "TN"};
+constexpr std::array<std::string_view, 10> kForceNames{"N", "kN", "MN", "GN", "mN", "µN", "lbf", "kip", "kgf", "tf"};
 constexpr std::array<std::string_view, 10> kStressNames{"Pa",  "kPa", "MPa", "GPa", "mPa",
                                                         "µPa", "psi", "ksi", "psf", "bar"};
 
@@ -35,7 +34,8 @@ std::string named(const Units& units, const Dimension& dimension, const std::arr
   const std::optional<double> factor = si_factor(units, dimension);
   if (!factor) return {};
   for (const std::string_view name : names)
-    if (const std::optional<Unit> unit = unit_named(name); unit && std::abs(*factor / unit->factor - 1) < kRoundOff)
+    if (const std::optional<Unit> unit = unit_named(name);
+        unit && std::abs(*factor / unit->factor - 1) < kRoundOffOfUnit)
       return std::string(name);
   return {};
 }
@@ -93,10 +93,13 @@ bool is_said(const Dimension& dimension, const Units& units) {
 }
 
 Words words_of(const Units& units) {
-  // A product stands for no name: what has mass is then spelt by force.
+  // A product stands for no name: what has mass is then spelt by force, or by stress where force has no name either.
   const bool has_name = units.mass.find("·") == std::string::npos;
-  return {has_name ? units.mass : std::string(), units.length, units.time, named(units, kForceDimension, kForceNames),
-          named(units, kStress, kStressNames),   "·"};
+  Words words{
+      has_name ? units.mass : std::string(), units.length, units.time, named(units, kForceDimension, kForceNames),
+      named(units, kStress, kStressNames),   "·"};
+  if (!has_name && words.force.empty() && !words.stress.empty()) words.force = words.stress + "·" + units.length + "²";
+  return words;
 }
 
 const Words kLetters{"M", "L", "T", "F", "", " "};

@@ -69,10 +69,6 @@ Warnings without_effect(const Problem& problem) {
   return warnings;
 }
 
-bool is_statics(const Settings& settings) {
-  return settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
-}
-
 }  // namespace
 
 bool is_untouched(const Problem& problem, const Settings& settings) {
@@ -102,6 +98,7 @@ void require_linear_tips(const Problem& problem, const Settings& settings) {
   };
   if (!is_statics(settings)) refuse("motion in time");
   if (problem.covers->growth) refuse("growth of cracks");
+  if (!problem.stages.empty()) refuse("stages");
   if (!is_untouched(problem, settings)) refuse("contact that is felt, or blocks beside the bodies on covers");
   const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
   if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear)) refuse("a strength or crack_closure");

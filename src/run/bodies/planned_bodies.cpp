@@ -90,7 +90,7 @@ Manifold PlannedBodies::at(int step) const {
     const Drawing drawing = blocks != nullptr ? lines_of(*blocks) : std::get<Drawing>(problem_.geometry);
     BodyGraph left = excavated(drawing, regions, NodeMerging::nearest_first, blocks);
     add_cracks({&left, 1}, problem_.covers->cracks, CracksOutside::are_gone);
-    return cut_cover(left, mesh_);
+    return cut_cover(left, mesh_, EmptyBodies::are_left_out);
   }
   Manifold all = cut_cover(graphs_.front(), mesh_);
   for (std::size_t g = 1; g < graphs_.size(); ++g) join(all, cut_cover(graphs_[g], mesh_));

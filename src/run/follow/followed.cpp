@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/counted.hpp"
+#include "model/continuum.hpp"
 #include "problem/units/measure.hpp"
 #include "run/follow/resultant.hpp"
 
@@ -101,7 +102,7 @@ class Lines {
   Lines(const Stepper& stepper, const FollowedUnits& units, const std::string& what, const std::string& name)
       : stepper_(stepper),
         units_(units),
-        first_(fmt::format("{},{:.12g},{},{},", stepper.state().step, stepper.state().time, what, cell(name))) {}
+        first_(fmt::format("{},{},{},{},", stepper.state().step, stepper.state().time, what, cell(name))) {}
 
   void point(int number) {
     const Model& model = stepper_.model();
@@ -166,7 +167,7 @@ class Lines {
 
  private:
   void put(std::string_view quantity, double value, const std::string& unit) {
-    text += fmt::format("{}{},{:.12g},{}\n", first_, quantity, value, unit);
+    text += fmt::format("{}{},{},{}\n", first_, quantity, value, unit);
   }
   void displacement(Point u) {
     put("displacement_x", u.x, units_.length);
@@ -225,6 +226,14 @@ void require_joint(const DrawnJoints& joints, int line, const HistoryPlan& plan)
           : "expected blocks cut from a drawing, whose joints a history can follow, found none");
 }
 
+void require_line(const Scene& first, const Segment& line, const HistoryPlan& plan) {
+  if (!first.model.continuum || body_across(line, first.model.continuum->manifold) < 0) return;
+  throw InputError(
+      plan.place,
+      "expected a line between bodies, whose contacts and bolts a resultant sums, found one through a body "
+      "on covers: what acts there is its stress");
+}
+
 }  // namespace
 
 FollowedUnits::FollowedUnits(const Units& units)
@@ -235,6 +244,13 @@ FollowedUnits::FollowedUnits(const Units& units)
       stress(unit_of(measures::kStress, units)),
       moment(unit_of(measures::kMoment, units)) {}
 
+void require_choice(const OutputPlan& plan) {
+  const auto has_contacts = [](const HistoryPlan& h) { return h.block || h.contact || h.joint; };
+  if (plan.contacts == ContactTables::chosen && std::ranges::none_of(plan.histories, has_contacts))
+    throw InputError(plan.place,
+                     "expected a history of a block, a contact or a joint beside contacts that are chosen, found none");
+}
+
 Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, const DrawnJoints& joints,
                    const Units& units)
     : units_(units) {
@@ -244,6 +260,7 @@ Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, co
     if (plan.block) require_block(first, *plan.block, plan);
     if (plan.contact) require_block(first, std::max(plan.contact->first, plan.contact->second), plan);
     if (plan.joint) require_joint(joints, *plan.joint, plan);
+    if (plan.line) require_line(first, *plan.line, plan);
   }
 }
 

@@ -24,6 +24,9 @@ struct FollowedUnits {
   std::string moment;
 };
 
+/// Throws InputError, at the place of the plan, for contacts chosen by histories of which none follows any.
+void require_choice(const OutputPlan& plan);
+
 class Followed {
  public:
   Followed() = default;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/polygon.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -37,6 +39,17 @@ std::vector<bool> left_of(const Segment& line, const Stepper& stepper) {
   for (const ElementIndex e : indices(places))
     left.push_back(cross(line.end - line.start, places[e].centroid - line.start) > 0);
   return left;
+}
+
+int body_across(const Segment& line, const Manifold& manifold) {
+  std::map<int, bool> side_of_body;
+  for (const ManifoldElement& element : manifold.elements) {
+    const Point middle = centroid(manifold.polygon(element).front());
+    if (!lies_along(line, middle)) continue;
+    const bool is_left = cross(line.end - line.start, middle - line.start) > 0;
+    if (side_of_body.try_emplace(element.body, is_left).first->second != is_left) return element.body;
+  }
+  return -1;
 }
 
 LineResultant resultant_across(const Segment& line, const Stepper& stepper, const ContactFrames& contacts) {

@@ -44,12 +44,13 @@ std::optional<Point> way_through(const Manifold& manifold, const CrackTip& tip, 
 std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifold, double increment,
                                  const std::vector<double>& more) {
   std::vector<CrackPlan> cracks = front.cracks;
+  // Tips first: those of joints are numbered behind the cracks there were.
+  for (std::size_t i = 0; i < front.tips.size(); ++i)
+    if (front.tips[i].goes_on) prolong(cracks, front.tips[i], next_place(front, manifold, increment, i, more[i]));
   for (const CrackStart& start : front.starts) {
     const Point half = start.half_length * start.along;
     cracks.push_back({{start.at - half, start.at + half}, {}, 0, start.is_shear});
   }
-  for (std::size_t i = 0; i < front.tips.size(); ++i)
-    if (front.tips[i].goes_on) prolong(cracks, front.tips[i], next_place(front, manifold, increment, i, more[i]));
   return cracks;
 }
 

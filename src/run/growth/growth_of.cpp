@@ -17,17 +17,14 @@ namespace {
 
 constexpr double kLeastIncrements = 4;  // across all bodies: longer ones follow nothing
 
-bool is_at_rest(const Scene& scene) {
-  return scene.settings.dynamics == Dynamics::standard && scene.settings.standard.motion == MotionRule::equilibrium;
-}
-
 GrowthLoads loads_of(const Problem& problem, const Scene& scene) {
   if (problem.covers->growth->loads != GrowthLoads::automatic) return problem.covers->growth->loads;
-  return is_at_rest(scene) && problem.covers->mesh.materials.empty() ? GrowthLoads::scaled : GrowthLoads::given;
+  return is_statics(scene.settings) && problem.covers->mesh.materials.empty() ? GrowthLoads::scaled
+                                                                              : GrowthLoads::given;
 }
 
 std::string why_not_scaled(const Problem& problem, const Scene& scene) {
-  if (!is_at_rest(scene))
+  if (!is_statics(scene.settings))
     return "expected statics where cracks grow under scaled loads (velocity_carry_over 0, profile standard), found "
            "motion; growth under given loads goes on in time";
   if (!problem.covers->mesh.materials.empty())

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "run/growth/crack_front.hpp"
-#include "step/stepper.hpp"
+#include "step/stepper_of_scenes.hpp"
 
 namespace keyblock {
 
 /// The length of the cracks is what is driven, and the load follows (Bocca, Carpinteri & Valente 1991): snap-back needs
 /// nothing else. All loads of the file grow in proportion; stresses do too, in contact with friction as well, for small
 /// strain. Step k is the equilibrium with the cracks as they are after k - 1 increments.
-class GrowthStepper : public Stepper {
+class GrowthStepper : public StepperOfScenes {
  public:
   /// Of a scene with growth. Throws std::invalid_argument for one that cannot be stepped.
   explicit GrowthStepper(Scene first);
@@ -24,22 +24,17 @@ class GrowthStepper : public Stepper {
 
   /// Where no tip is left, or a piece is cut free.
   bool is_done() const override { return is_done_; }
-  const Model& model() const override { return now_->model(); }
   const Settings& settings() const override { return first_.settings; }
   const State& state() const override { return state_; }
-  const StartPlaces& unloaded() const override { return now_->unloaded(); }
-  Stress stress_at(ElementIndex e, Point start) const override { return now_->stress_at(e, start); }
-  StartReport start_report() const override { return now_->start_report(); }
   std::variant<StepReport, StepFailure> advance() override;
   LedgerRow ledger() const override { return {}; }
   LedgerScope ledger_scope() const override { return {}; }
-  std::optional<ForceBalance> forces() const override { return now_->forces(); }
-  std::optional<CoverDisplacement> on_covers() const override { return now_->on_covers(); }
   std::vector<TipState> tips() const override { return front_.tips; }
   double load_factor() const override { return load_factor_; }
   void save(Archive& archive) override;
 
  private:
+  const Stepper& now() const override { return *now_; }
   /// An equilibrium with some cracks, and the tips in it.
   struct Solved {
     std::unique_ptr<Stepper> stepper;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -18,18 +19,11 @@
 namespace keyblock {
 namespace {
 
-/// Of waves along a free surface, length / time (Viktorov 1967): what a tip in mode I nears and never passes (Freund
-/// 1990, chapter 7).
-double rayleigh_speed(const PlaneElasticity& rock, double density) {
-  const double nu = rock.is_plane_strain ? rock.poissons_ratio : rock.poissons_ratio / (1 + rock.poissons_ratio);
-  return std::sqrt(rock.shear_modulus() / density) * (0.862 + 1.14 * nu) / (1 + nu);
-}
-
 double energy_of_fracture(const PlaneElasticity& rock, double toughness) {
   return toughness * toughness / rock.effective_modulus();
 }
 
-/// The pieces that cracks gained.
+/// The pieces that cracks gained; one that started, from its front to its back, is one piece.
 std::vector<std::pair<Point, Point>> gained(const std::vector<CrackPlan>& before, const std::vector<CrackPlan>& after) {
   std::vector<std::pair<Point, Point>> pieces;
   for (std::size_t c = 0; c < after.size(); ++c) {
@@ -67,15 +61,6 @@ void describe_names(Archive& archive, std::vector<Identity>& names) {
     archive.value("number", name.number);
     archive.value("origin", name.origin);
   });
-}
-
-Point displacement(const CoverDisplacement& moved, int element, Point start) {
-  const ElementShape shape = moved.basis.shape(element);
-  const Eigen::RowVectorXd n = shape.values(start);
-  Eigen::Vector2d u = Eigen::Vector2d::Zero();
-  for (int a = 0; a < shape.function_count(); ++a)
-    u += n(a) * moved.d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
-  return {u.x(), u.y()};
 }
 
 /// What a tip that goes on takes per length.
@@ -162,7 +147,13 @@ CoverSolution GrowthUnderLoads::solution() const {
 }
 
 void GrowthUnderLoads::place_parting(const Manifold& manifold) {
-  for (PartingFaces& faces : parting_) put_elements(faces, manifold);
+  for (PartingFaces& faces : parting_) {
+    put_elements(faces, manifold);
+    if (std::ranges::none_of(faces.points, [](const PartingPoint& point) { return point.left >= 0; }))
+      throw InputError(first_.growth->plan.place,
+                       fmt::format("no rock on both sides of the new faces from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})",
+                                   faces.from.x, faces.from.y, faces.to.x, faces.to.y));
+  }
 }
 
 std::vector<FacePull> GrowthUnderLoads::pulls(int first) const {
@@ -189,9 +180,14 @@ void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
   const CoverDisplacement moved = *now_->on_covers();
   for (const auto& [from, to] : gained(front_.cracks, after)) {
     const auto piece = std::ranges::find(pieces_, from, &Piece::from);
-    if (piece == pieces_.end() || !(piece->energy > 0)) continue;
+    if (piece == pieces_.end()) throw std::logic_error("a crack gained a piece whose energy of fracture is not known");
+    if (!(piece->energy > 0)) continue;
     const auto element = [&](Point p) { return element_of(manifold, CrackTip{p, {}}); };
-    const auto place = [&](Point p) { return p + displacement(moved, std::max(0, element(p)), p); };
+    const auto place = [&](Point p) {
+      const int e = element(p);
+      if (e < 0) throw InputError(first_.growth->plan.place, fmt::format("no rock at ({:.6g}, {:.6g})", p.x, p.y));
+      return p + displacement_at(moved, e, p);
+    };
     const Point along = place(to) - place(from);
     const double stretch = length(along) / distance(from, to);
     const Point out = (stretch / length(along)) * Point{along.y, -along.x};
@@ -208,11 +204,13 @@ void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
 void GrowthUnderLoads::recut() {
   auto change = std::make_shared<SceneChange>();
   CrackFront before = front_;
+  const std::vector<CrackPlan> wanted = next_;
   const std::vector<PartingFaces> parting_before = parting_;
   const std::vector<RefinedPoint> refined_before = refined_;
   try {
     if (is_in_time()) begin_to_part(next_);
-    front_ = {std::exchange(next_, {}), {}, {}};
+    front_ = {wanted, {}, {}};
+    next_.clear();
     refined_.clear();
     for (const PartingFaces& faces : parting_)
       for (const Point end : {faces.from, faces.to}) refined_.push_back({end, first_.growth->tip_side});
@@ -224,14 +222,15 @@ void GrowthUnderLoads::recut() {
     place_parting(manifold);
     now_ = std::make_unique<StandardStepper>(*now_, *change, pulls(first));
   } catch (...) {
-    next_ = std::exchange(front_, std::move(before)).cracks;
+    next_ = wanted;
+    front_ = std::move(before);
     parting_ = parting_before;
     refined_ = refined_before;
     throw;
   }
   const CoverDisplacement moved = *now_->on_covers();
   for (PartingFaces& faces : parting_)
-    look_at_openings(faces, [&](int e, Point p) { return displacement(moved, e, p); });
+    look_at_openings(faces, [&](int e, Point p) { return displacement_at(moved, e, p); });
   pieces_.clear();
 }
 
@@ -256,19 +255,23 @@ void GrowthUnderLoads::look_at_tips() {
   std::erase_if(front_.starts, [](const CrackStart& start) { return start.nearness() < 1; });
   for (TipState& tip : front_.tips) {
     const CrackTip& place = tip_of(continuum.manifold, tip);
-    const double density = continuum.material(std::max(0, element_of(continuum.manifold, place))).density;
-    tip.goes_on = may_go_on(tip, rayleigh_speed(rock_at(continuum, place), density));
+    const int e = element_of(continuum.manifold, place);
+    if (e < 0) continue;
+    tip.goes_on = may_go_on(tip, rayleigh_speed(rock_at(continuum, place), continuum.material(e).density));
     if (tip.goes_on) pieces_.push_back({tip.at, energy_of(continuum, tip)});
   }
   if (pieces_.empty() && front_.starts.empty()) return;
   for (const CrackStart& start : front_.starts) {
     const CrackTip at{start.at, start.along};
-    const auto& toughness = continuum.material(std::max(0, element_of(continuum.manifold, at))).toughness;
-    pieces_.push_back({start.at - start.half_length * start.along,
-                       energy_of_fracture(rock_at(continuum, at), toughness ? toughness->mode_1 : 0)});
+    const Toughness& toughness = *continuum.material(element_of(continuum.manifold, at)).toughness;
+    pieces_.push_back(
+        {start.at - start.half_length * start.along,
+         energy_of_fracture(rock_at(continuum, at), start.is_shear ? *toughness.mode_2 : toughness.mode_1)});
   }
   next_ = prolonged(front_, continuum.manifold, plan.increment, std::vector<double>(front_.tips.size(), 0));
   for (const auto& [from, to] : gained(front_.cracks, next_)) arrivals_.push_back({to, state().time});
+  for (std::size_t c = next_.size() - front_.starts.size(); c < next_.size(); ++c)
+    arrivals_.push_back({next_[c].along.front(), state().time});
 }
 
 std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
@@ -276,11 +279,13 @@ std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
       recut();
     } catch (const InputError& error) {
       return StepFailure{fmt::format("step {}: cracks cannot go on so: {}", state().step + 1, error.what()), {}};
+    } catch (const std::invalid_argument& error) {
+      return StepFailure{fmt::format("step {}: cracks cannot go on so: {}", state().step + 1, error.what()), {}};
     }
   std::variant<StepReport, StepFailure> made = now_->advance();
   if (std::holds_alternative<StepFailure>(made)) return made;
   const CoverDisplacement moved = *now_->on_covers();
-  for (PartingFaces& faces : parting_) let_go(faces, [&](int e, Point p) { return displacement(moved, e, p); });
+  for (PartingFaces& faces : parting_) let_go(faces, [&](int e, Point p) { return displacement_at(moved, e, p); });
   look_at_tips();
   std::erase_if(parting_, &PartingFaces::have_parted);
   now_->put_pulls(pulls(first_on_covers()));

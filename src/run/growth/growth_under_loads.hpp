@@ -9,6 +9,7 @@
 #include "fracture/parting_faces.hpp"
 #include "run/growth/crack_front.hpp"
 #include "step/standard_stepper.hpp"
+#include "step/stepper_of_scenes.hpp"
 
 namespace keyblock {
 
@@ -16,34 +17,20 @@ namespace keyblock {
 /// reached the strength, and the next step is made on bodies cut so, which keep their motion (carry_motion.hpp). In
 /// time a tip goes on no faster than waves run along a free surface, and its new faces part as PartingFaces says; at
 /// rest they part at once, the work they would have done being lost.
-class GrowthUnderLoads : public Stepper {
+class GrowthUnderLoads : public StepperOfScenes {
  public:
   /// Of a scene with growth that the standard step moves. Throws std::invalid_argument for one that cannot be stepped.
   explicit GrowthUnderLoads(Scene first);
   /// As it was saved, of the same scene. Throws InputError.
   GrowthUnderLoads(Scene first, Archive& saved);
 
-  const Model& model() const override { return now_->model(); }
-  const Settings& settings() const override { return now_->settings(); }
-  const State& state() const override { return now_->state(); }
-  const StartPlaces& unloaded() const override { return now_->unloaded(); }
-  Stress stress_at(ElementIndex e, Point start) const override { return now_->stress_at(e, start); }
-  std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override {
-    return now_->plastic_at(e, start);
-  }
-  std::optional<PlasticTotals> plastic_totals() const override { return now_->plastic_totals(); }
-  std::optional<State> attempted() const override { return now_->attempted(); }
-  ContactFrames contacts() const override { return now_->contacts(); }
-  StartReport start_report() const override { return now_->start_report(); }
   std::variant<StepReport, StepFailure> advance() override;
-  LedgerRow ledger() const override { return now_->ledger(); }
   LedgerScope ledger_scope() const override;
-  std::optional<ForceBalance> forces() const override { return now_->forces(); }
-  std::optional<CoverDisplacement> on_covers() const override { return now_->on_covers(); }
   std::vector<TipState> tips() const override { return front_.tips; }
   void save(Archive& archive) override;
 
  private:
+  const Stepper& now() const override { return *now_; }
   /// Since when a tip is where it is.
   struct Arrival {
     Point at;

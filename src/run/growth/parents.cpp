@@ -3,11 +3,12 @@
 #include "run/growth/parents.hpp"
 
 #include <cmath>
-#include <stdexcept>
+#include <limits>
 #include <vector>
 
 #include "geometry/box_tree.hpp"
 #include "geometry/polygon.hpp"
+#include "geometry/segment.hpp"
 #include "model/continuum.hpp"
 
 namespace keyblock {
@@ -29,6 +30,19 @@ bool holds(const std::vector<std::vector<Point>>& loops, Point p) {
     if (where == Side::inside) is_inside = !is_inside;
   }
   return is_inside;
+}
+
+/// For a sliver whose inner point round-off puts outside all of them.
+int nearest_to(const Manifold& manifold, Point p) {
+  int nearest = 0;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t e = 0; e < manifold.elements.size(); ++e)
+    for (const std::vector<Point>& loop : loops_of(manifold, e))
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const double d = distance(Segment{loop[i], loop[(i + 1) % loop.size()]}, p);
+        if (d < least) least = d, nearest = static_cast<int>(e);
+      }
+  return nearest;
 }
 
 }  // namespace
@@ -58,10 +72,8 @@ Table<ElementIndex, ElementIndex> parents_by_place(const Model& before, const Mo
   });
   Table<ElementIndex, ElementIndex> parents;
   for (int b = 0; b < blocks; ++b) parents.push_back({b});
-  for (const int p : parent) {
-    if (p < 0) throw std::logic_error("an element of a body that was cut anew lies outside what it was before");
-    parents.push_back({blocks + p});
-  }
+  for (std::size_t e = 0; e < parent.size(); ++e)
+    parents.push_back({blocks + (parent[e] >= 0 ? parent[e] : nearest_to(was, inner[e]))});
   return parents;
 }
 

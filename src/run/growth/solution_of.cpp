@@ -12,16 +12,18 @@ namespace {
 // Of X = x - u(X), which contracts where strains are small.
 constexpr int kRounds = 3;
 
+Point sum_at(const ElementShape& shape, const Eigen::VectorXd& d, Point start) {
+  const Eigen::RowVectorXd n = shape.values(start);
+  Eigen::Vector2d u = Eigen::Vector2d::Zero();
+  for (int a = 0; a < shape.function_count(); ++a)
+    u += n(a) * d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
+  return {u.x(), u.y()};
+}
+
 Point undeformed(const CoverDisplacement& moved, int element, Point x) {
   const ElementShape shape = moved.basis.shape(element);
   Point start = x;
-  for (int round = 0; round < kRounds; ++round) {
-    const Eigen::RowVectorXd n = shape.values(start);
-    Eigen::Vector2d u = Eigen::Vector2d::Zero();
-    for (int a = 0; a < shape.function_count(); ++a)
-      u += n(a) * moved.d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
-    start = x - Point{u.x(), u.y()};
-  }
+  for (int round = 0; round < kRounds; ++round) start = x - sum_at(shape, moved.d, start);
   return start;
 }
 
@@ -52,6 +54,10 @@ std::vector<FaceForce> face_forces(const Stepper& stepper, const CoverDisplaceme
 }
 
 }  // namespace
+
+Point displacement_at(const CoverDisplacement& moved, int element, Point start) {
+  return sum_at(moved.basis.shape(element), moved.d, start);
+}
 
 std::optional<CoverSolution> solution_of(const Stepper& stepper) {
   const std::optional<CoverDisplacement> moved = stepper.on_covers();

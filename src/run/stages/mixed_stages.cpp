@@ -10,23 +10,13 @@
 #include "geometry/polygon.hpp"
 #include "model/continuum.hpp"
 #include "run/bodies/mixed_model.hpp"
+#include "step/groups/carry_blocks.hpp"
 
 namespace keyblock {
 namespace {
 
 bool has_mesh(const MeshPlan& mesh) {
   return mesh.half_rows > 0 || mesh.side > 0;
-}
-
-std::vector<std::vector<Point>> loops_of(const Model& model, ElementIndex e) {
-  std::vector<std::vector<Point>> loops;
-  VertexIndex v = model.elements[e].first_vertex;
-  for (const int size : model.elements[e].loop_sizes) {
-    loops.emplace_back();
-    for (int i = 0; i < size; ++i, ++v.value)
-      loops.back().push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
-  }
-  return loops;
 }
 
 /// The elements of one block, by where they lie.

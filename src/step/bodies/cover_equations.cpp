@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-Eigen::VectorXd known(const StepSum& sum, const CoverMotion& start) {
+Eigen::VectorXd known_of_covers(const StepSum& sum, const CoverMotion& start) {
   return sum.velocity * start.v + sum.acceleration * start.a;
 }
 
@@ -30,11 +30,11 @@ void CoverEquations::begin(const CoverMotion& start, const Eigen::VectorXd& load
     for (const double b : bodies_.stiffness_damping) of_strain_rate_.push_back(b / dt);
   start_ = start.q;
   points_ = start.points;
-  known_inertia_ = known(rule.inertia, start);
-  if (bodies_.has_mass_damping) known_damping_ = known(rule.damping, start);
+  known_inertia_ = known_of_covers(rule.inertia, start);
+  if (bodies_.has_mass_damping) known_damping_ = known_of_covers(rule.damping, start);
   load_ = load;
-  known_velocity_ = known(rule.end_velocity, start);
-  known_acceleration_ = known(rule.end_acceleration, start);
+  known_velocity_ = known_of_covers(rule.end_velocity, start);
+  known_acceleration_ = known_of_covers(rule.end_acceleration, start);
 }
 
 bool CoverEquations::has_factor() const {

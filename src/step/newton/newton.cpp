@@ -30,13 +30,13 @@ std::string_view in_words(RoundsEnd end) {
 
 // `left`: the change of a round over that of the one before.
 double PartsByChange::next(double left) {
-  using namespace tolerances::of_line_search;
-  if (left > kStalls) {
+  using namespace tolerances;
+  if (left > of_line_search::kStalls) {
     kept_ = 0;
-    return part_ = std::max(part_ / 2, kLeastPart);
+    return part_ = std::max(part_ / 2, of_line_search::kLeastPart);
   }
-  kept_ = left <= 1 - kPromised * part_ ? kept_ + 1 : 0;
-  if (left < kLeads || kept_ > 1) {
+  kept_ = left <= 1 - of_line_search::kPromised * part_ ? kept_ + 1 : 0;
+  if (left < of_line_search::kLeads || kept_ > 1) {
     kept_ = 0;
     part_ = std::min(1.0, 2 * part_);
   }

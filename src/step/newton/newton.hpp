@@ -23,7 +23,7 @@ enum class RoundsEnd {
   turned_over,        ///< balanced, but an element is turned inside out
 };
 
-/// "too many rounds of Newton's method", and the like.
+/// "too many rounds", and the like.
 std::string_view in_words(RoundsEnd end);
 
 /// What rounds took. `residuals`: before each round and at the end, over the largest of the forces.
@@ -31,7 +31,7 @@ struct NewtonRounds {
   std::vector<double> residuals;
   RoundsEnd end = RoundsEnd::open;
 
-  int count() const { return static_cast<int>(residuals.size()) - 1; }
+  int count() const { return residuals.empty() ? 0 : static_cast<int>(residuals.size()) - 1; }
 };
 
 /// The rounds. Equations say how their estimate stands (`state`), find what Newton's method adds to it, with contact
@@ -61,7 +61,7 @@ struct WholeIncrements {
 struct Backtracking {
   template <class Equations>
   void take_part(Equations& equations) const {
-    using namespace tolerances::of_line_search;
+    using tolerances::of_line_search::kLeastFall, tolerances::of_line_search::kMostHalvings;
     const double before = equations.residual();
     double part = 1;
     double after = equations.residual_with(part);

@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_newton;
+using namespace tolerances;
 
 /// Of |a + s b| = length the s whose a + s b points most along `direction`; none where the line misses the cylinder.
 std::optional<double> on_cylinder(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double length,
@@ -67,7 +67,7 @@ class OnPath {
  private:
   void look() {
     now_ = tangent_.bodies().balance(from_.state, at_.state.d, at_.share);
-    rounds_.residuals.push_back(left_of(now_));
+    rounds_.residuals.push_back(share_out_of_balance(now_));
   }
 
   LoadedTangent& tangent_;
@@ -126,7 +126,7 @@ std::optional<PathPoint> ArcLength::next(const PathPoint& from, double length, N
   }
   OnPath equations(tangent_, from, std::move(*at), length, rounds, last_);
   WholeIncrements search;
-  rounds.end = newton(equations, search, kMostRounds);
+  rounds.end = newton(equations, search, of_newton::kMostRounds);
   if (rounds.end != RoundsEnd::balanced) return std::nullopt;
   PathPoint found = std::move(equations).end();
   if (tangent_.bodies().turned_over(found.state.d) < 0) return found;

@@ -18,26 +18,28 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_compatible_start;
+using namespace tolerances;
 
-class Settling {
+class CompatibleSettling {
  public:
-  Settling(const StandardScene& scene, Motion motion)
+  CompatibleSettling(const StandardScene& scene, Motion motion)
       : start_(scene, std::move(motion)),
         unshifted_(start_.motion),
         found_(touches_of(scene, start_.motion, start_.scales, scene.settings.time_step)) {}
 
   CompatibleStart run() {
     if (start_.tolerance == 0) return {std::move(start_.motion), {}};
-    for (int round = 0; round < kStaticRounds || (round < kMostRounds && (misfit() > kFits || !start_.balances()));
+    for (int round = 0;
+         round < of_compatible_start::kStaticRounds ||
+         (round < of_compatible_start::kMostRounds && (misfit() > of_compatible_start::kFits || !start_.balances()));
          ++round) {
-      settle(round >= kStaticRounds);
-      while (break_open_bonds() || stretch_bolts()) settle(round >= kStaticRounds);
-      tell_headway("start in equilibrium", share_of_fall(1, misfit(), kFits));
+      settle(round >= of_compatible_start::kStaticRounds);
+      while (break_open_bonds() || stretch_bolts()) settle(round >= of_compatible_start::kStaticRounds);
+      tell_headway("start in equilibrium", share_of_fall(1, misfit(), of_compatible_start::kFits));
       add_overlapping();
     }
     remember();
-    const std::string failure = greatest_shift_ > kLeverage * asked_ ? too_far() : std::string();
+    const std::string failure = greatest_shift_ > of_compatible_start::kLeverage * asked_ ? too_far() : std::string();
     const double left = misfit();
     return {std::move(start_.motion), failure, left, start_.carrying_bolts(), weak_bolts_.empty() && start_.balances()};
   }
@@ -64,7 +66,8 @@ class Settling {
     for (std::size_t i = 0; i < start_.scene.model.bolts.size(); ++i) {
       const bool may_pull = start_.scene.model.bolts[i].is_spring() && !start_.motion.constraints.broken[i] &&
                             !std::ranges::count(start_.bolts, i) && !std::ranges::count(weak_bolts_, i);
-      if (may_pull && longer[static_cast<Eigen::Index>(2 * i)] > kRoundOff * start_.acceleration_of_loads)
+      if (may_pull &&
+          longer[static_cast<Eigen::Index>(2 * i)] > of_compatible_start::kRoundOff * start_.acceleration_of_loads)
         start_.bolts.push_back(i);
     }
     if (start_.bolts.size() == before) return false;
@@ -97,8 +100,8 @@ class Settling {
     if (start_.motion.bonds.empty()) return false;
     const std::size_t before = start_.motion.bonds.size();
     const Eigen::VectorXd opening = rates(start_.rows, start_.acceleration);
-    const double least =
-        kRoundOff * rates(start_.rows, start_.product(start_.rigid, start_.loads)).cwiseAbs().maxCoeff();
+    const double least = of_compatible_start::kRoundOff *
+                         rates(start_.rows, start_.product(start_.rigid, start_.loads)).cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < start_.touches.size(); ++i) {
       const ContactLaw law = start_.law(i);
       if (law.is_bonded && start_.normal(i) <= law.force.least && opening[start_.tangential(i) - 1] > least)
@@ -144,7 +147,8 @@ class Settling {
       missing += off.cwiseAbs().sum();
     }
     if (missing == 0) return;
-    problem.goal = problem.acceptable = kShiftTolerance * missing / problem.w.diagonal().maxCoeff();
+    problem.goal = problem.acceptable =
+        of_compatible_start::kShiftTolerance * missing / problem.w.diagonal().maxCoeff();
     const UnknownsTable by =
         answer(start_.rows, {yielding}, newton(problem, Eigen::VectorXd::Zero(start_.forces.size())).forces);
     start_.motion.q = plus(start_.motion.q, 1, by);
@@ -155,7 +159,7 @@ class Settling {
 
   double misfit() const {
     const double left = start_.missing();
-    return left > kRoundOff * start_.scales.size ? left / asked_ : 0;
+    return left > of_compatible_start::kRoundOff * start_.scales.size ? left / asked_ : 0;
   }
 
   // Corners where no edge led, and that strains and shifts have pressed together.
@@ -211,7 +215,7 @@ class Settling {
 }  // namespace
 
 CompatibleStart compatible(const StandardScene& scene, Motion motion) {
-  return Settling(scene, std::move(motion)).run();
+  return CompatibleSettling(scene, std::move(motion)).run();
 }
 
 }  // namespace keyblock

@@ -12,8 +12,9 @@
 namespace keyblock {
 
 /// What is out of balance over the largest of the forces.
-inline double left_of(const LoadedBodies::Balance& balance) {
-  return balance.scale > 0 ? balance.residual.norm() / balance.scale : 0;
+inline double share_out_of_balance(const LoadedBodies::Balance& balance) {
+  const double residual = balance.residual.norm();
+  return residual == 0 ? 0 : residual / balance.scale;
 }
 
 /// Whether a round of Newton's method has anything to do.

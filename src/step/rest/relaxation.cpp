@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_relaxation;
+using namespace tolerances;
 
 void freeze(TimeCurve& curve, double time) {
   curve = {{time}, {curve.at(time)}, curve.place};
@@ -42,7 +42,7 @@ class Relaxation {
   }
 
   StandardStep run() {
-    for (int step = 0; step < kMostSteps && result_.converged && result_.failure.empty(); ++step) {
+    for (int step = 0; step < of_relaxation::kMostSteps && result_.converged && result_.failure.empty(); ++step) {
       if (is_at_rest()) return std::move(result_);
       make_step();
     }
@@ -52,10 +52,10 @@ class Relaxation {
 
  private:
   bool is_at_rest() {
-    if (kinetic_ > kAtRest * std::max(work_, greatest_kinetic_)) return false;
+    if (kinetic_ > of_relaxation::kAtRest * std::max(work_, greatest_kinetic_)) return false;
     const Balance balance = balance_of(scene_, result_.motion, time_, driving_);
     result_.residual = balance.share;
-    tell_headway("dynamic relaxation", share_of_fall(1, balance.share, kBalancedAsARule));
+    tell_headway("dynamic relaxation", share_of_fall(1, balance.share, of_relaxation::kBalancedAsARule));
     if (balance.holds()) stop();
     return balance.holds();
   }
@@ -85,7 +85,7 @@ class Relaxation {
         if (share <= farthest) continue;
         farthest = share;
         way = after[v] - before[v];
-        number = e.value + 1;
+        number = scene_.model.number_of(e);
       }
     result_.failure = fmt::format(
         "{}; dynamic relaxation followed it for {} steps: block {} has gone {:.3g} times its size, by ({:.3g}, "

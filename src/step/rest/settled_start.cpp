@@ -19,7 +19,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_settled_start;
+using namespace tolerances;
 
 class Settling {
  public:
@@ -39,16 +39,18 @@ class Settling {
     Motion before = motion_;  // with what the springs of the glue are compressed by
     before.q = drawn;
     add_overlapping(before);
-    double stiffness = kShortest;
+    double stiffness = of_settled_start::kShortest;
     double first_share = 0;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
       const double moved = step(stiffness);
       const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
       if (i == 0) first_share = moved / free;
       tell_headway("start, glued blocks let go",
-                   std::max(double(i + 1) / kMostSteps, share_of_fall(first_share, moved / free, kAtRest)));
-      if (moved <= kAtRest * free) break;
-      if (moved <= kFarthest * scales_.size) stiffness = std::min(kGrowth * stiffness, kLongest);
+                   std::max(double(i + 1) / of_settled_start::kMostSteps,
+                            share_of_fall(first_share, moved / free, of_settled_start::kAtRest)));
+      if (moved <= of_settled_start::kAtRest * free) break;
+      if (moved <= of_settled_start::kFarthest * scales_.size)
+        stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
     }
     motion_.v = velocities_;
     return {std::move(motion_), unsolved_};
@@ -65,7 +67,7 @@ class Settling {
     const ContactRows of_constraints = constraints.rows(motion_.q);
     rows.insert(rows.end(), of_constraints.begin(), of_constraints.end());
     const auto count = static_cast<Eigen::Index>(rows.size());
-    Eigen::VectorXd compliance = Eigen::VectorXd::Constant(count, kRigid / scene_.normal_stiffness());
+    Eigen::VectorXd compliance = Eigen::VectorXd::Constant(count, of_settled_start::kRigid / scene_.normal_stiffness());
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Springs springs = springs_of(scene_, faces[i]);
       compliance.segment<2>(static_cast<Eigen::Index>(2 * i)) << springs.normal, springs.tangential;
@@ -73,11 +75,11 @@ class Settling {
     for (std::size_t i = 0; i < constraints.bolt_count(); ++i) {
       const Eigen::Index n = of_faces + static_cast<Eigen::Index>(2 * i);
       compliance[n] = constraints.compliance(i);
-      compliance[n + 1] = kHeldByNothing / scene_.normal_stiffness();  // none across
+      compliance[n + 1] = of_settled_start::kHeldByNothing / scene_.normal_stiffness();  // none across
     }
     Eigen::VectorXd gaps = Eigen::VectorXd::Zero(count);
     gaps.tail(count - of_faces) = constraints.gaps(motion_.q);
-    const double inertia = scene_.normal_stiffness() / (kHeldByNothing * heaviest());
+    const double inertia = scene_.normal_stiffness() / (of_settled_start::kHeldByNothing * heaviest());
     Table<ElementIndex, UnknownBlock> stiffness;
     for (const Body& body : scene_.bodies()) stiffness.push_back(body.sum_of(inertia, 1));
     const auto made = displacements_of_joined(stiffness, rows, compliance, gaps, loads_);
@@ -99,9 +101,10 @@ class Settling {
     StandardChoices choices = scene_.settings.standard;
     choices.force_weight = 1;  // each step ends at the rest that it heads for, not as far beyond
     const StepRule rule = step_rule(choices, dt);
-    const ForceTolerance tolerance{kForceGoal * scales_.force, kForceAcceptable * scales_.force, kMostSystems};
+    const ForceTolerance tolerance{of_settled_start::kForceGoal * scales_.force,
+                                   of_settled_start::kForceAcceptable * scales_.force, of_settled_start::kMostSystems};
     SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule);
-    for (int search = 1; search < kMostSearches && made.converged; ++search) {
+    for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
       const Touches fresh = overlapping_at(made.q, motion_);
       if (fresh.empty()) break;
       found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
@@ -109,7 +112,7 @@ class Settling {
     }
     if (!made.converged) {
       ++unsolved_;
-      return kFarthest * scales_.size;
+      return of_settled_start::kFarthest * scales_.size;
     }
     const UnknownsTable moved = plus(made.q, -1, motion_.q);
     const Eigen::VectorXd way = rates(made.rows, moved);

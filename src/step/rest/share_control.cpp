@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_newton;
+using namespace tolerances;
 
 class AtShare {
  public:
@@ -31,9 +31,9 @@ class AtShare {
       d_ = guess;
       now_ = std::move(guessed);
     }
-    rounds_.residuals.push_back(left_of(now_));
-    tell_headway("rounds of Newton's method", std::max(share_of_fall(1, rounds_.residuals.back(), kBalanced),
-                                                       static_cast<double>(rounds_.count()) / kMostRounds));
+    rounds_.residuals.push_back(share_out_of_balance(now_));
+    tell_headway("rounds of Newton's method", std::max(share_of_fall(1, rounds_.residuals.back(), of_newton::kBalanced),
+                                                       static_cast<double>(rounds_.count()) / of_newton::kMostRounds));
   }
 
   RoundsEnd state() const { return state_of(rounds_.residuals.back()); }
@@ -52,14 +52,14 @@ class AtShare {
     next_ = balance(d_ + part * increment_);
     return next_.residual.norm();
   }
-  bool would_balance() const { return left_of(next_) <= kBalanced; }
+  bool would_balance() const { return share_out_of_balance(next_) <= of_newton::kBalanced; }
 
   /// The part whose residual was looked at last.
   void take(double part) {
     d_ += part * increment_;
     last_ = d_;
     now_ = std::move(next_);
-    rounds_.residuals.push_back(left_of(now_));
+    rounds_.residuals.push_back(share_out_of_balance(now_));
   }
 
   LoadedState end() && { return {std::move(d_), std::move(now_.rock.after)}; }
@@ -83,11 +83,11 @@ class AtShare {
 
 std::optional<LoadedState> ShareControl::solve(const LoadedState& from, const Eigen::VectorXd& guess, double share,
                                                NewtonRounds& rounds) {
-  for (const double elastic_share : {0.0, kElasticShare}) {
+  for (const double elastic_share : {0.0, of_newton::kElasticShare}) {
     AtShare equations(tangent_, from, share, elastic_share, rounds, last_);
     equations.begin_at_better(guess);
     Backtracking search;
-    rounds.end = newton(equations, search, kMostRounds);
+    rounds.end = newton(equations, search, of_newton::kMostRounds);
     if (rounds.end != RoundsEnd::balanced) continue;
     LoadedState found = std::move(equations).end();
     if (tangent_.bodies().turned_over(found.d) < 0) return found;

@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_start_forces;
+using namespace tolerances;
 
 Table<ElementIndex, UnknownBlock> scaled(double by, Table<ElementIndex, UnknownBlock> blocks) {
   for (UnknownBlock& block : blocks) block *= by;
@@ -47,8 +47,8 @@ StartForces::StartForces(const StandardScene& of, Motion start)
   if (!of_bolts.empty()) loads = plus(loads, 1, answer(of_bolts, {identities()}, pretensions(scene)));
   scales = scales_of(scene, loads, motion.q, motion.v);
   add_centrifugal_force(scene, motion.v, loads);
-  tolerance = kForceTolerance * scales.force;
-  acceptable = kLooser * tolerance;
+  tolerance = of_start_forces::kForceTolerance * scales.force;
+  acceptable = of_start_forces::kLooser * tolerance;
   for (const Body& body : scene.bodies())
     if (body.mass.rows() > 0) heaviest = std::max(heaviest, body.mass(0, 0));
   touches = resting_touches(scene, motion, scales);
@@ -105,7 +105,7 @@ void StartForces::distribute() {
   UnknownsTable increments;
   for (ElementIndex e : indices(scene.bodies())) {
     const Body& body = scene.bodies()[e];
-    const UnknownBlock a = body.sum_of(softest / (kLong * heaviest), 1);
+    const UnknownBlock a = body.sum_of(softest / (of_start_forces::kLong * heaviest), 1);
     flexibility.push_back(a.rows() > 0 ? UnknownBlock(a.llt().solve(UnknownBlock::Identity(a.rows(), a.cols()))) : a);
     const Unknowns unbalanced =
         loads[e] + body.initial_stress - body.elastic_force(motion.q[e]) - body.mass * acceleration[e];
@@ -113,8 +113,8 @@ void StartForces::distribute() {
   }
   FrictionalProblem problem{ContactMatrix(rows, {flexibility}), rates(rows, increments), {}, tolerance, acceptable, {}};
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
-  const double beyond = kBeyond * problem.b.cwiseAbs().maxCoeff() +
-                        kBeyond * problem.w.diagonal().maxCoeff() * forces.cwiseAbs().maxCoeff();
+  const double beyond = of_start_forces::kBeyond * problem.b.cwiseAbs().maxCoeff() +
+                        of_start_forces::kBeyond * problem.w.diagonal().maxCoeff() * forces.cwiseAbs().maxCoeff();
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const ContactLaw law = contact_law(scene, motion.bonds, touches[i]);
     const Eigen::Index n = tangential(i) - 1;
@@ -123,7 +123,7 @@ void StartForces::distribute() {
     problem.w.add_to_diagonal(n + 1, law.tangential_compliance);
     problem.b[n] += gap_of(touches[i], vertices) - law.rest_gap;
     const double force = forces[n + 1];
-    if (std::abs(force) > 0 && std::abs(force) >= kSliding * law.force.limit(normal(i)))
+    if (std::abs(force) > 0 && std::abs(force) >= of_start_forces::kSliding * law.force.limit(normal(i)))
       problem.b[n + 1] = force > 0 ? -beyond : beyond;
   }
   add_bolts(problem);
@@ -132,7 +132,7 @@ void StartForces::distribute() {
     problem.b[bolt_row(i)] -= elongation(i);
   }
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  problem.proximal = kRegular * problem.w.diagonal();
+  problem.proximal = of_start_forces::kRegular * problem.w.diagonal();
   problem.acceptable = tolerance;
   const FrictionalSolution found = newton(problem, elastic.size() > 0 ? elastic : forces);
   if (found.residual <= acceptable) elastic = forces = found.forces;
@@ -175,7 +175,8 @@ bool StartForces::balances() const {
   if (bolts.empty()) return true;
   const UnknownsTable made = plus(product(rigid, loads), 1, answer(rows, {rigid}, forces));
   for (ElementIndex e : indices(made))
-    if (made[e].size() > 0 && (made[e] - acceleration[e]).head<2>().norm() > kUnbalanced * acceleration_of_loads)
+    if (made[e].size() > 0 &&
+        (made[e] - acceleration[e]).head<2>().norm() > of_start_forces::kUnbalanced * acceleration_of_loads)
       return false;
   return true;
 }

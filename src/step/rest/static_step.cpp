@@ -20,7 +20,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_statics;
+using namespace tolerances;
 
 class StaticSolve {
  public:
@@ -47,11 +47,11 @@ class StaticSolve {
     result_.residual = at_start.share;
     if (at_start.holds()) return finished();
     result_.residual = 1;  // all is out of balance
-    for (; iterations_ < kMostIterations && result_.failure.empty() && result_.converged; ++iterations_) {
+    for (; iterations_ < of_statics::kMostIterations && result_.failure.empty() && result_.converged; ++iterations_) {
       if (!iterate()) continue;
       const Balance balance = balance_of(scene_, now_, time_, load_);
       bound_by(balance.share);
-      tell_headway("search for the equilibrium", share_of_fall(1, balance.share, kBalancedToBegin));
+      tell_headway("search for the equilibrium", share_of_fall(1, balance.share, of_statics::kBalancedToBegin));
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
       result_.moving = far_out_of_balance(balance);
@@ -86,28 +86,29 @@ class StaticSolve {
     for (const auto& group : scene_.groups) group->add_to(range, scene_.has_springs() ? scene_.normal_stiffness() : 0);
     for (const Bolt& bolt : scene_.model.bolts)
       if (bolt.is_spring()) range.slowest = std::min(range.slowest, std::sqrt(bolt.stiffness / range.heaviest));
-    tau_ = std::sqrt(kFarthest * scales.size * range.lightest / load_);
-    const double longest = range.all_strain ? kLongest : kLongestOfRigid;
+    tau_ = std::sqrt(of_statics::kFarthest * scales.size * range.lightest / load_);
+    const double longest = range.all_strain ? of_statics::kLongest : of_statics::kLongestOfRigid;
     longest_ = range.slowest < std::numeric_limits<double>::max() ? longest / range.slowest : longest * tau_;
     tau_ = std::min(tau_, longest_);
     return true;
   }
 
   void bound_by(double share) {
-    bound_ = turned_back_ && share > result_.residual ? kAfterRise * std::min(used_, bound_) : kRaised * bound_;
+    bound_ = turned_back_ && share > result_.residual ? of_statics::kAfterRise * std::min(used_, bound_)
+                                                      : of_statics::kRaised * bound_;
     tau_ = std::min(tau_, bound_);
   }
 
   // Every few iterations: where forces out of balance fall no more, they may be as small as contact forces can be told;
   // if not, a longer τ moves what is slow, or shows what accelerates.
   bool settles_for_less() {
-    if (++since_look_ < kLook) return false;
+    if (++since_look_ < of_statics::kLook) return false;
     since_look_ = 0;
-    const bool falls = result_.residual < kFalls * last_look_;
+    const bool falls = result_.residual < of_statics::kFalls * last_look_;
     last_look_ = result_.residual;
     if (falls) return false;
-    longest_ *= kLonger;
-    return result_.residual <= kBalanceAcceptable;
+    longest_ *= of_statics::kLonger;
+    return result_.residual <= of_statics::kBalanceAcceptable;
   }
 
   // True if the iteration stands; otherwise τ was cut.
@@ -118,11 +119,12 @@ class StaticSolve {
     still.v.set_zero();
     const Scales scales = scales_of(scene_, loads, still.q, still.v);
     FoundTouches found = touches_of(scene_, still, scales, tau_);
-    const ForceTolerance tolerance{kForceGoal * load_,
-                                   std::max(kForceAcceptable, kForceOnTheWay * result_.residual) * load_};
+    const ForceTolerance tolerance{
+        of_statics::kForceGoal * load_,
+        std::max(of_statics::kForceAcceptable, of_statics::kForceOnTheWay * result_.residual) * load_};
     SmoothMotion made;
     Touches touches;
-    for (int search = 0; search < kMostSearches; ++search) {
+    for (int search = 0; search < of_statics::kMostSearches; ++search) {
       touches = found.touches;
       made = smooth_solve(scene_, now_, loads, touches, tolerance, time_ - 1, 1, resting_rule(tau_));
       if (made.sweeps > 0) ++result_.fallbacks;
@@ -132,18 +134,19 @@ class StaticSolve {
       found.touches.insert(found.touches.end(), fresh.begin(), fresh.end());
     }
     const double moved = travel_of(scene_, now_.q, made.q).share;
-    if ((!made.converged || !(moved <= kFarthest)) && cut(made, touches)) return false;
+    if ((!made.converged || !(moved <= of_statics::kFarthest)) && cut(made, touches)) return false;
     if (!made.converged) return false;
     accept(made, touches, tolerance.goal);
     used_ = tau_;
-    const double wanted = tau_ * std::clamp(std::sqrt(kAimed * kFarthest / moved), 1 / kGrowth, growth_);
+    const double wanted = tau_ * std::clamp(std::sqrt(of_statics::kAimed * of_statics::kFarthest / moved),
+                                            1 / of_statics::kGrowth, growth_);
     tau_ = std::min(wanted, longest_);
     cuts_in_row_ = 0;
     return true;
   }
 
   bool cut(const SmoothMotion& made, const Touches& touches) {
-    if (++cuts_in_row_ > kMostCuts) {
+    if (++cuts_in_row_ > of_statics::kMostCuts) {
       result_.converged = made.converged;
       result_.residual = made.residual / load_;
       result_.touches = touches;
@@ -151,8 +154,8 @@ class StaticSolve {
       return false;
     }
     ++cuts_;
-    tau_ /= kGrowth;
-    if (!made.converged) growth_ = kGrowthAfterCut;
+    tau_ /= of_statics::kGrowth;
+    if (!made.converged) growth_ = of_statics::kGrowthAfterCut;
     return true;
   }
 
@@ -194,7 +197,7 @@ class StaticSolve {
     const auto then = vertices_at(scene_.model, scene_.reference, slip_start_.q);
     return std::ranges::any_of(closed_.all(), [&](const auto& entry) {
       const double size = scene_.bodies()[scene_.model.vertices[entry.touch.vertex].element].size;
-      return gap_of(entry.touch, then) > kClosedThen * size;
+      return gap_of(entry.touch, then) > of_statics::kClosedThen * size;
     });
   }
 
@@ -219,7 +222,7 @@ class StaticSolve {
   double used_ = 0;                                         ///< τ of the last iteration that stands
   double bound_ = std::numeric_limits<double>::infinity();  ///< of τ, by what has risen
   double longest_ = 0;
-  double growth_ = kGrowth;
+  double growth_ = of_statics::kGrowth;
   UnknownsTable moved_;  ///< in the last iteration that stands
   bool turned_back_ = false;
   int since_look_ = 0;                                          ///< iterations

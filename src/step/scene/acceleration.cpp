@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_accelerations;
+using namespace tolerances;
 
 Touches closed_of(const Motion& motion) {
   Touches touches;
@@ -52,12 +52,13 @@ UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion
   if (closed.empty() && scene.held.empty()) return motion.a;
   const ContactRows rows = rows_with_points(scene, motion.q, closed);
   const Flexibility blocks = mass_flexibility(scene);
-  const double goal = kTolerance * largest_momentum(scene, motion.a) + kSmallest;
-  FrictionalProblem problem{ContactMatrix(rows, blocks), rates(rows, motion.a), {}, goal, kLooser * goal, {}};
+  const double goal = of_accelerations::kTolerance * largest_momentum(scene, motion.a) + of_accelerations::kSmallest;
+  FrictionalProblem problem{
+      ContactMatrix(rows, blocks), rates(rows, motion.a), {}, goal, of_accelerations::kLooser * goal, {}};
   for (const Touch& touch : closed) {
     const ContactMemory& memory = *motion.closed.of(touch);
     const double limit = contact_law(scene, motion.bonds, touch).force.limit(memory.normal);
-    problem.laws.push_back(std::abs(memory.tangential) < (1 - kAtLimit) * limit ? kHeld : kBilateral);
+    problem.laws.push_back(std::abs(memory.tangential) < (1 - of_accelerations::kAtLimit) * limit ? kHeld : kBilateral);
   }
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   const Eigen::VectorXd forces = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;

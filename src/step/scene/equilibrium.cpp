@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_rest;
+using namespace tolerances;
 
 // A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from
 // its place than its own size.
@@ -39,9 +39,9 @@ std::vector<double> ways_left(const StandardScene& scene, const Motion& motion, 
   return ways;
 }
 
-std::vector<int> numbers_of(const std::vector<ElementIndex>& blocks) {
+std::vector<int> numbers_of(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
   std::vector<int> numbers;
-  for (const ElementIndex e : blocks) numbers.push_back(e.value + 1);
+  for (const ElementIndex e : blocks) numbers.push_back(scene.model.number_of(e));
   return numbers;
 }
 
@@ -50,7 +50,8 @@ std::string smallest_in_words(const StandardScene& scene, const std::vector<Elem
   const auto area_of = [&](ElementIndex e) { return scene.reference.moments[e].area; };
   const ElementIndex smallest = *std::ranges::min_element(blocks, {}, area_of);
   const Point at = scene.reference.centroids[smallest];
-  const std::string which = blocks.size() > 1 ? fmt::format("the smallest, {}, ", smallest.value + 1) : std::string();
+  const std::string which =
+      blocks.size() > 1 ? fmt::format("the smallest, {}, ", scene.model.number_of(smallest)) : std::string();
   return fmt::format("{}at {:.4g}, {:.4g}; area {:.3g}, {:.3g} % of the mean", which, at.x, at.y, area_of(smallest),
                      100 * area_of(smallest) / scene.model.mean_area);
 }
@@ -68,7 +69,7 @@ double driving_force(const StandardScene& scene, const Motion& motion, double ti
   double largest = 0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const ElementIndex e = scene.held[i].element;
-    if (ways[i] > kInPlace * scene.bodies()[e].size)
+    if (ways[i] > of_rest::kInPlace * scene.bodies()[e].size)
       largest = std::max(largest, scene.groups.of(e).mass_of(e) * ways[i] / (dt * dt));
   }
   return largest;
@@ -83,7 +84,7 @@ Balance balance_of(const StandardScene& scene, const Motion& motion, double time
   balance.holds_points = driving_force(scene, motion, time, 1) == 0;
   for (const auto& group : scene.groups)
     group->look_at_forces(a, [&](ElementIndex e, double force) {
-      if (!(force <= kBalanced * load)) balance.blocks.push_back(e);
+      if (!(force <= of_rest::kBalanced * load)) balance.blocks.push_back(e);
       if (load > 0) balance.share = worse(balance.share, force / load);
     });
   return balance;
@@ -103,12 +104,12 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
 }
 
 std::string in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
-  return fmt::format("block{} {} ({})", blocks.size() > 1 ? "s" : "", listed(numbers_of(blocks)),
+  return fmt::format("block{} {} ({})", blocks.size() > 1 ? "s" : "", listed(numbers_of(scene, blocks)),
                      smallest_in_words(scene, blocks));
 }
 
 std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
-  const std::vector<int> numbers = numbers_of(blocks);
+  const std::vector<int> numbers = numbers_of(scene, blocks);
   const bool several = numbers.size() > 1;
   std::string_view why;
   for (const ElementIndex e : blocks)

@@ -71,14 +71,15 @@ std::string unsupported(const StandardScene& scene) {
     const bool takes_holes = scene.groups.of(e).takes_holes();
     if (!takes_holes && scene.model.elements[e].loop_sizes.size() > 1)
       return fmt::format("expected elements without holes, found one in element {}: a finer mesh has none",
-                         e.value + 1);
+                         scene.model.number_of(e));
     if (scene.pieces[e].empty() && takes_holes)
       return fmt::format(
           "expected holes inside their block, clockwise, that meet neither each other nor its outline, found others in "
           "block {}",
-          e.value + 1);
+          scene.model.number_of(e));
     if (std::ranges::any_of(scene.pieces[e], [](const ConvexPiece& piece) { return piece.corners.size() < 3; }))
-      return fmt::format("expected blocks with three corners at least, found block {} without area", e.value + 1);
+      return fmt::format("expected blocks with three corners at least, found block {} without area",
+                         scene.model.number_of(e));
   }
   return {};
 }

@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_step_control;
+using namespace tolerances;
 
 struct Verdict {
   bool accepted = true;
@@ -28,10 +28,11 @@ double relative_error(const StandardScene& scene, const Motion& before, const Mo
 }
 
 Verdict by_error(const StandardScene& scene, const Motion& before, const Motion& after, double dt) {
-  if (!after.q.all_finite() || !after.v.all_finite() || !after.a.all_finite()) return {false, kMostCut * dt};
+  if (!after.q.all_finite() || !after.v.all_finite() || !after.a.all_finite())
+    return {false, of_step_control::kMostCut * dt};
   const double share = relative_error(scene, before, after, dt) / scene.settings.standard.step_tolerance;
-  const double wanted = kSafety * std::pow(share, -1 / kOrder);
-  return {share <= 1, dt * std::clamp(wanted, kMostCut, kMostGrowth)};
+  const double wanted = of_step_control::kSafety * std::pow(share, -1 / of_step_control::kOrder);
+  return {share <= 1, dt * std::clamp(wanted, of_step_control::kMostCut, of_step_control::kMostGrowth)};
 }
 
 State state_at(double time) {
@@ -41,9 +42,9 @@ State state_at(double time) {
 }
 
 Verdict by_displacement(const StandardScene& scene, double displacement, double time, double dt) {
-  if (!std::isfinite(displacement)) return {false, kMostCut * dt};
+  if (!std::isfinite(displacement)) return {false, of_step_control::kMostCut * dt};
   const double ratio = displacement / (scene.settings.allowed_displacement_ratio * scene.model.scale);
-  if (!(ratio <= kGreatestRatio)) return {false, dt / std::sqrt(ratio)};
+  if (!(ratio <= of_step_control::kGreatestRatio)) return {false, dt / std::sqrt(ratio)};
   return {true, next_step_size(scene.model, state_at(time + dt), scene.settings, {dt, ratio, 0, 0})};
 }
 
@@ -65,20 +66,22 @@ class Parts {
   }
 
   ControlledStep run() {
-    while (left_ > kEnd * interval_ && result_.step.converged && result_.step.failure.empty()) make_part();
+    while (left_ > of_step_control::kEnd * interval_ && result_.step.converged && result_.step.failure.empty())
+      make_part();
     return std::move(result_);
   }
 
  private:
   // What is left is divided evenly, so that the last part is no splinter.
-  double part() const { return left_ / std::max(1.0, std::ceil(left_ / result_.next - kEnd)); }
+  double part() const { return left_ / std::max(1.0, std::ceil(left_ / result_.next - of_step_control::kEnd)); }
 
   void make_part() {
     const double least = scene_.settings.standard.least_step_share * interval_;
     const double dt = std::max(part(), std::min(least, left_));
     const bool is_least = dt <= least;
     StandardStep made = standard_step(scene_, result_.step.motion, time_, dt);
-    const Verdict verdict = made.converged ? judged(made.motion, dt) : Verdict{false, kUnsolvedCut * dt};
+    const Verdict verdict =
+        made.converged ? judged(made.motion, dt) : Verdict{false, of_step_control::kUnsolvedCut * dt};
     if (made.converged && is_least && !std::isfinite(moved(made.motion))) made.failure = "blocks move without bound";
     made.solves += result_.step.solves;
     made.fallbacks += result_.step.fallbacks;

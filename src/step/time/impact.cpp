@@ -17,7 +17,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_impacts;
+using namespace tolerances;
 
 Touches joined(const Touches& a, const Touches& b) {
   Touches all = a;
@@ -55,8 +55,8 @@ void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& 
 
 // Two entries a meeting. What answers them at once, closed touches and held points, takes the least of their times:
 // more could lift blocks out of reach of what they rest on.
-Eigen::VectorXd times_of(const std::vector<Meeting>& meetings, Eigen::Index size) {
-  const double least = std::ranges::min_element(meetings, {}, &Meeting::since)->since;
+Eigen::VectorXd times_of(const std::vector<ImpactMeeting>& meetings, Eigen::Index size) {
+  const double least = std::ranges::min_element(meetings, {}, &ImpactMeeting::since)->since;
   Eigen::VectorXd times = Eigen::VectorXd::Constant(size, least);
   for (std::size_t i = 0; i < meetings.size(); ++i)
     times.segment<2>(static_cast<Eigen::Index>(2 * i)).setConstant(meetings[i].since);
@@ -71,9 +71,9 @@ class Separation {
       : scene_(scene),
         touches_(joined(impacts, others)),
         flexibility_(flexibility),
-        tolerable_((has_very_many() ? kLeftToStep
-                    : has_many()    ? kNoOverlapOfMany
-                                    : kNoOverlap) *
+        tolerable_((has_very_many() ? of_impacts::kLeftToStep
+                    : has_many()    ? of_impacts::kNoOverlapOfMany
+                                    : of_impacts::kNoOverlap) *
                    scene.size()),
         least_(gaps_of(scene, before, touches_)) {
     result_.q = std::move(q);
@@ -83,17 +83,19 @@ class Separation {
 
   Separated run() {
     bool is_soft = false;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < of_impacts::kMostPasses; ++pass) {
       leave_if_stopped();
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
       const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();
       const double deepest = -std::ranges::min(room) / scene_.size();
-      if (pass == 0) is_soft = has_very_many() ? deepest < kDeep : has_many() && 2 * near.size() < touches_.size();
+      if (pass == 0)
+        is_soft = has_very_many() ? deepest < of_impacts::kDeep : has_many() && 2 * near.size() < touches_.size();
       if (is_soft) {
-        const bool is_late = has_very_many() && pass >= kSoftPassesOfVeryMany;
-        if (deepest <= (is_late ? kLeftLate : kLeftToStep) || pass == kMostSoftPasses ||
-            result_.solves >= kMostSystems || !push_softly(room, near))
+        const bool is_late = has_very_many() && pass >= of_impacts::kSoftPassesOfVeryMany;
+        if (deepest <= (is_late ? of_impacts::kLeftLate : of_impacts::kLeftToStep) ||
+            pass == of_impacts::kMostSoftPasses || result_.solves >= of_impacts::kMostSystems ||
+            !push_softly(room, near))
           break;
         continue;
       }
@@ -125,7 +127,7 @@ class Separation {
 
   // A push among many that is not settled to the last digit may do: the next pass pushes on.
   bool is_much_better(const std::vector<double>& room, const UnknownsTable& pushed) const {
-    return has_many() && std::ranges::min(room_at(pushed)) > kLocked * std::ranges::min(room);
+    return has_many() && std::ranges::min(room_at(pushed)) > of_impacts::kLocked * std::ranges::min(room);
   }
 
   FrictionalProblem problem_of(const ContactRows& rows, const std::vector<double>& room) const {
@@ -134,15 +136,15 @@ class Separation {
     problem.b = Eigen::VectorXd::Zero(problem.w.rows());
     for (std::size_t i = 0; i < room.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
     problem.goal = tolerable_ / problem.w.diagonal().maxCoeff();
-    problem.acceptable = problem.has_many() ? problem.goal : kLooser * problem.goal;
-    if (problem.has_many()) problem.most_systems = kMostSystems;
+    problem.acceptable = problem.has_many() ? problem.goal : of_impacts::kLooser * problem.goal;
+    if (problem.has_many()) problem.most_systems = of_impacts::kMostSystems;
     return problem;
   }
 
   static void soften(FrictionalProblem& problem) {
     for (Eigen::Index n = 0; n < static_cast<Eigen::Index>(2 * problem.count()); n += 2)
       if (problem.laws[static_cast<std::size_t>(n / 2)].can_open())
-        problem.w.add_to_diagonal(n, kYield * problem.w.diagonal()[n]);
+        problem.w.add_to_diagonal(n, of_impacts::kYield * problem.w.diagonal()[n]);
   }
 
   // In assemblies, where a block or two overlap among thousands that rest against each other in rings: these and their
@@ -158,17 +160,17 @@ class Separation {
     const ContactRows rows = rows_with_points(scene_, result_.q, near);
     FrictionalProblem problem = problem_of(rows, near_room);
     soften(problem);
-    problem.goal = kPushed * -before / problem.w.diagonal().maxCoeff();
+    problem.goal = of_impacts::kPushed * -before / problem.w.diagonal().maxCoeff();
     problem.acceptable = problem.goal;
-    problem.most_systems = std::max(kFewestSystems, kMostSystems - result_.solves);
+    problem.most_systems = std::max(of_impacts::kFewestSystems, of_impacts::kMostSystems - result_.solves);
     const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
     result_.solves += push.solves;
     const UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
     const std::vector<double> left = room_at(pushed);
-    if (!push.converged || std::ranges::min(left) < kWorse * before) return false;
+    if (!push.converged || std::ranges::min(left) < of_impacts::kWorse * before) return false;
     result_.q = pushed;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      if (room[i] >= -tolerable_ || left[i] >= kLocked * room[i]) continue;
+      if (room[i] >= -tolerable_ || left[i] >= of_impacts::kLocked * room[i]) continue;
       least_[i] += left[i];
       ++result_.locked;
     }
@@ -184,7 +186,7 @@ class Separation {
     for (std::size_t i = 0; i < touches_.size(); ++i)
       if (room[i] < -tolerable_) is_near[of(touches_[i].vertex)] = is_near[of(touches_[i].start)] = true;
     std::vector<std::size_t> near;
-    for (int ring = 0; ring < kRings; ++ring) {
+    for (int ring = 0; ring < of_impacts::kRings; ++ring) {
       near.clear();
       const std::vector<bool> before = is_near;
       for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -209,7 +211,7 @@ class Separation {
       if (room[i] < -tolerable_) overlapping.push_back(i);
     std::vector<std::size_t> locked;
     std::ranges::copy_if(overlapping, std::back_inserter(locked),
-                         [&](std::size_t i) { return left[i] < kLocked * room[i]; });
+                         [&](std::size_t i) { return left[i] < of_impacts::kLocked * room[i]; });
     if (locked.empty()) locked = overlapping;
     for (const std::size_t i : locked) least_[i] += room[i];
     result_.locked += static_cast<int>(locked.size());
@@ -244,14 +246,15 @@ Flexibility impact_flexibility(const StandardScene& scene, const Flexibility& st
 
 Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v, const Impacts& impacts,
                 const Flexibility& flexibility) {
-  const std::vector<Meeting>& meetings = impacts.meetings;
+  const std::vector<ImpactMeeting>& meetings = impacts.meetings;
   Touches touches;
-  for (const Meeting& meeting : meetings) touches.push_back(meeting.touch);
+  for (const ImpactMeeting& meeting : meetings) touches.push_back(meeting.touch);
   touches = joined(touches, impacts.closed);
   ContactRows rows = rows_with_points(scene, q, touches);
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
-  const double goal = kImpulseTolerance * largest_momentum(scene, v) + kSmallest;
-  FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, rigid_part(v)), {}, goal, kLooser * goal, {}};
+  const double goal = of_impacts::kImpulseTolerance * largest_momentum(scene, v) + of_impacts::kSmallest;
+  FrictionalProblem problem{
+      ContactMatrix(rows, flexibility), rates(rows, rigid_part(v)), {}, goal, of_impacts::kLooser * goal, {}};
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
@@ -274,10 +277,10 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
     }
   }
   if (problem.has_many()) {
-    problem.goal = kImpulseToleranceOfMany * largest_momentum(scene, v) + kSmallest;
-    problem.acceptable = std::max(problem.goal, kShareOfImpulse * greatest);
-    problem.gap_tolerance = kShareOfSlow * impacts.slow;
-    problem.most_systems = kMostSystems;
+    problem.goal = of_impacts::kImpulseToleranceOfMany * largest_momentum(scene, v) + of_impacts::kSmallest;
+    problem.acceptable = std::max(problem.goal, of_impacts::kShareOfImpulse * greatest);
+    problem.gap_tolerance = of_impacts::kShareOfSlow * impacts.slow;
+    problem.most_systems = of_impacts::kMostSystems;
     problem.enough_systems = 0;
   }
   const FrictionalSolution solution = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
@@ -295,15 +298,15 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
 UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, double time,
                                    const Flexibility& flexibility) {
   if (scene.held.empty()) return q;
-  const double tolerance = kNoOverlap * scene.size();
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  const double tolerance = of_impacts::kNoOverlap * scene.size();
+  for (int pass = 0; pass < of_impacts::kMostPasses; ++pass) {
     const Eigen::VectorXd off = offsets(scene.model, scene.reference, q, scene.held, time);
     if (off.cwiseAbs().maxCoeff() <= tolerance) break;
     const ContactRows rows = point_rows(scene.model, scene.reference, q, scene.held);
     FrictionalProblem problem{
         ContactMatrix(rows, flexibility), off, std::vector<ForceLaw>(scene.held.size(), kHeld), 0, 0, {}};
     problem.goal = tolerance / problem.w.diagonal().maxCoeff();
-    problem.acceptable = kLooser * problem.goal;
+    problem.acceptable = of_impacts::kLooser * problem.goal;
     q = plus(q, 1, answer(rows, flexibility, newton(problem, Eigen::VectorXd::Zero(off.size())).forces));
   }
   return q;
@@ -318,8 +321,8 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
   for (const HeldSlip& slip : slips) problem.laws.push_back(slip.sticks ? kHeld : kBilateral);
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  problem.goal = kImpulseTolerance * largest_momentum(scene, v) / (dt * dt) + kSmallest;
-  problem.acceptable = kLooser * problem.goal;
+  problem.goal = of_impacts::kImpulseTolerance * largest_momentum(scene, v) / (dt * dt) + of_impacts::kSmallest;
+  problem.acceptable = of_impacts::kLooser * problem.goal;
   const Eigen::VectorXd asked = problem.b;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.w.rows());
   Eigen::VectorXd pushes = none;
@@ -327,7 +330,7 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   Eigen::VectorXd friction = none;
   double first_change = 0;
   double change = 0;
-  for (int round = 0; round < kMostFrictionRounds; ++round) {
+  for (int round = 0; round < of_impacts::kMostFrictionRounds; ++round) {
     pushes = solve(problem, pushes).forces;
     if (round == 0) smooth = pushes;
     change = 0;

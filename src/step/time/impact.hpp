@@ -8,7 +8,7 @@
 namespace keyblock {
 
 /// A touch whose surfaces met during the step, before its end at which positions and velocities are known.
-struct Meeting {
+struct ImpactMeeting {
   Touch touch;
   double since = 0;   ///< time from the meeting to the end of the step
   double gained = 0;  ///< approach speed that was gained in that time
@@ -16,7 +16,7 @@ struct Meeting {
 
 /// What meets in a step, and what rests against each other meanwhile.
 struct Impacts {
-  std::vector<Meeting> meetings;
+  std::vector<ImpactMeeting> meetings;
   Touches closed;
   Bonds bonds;      ///< of closed touches
   double slow = 0;  ///< approach speed below which a contact is no impact

@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_gaps;
+using namespace tolerances;
 
 // λ = (rest − g1) / compliance.
 struct SpringLine {
@@ -72,7 +72,7 @@ void SmoothContacts::linearise(const UnknownsTable& estimate) {
   rows_->insert(rows_->end(), of_constraints.begin(), of_constraints.end());
   problem_.w = ContactMatrix(rows_, free_.flexibility());
   const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
-  problem_.gap_tolerance = all_sprung ? 0 : kGapTolerance * free_.size();
+  problem_.gap_tolerance = all_sprung ? 0 : of_gaps::kGapTolerance * free_.size();
   if (free_.has_judging()) problem_.scale = diagonal_of(*rows_, free_.judging(), problem_.w.shared());
   add_laws();
 }
@@ -145,8 +145,8 @@ void SmoothContacts::put_goal() {
   problem_.acceptable = tolerance_.acceptable;
   if (tolerance_.acceptable > 0 || problem_.b.size() == 0) return;
   const double asked = problem_.b.cwiseQuotient(problem_.compliance()).cwiseAbs().maxCoeff();
-  problem_.goal = kRoundOff * asked;
-  problem_.acceptable = kFewRoundOffs * asked;
+  problem_.goal = of_gaps::kRoundOff * asked;
+  problem_.acceptable = of_gaps::kFewRoundOffs * asked;
 }
 
 void SmoothContacts::follow_lines(const Eigen::VectorXd& compliance) {
@@ -173,7 +173,7 @@ bool SmoothContacts::break_bonds(const Eigen::VectorXd& forces) {
   const Eigen::VectorXd y = problem_.w * forces + problem_.b;
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (!laws_[i].is_bonded || !is_open(map.grips[i])) continue;
-    if (y[static_cast<Eigen::Index>(2 * i)] > kBroken * free_.size()) bonds_.erase(touches_[i].facing);
+    if (y[static_cast<Eigen::Index>(2 * i)] > of_gaps::kBroken * free_.size()) bonds_.erase(touches_[i].facing);
   }
   if (bonds_.size() == before)
     for (const Facing& facing : sheared_bonds(touches_, laws_, forces, problem_.acceptable)) bonds_.erase(facing);

@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_smooth_motion;
+using namespace tolerances;
 
 class SmoothSolve {
  public:
@@ -41,14 +41,15 @@ class SmoothSolve {
 
   RoundsEnd state() const {
     if (!result_.converged) return RoundsEnd::no_contact_forces;
-    if (change_ <= kSettled) return RoundsEnd::balanced;
+    if (change_ <= of_smooth_motion::kSettled) return RoundsEnd::balanced;
     return std::isfinite(change_) ? RoundsEnd::open : RoundsEnd::not_finite;
   }
 
   RoundsEnd find_increment(int round) {
-    const double same = is_coarse() ? kSameRowsOfMany : kSameRows;
-    const bool rows_moved = round > 0 && round < kMostRows && free_.greatest_change(increments_, linearised_) > same;
-    const bool falls_slowly = !free_.is_linear() && round > 1 && change_ > kWorstGain * before_;
+    const double same = is_coarse() ? of_smooth_motion::kSameRowsOfMany : of_smooth_motion::kSameRows;
+    const bool rows_moved =
+        round > 0 && round < of_smooth_motion::kMostRows && free_.greatest_change(increments_, linearised_) > same;
+    const bool falls_slowly = !free_.is_linear() && round > 1 && change_ > of_smooth_motion::kWorstGain * before_;
     if (round == 0 || falls_slowly) result_.converged = free_.linearise(increments_);
     if (!result_.converged) return RoundsEnd::no_factor;
     if (round == 0 || rows_moved || falls_slowly) {
@@ -85,7 +86,7 @@ class SmoothSolve {
     // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
     const bool forces_suffice = free_.is_linear() && std::isfinite(change_) &&
                                 unsolved_ <= std::max(contacts_.problem().acceptable, tolerance_.tolerated);
-    const double tolerable = free_.has_kinks() ? kTolerableOfYield : kTolerable;
+    const double tolerable = free_.has_kinks() ? of_smooth_motion::kTolerableOfYield : of_smooth_motion::kTolerable;
     result_.converged = result_.converged && (change_ <= tolerable || forces_suffice);
   }
 
@@ -95,19 +96,20 @@ class SmoothSolve {
   // What forces leave of the gaps of the last estimate is nothing to their goal, or no more than they left of those
   // before.
   bool is_good_enough(double unsolved) const {
-    return is_coarse() && unsolved <= std::max(kGoalsOfEstimate * contacts_.problem().goal, kOfLast * result_.residual);
+    return is_coarse() && unsolved <= std::max(of_smooth_motion::kGoalsOfEstimate * contacts_.problem().goal,
+                                               of_smooth_motion::kOfLast * result_.residual);
   }
 
   int most_rounds() const {
-    if (free_.has_kinks()) return kMostRoundsOfYield;
-    return contacts_.springs_stop() ? kMostRoundsOfSprings : kMostRounds;
+    if (free_.has_kinks()) return of_smooth_motion::kMostRoundsOfYield;
+    return contacts_.springs_stop() ? of_smooth_motion::kMostRoundsOfSprings : of_smooth_motion::kMostRounds;
   }
 
   bool is_linear() const { return contacts_.is_empty() && free_.is_linear(); }
 
   UnknownsTable next_increments(Tried now) {
     FrictionalProblem& problem = contacts_.problem();
-    problem.most_systems = std::max(kFewestSystems, tolerance_.most_systems - result_.solves);
+    problem.most_systems = std::max(of_smooth_motion::kFewestSystems, tolerance_.most_systems - result_.solves);
     problem.enough_systems = std::max(0, tolerance_.enough_systems - result_.solves);
     const FrictionalSolution solution = solve(problem, std::move(now), &contacts_.kept());
     result_.forces = solution.forces;

@@ -21,7 +21,7 @@
 namespace keyblock {
 namespace {
 
-using namespace tolerances::of_steps;
+using namespace tolerances;
 
 struct Split {
   Touches smooth;
@@ -65,7 +65,7 @@ class Attempt {
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
     found_ = touches_of(scene, start, scales_, dt);
     leave_overlaps(scene, start, scales_, found_.touches);
-    least_force_ = kForceGoal * scales_.force + kMomentumGoal * scales_.momentum / dt;
+    least_force_ = of_steps::kForceGoal * scales_.force + of_steps::kMomentumGoal * scales_.momentum / dt;
   }
 
   StandardStep run() {
@@ -110,19 +110,20 @@ class Attempt {
   // Again where blocks came to overlap at corners that nobody reckoned with.
   void move_smoothly() {
     const bool is_many = found_.touches.size() > FrictionalProblem::kFewPairs;
-    if (is_many) least_force_ = std::max(least_force_, kLeastForceOfMany * scales_.force);
+    if (is_many) least_force_ = std::max(least_force_, of_steps::kLeastForceOfMany * scales_.force);
     const double goal =
         is_many ? std::max(least_force_, scene_.settings.standard.force_tolerance * scales_.force) : least_force_;
-    const double share = is_many ? kForceAcceptableOfMany : kForceAcceptable;
-    ForceTolerance tolerance{goal, std::max(share * scales_.force, kMomentumAcceptable * scales_.momentum / dt_)};
+    const double share = is_many ? of_steps::kForceAcceptableOfMany : of_steps::kForceAcceptable;
+    ForceTolerance tolerance{goal,
+                             std::max(share * scales_.force, of_steps::kMomentumAcceptable * scales_.momentum / dt_)};
     if (is_many && is_last_)
-      tolerance.tolerated =
-          std::max(kForceToleratedOfMany * scales_.force, kMomentumToleratedOfMany * scales_.momentum / dt_);
-    for (int search = 0; search < kMostSearches; ++search) {
-      if (is_many) tolerance.most_systems = kMostSystemsOfMany;
+      tolerance.tolerated = std::max(of_steps::kForceToleratedOfMany * scales_.force,
+                                     of_steps::kMomentumToleratedOfMany * scales_.momentum / dt_);
+    for (int search = 0; search < of_steps::kMostSearches; ++search) {
+      if (is_many) tolerance.most_systems = of_steps::kMostSystemsOfMany;
       if (found_.touches.size() > FrictionalProblem::kVeryManyPairs) {
-        tolerance.most_systems = std::max(0, kMostSystems - step_.solves);
-        tolerance.enough_systems = std::max(0, kEnoughSystems - step_.solves);
+        tolerance.most_systems = std::max(0, of_steps::kMostSystems - step_.solves);
+        tolerance.enough_systems = std::max(0, of_steps::kEnoughSystems - step_.solves);
       }
       parts_ = split(scene_, start_, found_.touches, slow_speed(scene_, scales_, start_.v, dt_));
       const SmoothMotion before = std::move(smooth_);
@@ -290,7 +291,7 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
 }  // namespace
 
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt) {
-  return in_parts(scene, start, time, dt, may_yield(scene) ? kMostHalvingsOfYield : kMostHalvings);
+  return in_parts(scene, start, time, dt, may_yield(scene) ? of_steps::kMostHalvingsOfYield : of_steps::kMostHalvings);
 }
 
 }  // namespace keyblock

@@ -32,7 +32,7 @@ void drop_passed(const SmoothStep& of, ImpactTouches& impacts) {
 
 // Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and
 // d the overshoot; d was covered at the mean of both speeds.
-Meeting meeting(const Touch& touch, double dt, double at_start, double at_end, double overshoot) {
+ImpactMeeting meeting(const Touch& touch, double dt, double at_start, double at_end, double overshoot) {
   if (at_end >= 0) return {touch, 0, 0};
   const double acceleration = (at_end - at_start) / dt;
   const double at_surface = std::sqrt(std::max(0.0, at_end * at_end + 2 * acceleration * overshoot));

@@ -1,0 +1,96 @@
+// Writes files, and knows those of earlier runs by their record.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/folder/output_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "formats/case.hpp"
+#include "formats/registry.hpp"
+#include "formats/tables/run_tables.hpp"
+#include "job/folder/frame_files.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// What a run may leave in its folder, beside its tables, and all that it may leave.
+constexpr std::array<std::string_view, 10> kOtherFiles{kRecord,      kFrameList,    "picture.svg", "energy.svg",
+                                                       "field.svg",  "plastic.svg", kReactionFile, "cracks.svg",
+                                                       "cracks.dxf", kCheckpoint};
+// What is written as the run goes: a run that was killed leaves it without a record.
+constexpr std::array<const formats::RunTable*, 9> kGrowing{
+    &formats::kContactsTable, &formats::kJointsTable,    &formats::kJointLinesTable,
+    &formats::kBoltsTable,    &formats::kHistoriesTable, &formats::kHistoryTable,
+    &formats::kPointsTable,   &formats::kStepTable,      &formats::kLedgerTable};
+
+std::vector<std::string> growing_files() {
+  std::vector<std::string> files{kFrameList};
+  for (const formats::RunTable* table : kGrowing) files.emplace_back(table->file);
+  return files;
+}
+
+std::vector<std::string> all_files() {
+  std::vector<std::string> files(kOtherFiles.begin(), kOtherFiles.end());
+  for (const formats::RunTable* table : formats::run_tables())
+    if (table->file != kFrameFolder) files.emplace_back(table->file);
+  return files;
+}
+
+}  // namespace
+
+OutputFiles::OutputFiles(fs::path folder, Overwrite overwrite) : folder_(std::move(folder)), overwrite_(overwrite) {
+  if (fs::exists(folder_) && !fs::is_directory(folder_))
+    throw UsageError(fmt::format("{} is a file, not a folder", folder_.string()));
+}
+
+void OutputFiles::require_free() const {
+  for (const std::string& name : all_files()) keyblock::require_free(folder_ / name, overwrite_);
+  keyblock::require_free(folder_ / kFrameFolder, overwrite_);
+}
+
+// By its record; a run that was killed before it wrote one left its frames and checkpoint alone.
+std::set<std::string> OutputFiles::written_before() const {
+  std::set<std::string> names{kRecord, kCheckpoint};
+  if (!fs::is_regular_file(folder_ / kRecord)) {
+    if (fs::is_regular_file(folder_ / kCheckpoint))
+      for (const std::string& name : growing_files()) names.insert(name);
+    return names;
+  }
+  const auto record = nlohmann::json::parse(formats::load((folder_ / kRecord).string()).text, nullptr, false);
+  if (!record.is_object() || !record.contains("outputs")) return names;
+  const std::vector<std::string> files = all_files();
+  for (const auto& name : record.at("outputs"))
+    if (name.is_string() && std::ranges::find(files, name.get<std::string>()) != files.end()) names.insert(name);
+  return names;
+}
+
+void OutputFiles::remove_earlier() {
+  std::error_code error;
+  for (const std::string& name : written_before()) {
+    fs::remove(folder_ / name, error);
+    if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
+  }
+  FrameFiles::remove_others(folder_, {});
+  remove_drafts(folder_);
+}
+
+void OutputFiles::remove_growing() {
+  std::error_code error;
+  for (const std::string& name : growing_files()) fs::remove(folder_ / name, error);
+}
+
+void OutputFiles::write(std::string_view file, const std::string& text) {
+  const std::string name(file);
+  write_file(folder_ / name, text, own_.contains(name) ? Overwrite::yes : overwrite_);
+  own_.insert(name);
+  if (std::ranges::find(names_, name) == names_.end()) names_.push_back(name);
+}
+
+}  // namespace keyblock
