@@ -4,11 +4,11 @@ SHELL := /bin/sh
 JOBS ?= $(shell nproc)
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 
-# What a bare Debian 12 needs beside make. OpenBLAS takes the place of the plain BLAS under CHOLMOD: bodies on covers in contact are
-# twice as fast with it.
+# What a bare Debian 12 needs beside make. OpenBLAS takes the place of the plain BLAS under CHOLMOD: scenes in which
+# cracks grow under contact are twice as fast with it.
 PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
-           libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 \
-           libyaml-cpp-dev
+           libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
+           libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev
 
 .PHONY: help build debug run test cases index fronts validate bench sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
@@ -17,7 +17,7 @@ help: ## use | | this list
 	@for group in use cases care; do echo "$$group"; \
 	  awk -F ':.*## | *[|] *' -v group=$$group \
 	    '/^[a-z]+:.*## / && $$2 == group { printf "  make %-9s %-10s %s\n", $$1, $$3, $$4 }' Makefile; done
-	@echo "Times are those of two cores. The first of run, test, build and the cases also compiles: 13 min the program, 3 min the tests; long: over 20 min."
+	@echo "Times are those of two cores. The first of run, test, build and the cases also compiles: 10 min the program, 5 min the tests; long: over 20 min."
 
 # Builds the program alone: the tests can wait.
 run: packages ## use | 1 s | builds the program, reruns a sliding block, prints its error and draws it in out/sliding_block.svg
@@ -27,7 +27,7 @@ run: packages ## use | 1 s | builds the program, reruns a sliding block, prints 
 	build/keyblock compare legacy_cases/sliding_block/a30_p20 --picture out/sliding_block.svg --force
 	@echo "picture: out/sliding_block.svg"
 
-test: build ## use | 2 min | builds everything and runs all tests
+test: build ## use | 8 min | builds everything and runs all tests
 	ctest --test-dir build --output-on-failure -j $(JOBS)
 	@awk '/: Skipped$$/ { getline; print "skipped: " $$0 }' build/Testing/Temporary/LastTest.log | sort | uniq -c
 

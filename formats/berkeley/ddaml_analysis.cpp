@@ -16,7 +16,6 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::string_view kEndOfAnalysis = "end of element";
 constexpr std::string_view kNothing = "nothing";
 
 std::string lower_case(std::string_view text) {
@@ -107,7 +106,7 @@ class ElementValues {
     if (!child)
       throw InputError(element.place(), fmt::format("expected the element {} in {}, found none", name, element.name()));
     const Tokens tokens = child->tokens();
-    Cursor cursor(tokens, kEndOfAnalysis);
+    Cursor cursor(tokens, kEndOfElement);
     cursor.enter({element.name()});
     const double value = cursor.next_real(name, demand);
     keep_remainder(tokens, cursor);
@@ -122,7 +121,7 @@ class ElementValues {
     const auto child = child_of(element, name);
     if (!child) return {};
     const Tokens tokens = child->tokens();
-    Cursor cursor(tokens, kEndOfAnalysis);
+    Cursor cursor(tokens, kEndOfElement);
     cursor.enter({element.name()});
     std::array<double, 3> values{};
     for (double& value : values) value = cursor.next_real(fmt::format("three numbers of {}", name));
@@ -312,7 +311,7 @@ class AnalysisReader {
 
   void read_bolt_properties(const Element& element) {
     const Tokens tokens = element.tokens();
-    Cursor cursor(tokens, kEndOfAnalysis);
+    Cursor cursor(tokens, kEndOfElement);
     cursor.enter({element.name()});
     BoltProperties properties;
     properties.stiffness = cursor.next_real("the stiffness", kNotNegative);
@@ -335,7 +334,7 @@ class AnalysisReader {
     const Demand two_or_more{[](double v) { return v >= 2 && is_whole(v); }, "a whole number, 2 or more"};
     const int rows = values_.attribute_integer(element, "numpoints", two_or_more);
     const Tokens tokens = element.tokens();
-    Cursor cursor(tokens, kEndOfAnalysis);
+    Cursor cursor(tokens, kEndOfElement);
     TimeCurve curve;
     curve.place = element.place();
     for (int row = 0; row < rows; ++row) {

@@ -14,6 +14,9 @@
 
 namespace keyblock::formats {
 
+/// What a reader of the numbers of an element finds behind the last.
+inline constexpr std::string_view kEndOfElement = "end of element";
+
 /// Text of a document, and the mapping of its characters to line and column.
 struct DocumentText {
   std::string buffer;  ///< parsed in place: pugixml's pointers are offsets into it

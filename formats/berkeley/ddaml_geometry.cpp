@@ -13,8 +13,6 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::string_view kEnd = "end of element";
-
 class GeometryReader {
  public:
   GeometryReading read(const Element& geometry) {
@@ -81,7 +79,7 @@ class GeometryReader {
 
   Segment segment_of(const Element& item, const Record& record) {
     const Tokens tokens = item.tokens();
-    Cursor cursor(tokens, kEnd);
+    Cursor cursor(tokens, kEndOfElement);
     cursor.enter(record);
     const Segment segment = next_segment(cursor);
     keep_remainder(tokens, cursor);
@@ -90,7 +88,7 @@ class GeometryReader {
 
   MarkedPoint point_of(const Element& item, const Record& record) {
     const Tokens tokens = item.tokens();
-    Cursor cursor(tokens, kEnd);
+    Cursor cursor(tokens, kEndOfElement);
     cursor.enter(record);
     const Point point = next_point(cursor, "x", "y");
     keep_remainder(tokens, cursor);
@@ -151,7 +149,7 @@ class GeometryReader {
   void read_material_line(const Element& item, const Record& record) {
     if (!is_named(item, "Line")) return;
     const Tokens tokens = item.tokens();
-    Cursor cursor(tokens, kEnd);
+    Cursor cursor(tokens, kEndOfElement);
     cursor.enter(record);
     const Segment segment = next_segment(cursor);
     const bool material_is_fifth_number = !item.attribute("type") && cursor.numbers_left() > 0;

@@ -84,7 +84,7 @@ class Starts {
   std::optional<CrackStart> place_of(int e, double toughness, double strength) const {
     const double own = std::pow(toughness / strength, 2) / std::numbers::pi;
     const double side = side_of(e);
-    CrackStart start{middles_[static_cast<std::size_t>(e)], {}, own, 0, strength, side > own / 2};
+    CrackStart start{middles_[static_cast<std::size_t>(e)], {}, own, 0, strength, toughness, side > own / 2};
     if (start.is_coarse) start.half_length = std::max(own, 2 * side);
     if (start.half_length > own) start.strength = toughness / std::sqrt(std::numbers::pi * start.half_length);
     for (const CrackTip& tip : manifold_.tips)

@@ -16,6 +16,7 @@ struct CrackStart {
   double stress = 0;  ///< averaged over the disc, force / length²: the greatest principal stress, normal to the crack;
                       ///< in shear what friction leaves of the shear stress along it
   double strength = 0;     ///< that it has to reach
+  double toughness = 0;    ///< K_Ic of the rock, in shear K_IIc, F/L^1.5
   bool is_coarse = false;  ///< the mesh is coarser than half the length of the rock: strength is lowered, energy right
   bool is_shear = false;   ///< its faces stay closed and rub
 

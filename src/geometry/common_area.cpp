@@ -34,24 +34,9 @@ std::vector<Signed> fan_of(const Loops& loops, Point centre) {
   return fan;
 }
 
-/// What lies to the left of the line from `start` to `end`.
-std::vector<Point> left_of(const std::vector<Point>& polygon, Point start, Point end) {
-  std::vector<Point> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point here = polygon[i];
-    const Point next = polygon[(i + 1) % polygon.size()];
-    const double at_here = cross(end - start, here - start);
-    const double at_next = cross(end - start, next - start);
-    if (at_here >= 0) kept.push_back(here);
-    if ((at_here > 0 && at_next < 0) || (at_here < 0 && at_next > 0))
-      kept.push_back(here + (at_here / (at_here - at_next)) * (next - here));
-  }
-  return kept;
-}
-
 double common_area(const Triangle& a, const Triangle& b) {
   std::vector<Point> rest(a.begin(), a.end());
-  for (std::size_t k = 0; k < 3 && rest.size() > 2; ++k) rest = left_of(rest, b[k], b[(k + 1) % 3]);
+  for (std::size_t k = 0; k < 3 && rest.size() > 2; ++k) rest = part_left_of(rest, b[k], b[(k + 1) % 3]);
   return rest.size() > 2 ? area(rest) : 0;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "geometry/box.hpp"
+#include "geometry/polygon.hpp"
 
 namespace keyblock {
 namespace {
@@ -36,25 +37,10 @@ bool overlap(const Box& a, const Box& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-// What lies to the left of the line from a to b.
-std::vector<Point> half_plane_of(const std::vector<Point>& polygon, Point a, Point b) {
-  std::vector<Point> kept;
-  const auto side = [&](Point p) { return cross(b - a, p - a); };
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point from = polygon[i];
-    const Point to = polygon[(i + 1) % polygon.size()];
-    const double here = side(from);
-    const double there = side(to);
-    if (here >= 0) kept.push_back(from);
-    if ((here > 0 && there < 0) || (here < 0 && there > 0)) kept.push_back(from + here / (here - there) * (to - from));
-  }
-  return kept;
-}
-
 std::vector<Point> common_part(const SignedTriangle& a, const SignedTriangle& b) {
   std::vector<Point> part(a.corners.begin(), a.corners.end());
   for (std::size_t i = 0; i < 3 && part.size() > 2; ++i)
-    part = half_plane_of(part, b.corners[i], b.corners[(i + 1) % 3]);
+    part = part_left_of(part, b.corners[i], b.corners[(i + 1) % 3]);
   return part;
 }
 

@@ -74,4 +74,18 @@ std::optional<Point> point_inside(std::span<const std::vector<Point>> loops) {
   return Point{(crossings[0] + crossings[1]) / 2, y};
 }
 
+std::vector<Point> part_left_of(const std::vector<Point>& polygon, Point start, Point end) {
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point here = polygon[i];
+    const Point next = polygon[(i + 1) % polygon.size()];
+    const double at_here = cross(end - start, here - start);
+    const double at_next = cross(end - start, next - start);
+    if (at_here >= 0) kept.push_back(here);
+    if ((at_here > 0 && at_next < 0) || (at_here < 0 && at_next > 0))
+      kept.push_back(here + (at_here / (at_here - at_next)) * (next - here));
+  }
+  return kept;
+}
+
 }  // namespace keyblock

@@ -26,4 +26,7 @@ Side side(std::span<const Point> loop, Point p);
 /// highest gap between their vertices. Nothing where they enclose nothing there.
 std::optional<Point> point_inside(std::span<const std::vector<Point>> loops);
 
+/// The part of a convex polygon that lies to the left of the line from `start` to `end` (Sutherland & Hodgman 1974).
+std::vector<Point> part_left_of(const std::vector<Point>& polygon, Point start, Point end);
+
 }  // namespace keyblock

@@ -69,9 +69,7 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
 
 void RunJob::choose_outputs() {
   const OutputPlan& plan = options_.outputs;
-  if (plan.place.line > 0) require_choice(plan);
-  if (plan.contacts == ContactTables::chosen && !followed_.follows_contacts())
-    throw UsageError("contacts are to be those of histories, and there is no history of a block, a contact or a joint");
+  require_choice(plan);
   const int frames = 1 + prepared_.scene.settings.step_count / std::max(1, record_.record_every);
   folder_.choose_contacts({plan.contacts, plan.contacts_every,
                            [this](const ContactFrame& contact) { return followed_.follows(contact); }, frames});

@@ -11,6 +11,8 @@
 #include <span>
 #include <unsupported/Eigen/AutoDiff>
 
+#include "problem/units/unit_conversion.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -19,7 +21,6 @@ using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
 template <class T>
 using Principal = std::array<T, 3>;
 
-constexpr double kDegree = std::numbers::pi / 180;
 // Of the stress at hand: what multipliers, order and limits may miss by rounding when sides are chosen.
 constexpr double kRounding = 1e-13;
 

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "problem/units/unit_conversion.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180;
-
 double angle_over(double degrees, double factor) {
-  return std::atan(std::tan(degrees * kRadian) / factor) / kRadian;
+  return std::atan(std::tan(degrees * kDegree) / factor) / kDegree;
 }
 
 StrengthValues reduced(StrengthValues values, double factor) {

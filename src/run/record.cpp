@@ -62,6 +62,15 @@ void put(std::vector<T>& values, int number, T value, const T& missing) {
 
 const PointFrame kMissingPoint{{kNotThere, kNotThere}, {kNotThere, kNotThere}, 0, -1, {}};
 
+// Of the way from a corner to the middle of its element: near-tip functions have no stress at the tip itself.
+constexpr double kBesideTip = 1e-3;
+
+Stress stress_beside_tip(const Stepper& stepper, ElementIndex e, Point at, Point middle) {
+  const Stress stress = stepper.stress_at(e, at);
+  const double sum = stress.xx + stress.yy + stress.xy + stress.zz;
+  return std::isfinite(sum) ? stress : stepper.stress_at(e, at + kBesideTip * (middle - at));
+}
+
 }  // namespace
 
 Frame frame_of(const Model& model, const State& state, const StartPlaces& start, const Settings& settings) {
@@ -183,19 +192,6 @@ std::vector<TipState> tips_of(const Stepper& stepper) {
   for (TipState& tip : tips) put_factors(tip, *solution, GrowthCriterion::hoop_stress);
   return tips;
 }
-
-namespace {
-
-// Of the way from a corner to the middle of its element: near-tip functions have no stress at the tip itself.
-constexpr double kBesideTip = 1e-3;
-
-Stress stress_beside_tip(const Stepper& stepper, ElementIndex e, Point at, Point middle) {
-  const Stress stress = stepper.stress_at(e, at);
-  const double sum = stress.xx + stress.yy + stress.xy + stress.zz;
-  return std::isfinite(sum) ? stress : stepper.stress_at(e, at + kBesideTip * (middle - at));
-}
-
-}  // namespace
 
 FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const State& state = stepper.state();

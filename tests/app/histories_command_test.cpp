@@ -194,8 +194,10 @@ TEST(HistoriesCommand, contacts_are_written_as_asked) {
   EXPECT_EQ(lines_of(folder + "/chosen/contacts.csv"), 1U + 21 * 2);
   EXPECT_EQ(read_text(folder + "/chosen/joints.csv"), read_text(folder + "/all/joints.csv")) << "sums are of all";
   const auto nothing = run_with("nothing", {"--contacts", "chosen"});
-  EXPECT_EQ(nothing.exit_code, 2);
-  EXPECT_TRUE(contains(nothing.messages, "there is no history of a block, a contact or a joint")) << nothing.messages;
+  EXPECT_EQ(nothing.exit_code, 3);
+  EXPECT_TRUE(contains(nothing.messages,
+                       "--contacts chosen: error: expected a history of a block, a contact or a joint beside contacts"))
+      << nothing.messages;
   const auto wrong = run_with("wrong", {"--contacts", "most"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_TRUE(contains(wrong.messages, "found \"most\"")) << wrong.messages;

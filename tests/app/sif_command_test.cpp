@@ -54,6 +54,21 @@ Json tips_of(const std::string& file) {
   return Json::parse(run.output).at("tips");
 }
 
+// A node of the mesh lies on the tip, where functions of the root of the distance have no stress.
+TEST(SifCommand, stress_in_frames_of_a_case_with_near_tip_functions_is_finite) {
+  const std::string folder = fresh_folder("sif_finite") + "/out";
+  const ProgramRun run = run_keyblock({"run", kCases + "centre_crack_functions", "-o", folder});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  int frames = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder + "/frames")) {
+    const std::string text = read_text(file.path().string());
+    EXPECT_EQ(text.find("nan"), std::string::npos) << file.path();
+    EXPECT_EQ(text.find("inf"), std::string::npos) << file.path();
+    ++frames;
+  }
+  EXPECT_GT(frames, 1);
+}
+
 TEST(SifCommand, prints_factors_of_every_domain_that_agree_with_theory) {
   const Json tip = tips_of(kCases + "edge_crack_05").at(0);
   const double exact = 2.82357 * std::sqrt(std::numbers::pi / 2);  // Tada, Paris & Irwin 1973; finite elements

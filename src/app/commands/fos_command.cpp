@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "app/command.hpp"
@@ -24,10 +23,9 @@ struct FosOptions : ReductionOptions {
 };
 
 ExitCode find_factor(FosOptions options) {
-  if (options.paths.size() == 1 && std::filesystem::is_directory(options.paths.front()) && !options.layers.empty())
-    options.paths = study::the_case_in(options.paths.front()).inputs();
-  take_layers(options.paths, options.layers);
-  study::StudyCase chosen = study::study_case(options.paths);
+  std::vector<std::string> beside;
+  take_layers(beside, options.layers);
+  study::StudyCase chosen = study::study_case(options.paths, beside);
   chosen.common = overrides_of(options.sets);
   const std::string profile = profile_of_reduction(chosen.input.problem, options.profile);
   if (const auto reason = chosen.file.not_run.find(rules_of(profile)); reason != chosen.file.not_run.end())
@@ -41,6 +39,7 @@ ExitCode find_factor(FosOptions options) {
   }
   if (reduction.what.empty()) reduction.what = "joints";
   std::vector<std::string> files = options.paths;
+  files.insert(files.end(), beside.begin(), beside.end());
   std::vector<Override> overrides = chosen.overrides(profile);
   return reduce_strength(
       {chosen.name, std::move(files), std::move(chosen.input), chosen.folder, profile, std::move(overrides)},

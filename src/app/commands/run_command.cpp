@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "app/commands/strength_reduction.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
+#include "app/output_options.hpp"
 #include "app/progress.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
@@ -56,9 +56,8 @@ struct RunOptions {
   bool force = false;
   bool both = false;  ///< profiles, one after the other
   bool list_settings = false;
-  std::vector<std::string> histories;
-  std::string contacts;  ///< empty: as the case says
-  std::string layers;    ///< file
+  OutputOptions outputs;
+  std::string layers;  ///< file
   ReductionOptions reduction;
 };
 
@@ -99,38 +98,6 @@ std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& 
     records.push_back({file.path, sha256(file.source.text), std::string(file.choice->format->name),
                        file.choice->recognition.evidence});
   return records;
-}
-
-// What the case file asks to be written, and the command line beside it.
-OutputPlan outputs_asked(OutputPlan plan, const RunOptions& options) {
-  try {
-    for (const std::string& text : options.histories) {
-      plan.histories.push_back(history_of(text));
-      plan.histories.back().place = {"--history " + text};
-    }
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("--history: {}", error.what()));
-  }
-  if (options.contacts.empty()) return plan;
-  plan.contacts_every = 1;
-  plan.place = {};
-  constexpr std::array<std::pair<const char*, ContactTables>, 4> kWords{{{"automatic", ContactTables::automatic},
-                                                                         {"all", ContactTables::all},
-                                                                         {"chosen", ContactTables::chosen},
-                                                                         {"none", ContactTables::none}}};
-  for (const auto& [word, which] : kWords)
-    if (options.contacts == word) {
-      plan.contacts = which;
-      return plan;
-    }
-  const char* end = options.contacts.data() + options.contacts.size();
-  const auto [stop, error] = std::from_chars(options.contacts.data(), end, plan.contacts_every);
-  if (error != std::errc{} || stop != end || plan.contacts_every < 1)
-    throw UsageError(fmt::format(
-        "--contacts: expected automatic, all, chosen, none, or the number of frames from one to the next; found \"{}\"",
-        options.contacts));
-  plan.contacts = ContactTables::all;
-  return plan;
 }
 
 int frame_interval(const RunOptions& options, const Problem& problem, const Settings& settings) {
@@ -292,8 +259,8 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
                      {},
                      {},
                      {},
-                     options.histories,
-                     options.contacts};
+                     options.outputs.histories,
+                     options.outputs.contacts};
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
     request.digests.push_back(input.sha256);
@@ -359,7 +326,7 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   Stopwatch watch;
   Asked asked = read_as_asked(options, watch);
   formats::Case& loaded = asked.loaded;
-  loaded.problem.outputs = outputs_asked(loaded.problem.outputs, options);
+  loaded.problem.outputs = outputs_asked(loaded.problem.outputs, options.outputs);
   loaded.problem = with_followed_points(std::move(loaded.problem));
   const Prepared prepared = prepare_as_asked(loaded.problem, asked.record.profile, asked.overrides);
   RunRecord& record = asked.record;
@@ -409,8 +376,8 @@ ExitCode resume_run(const RunOptions& options) {
   again.sets = request.sets;
   again.record_every = request.record_every;
   again.trace = request.has_trace;
-  again.histories = request.histories;
-  again.contacts = request.contacts;
+  again.outputs.histories = request.histories;
+  again.outputs.contacts = request.contacts;
   return run_asked(again, &request, &saved).code;
 }
 
@@ -531,22 +498,6 @@ ExitCode run_files(const RunOptions& options) {
   return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr).code;
 }
 
-// What is followed in histories.csv, and which contacts are written.
-std::pair<CLI::Option*, CLI::Option*> add_table_options(CLI::App& options, RunOptions& chosen) {
-  CLI::Option* histories =
-      options
-          .add_option("--history", chosen.histories,
-                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2: followed in "
-                      "histories.csv, beyond 5,000 steps at every n-th; may be repeated")
-          ->take_all();
-  CLI::Option* contacts = options.add_option(
-      "--contacts", chosen.contacts,
-      fmt::format("which contacts are written: automatic (all; up to {:g} rows those of every frame), all, chosen "
-                  "(those of histories), none, or N: those of every N-th frame",
-                  kMostContactRows));
-  return {histories, contacts};
-}
-
 }  // namespace
 
 Action configure_run(CLI::App& options) {
@@ -574,7 +525,7 @@ Action configure_run(CLI::App& options) {
           ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
-  const auto [histories, contacts] = add_table_options(options, *chosen);
+  const auto [histories, contacts] = add_output_options(options, chosen->outputs);
   CLI::Option* layers = add_layers_option(options, chosen->layers);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,

@@ -22,7 +22,6 @@ class OutputFiles {
   /// Nothing is changed before `remove_earlier`. Throws UsageError where `folder` is a file.
   OutputFiles(std::filesystem::path folder, Overwrite overwrite);
 
-  const std::filesystem::path& folder() const { return folder_; }
   Overwrite overwrite() const { return overwrite_; }
 
   /// Throws UsageError where a run has written here that may not be overwritten.

@@ -6,12 +6,11 @@
 #include <gsl/gsl_randist.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "problem/units/unit_conversion.hpp"
 
 namespace keyblock {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 class TraceMaker {
  public:

@@ -12,8 +12,6 @@
 namespace keyblock {
 namespace {
 
-constexpr double kRoundOffOfUnit = 1e-12;
-constexpr Dimension kForceDimension{1, 1, -2};
 constexpr std::array<std::string_view, 10> kForceNames{"N", "kN", "MN", "GN", "mN", "µN", "lbf", "kip", "kgf", "tf"};
 constexpr std::array<std::string_view, 10> kStressNames{"Pa",  "kPa", "MPa", "GPa", "mPa",
                                                         "µPa", "psi", "ksi", "psf", "bar"};
@@ -34,8 +32,7 @@ std::string named(const Units& units, const Dimension& dimension, const std::arr
   const std::optional<double> factor = si_factor(units, dimension);
   if (!factor) return {};
   for (const std::string_view name : names)
-    if (const std::optional<Unit> unit = unit_named(name);
-        unit && std::abs(*factor / unit->factor - 1) < kRoundOffOfUnit)
+    if (const std::optional<Unit> unit = unit_named(name); unit && std::abs(*factor / unit->factor - 1) < kSameUnit)
       return std::string(name);
   return {};
 }
@@ -190,7 +187,7 @@ Converted converted(std::string_view text, const Measure& measure, const Units& 
   if (unit->is_angle != is_angle || (!is_angle && unit->dimension != dimension_of(measure))) return {};
   if (is_angle) {
     const double degrees = quantity->number * unit->factor;
-    return {measure.angle == "rad" ? degrees * std::numbers::pi / 180 : degrees};
+    return {measure.angle == "rad" ? degrees * kDegree : degrees};
   }
   const std::optional<double> factor = si_factor(units, dimension_of(measure));
   if (!factor) return {std::nullopt, true};

@@ -24,8 +24,6 @@ constexpr double kFoot = 0.3048;              // m, exact
 constexpr double kStandardGravity = 9.80665;  // m/s2, exact
 constexpr double kPoundForce = kPound * kStandardGravity;
 constexpr Dimension kMass{1, 0, 0};
-constexpr double kRoundOff = 1e-12;
-constexpr Dimension kForce{1, 1, -2};
 
 constexpr std::array<NamedUnit, 29> kUnits{{
     {"m", {0, 1, 0}, 1, true},
@@ -43,9 +41,9 @@ constexpr std::array<NamedUnit, 29> kUnits{{
     {"d", {0, 0, 1}, 86400, false},
     {"day", {0, 0, 1}, 86400, false},
     {"year", {0, 0, 1}, 365.25 * 86400, false},
-    {"N", kForce, 1, true},
-    {"lbf", kForce, kPoundForce, false},
-    {"kip", kForce, 1e3 * kPoundForce, false},
+    {"N", kForceDimension, 1, true},
+    {"lbf", kForceDimension, kPoundForce, false},
+    {"kip", kForceDimension, 1e3 * kPoundForce, false},
     {"Pa", kStress, 1, true},
     {"bar", kStress, 1e5, true},
     {"psi", kStress, kPoundForce / (kFoot * kFoot / 144), false},
@@ -55,8 +53,8 @@ constexpr std::array<NamedUnit, 29> kUnits{{
     {"J", {1, 2, -2}, 1, true},
     {"Hz", {0, 0, -1}, 1, true},
     {"gn", kAcceleration, kStandardGravity, false},
-    {"kgf", kForce, kStandardGravity, false},
-    {"tf", kForce, 1e3 * kStandardGravity, false},
+    {"kgf", kForceDimension, kStandardGravity, false},
+    {"tf", kForceDimension, 1e3 * kStandardGravity, false},
 }};
 
 struct Prefix {
@@ -136,8 +134,6 @@ std::vector<Part> parts_of(std::string_view name) {
   return parts;
 }
 
-constexpr double kDegree = std::numbers::pi / 180;
-
 // False where it is no unit, or none that may stand there.
 bool multiply(Unit& product, Part part, bool is_first) {
   if (part.name == "1" && is_first && !part.is_root) return true;
@@ -158,7 +154,7 @@ std::string known_mass(const std::string& made) {
   const std::optional<Unit> unit = unit_named(made);
   if (!unit || unit->dimension != kMass) return {};
   for (const char* const name : {"kg", "t", "kt", "g", "slug", "lb"})
-    if (std::abs(unit->factor / unit_named(name)->factor - 1) < kRoundOff) return name;
+    if (std::abs(unit->factor / unit_named(name)->factor - 1) < kSameUnit) return name;
   return made;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ struct Dimension {
 
 inline constexpr Dimension kLengthDimension{0, 1, 0};
 inline constexpr Dimension kTimeDimension{0, 0, 1};
+inline constexpr Dimension kForceDimension{1, 1, -2};
 inline constexpr Dimension kVelocity{0, 1, -1};
 inline constexpr Dimension kRate{0, 0, -1};
 inline constexpr Dimension kAcceleration{0, 1, -2};
@@ -29,6 +31,10 @@ inline constexpr Dimension kDensity{1, -3, 0};
 inline constexpr Dimension kForcePerVolume{1, -2, -2};
 inline constexpr Dimension kForcePerLength{1, 0, -2};  ///< a force per unit of thickness
 inline constexpr Dimension kToughness{1, -0.5, -2};    ///< stress times the root of a length
+
+inline constexpr double kDegree = std::numbers::pi / 180;  ///< rad
+/// Round-off of products of factors: units that differ by less are the same.
+inline constexpr double kSameUnit = 1e-12;
 
 /// A unit in SI: its dimension, and how many kg, m and s it is; of an angle, how many degrees.
 struct Unit {

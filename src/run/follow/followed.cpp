@@ -289,8 +289,4 @@ bool Followed::follows(const ContactFrame& contact) const {
   });
 }
 
-bool Followed::follows_contacts() const {
-  return std::ranges::any_of(all_, [](const One& one) { return one.plan.block || one.plan.contact || one.plan.joint; });
-}
-
 }  // namespace keyblock

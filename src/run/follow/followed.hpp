@@ -40,9 +40,8 @@ class Followed {
   /// Lines of the state at hand, `step,time,what,name,quantity,value,unit`: none of what is not there.
   std::string rows(const Stepper& stepper, const DrawnJoints& joints) const;
 
-  /// Whether a contact is one of those of a block, a contact or a joint that is followed; and whether there are any.
+  /// Whether a contact is one of those of a block, a contact or a joint that is followed.
   bool follows(const ContactFrame& contact) const;
-  bool follows_contacts() const;
 
  private:
   struct One {

@@ -256,17 +256,14 @@ void GrowthUnderLoads::look_at_tips() {
   for (TipState& tip : front_.tips) {
     const CrackTip& place = tip_of(continuum.manifold, tip);
     const int e = element_of(continuum.manifold, place);
-    if (e < 0) continue;
+    if (e < 0) throw std::logic_error("a tip lies in no element");
     tip.goes_on = may_go_on(tip, rayleigh_speed(rock_at(continuum, place), continuum.material(e).density));
     if (tip.goes_on) pieces_.push_back({tip.at, energy_of(continuum, tip)});
   }
   if (pieces_.empty() && front_.starts.empty()) return;
   for (const CrackStart& start : front_.starts) {
-    const CrackTip at{start.at, start.along};
-    const Toughness& toughness = *continuum.material(element_of(continuum.manifold, at)).toughness;
-    pieces_.push_back(
-        {start.at - start.half_length * start.along,
-         energy_of_fracture(rock_at(continuum, at), start.is_shear ? *toughness.mode_2 : toughness.mode_1)});
+    const PlaneElasticity rock = rock_at(continuum, {start.at, start.along});
+    pieces_.push_back({start.at - start.half_length * start.along, energy_of_fracture(rock, start.toughness)});
   }
   next_ = prolonged(front_, continuum.manifold, plan.increment, std::vector<double>(front_.tips.size(), 0));
   for (const auto& [from, to] : gained(front_.cracks, next_)) arrivals_.push_back({to, state().time});
@@ -275,12 +272,15 @@ void GrowthUnderLoads::look_at_tips() {
 }
 
 std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
+  const auto cannot_go_on = [&](const std::exception& error) {
+    return StepFailure{fmt::format("step {}: cracks cannot go on so: {}", state().step + 1, error.what()), {}};
+  };
   if (!next_.empty()) try {
       recut();
     } catch (const InputError& error) {
-      return StepFailure{fmt::format("step {}: cracks cannot go on so: {}", state().step + 1, error.what()), {}};
+      return cannot_go_on(error);
     } catch (const std::invalid_argument& error) {
-      return StepFailure{fmt::format("step {}: cracks cannot go on so: {}", state().step + 1, error.what()), {}};
+      return cannot_go_on(error);
     }
   std::variant<StepReport, StepFailure> made = now_->advance();
   if (std::holds_alternative<StepFailure>(made)) return made;

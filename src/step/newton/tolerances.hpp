@@ -98,6 +98,9 @@ inline constexpr double kMomentumAcceptable = 1e-9;
 /// Of contact forces without impacts.
 namespace of_gaps {
 
+// Gaps below this share of block size count as closed, and bodies so near touch: far above the rounding of files, far
+// below what the eye sees.
+inline constexpr double kTouching = 1e-6;
 // Gaps of this share of block size need not be closed further by forces without springs.
 inline constexpr double kGapTolerance = 1e-9;
 // Where nothing loads a scene, no load says what forces are small: round-off is these shares of what the gaps ask for

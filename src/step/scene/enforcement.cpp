@@ -10,12 +10,10 @@
 
 #include "base/union_find.hpp"
 #include "geometry/segment.hpp"
+#include "step/newton/tolerances.hpp"
 
 namespace keyblock {
 namespace {
-
-// Rounding of file coordinates, as a share of block size: what the compatible start closes too.
-constexpr double kTouchingAtStart = 1e-6;
 
 bool has_corner_on(const Model& model, ElementIndex corners, ElementIndex edges, double tolerance) {
   const auto place = [&](VertexIndex v) { return model.start_vertices[static_cast<std::size_t>(v.value)]; };
@@ -39,7 +37,7 @@ bool is_automatic(Enforcement enforcement) {
 }  // namespace
 
 std::vector<ElementPair> touching_pairs(const Model& model) {
-  const double tolerance = kTouchingAtStart * std::sqrt(model.mean_area);
+  const double tolerance = tolerances::of_gaps::kTouching * std::sqrt(model.mean_area);
   State state;
   state.vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
   std::vector<ElementPair> pairs = close_pairs(model, state, tolerance);

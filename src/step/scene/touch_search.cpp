@@ -9,6 +9,7 @@
 
 #include "base/loop.hpp"
 #include "contact/rows/gap.hpp"
+#include "step/newton/tolerances.hpp"
 
 namespace keyblock {
 namespace {
@@ -27,9 +28,6 @@ constexpr double kPushedOut = 1e-7;
 
 // Cosine of the angle between two faces that carry a block as one: two and a half degrees.
 constexpr double kSameLine = 0.999;
-
-// Gaps below this share of block size count as closed: far above the rounding of files, far below what the eye sees.
-constexpr double kTouching = 1e-6;
 
 double top_speed(const StandardScene& scene, const UnknownsTable& v) {
   double top = 0;
@@ -212,7 +210,7 @@ Touches resting_touches(const StandardScene& scene, const Motion& motion, const 
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   Touches touches;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool touching = std::abs(gap_of(all[i], vertices)) < kTouching * scales.size;
+    const bool touching = std::abs(gap_of(all[i], vertices)) < tolerances::of_gaps::kTouching * scales.size;
     if (touching && std::abs(speeds[static_cast<Eigen::Index>(2 * i)]) <= slow) touches.push_back(all[i]);
   }
   return touches;

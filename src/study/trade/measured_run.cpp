@@ -173,11 +173,15 @@ std::vector<Override> StudyCase::overrides(const std::string& profile) const {
   return all;
 }
 
-StudyCase study_case(const std::vector<std::string>& paths) {
+StudyCase study_case(const std::vector<std::string>& paths, const std::vector<std::string>& beside) {
   StudyCase chosen;
+  const auto load = [&](std::vector<std::string> files) {
+    files.insert(files.end(), beside.begin(), beside.end());
+    return formats::load_case(files);
+  };
   const bool is_folder = paths.size() == 1 && fs::is_directory(paths.front());
   if (!is_folder) {
-    chosen.input = formats::load_case(paths);
+    chosen.input = load(paths);
     chosen.name = fs::path(paths.front()).stem().string();
     return chosen;
   }
@@ -186,7 +190,7 @@ StudyCase study_case(const std::vector<std::string>& paths) {
   chosen.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names as "coarse"
   chosen.folder = folder.folder;
   chosen.file = read_case_file(folder);
-  chosen.input = formats::load_case(folder.inputs());
+  chosen.input = load(folder.inputs());
   if (folder.has_expected) chosen.expected = read_expected((folder.folder / "expected.csv").string());
   // Of many runs, not of one.
   std::erase_if(chosen.expected, [](const ExpectedValue& value) { return value.quantity == "factor_of_safety"; });

@@ -27,9 +27,9 @@ struct StudyCase {
   std::vector<Override> overrides(const std::string& profile) const;
 };
 
-/// The case of one folder (study/cases/cases.hpp), or of the files of one. Throws InputError as reading does, and for a
-/// folder of several cases.
-StudyCase study_case(const std::vector<std::string>& paths);
+/// The case of one folder (study/cases/cases.hpp), or of the files of one, with further files beside. Throws InputError
+/// as reading does, and for a folder of several cases.
+StudyCase study_case(const std::vector<std::string>& paths, const std::vector<std::string>& beside = {});
 
 /// A way to run a case.
 struct RunPlan {
@@ -42,8 +42,8 @@ struct RunPlan {
 };
 
 struct RunLimits {
-  int repeat = 1;           ///< the best of so many
-  double cpu_seconds = 60;  ///< of one run; a linear solution is not interrupted
+  int repeat = 1;                                           ///< the best of so many
+  double cpu_seconds = 60;                                  ///< of one run; a linear solution is not interrupted
   std::function<bool()> wants_stop = [] { return false; };  ///< ends the run at hand, and all runs after it
 };
 

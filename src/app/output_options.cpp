@@ -1,0 +1,63 @@
+// Words of the two options; see output_options.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/output_options.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <stdexcept>
+
+#include "base/error.hpp"
+#include "job/folder/frame_tables.hpp"
+#include "run/follow/history_option.hpp"
+
+namespace keyblock {
+
+std::pair<CLI::Option*, CLI::Option*> add_output_options(CLI::App& options, OutputOptions& chosen) {
+  CLI::Option* histories =
+      options
+          .add_option("--history", chosen.histories,
+                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2: followed in "
+                      "histories.csv, beyond 5,000 steps at every n-th; may be repeated")
+          ->take_all();
+  CLI::Option* contacts = options.add_option(
+      "--contacts", chosen.contacts,
+      fmt::format("which contacts are written: automatic (all; up to {:g} rows those of every frame), all, chosen "
+                  "(those of histories), none, or N: those of every N-th frame",
+                  kMostContactRows));
+  return {histories, contacts};
+}
+
+OutputPlan outputs_asked(OutputPlan plan, const OutputOptions& options) {
+  try {
+    for (const std::string& text : options.histories) {
+      plan.histories.push_back(history_of(text));
+      plan.histories.back().place = {"--history " + text};
+    }
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--history: {}", error.what()));
+  }
+  if (options.contacts.empty()) return plan;
+  plan.contacts_every = 1;
+  plan.place = {"--contacts " + options.contacts};
+  constexpr std::array<std::pair<const char*, ContactTables>, 4> kWords{{{"automatic", ContactTables::automatic},
+                                                                         {"all", ContactTables::all},
+                                                                         {"chosen", ContactTables::chosen},
+                                                                         {"none", ContactTables::none}}};
+  for (const auto& [word, which] : kWords)
+    if (options.contacts == word) {
+      plan.contacts = which;
+      return plan;
+    }
+  const char* end = options.contacts.data() + options.contacts.size();
+  const auto [stop, error] = std::from_chars(options.contacts.data(), end, plan.contacts_every);
+  if (error != std::errc{} || stop != end || plan.contacts_every < 1)
+    throw UsageError(fmt::format(
+        "--contacts: expected automatic, all, chosen, none, or the number of frames from one to the next; found \"{}\"",
+        options.contacts));
+  plan.contacts = ContactTables::all;
+  return plan;
+}
+
+}  // namespace keyblock
