@@ -161,6 +161,31 @@ TEST(GrowthUnderLoads, a_beam_on_blocks_breaks_in_two) {
               0.25 * energy);  // the last bit breaks under the block's pressure
 }
 
+// Loads that are there at once start cracks beside the sides they pull at; the ends of some lie beyond these.
+TEST(GrowthUnderLoads, a_crack_that_starts_beside_a_line_parts_within_the_rock) {
+  const std::string text = R"({"keyblock": 1, "units": {"length": "ft", "stress": "psi", "time": "s"},
+      "blocks": {"blocks": [{"outer": [[-3, -2, 1], [3, -2, 1], [3, 2, 1], [-3, 2, 1]]}]},
+      "covers": {"mesh": {"side": 0.8, "angle": 10}, "growth": {"increment": 0.8, "loads": "given"},
+        "tractions": [{"along": [[3, 2], [-3, 2]], "y": "120 psi"}, {"along": [[-3, -2], [3, -2]], "y": "-120 psi"}]},
+      "analysis": {"step_count": 3, "time_step": 2e-4, "velocity_carry_over": 1, "allowed_displacement_ratio": 0.1,
+        "plane_strain": true, "gravity": 0, "joint_materials": [{}],
+        "block_materials": [{"density": "150 lb/ft3", "youngs_modulus": "3e6 psi", "poissons_ratio": 0.2,
+          "toughness": {"mode_1": "1 MPa√m", "tensile_strength": "300 psi"}}]}})";
+  const std::unique_ptr<Stepper> stepper = stepper_for(scene_of(file_of("beside", text)));
+  LedgerSums sums;
+  sums.add(stepper->ledger());
+  bool reaches_beyond = false;
+  for (int step = 0; step < 3; ++step) {
+    const auto made = stepper->advance();
+    ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << step << ": " << std::get<StepFailure>(made).reason;
+    sums.add(stepper->ledger());
+    for (const CrackPlan& crack : stepper->model().continuum->cracks)
+      for (const Point end : crack.along) reaches_beyond = reaches_beyond || std::abs(end.x) > 3 || std::abs(end.y) > 2;
+  }
+  EXPECT_TRUE(reaches_beyond);
+  EXPECT_LT(sums.energy_closure(), 1e-8);
+}
+
 // At rest each step sees one increment: a crack that would go on at once under the last load is told as such.
 TEST(GrowthUnderLoads, a_run_at_rest_that_ends_with_tips_that_go_on_is_not_trusted) {
   // K_I = s √(π a) of an infinite plate (Irwin 1957) with a = 0.8 reaches the toughness of 10 at s = 6.3.

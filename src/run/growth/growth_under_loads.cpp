@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -36,6 +37,22 @@ std::vector<std::pair<Point, Point>> gained(const std::vector<CrackPlan>& before
     if (now.back() != before[c].along.back()) pieces.emplace_back(now[now.size() - 2], now.back());
   }
   return pieces;
+}
+
+/// Of a piece whose middle lies in rock: a crack that starts beside a line may reach beyond it.
+std::pair<Point, Point> part_in_rock(Point from, Point to, const std::function<bool(Point)>& is_rock) {
+  constexpr int kHalvings = 40;
+  const Point middle = 0.5 * (from + to);
+  const auto end_in_rock = [&](Point end) {
+    if (is_rock(end)) return end;
+    Point inner = middle;
+    for (int i = 0; i < kHalvings; ++i) {
+      const Point half = 0.5 * (inner + end);
+      (is_rock(half) ? inner : end) = half;
+    }
+    return inner;
+  };
+  return {end_in_rock(from), end_in_rock(to)};
 }
 
 void describe_point(Archive& archive, const char* x, const char* y, Point& p) {
@@ -183,13 +200,14 @@ void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
     if (piece == pieces_.end()) throw std::logic_error("a crack gained a piece whose energy of fracture is not known");
     if (!(piece->energy > 0)) continue;
     const auto element = [&](Point p) { return element_of(manifold, CrackTip{p, {}}); };
+    const auto [first, last] = part_in_rock(from, to, [&](Point p) { return element(p) >= 0; });
     const auto place = [&](Point p) {
       const int e = element(p);
       if (e < 0) throw InputError(first_.growth->plan.place, fmt::format("no rock at ({:.6g}, {:.6g})", p.x, p.y));
       return p + displacement_at(moved, e, p);
     };
-    const Point along = place(to) - place(from);
-    const double stretch = length(along) / distance(from, to);
+    const Point along = place(last) - place(first);
+    const double stretch = length(along) / distance(first, last);
     const Point out = (stretch / length(along)) * Point{along.y, -along.x};
     const auto traction = [&](Point p) {
       const int e = element(p);
@@ -197,7 +215,7 @@ void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
       const Stress s = now_->stress_at({first_on_covers() + e}, p);
       return Point{s.xx * out.x + s.xy * out.y, s.xy * out.x + s.yy * out.y};
     };
-    parting_.push_back(parting_faces(from, to, piece->energy * distance(from, to), along, traction));
+    parting_.push_back(parting_faces(first, last, piece->energy * distance(first, last), along, traction));
   }
 }
 
