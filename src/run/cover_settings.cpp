@@ -11,6 +11,7 @@
 
 #include "cut/mesh/fit_mesh.hpp"
 #include "model/cover_basis.hpp"
+#include "settings/settings_table.hpp"
 
 namespace keyblock {
 namespace {
@@ -68,13 +69,19 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
       name));
 }
 
+std::optional<Measure> measure_of_mesh_setting(const std::string& name) {
+  if (name == "mesh.side") return measures::kLength;
+  if (name == "mesh.angle") return measures::kDegrees;
+  return std::nullopt;
+}
+
 std::vector<std::pair<std::string, std::string>> set_plan(
     Problem& problem, const std::vector<std::pair<std::string, std::string>>& overrides) {
   if (!problem.covers) return overrides;
   std::vector<std::pair<std::string, std::string>> left;
   for (const auto& [name, value] : overrides) {
     if (name == "functions" || name == "contact" || name.starts_with("mesh."))
-      set(*problem.covers, name, value);
+      set(*problem.covers, name, in_units(problem.units, name, value, measure_of_mesh_setting(name)));
     else
       left.emplace_back(name, value);
   }

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "problem/problem.hpp"
+#include "problem/units/measure.hpp"
 
 namespace keyblock {
 
@@ -14,8 +16,11 @@ namespace keyblock {
 /// with the expected values if the name or the value is not valid.
 void set(CoverPlan& plan, const std::string& name, const std::string& value);
 
+/// What a setting of the mesh measures; nothing where it is none.
+std::optional<Measure> measure_of_mesh_setting(const std::string& name);
+
 /// Sets those of the overrides that `set` above knows by name, where the problem has a plan; the others are left.
-/// Throws std::invalid_argument.
+/// Values may have a unit ("5 cm"), which is converted to those of the case. Throws std::invalid_argument.
 std::vector<std::pair<std::string, std::string>> set_plan(
     Problem& problem, const std::vector<std::pair<std::string, std::string>>& overrides);
 

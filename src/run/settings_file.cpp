@@ -42,12 +42,13 @@ bool is_known(const std::string& name) {
 }  // namespace
 
 void require_setting(const std::string& name, const std::string& value) {
+  const Units any{"m", "kg", "s"};  // those of the case are not known here, and do not change what is a time
   if (name == "functions" || name == "contact" || name.starts_with("mesh.")) {
     CoverPlan plan;
-    set(plan, name, value);
+    set(plan, name, in_units(any, name, value, measure_of_mesh_setting(name)));
   } else {
     Settings settings;
-    set(settings, name, value);
+    set(settings, name, in_units(any, name, value, measure_of_setting(name)));
   }
 }
 

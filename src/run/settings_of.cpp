@@ -108,7 +108,8 @@ Settings settings_of(const Problem& problem, const std::string& profile, const s
   const RunChoices& choices = problem.choices;
   Settings settings = profile_settings(profile, analysis, [&](Settings& changed) {
     set_as_in_file(changed, choices);
-    for (const auto& [name, value] : overrides) set(changed, name, value);
+    for (const auto& [name, value] : overrides)
+      set(changed, name, in_units(problem.units, name, value, measure_of_setting(name)));
   });
   carry_what_moves(settings, analysis, choices, overrides);
   if (settings.dynamics == Dynamics::standard) settings.quirks = settings.quirks.without_those_of_the_step();

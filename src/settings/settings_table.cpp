@@ -417,6 +417,21 @@ std::optional<Measure> measure_of_setting(const std::string& name) {
   return measures::kNumber;
 }
 
+std::string in_units(const Units& units, const std::string& name, const std::string& value,
+                     const std::optional<Measure>& measure) {
+  const Measure of = measure.value_or(measures::kNumber);
+  const std::optional<Quantity> quantity = quantity_in(value);
+  if (of == measures::kNumber || !quantity || !unit_named(quantity->unit)) return value;
+  const Converted found = converted(value, of, units);
+  if (found.lacks_units)
+    throw std::invalid_argument(
+        fmt::format("setting {}: expected a number in the units of the case, which declares none to convert to "
+                    "(\"units\" of a case file), found \"{}\"",
+                    name, value));
+  if (!found.number) refuse_value(name, "a number, or " + example_of(of), value);
+  return fmt::format("{}", *found.number);
+}
+
 std::optional<Dynamics> read_alone_by(const std::string& name) {
   const SettingRow* row = find_row(name.substr(0, name.find('.')));
   return row ? row->dynamics : std::nullopt;

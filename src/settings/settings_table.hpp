@@ -36,6 +36,12 @@ void set(Settings& settings, const std::string& name, const std::string& value);
 /// What the number of a setting measures, as the brackets of its meaning say; nothing where there is none of this name.
 std::optional<Measure> measure_of_setting(const std::string& name);
 
+/// A value in the units of a case: "2 ms" is "0.002" where it has seconds and `measure` is a time. Other texts are left
+/// as they are. Throws std::invalid_argument where the unit is of another kind, or the case does not declare what it
+/// takes.
+std::string in_units(const Units& units, const std::string& name, const std::string& value,
+                     const std::optional<Measure>& measure);
+
 /// The dynamics that alone read this setting; nothing where both do, or there is none of this name.
 std::optional<Dynamics> read_alone_by(const std::string& name);
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "run/cover_settings.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/support/two_triangles.hpp"
 
@@ -189,6 +190,21 @@ TEST(Prepare, a_setting_that_the_chosen_dynamics_do_not_read_is_warned_of) {
   Problem with_choices{one_block(), analysis_of_file()};
   with_choices.choices.settings = {{"newmark_beta", "0.3"}};
   EXPECT_EQ(names(prepare(with_choices, "standard", {}).warnings), warned);
+}
+
+TEST(Prepare, values_of_overrides_may_have_a_unit_where_the_case_declares_its_own) {
+  Problem problem{one_block(), analysis_of_file()};
+  EXPECT_THROW(prepare(problem, "standard", {{"time_step", "2 ms"}}), std::invalid_argument);
+  problem.units = {"mm", "t", "s"};
+  const Settings settings =
+      prepare(problem, "standard", {{"time_step", "2 ms"}, {"gravity", "9.81 m/s2"}}).scene.settings;
+  EXPECT_EQ(settings.time_step, 0.002);
+  EXPECT_EQ(settings.gravity, (Point{0, -9810}));
+  problem.covers.emplace();
+  const std::vector<Override> left = set_plan(problem, {{"mesh.side", "5 cm"}, {"time_step", "2 ms"}});
+  EXPECT_EQ(problem.covers->mesh.side, 50);
+  EXPECT_EQ(left.size(), 1U);
+  EXPECT_THROW(set_plan(problem, {{"mesh.side", "5 s"}}), std::invalid_argument);
 }
 
 }  // namespace keyblock::prepare_test

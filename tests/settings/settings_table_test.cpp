@@ -116,4 +116,20 @@ TEST(SettingsTable, choices_that_others_leave_unread_say_so) {
   for (const SettingText& s : list(Settings{})) EXPECT_FALSE(s.expected.empty()) << s.name;
 }
 
+TEST(SettingsTable, a_value_with_a_unit_is_converted_to_those_of_the_case) {
+  const Units units{"mm", "t", "s"};
+  const auto told = [&](const char* name, const char* value) {
+    return in_units(units, name, value, measure_of_setting(name));
+  };
+  EXPECT_EQ(told("time_step", "2 ms"), "0.002");
+  EXPECT_EQ(told("gravity", "9.81 m/s2"), "9810");
+  EXPECT_EQ(told("contact_penalty", "20 MN/m/m"), "20");  // of a slice a mm thick: 2e7 N/m2 = 20 N/mm2
+  EXPECT_EQ(told("time_step", "0.5"), "0.5");
+  EXPECT_EQ(told("rotation", "exact"), "exact");
+  EXPECT_EQ(told("no_such_setting", "2 ms"), "2 ms");
+  EXPECT_EQ(told("steps", "10"), "10");
+  EXPECT_THROW(told("time_step", "2 kN"), std::invalid_argument);
+  EXPECT_THROW(in_units({}, "time_step", "2 ms", measures::kTime), std::invalid_argument);
+}
+
 }  // namespace keyblock::settings_table_test

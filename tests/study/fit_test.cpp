@@ -140,6 +140,21 @@ TEST(Fit, tables_may_have_headings_or_none) {
   EXPECT_NE(refusal([] { pairs_of("1e-3,3 MPa\n0.2,6\n"); }).find("heading begins with"), std::string::npos);
 }
 
+TEST(Fit, units_of_headings_are_taken) {
+  const MeasuredPairs pairs = pairs_of("strain [%],Stress (MPa)\n0.1,5\n0.2,6\n");
+  EXPECT_EQ(strain_factor(pairs), 0.01);
+  EXPECT_EQ(stress_unit(pairs, false), "MPa");
+  EXPECT_EQ(strain_factor(pairs_of("strain [mm/m],stress\n1,5\n")), 1e-3);
+  EXPECT_EQ(stress_unit(pairs_of("strain,stress\n1,5\n"), false), "");
+  EXPECT_EQ(stress_unit(pairs_of("s3 [psi],s1 [psi]\n1,5\n", "s3", "s1"), true), "psi");
+  EXPECT_NE(refusal([] { strain_factor(pairs_of("strain [MPa],stress\n1,5\n")); }).find("a unit of strain"),
+            std::string::npos);
+  EXPECT_NE(refusal([] { stress_unit(pairs_of("strain,stress [kN]\n1,5\n"), false); }).find("a unit of stress"),
+            std::string::npos);
+  EXPECT_NE(refusal([] { stress_unit(pairs_of("s3 [MPa],s1 [kPa]\n1,5\n", "s3", "s1"), true); }).find("one unit"),
+            std::string::npos);
+}
+
 TEST(Fit, what_cannot_be_fitted_is_refused_where_it_stands) {
   const auto fit = [](MeasuredPairs m) { fit_curve(std::move(m), CompressionSign::found); };
   EXPECT_NE(refusal([] { pairs_of("strain,load\n1,2\n"); }).find("\"stress\", found none"), std::string::npos);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct FitOptions {
   std::string input;
   bool is_triaxial = false;
   std::string compression = "auto";
-  double strain_factor = 1;
+  std::optional<double> strain_factor;  ///< else as the heading says
   double friction_deg = 0;
   std::string output;
   std::string material;
@@ -47,7 +48,7 @@ const std::map<std::string, study::CompressionSign> kSigns{{"auto", study::Compr
 
 struct NamedFound {
   const char* name;
-  const char* unit;
+  std::string unit;
   study::Found found;
 };
 
@@ -69,17 +70,32 @@ Json json_of(const study::Found& f) {
       {"value", f.value}, {"standard_error", number(f.standard_error)}, {"interval", {number(f.low), number(f.high)}}};
 }
 
+/// Stresses of one table, as they are put out.
+class Stresses {
+ public:
+  explicit Stresses(std::string unit) : unit_(std::move(unit)) {}
+
+  std::string in_words() const { return unit_.empty() ? "F/L²" : unit_; }
+  /// A value of a case file, which takes "20 GPa" in whatever units it has.
+  Json value(double stress) const { return unit_.empty() ? Json(stress) : Json(fmt::format("{} {}", stress, unit_)); }
+
+ private:
+  std::string unit_;
+};
+
 /// The strength that a plateau is: with an angle of friction that of Mohr and Coulomb.
-Json strength_json(double compressive, double friction_deg) {
-  if (friction_deg == 0) return {{"surface", "tresca"}, {"cohesion", compressive / 2}};
+Json strength_json(const Stresses& stresses, double compressive, double friction_deg) {
+  if (friction_deg == 0) return {{"surface", "tresca"}, {"cohesion", stresses.value(compressive / 2)}};
   const double phi = friction_deg * std::numbers::pi / 180;
   return {{"surface", "mohr_coulomb"},
-          {"cohesion", compressive * (1 - std::sin(phi)) / (2 * std::cos(phi))},
+          {"cohesion", stresses.value(compressive * (1 - std::sin(phi)) / (2 * std::cos(phi)))},
           {"friction_deg", friction_deg}};
 }
 
 Outcome curve_outcome(const FitOptions& options, study::MeasuredPairs pairs) {
-  for (double& strain : pairs.x) strain *= options.strain_factor;
+  const Stresses stresses(study::stress_unit(pairs, false));
+  const double factor = options.strain_factor ? *options.strain_factor : study::strain_factor(pairs);
+  for (double& strain : pairs.x) strain *= factor;
   const study::CurveFit fit = study::fit_curve(pairs, kSigns.at(options.compression));
   Outcome out;
   if (fit.is_turned)
@@ -88,19 +104,19 @@ Outcome curve_outcome(const FitOptions& options, study::MeasuredPairs pairs) {
   const study::BilinearCurve curve{fit.initial_modulus.value_or(fit.youngs_modulus).value, fit.youngs_modulus.value,
                                    fit.closure_strain.value_or(study::Found{}).value,
                                    fit.strength ? fit.strength->value : std::numeric_limits<double>::infinity()};
-  out.material["youngs_modulus"] = fit.youngs_modulus.value;
-  out.values.push_back({"youngs_modulus", "F/L²", fit.youngs_modulus});
+  out.material["youngs_modulus"] = stresses.value(fit.youngs_modulus.value);
+  out.values.push_back({"youngs_modulus", stresses.in_words(), fit.youngs_modulus});
   if (fit.initial_modulus) {
-    out.values.push_back({"initial_modulus", "F/L²", *fit.initial_modulus});
+    out.values.push_back({"initial_modulus", stresses.in_words(), *fit.initial_modulus});
     out.values.push_back({"closure_strain", "1", *fit.closure_strain});
-    out.material["crack_closure"] = {{"initial_modulus", curve.initial_modulus},
+    out.material["crack_closure"] = {{"initial_modulus", stresses.value(curve.initial_modulus)},
                                      {"closure_strain", curve.closure_strain}};
   }
   if (!fit.strength && options.friction_deg != 0)
     spdlog::warn("the curve has no plateau: no strength was found, and --friction has no effect");
   if (fit.strength) {
-    out.values.push_back({"strength", "F/L²", *fit.strength});
-    out.material["strength"] = strength_json(curve.strength, options.friction_deg);
+    out.values.push_back({"strength", stresses.in_words(), *fit.strength});
+    out.material["strength"] = strength_json(stresses, curve.strength, options.friction_deg);
   }
   // The corners of the curve.
   std::vector<double> corners{std::min(0.0, pairs.x.front()), curve.closure_strain, pairs.x.back()};
@@ -115,20 +131,22 @@ Outcome curve_outcome(const FitOptions& options, study::MeasuredPairs pairs) {
   }
   out.agreement = fit.agreement;
   out.title = "uniaxial compression, measured and fitted";
-  out.axes = {"strain", "stress [F/L²]"};
+  out.axes = {"strain", fmt::format("stress [{}]", stresses.in_words())};
   out.measured = std::move(pairs);
   return out;
 }
 
 Outcome triaxial_outcome(study::MeasuredPairs tests) {
+  const Stresses stresses(study::stress_unit(tests, true));
   const study::StrengthFit fit = study::fit_strength(tests);
   Outcome out;
-  out.values = {{"cohesion", "F/L²", fit.cohesion},
+  out.values = {{"cohesion", stresses.in_words(), fit.cohesion},
                 {"friction_deg", "degrees", fit.friction_deg},
                 {"ratio", "1", fit.ratio},
-                {"compressive_strength", "F/L²", fit.compressive_strength}};
-  out.material["strength"] = {
-      {"surface", "mohr_coulomb"}, {"cohesion", fit.cohesion.value}, {"friction_deg", fit.friction_deg.value}};
+                {"compressive_strength", stresses.in_words(), fit.compressive_strength}};
+  out.material["strength"] = {{"surface", "mohr_coulomb"},
+                              {"cohesion", stresses.value(fit.cohesion.value)},
+                              {"friction_deg", fit.friction_deg.value}};
   const auto [least, greatest] = std::ranges::minmax_element(tests.x);
   out.line.label = "fitted";
   for (const double s3 : {std::min(0.0, *least), *greatest}) {
@@ -137,13 +155,17 @@ Outcome triaxial_outcome(study::MeasuredPairs tests) {
   }
   out.agreement = fit.agreement;
   out.title = "strength in triaxial tests, measured and fitted";
-  out.axes = {"s3 [F/L²]", "s1 [F/L²]"};
+  out.axes = {fmt::format("s3 [{}]", stresses.in_words()), fmt::format("s1 [{}]", stresses.in_words())};
   out.measured = std::move(tests);
   return out;
 }
 
 std::string residuals_csv(const Outcome& out, bool is_triaxial) {
-  std::string text = is_triaxial ? "s3,s1,fitted,residual\n" : "strain,stress,fitted,residual\n";
+  const std::string& unit = out.measured.y_unit;
+  const std::string of_stress = unit.empty() ? "" : fmt::format(" [{}]", unit);
+  std::string text = fmt::format(
+      fmt::runtime(is_triaxial ? "s3{0},s1{0},fitted{0},residual{0}\n" : "strain,stress{0},fitted{0},residual{0}\n"),
+      of_stress);
   for (std::size_t i = 0; i < out.measured.x.size(); ++i) {
     const double fitted = out.agreement.fitted[i];
     text += fmt::format("{},{},{},{}\n", out.measured.x[i], out.measured.y[i], fitted, out.measured.y[i] - fitted);
@@ -193,13 +215,16 @@ Action configure_fit(CLI::App& app) {
   app.add_option(
          "CURVE", options->input,
          "a file .csv with columns strain and stress of one loading under uniaxial compression; with --triaxial "
-         "s3 and s1 of tests at failure, compression positive")
+         "s3 and s1 of tests at failure, compression positive; with a unit in the heading, \"stress [MPa]\", that is "
+         "the one "
+         "of what is found")
       ->required();
   CLI::Option* triaxial = app.add_flag("--triaxial", options->is_triaxial, "fit cohesion and friction to s1 over s3");
   app.add_option("--compression", options->compression, "its sign in the file: positive, negative, auto")
       ->check(CLI::IsMember(kSigns))
       ->excludes(triaxial);
-  app.add_option("--strain-factor", options->strain_factor, "what 1 in the column of strain is: 0.01 for per cent")
+  app.add_option("--strain-factor", options->strain_factor,
+                 "what 1 in the column of strain is: 0.01 for per cent (default: as its heading says, \"strain [%]\")")
       ->check(above_zero())
       ->excludes(triaxial);
   app.add_option("--friction", options->friction_deg,

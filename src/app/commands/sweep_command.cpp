@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/loop.hpp"
 #include "job/files.hpp"
+#include "problem/units/measure.hpp"
 #include "report/sweep_picture.hpp"
 #include "study/trade/run_design.hpp"
 
@@ -35,6 +36,7 @@ struct SweepOptions : StudyOptions {
 struct Map {
   const SweepOptions& options;
   const Tradeoff& result;
+  const Units& units;
 
   const MeasuredRun& run(std::size_t row, std::size_t column) const {
     return result.runs[row * options.steps.size() + column];
@@ -79,7 +81,8 @@ std::string table_of(const Map& map) {
 }
 
 std::string csv_of(const Map& map) {
-  std::string csv = "penalty_factor,contact_penalty,step_factor,steps,verdict,error,cpu_seconds\n";
+  std::string csv = fmt::format("penalty_factor,{},step_factor,steps,verdict,error,cpu_seconds\n",
+                                with_declared("contact_penalty", measures::kStiffness, map.units));
   for (std::size_t r = 0; r < map.options.penalties.size(); ++r)
     for (std::size_t c = 0; c < map.options.steps.size(); ++c) {
       const double error = map.error(r, c);
@@ -117,7 +120,7 @@ std::string picture_of(const Map& map) {
       {},
       {},
       "step, over the case's own",
-      "contact stiffness [F/L]",
+      with_unit("contact stiffness", measures::kStiffness, map.units),
       {}};
   for (const double step : map.options.steps) picture.columns.push_back(factor(step));
   for (std::size_t r = 0; r < map.options.penalties.size(); ++r) {
@@ -148,7 +151,7 @@ ExitCode run_sweep(const SweepOptions& options) {
     }
   }();
   const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run);
-  const Map map{options, result};
+  const Map map{options, result, chosen.input.problem.units};
   if (!options.picture.empty()) write_output(options.picture, picture_of(map), overwrite_if(options.force));
   if (!options.table.empty()) write_output(options.table, csv_of(map), overwrite_if(options.force));
   if (options.as_json)

@@ -13,6 +13,8 @@
 
 #include "base/error.hpp"
 #include "formats/text/numbers.hpp"
+#include "formats/text/tokens.hpp"
+#include "problem/units/unit_conversion.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -40,7 +42,38 @@ std::size_t column_of(const formats::CsvTable& table, std::string_view word) {
   return static_cast<std::size_t>(std::ranges::find_if(table.header, has_word) - table.header.begin());
 }
 
+// "MPa" of "Stress [MPa]" and of "Stress (MPa)".
+std::string unit_of(const std::string& heading) {
+  const std::size_t open = heading.find_first_of("[(");
+  const std::size_t close = open == std::string::npos ? open : heading.find(heading[open] == '[' ? ']' : ')', open);
+  return close == std::string::npos ? std::string() : heading.substr(open + 1, close - open - 1);
+}
+
+[[noreturn]] void refuse_unit(const MeasuredPairs& pairs, const char* expected, const std::string& found) {
+  throw InputError({pairs.file, 1, 1}, fmt::format("expected {}, found {}", expected, formats::in_quotes(found)));
+}
+
 }  // namespace
+
+double strain_factor(const MeasuredPairs& curve) {
+  if (curve.x_unit.empty() || curve.x_unit == "-" || curve.x_unit == "1") return 1;
+  if (curve.x_unit == "%") return 1e-2;
+  if (curve.x_unit == "‰") return 1e-3;
+  const std::optional<Unit> unit = unit_named(curve.x_unit);
+  if (!unit || unit->is_angle || unit->dimension != Dimension{})
+    refuse_unit(curve, "a unit of strain in the heading, such as %, mm/m or none", curve.x_unit);
+  return unit->factor;
+}
+
+std::string stress_unit(const MeasuredPairs& pairs, bool both) {
+  if (both && pairs.x_unit != pairs.y_unit)
+    refuse_unit(pairs, "one unit of both stresses in the headings", pairs.x_unit + " and " + pairs.y_unit);
+  if (pairs.y_unit.empty()) return {};
+  const std::optional<Unit> unit = unit_named(pairs.y_unit);
+  if (!unit || unit->dimension != kStress)
+    refuse_unit(pairs, "a unit of stress in the heading, such as MPa or none", pairs.y_unit);
+  return pairs.y_unit;
+}
 
 MeasuredPairs read_pairs(const formats::CsvTable& table, std::string_view x, std::string_view y) {
   formats::CsvTable rows = table;
@@ -56,6 +89,8 @@ MeasuredPairs read_pairs(const formats::CsvTable& table, std::string_view x, std
     y_column = column_of(table, y);
   }
   MeasuredPairs pairs{table.name, {}, {}, {}};
+  pairs.x_unit = unit_of(table.header[x_column]);
+  pairs.y_unit = unit_of(table.header[y_column]);
   for (const formats::CsvRow& row : rows.rows) {
     pairs.x.push_back(formats::csv_real(rows, row, x_column));
     pairs.y.push_back(formats::csv_real(rows, row, y_column));

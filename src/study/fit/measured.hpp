@@ -16,11 +16,21 @@ struct MeasuredPairs {
   std::vector<double> x;
   std::vector<double> y;
   std::vector<int> lines;
+  std::string x_unit = {};  ///< as its heading has it in brackets, "MPa" of "s3 [MPa]"; empty: none
+  std::string y_unit = {};
 };
 
 /// Columns whose headings begin with these words, upper or lower case; of a table without headings the two there are.
 /// Throws InputError for other columns, or for what is not a finite number.
 MeasuredPairs read_pairs(const formats::CsvTable& table, std::string_view x, std::string_view y);
+
+/// What 1 in a column of strain is: 0.01 of "%", 1e-3 of "mm/m", 1 without a unit. Throws InputError for a unit that
+/// strain does not have.
+double strain_factor(const MeasuredPairs& curve);
+
+/// The unit of stress of the second column, and of the first where `both` are stresses; empty without one. Throws
+/// InputError for a unit that stress does not have, or two different ones.
+std::string stress_unit(const MeasuredPairs& pairs, bool both);
 
 /// A number found by least squares. The interval holds it with a confidence of 95 % (Student's t), if the model is
 /// right and errors are independent; it is infinite where as many numbers are sought as measured.
