@@ -287,7 +287,7 @@ Warnings take_defaults_of_today(Content& content, const JsonValue& from) {
     taken.push_back(fmt::format("gravity {:.6g}{}", *analysis.gravity, factor ? "" : " (no units are declared)"));
   }
   if (taken.empty()) return {};
-  return {{"defaults_taken", from.place(), fmt::format("not said, and taken: {}", fmt::join(taken, ", "))}};
+  return {{"defaults_taken", from.place(), fmt::format("defaults taken: {}", fmt::join(taken, ", "))}};
 }
 
 // The units first: values are converted into them before fields are read.

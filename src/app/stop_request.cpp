@@ -23,7 +23,7 @@ std::atomic<std::int64_t> first_asked = 0;
 // one.
 constexpr std::int64_t kLater = 1'000;  // milliseconds
 
-constexpr std::string_view kStopping = "stopping; asked again in a second, it ends at once\n";
+constexpr std::string_view kStopping = "stopping after this step; a second request ends it at once\n";
 
 std::int64_t milliseconds() {
   timespec now{};

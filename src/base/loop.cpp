@@ -15,10 +15,6 @@
 namespace keyblock {
 namespace {
 
-// Fewer ranges than these are done by the caller alone: waking threads would take as long.
-constexpr std::size_t kWorthWaking = 4;
-constexpr std::size_t kLightWorthWaking = 32;
-
 struct Threads {
   explicit Threads(int wanted)
       : count(wanted),
@@ -56,7 +52,7 @@ void for_ranges(std::size_t count, const std::function<void(std::size_t, std::si
   const auto one = [&](std::size_t range) {
     work(range, range * kLoopRange, std::min(count, (range + 1) * kLoopRange));
   };
-  if (ranges < (weight == Work::light ? kLightWorthWaking : kWorthWaking) || loop_threads() == 1) {
+  if (ranges < worth_waking(weight) || loop_threads() == 1) {
     for (std::size_t range = 0; range < ranges; ++range) one(range);
     return;
   }

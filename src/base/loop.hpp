@@ -23,9 +23,12 @@ inline std::size_t range_count(std::size_t count) {
 }
 
 /// What an entry takes: `heavy` a tenth of a microsecond and more (a product of blocks, a contact), `light` a few
-/// nanoseconds (a sum of vectors). Threads are woken from four heavy ranges on, and from 32 light ones, which take as
-/// long.
+/// nanoseconds (a sum of vectors). Fewer ranges than `worth_waking` are done by the caller alone: waking threads would
+/// take as long.
 enum class Work { heavy, light };
+constexpr std::size_t worth_waking(Work weight) {
+  return weight == Work::light ? 32 : 4;
+}
 
 /// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. An exception is thrown
 /// again when all are done, that of the lowest range. `base/parallel` is for whole jobs instead: files, runs.
@@ -35,6 +38,10 @@ void for_ranges(std::size_t count, const std::function<void(std::size_t, std::si
 /// Does `work(i)` for 0 … count − 1, which must not depend on each other.
 template <class Each>
 void for_each_entry(std::size_t count, const Each& each, Work weight = Work::heavy) {
+  if (range_count(count) < worth_waking(weight)) {  // most loops of small scenes: no function is wrapped
+    for (std::size_t i = 0; i < count; ++i) each(i);
+    return;
+  }
   for_ranges(
       count,
       [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -53,21 +60,26 @@ void for_each_index(const Table<I, T>& table, const Each& each) {
 /// own i.
 template <std::size_t N, class Term>
 std::array<double, N> sums_over(std::size_t count, const Term& term, Work weight = Work::heavy) {
+  const auto sum_of = [&](std::size_t begin, std::size_t end) {
+    std::array<double, N> sum{};
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::array<double, N> one = term(i);
+      for (std::size_t k = 0; k < N; ++k) sum[k] += one[k];
+    }
+    return sum;
+  };
+  std::array<double, N> all{};
+  const auto add = [&](const std::array<double, N>& part) {
+    for (std::size_t k = 0; k < N; ++k) all[k] += part[k];
+  };
+  if (count <= kLoopRange) {
+    add(sum_of(0, count));
+    return all;
+  }
   std::vector<std::array<double, N>> parts(range_count(count));
   for_ranges(
-      count,
-      [&](std::size_t range, std::size_t begin, std::size_t end) {
-        std::array<double, N> sum{};
-        for (std::size_t i = begin; i < end; ++i) {
-          const std::array<double, N> one = term(i);
-          for (std::size_t k = 0; k < N; ++k) sum[k] += one[k];
-        }
-        parts[range] = sum;
-      },
-      weight);
-  std::array<double, N> all{};
-  for (const std::array<double, N>& part : parts)
-    for (std::size_t k = 0; k < N; ++k) all[k] += part[k];
+      count, [&](std::size_t range, std::size_t begin, std::size_t end) { parts[range] = sum_of(begin, end); }, weight);
+  for (const std::array<double, N>& part : parts) add(part);
   return all;
 }
 

@@ -20,6 +20,13 @@ constexpr int kFacePoints = 8;
 // Of the size of an element: for the divergence of an initial stress that is given by a formula.
 constexpr double kDifference = 1e-4;
 
+// Sides from a tip within which contact says that its faces are closed, and within which its forces have a direction.
+constexpr double kSidesOfTip = 2;
+constexpr double kSidesOfFaces = 6;
+constexpr double kOnFace = 0.1;         // sine of the angle from the face of a crack within which a force acts on it
+constexpr double kExplained = 3;        // K_I over pressure times the root of the side: 1 to 2 were seen
+constexpr double kLeastPressure = 0.1;  // of the contact's, beside the initial stress, that has a direction to go by
+
 /// What the integrals know of one point: in the axes of the tip.
 struct LocalField {
   Eigen::Matrix2d gradient;  // ∂u_i/∂x_j
@@ -53,7 +60,7 @@ class TipSums {
     for (const FaceForce& f : solution_.face_forces)
       if (std::ranges::binary_search(domain_.elements(), f.element)) add_force(f.element, f.at, f.force);
     const double half = rock_.effective_modulus() / 2;
-    return {{half * interaction_[0], half * interaction_[1]}, j_};
+    return closed_if_pressed({{half * interaction_[0], half * interaction_[1]}, j_});
   }
 
  private:
@@ -117,6 +124,48 @@ class TipSums {
         interaction_[mode] += p.weight * (mixed.dot(dq) - mutual * dq.x() - b.dot(other.gradient.col(0)) * q);
       }
     }
+  }
+
+  /// What contact of the faces of this crack does to the left one near the tip.
+  struct FacePressure {
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< in the axes of the tip
+    double reach = 0;                                 ///< of the forces, from the tip
+    bool is_at_tip = false;
+  };
+
+  FacePressure face_pressure(double side) const {
+    FacePressure pressure;
+    for (const FaceForce& f : solution_.face_forces) {
+      const Eigen::Vector2d local = in_axes(f.at - tip_.at);
+      const double r = local.norm();
+      const bool is_behind = local.x() < 0 && std::abs(local.y()) <= kOnFace * r && r <= kSidesOfFaces * side;
+      if (!is_behind || f.other < 0 || side_of(f.element) < 0 || side_of(f.other) > 0) continue;
+      const Eigen::Vector2d force = turned(f.force);
+      pressure.force += force;
+      pressure.reach = std::max(pressure.reach, r);
+      pressure.is_at_tip = pressure.is_at_tip || (r <= kSidesOfTip * side && force.y() > 0);
+    }
+    return pressure;
+  }
+
+  /// See the header.
+  TipFactors closed_if_pressed(TipFactors found) const {
+    if (tip_element_ < 0 || solution_.face_forces.empty()) return found;
+    const double side = solution_.basis.shape(tip_element_).frame.size;
+    const FacePressure pressure = face_pressure(side);
+    if (!pressure.is_at_tip || !(pressure.force.y() > 0)) return found;
+    const double explained = kExplained * pressure.force.y() / pressure.reach * std::sqrt(side);
+    if (found.k.mode_1 > explained) return found;
+    // Of the traction beyond that of the initial stress, on the left face, whose outward normal is to the right.
+    const Stress s = solution_.continuum.initial_stress_at(tip_element_, tip_.at);
+    const Point n{tip_.ahead.y, -tip_.ahead.x};
+    const Eigen::Vector2d more =
+        pressure.force - pressure.reach * turned({s.xx * n.x + s.xy * n.y, s.xy * n.x + s.yy * n.y});
+    if (std::abs(more.y()) > kLeastPressure * pressure.force.y())
+      found.k.mode_2 -= more.x() / more.y() * found.k.mode_1;
+    found.k.mode_1 = 0;
+    found.is_closed = true;
+    return found;
   }
 
   Eigen::Vector2d turned(Point force) const {

@@ -28,11 +28,12 @@ Eigen::MatrixX2d monomial_gradients(int degree, Point p) {
   Eigen::MatrixX2d gradients = Eigen::MatrixX2d::Zero(monomial_count(degree), 2);
   if (degree == 0) return gradients;
   const Eigen::VectorXd lower = monomials(degree - 1, p);
-  int place = 0;
-  for (const Exponents& e : exponents(degree)) {
-    if (e.x > 0) gradients(place, 0) = e.x * lower(monomial(e.x - 1, e.y));
-    if (e.y > 0) gradients(place, 1) = e.y * lower(monomial(e.x, e.y - 1));
-    ++place;
+  for (int n = 1; n <= degree; ++n) {
+    for (int j = 0; j <= n; ++j) {
+      const int i = n - j;
+      if (i > 0) gradients(monomial(i, j), 0) = i * lower(monomial(i - 1, j));
+      if (j > 0) gradients(monomial(i, j), 1) = j * lower(monomial(i, j - 1));
+    }
   }
   return gradients;
 }

@@ -195,7 +195,7 @@ void RunFolder::write_pictures(const RunResults& results) {
                                                    marked,
                                                    marked_words,
                                                    units_}));
-  if (!ledger.rows.empty()) files_.write("energy.svg", report::energy_picture(title + ", energy", ledger, units_));
+  if (ledger.rows.size() > 1) files_.write("energy.svg", report::energy_picture(title + ", energy", ledger, units_));
   files_.write("field.svg", report::field_picture({at_end, field, field, frames_.back().measured_points,
                                                    report::most_varied(field), is_of_motion, units_}));
   if (field.plastic)

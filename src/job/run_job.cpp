@@ -39,10 +39,10 @@ std::string what_failed_does(const RunOutcome& outcome, Dynamics dynamics) {
                                                           : counted(outcome.elements.size(), "block");
   const bool is_inside_out =
       outcome.failure != FailureKind::accelerates && outcome.reason.find("turned inside out") != std::string::npos;
-  const char* const does = is_inside_out                               ? "turned inside out"
-                           : dynamics == Dynamics::shi                 ? "too far for a step"
-                           : outcome.failure == FailureKind::undecided ? "no rest"
-                                                                       : "no equilibrium";
+  const char* const does = is_inside_out                       ? "turned inside out"
+                           : dynamics == Dynamics::shi         ? "too far for a step"
+                           : !is_of_the_scene(outcome.failure) ? "no rest"
+                                                               : "no equilibrium";
   return fmt::format("{}: {}", blocks, does);
 }
 

@@ -212,7 +212,7 @@ std::vector<std::string> what_to_try(const Settings& settings, const RunOutcome&
     return {"--profile standard", "--set quirk.velocity_from_coming_step=off"};
   }
   const MotionRule motion = settings.standard.motion;
-  if (motion == MotionRule::dynamic) return {};
+  if (motion == MotionRule::dynamic || outcome.failure == FailureKind::cracks) return {};
   // Contacts that do not settle in a step of relaxation may do so in shorter ones.
   if (motion == MotionRule::relaxation && outcome.failure != FailureKind::accelerates)
     return {fmt::format("--set time_step={:.3g}", settings.time_step / kShorter), "--set motion=dynamic"};

@@ -231,7 +231,7 @@ Warnings StepWatch::far_from_equilibrium(const Place& place) const {
 Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place) {
   Warnings warnings;
   for (const std::string& sentence : start_complaints(outcome.start))
-    warnings.push_back({"start_not_as_asked", place, sentence});
+    warnings.push_back({"start_settled", place, sentence});
   const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
     if (curve.times.empty() || curve.times.back() >= outcome.time || curve.values.back() == Point{}) return;
     warnings.push_back({name, curve.place,

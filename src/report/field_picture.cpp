@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/counted.hpp"
+#include "geometry/polygon.hpp"
 #include "problem/units/measure.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/field_patches.hpp"
@@ -91,6 +92,25 @@ Panels place_panels(const Box& box) {
   return panels;
 }
 
+struct Framed {
+  FieldPicture picture;
+  std::size_t left_out = 0;
+};
+
+/// The picture without small blocks that lie far away at the end.
+Framed framed(FieldPicture picture) {
+  std::vector<FieldElement>& elements = picture.end.elements;
+  if (body_count(picture.end) != elements.size()) return {std::move(picture)};  // bodies of many elements
+  std::vector<PlacedBlock> blocks;
+  for (const FieldElement& element : elements) {
+    const auto loops = loops_of(element, as_drawn);
+    blocks.push_back({as_moved(element.middle), loops.empty() ? 0 : std::abs(area(loops.front()))});
+  }
+  const std::vector<std::size_t> far = far_small_blocks(bounds(picture.start, as_drawn), blocks);
+  for (auto i = far.rbegin(); i != far.rend(); ++i) elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(*i));
+  return {std::move(picture), far.size()};
+}
+
 }  // namespace
 
 StressShown most_varied(const FieldFrame& field) {
@@ -105,7 +125,8 @@ StressShown most_varied(const FieldFrame& field) {
   return most;
 }
 
-std::string field_picture(const FieldPicture& picture) {
+std::string field_picture(const FieldPicture& whole) {
+  const auto [picture, left_out] = framed(whole);
   const double wanted = shown_factor(picture.end, bounds(picture.end, as_drawn));
   const double factor = picture.is_of_motion ? std::max(1.0, wanted) : wanted;
   const CornerPlace deformed = [factor](const FieldCorner& corner) {
@@ -124,7 +145,7 @@ std::string field_picture(const FieldPicture& picture) {
   };
   caption(0, elements_in_words(picture.start));
   draw_mesh(page, map(0), picture.start, as_drawn, true);
-  caption(1, fmt::format("displacement × {:g}", factor));
+  caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
   draw_mesh(page, map(1), picture.end, deformed, true);
   const std::vector<Patch> patches = stress_patches(picture.end, picture.stress, is_true ? deformed : as_drawn);
   const ColourScale scale = scale_of(patches);
@@ -133,8 +154,11 @@ std::string field_picture(const FieldPicture& picture) {
   draw_patches(page, map(2), patches, scale);
   if (body_count(picture.end) == picture.end.elements.size())
     draw_mesh(page, map(2), picture.end, is_true ? deformed : as_drawn, false);
-  for (const PointFrame& point : picture.measured)
-    draw_mark(page, map(2)(is_true ? point.position : point.position - point.displacement), Mark::measured_point);
+  for (const PointFrame& point : picture.measured) {
+    const Point at = is_true ? point.position : point.position - point.displacement;
+    const bool is_shown = at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y;
+    if (is_shown) draw_mark(page, map(2)(at), Mark::measured_point);
+  }
   const Point size = map(2).size();
   if (is_stressed)
     draw_colour_bar(page, {panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y},

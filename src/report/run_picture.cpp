@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "report/drawing/colours.hpp"
 #include "report/drawing/scene.hpp"
@@ -36,6 +37,29 @@ Box bounds(const Frame& start, const Frame& end) {
       for (const std::vector<Point>& loop : element.loops)
         for (Point p : loop) box.include(p);
   return box;
+}
+
+struct Framed {
+  RunPicture picture;
+  std::size_t left_out = 0;
+};
+
+/// The picture without small blocks that lie far away at the end. What failed, or carries a point or a bolt, stays.
+Framed framed(RunPicture picture) {
+  Frame& end = picture.end;
+  if (!end.outlines.empty() || !end.bolts.empty()) return {std::move(picture)};  // bodies of many elements
+  std::set<int> shown(picture.marked.begin(), picture.marked.end());
+  for (const auto* points : {&end.fixed_points, &end.loading_points, &end.measured_points})
+    for (const PointFrame& point : *points) shown.insert(point.element);
+  std::vector<PlacedBlock> blocks;
+  for (std::size_t i = 0; i < end.elements.size(); ++i)
+    blocks.push_back({end.elements[i].centroid, end.elements[i].area, shown.contains(number_of(end, i))});
+  const std::vector<std::size_t> far = far_small_blocks(bounds(picture.start, {}), blocks);
+  for (std::size_t i = 0; i < end.elements.size(); ++i)
+    end.elements[i].number = number_of(end, i);  // also where others are taken away
+  for (auto i = far.rbegin(); i != far.rend(); ++i)
+    end.elements.erase(end.elements.begin() + static_cast<std::ptrdiff_t>(*i));
+  return {std::move(picture), far.size()};
 }
 
 Layout choose_layout(const Box& box, bool chart) {
@@ -114,13 +138,21 @@ std::string time_words(std::string_view word, double time, const std::string& un
   return fmt::format("{}, t = {:g}{}{}", word, time, unit.empty() ? "" : " ", unit);
 }
 
-std::vector<LegendEntry> make_legend(const RunPicture& picture) {
+std::vector<LegendEntry> make_legend(const RunPicture& picture, std::size_t left_out) {
   using Sign = LegendEntry::Sign;
   std::vector<LegendEntry> legend{
       {.sign = Sign::dashed_line,
        .colour = kStartColour,
        .words = time_words("start", picture.start.time, picture.time_unit)},
-      {.sign = Sign::area, .colour = area_colour(0), .words = time_words("end", picture.end.time, picture.time_unit)}};
+      {.sign = Sign::area,
+       .colour = picture.end.elements.empty() ? area_colour(0) : area_colour(picture.end.elements.front().material),
+       .words = time_words("end", picture.end.time, picture.time_unit)}};
+  std::set<int> materials;
+  for (const ElementFrame& element : picture.end.elements) materials.insert(element.material);
+  if (materials.size() > 1)
+    for (const int m : materials)
+      legend.push_back(
+          {.sign = Sign::area, .colour = area_colour(m), .words = fmt::format("block material {}", m + 1)});
   const auto add = [&legend](const std::vector<PointFrame>& points, Mark mark, std::string_view words) {
     if (!points.empty())
       legend.push_back({.sign = Sign::mark, .colour = {}, .mark = mark, .words = std::string(words)});
@@ -131,16 +163,18 @@ std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   if (!picture.marked.empty())
     legend.push_back({.sign = Sign::dashed_line, .colour = kMarkedColour, .words = picture.marked_words});
   if (!picture.end.bolts.empty()) legend.push_back({.sign = Sign::dashed_line, .colour = kBoltColour, .words = "bolt"});
+  if (left_out > 0) legend.push_back({.sign = Sign::area, .colour = "none", .words = outside_in_words(left_out)});
   return legend;
 }
 
 }  // namespace
 
-std::string run_picture(const RunPicture& picture) {
-  const bool chart = has_points(picture.curves);
+std::string run_picture(const RunPicture& whole) {
+  const auto [picture, left_out] = framed(whole);
+  const bool chart = std::ranges::any_of(picture.curves, [](const Curve& curve) { return curve.x.size() > 1; });
   const Box box = bounds(picture.start, picture.end);
   const Layout layout = choose_layout(box, chart);
-  const std::vector<LegendEntry> legend = make_legend(picture);
+  const std::vector<LegendEntry> legend = make_legend(picture, left_out);
   const double scene_top = kTitleHeight + legend_height(legend, kRoom) + 12;
   const Point size = PageMap(box, {}, layout.scene_room).size();
   const PageMap map(box, {kMargin + (layout.scene_room.x - size.x) / 2, scene_top}, layout.scene_room);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "base/counted.hpp"
@@ -34,8 +35,7 @@ struct Shape {
   double width() const { return length > 0 ? area / length : 0; }
 };
 
-Shape shape_of(const BlockPolygon& block) {
-  const std::vector<Point> points = points_of(block.outer);
+Shape shape_of(const std::vector<Point>& points) {
   Shape shape{centroid(points), area(points)};
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j)
@@ -57,7 +57,8 @@ class Blocky {
         touching_(touching_pairs(model_)),
         fixed_(blocks_.blocks.size(), 0) {
     for (const BlockPolygon& block : blocks_.blocks) {
-      shapes_.push_back(shape_of(block));
+      loops_.push_back(points_of(block.outer));
+      shapes_.push_back(shape_of(loops_.back()));
       mean_ += shapes_.back().area;
     }
     mean_ /= static_cast<double>(shapes_.size());
@@ -93,11 +94,12 @@ class Blocky {
     const auto thinnest =
         *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].width() / shapes_[i].length; });
     return fmt::format(
-        "{} of {} are slivers, below {:g} % of the mean area or narrower than {:g} % of their length: the smallest is "
-        "{}; the thinnest is block {} at {}, {:.3g} wide and {:.3g} long. They are what finds no rest and asks for "
+        "{} of {} {} below {:g} % of the mean area or narrower than {:g} % of their length: the smallest is "
+        "{}; the thinnest is block {} at {}, {:.3g} wide and {:.3g} long. Slivers fail to come to rest and need "
         "small steps",
-        counted(found.size(), "block"), shapes_.size(), 100 * kSmall, 100 * kNarrow, named(smallest), thinnest + 1,
-        at(shapes_[thinnest].centroid), shapes_[thinnest].width(), shapes_[thinnest].length);
+        counted(found.size(), "block"), shapes_.size(), found.size() == 1 ? "is a sliver," : "are slivers,",
+        100 * kSmall, 100 * kNarrow, named(smallest), thinnest + 1, at(shapes_[thinnest].centroid),
+        shapes_[thinnest].width(), shapes_[thinnest].length);
   }
 
   // By the parity of crossings of a level ray with the boundary lines.
@@ -151,21 +153,20 @@ class Blocky {
       if (!hangs[i]) loose.push_back(i);
     if (loose.empty()) return {};
     return fmt::format(
-        "{} of {} with nothing that is held, the first is {}: {}",
-        loose.size() == 1 ? "1 block hangs together" : fmt::format("{} blocks hang together", loose.size()),
-        shapes_.size(), named(loose.front()),
+        "{} of {} {} connected to nothing that is held, the first is {}: {}", counted(loose.size(), "block"),
+        shapes_.size(), loose.size() == 1 ? "is" : "are", named(loose.front()),
         length(settings_.gravity) > 0 ? "under gravity they fall freely" : "they move as loads push them");
   }
 
   // Whether a face of the one looks downward and lies on the other.
   bool rests_on(std::size_t upper, std::size_t lower, Point down) const {
     const double tolerance = kOverlap * std::sqrt(mean_);
-    const BlockLoop& own = blocks_.blocks[upper].outer;
-    const std::vector<Point> other = points_of(blocks_.blocks[lower].outer);
+    const std::vector<Point>& own = loops_[upper];
+    const std::vector<Point>& other = loops_[lower];
     bool shares_a_face = false;
     for (std::size_t i = 0; i < own.size(); ++i) {
-      const Point a = own[i].position;
-      const Point b = own[(i + 1) % own.size()].position;
+      const Point a = own[i];
+      const Point b = own[(i + 1) % own.size()];
       const double size = distance(a, b);
       if (size <= tolerance) continue;
       const Point along = (1 / size) * (b - a);
@@ -194,24 +195,28 @@ class Blocky {
     const double g = length(settings_.gravity);
     if (g == 0) return {};
     const Point down = (1 / g) * settings_.gravity;
-    std::vector<std::set<std::size_t>> rests(shapes_.size());
+    std::vector<std::vector<std::size_t>> bears(shapes_.size());  // what rests on each
     for (const ElementPair& pair : touching_) {
       const auto one = static_cast<std::size_t>(pair.lower.value);
       const auto other = static_cast<std::size_t>(pair.upper.value);
-      if (rests_on(one, other, down)) rests[one].insert(other);
-      if (rests_on(other, one, down)) rests[other].insert(one);
+      if (rests_on(one, other, down)) bears[other].push_back(one);
+      if (rests_on(other, one, down)) bears[one].push_back(other);
     }
     std::vector<bool> stands(shapes_.size());
-    for (std::size_t i = 0; i < shapes_.size(); ++i) stands[i] = is_held(i);
+    std::vector<std::size_t> to_look_at;
+    const auto stand = [&](std::size_t i) {
+      if (stands[i]) return;
+      stands[i] = true;
+      to_look_at.push_back(i);
+    };
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (is_held(i)) stand(i);
     for (const Bolt& bolt : model_.bolts)
-      for (const ElementIndex e : {bolt.first.element, bolt.second.element})
-        stands[static_cast<std::size_t>(e.value)] = true;
-    for (bool changes = true; changes;) {
-      changes = false;
-      for (std::size_t i = 0; i < shapes_.size(); ++i) {
-        if (stands[i] || std::ranges::none_of(rests[i], [&](std::size_t j) { return stands[j]; })) continue;
-        stands[i] = changes = true;
-      }
+      for (const ElementIndex e : {bolt.first.element, bolt.second.element}) stand(static_cast<std::size_t>(e.value));
+    while (!to_look_at.empty()) {
+      const std::size_t lower = to_look_at.back();
+      to_look_at.pop_back();
+      for (const std::size_t upper : bears[lower]) stand(upper);
     }
     const std::vector<bool> hangs = hanging_on_held();  // the others are told of as unheld
     std::vector<std::size_t> found;
@@ -253,8 +258,9 @@ class Blocky {
     if (!(ratio > kStiff)) return {};
     return fmt::format(
         "contact springs of {:.3g} are {:.3g} times as stiff as the inertia of the mean block over a step "
-        "(mass / time_step²); with {} touching pairs more than {:g} times makes hundreds of systems a step: "
-        "--set contact_penalty={:.2g} or --set time_step={:.2g} brings it there",
+        "(mass / time_step²); with {} touching pairs and more than {:g} times, steps in which contacts slide may take "
+        "tens to hundreds "
+        "of systems: --set contact_penalty={:.2g} or --set time_step={:.2g} avoids that",
         settings_.contact_penalty, ratio, touching_.size(), kStiff, settings_.contact_penalty * kStiff / ratio,
         settings_.time_step * std::sqrt(kStiff / ratio));
   }
@@ -264,6 +270,7 @@ class Blocky {
   const Blocks& blocks_;
   std::vector<ElementPair> touching_;
   std::vector<int> fixed_;  ///< points of each block
+  std::vector<std::vector<Point>> loops_;
   std::vector<Shape> shapes_;
   double mean_ = 0;
 };
@@ -284,9 +291,10 @@ std::string implausible(const Plausible& bounds, double value, const Units& unit
   const std::optional<double> factor = si_factor(units, bounds.dimension);
   const double si = factor ? std::abs(value) * *factor : 0;
   if (value == 0 || !factor || (si >= bounds.least && si <= bounds.most)) return {};
-  return fmt::format("{} {:.4g} is {:.3g} {} in the declared units ({}{}{}), which is no rock's: {:g} to {:g} would be",
-                     bounds.what, value, si, bounds.unit, units.length, units.mass.empty() ? "" : ", " + units.mass,
-                     units.time.empty() ? "" : ", " + units.time, bounds.least, bounds.most);
+  return fmt::format(
+      "{} {:.4g} is {:.3g} {} in the declared units ({}{}{}), which is not plausible: {:g} to {:g} is expected",
+      bounds.what, value, si, bounds.unit, units.length, units.mass.empty() ? "" : ", " + units.mass,
+      units.time.empty() ? "" : ", " + units.time, bounds.least, bounds.most);
 }
 
 Warnings contradictions(const Problem& problem, const Settings& settings) {
@@ -299,6 +307,16 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
     put(implausible(kModulus, material.youngs_modulus, problem.units), material.place);
     put(implausible(kMassDensity, material.density, problem.units), material.place);
   }
+  if (settings.gravity.y > 0)
+    put(fmt::format("gravity points upward, {:.4g} along y: a positive `gravity` of a file points downward",
+                    settings.gravity.y),
+        problem.analysis->place);
+  for (const JointMaterial& joint : problem.analysis->joint_materials)
+    if (joint.friction_angle_deg > 0 && joint.friction_angle_deg < std::numbers::pi / 2)
+      put(fmt::format("a friction angle of {:.4g} degrees would be {:.3g} degrees, were it in radians: angles of "
+                      "friction are in degrees",
+                      joint.friction_angle_deg, joint.friction_angle_deg / kDegree),
+          joint.place);
   return found;
 }
 
@@ -318,7 +336,7 @@ std::string smallest_block(const Blocks& blocks) {
   std::vector<Shape> shapes;
   double sum = 0;
   for (const BlockPolygon& block : blocks.blocks) {
-    shapes.push_back(shape_of(block));
+    shapes.push_back(shape_of(points_of(block.outer)));
     sum += shapes.back().area;
   }
   const auto smallest = std::ranges::min_element(shapes, {}, &Shape::area);

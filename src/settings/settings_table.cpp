@@ -374,11 +374,21 @@ const char* noun(Materials materials) {
   return materials == Materials::of_blocks ? "block" : "joint";
 }
 
+// Words of case files and of other programs for what a setting does.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kOtherWords{{{"step_count", "steps"},
+                                                                                    {"dt", "time_step"},
+                                                                                    {"penalty", "contact_penalty"},
+                                                                                    {"statics", "motion"},
+                                                                                    {"init", "start"}}};
+
 std::string no_such_setting(const std::string& name) {
   std::vector<std::string> names;
   for (const SettingRow& row : table()) names.push_back(row.name);
-  return fmt::format("there is no setting \"{}\"{} (`keyblock run --settings` lists them)", name,
-                     nearest_words(name, names));
+  const auto other =
+      std::ranges::find(kOtherWords, std::string_view(name), [](const auto& pair) { return pair.first; });
+  return fmt::format(
+      "there is no setting \"{}\"{} (`keyblock run --settings` lists them)", name,
+      other != kOtherWords.end() ? fmt::format("; did you mean \"{}\"?", other->second) : nearest_words(name, names));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ First settled_first(const StandardScene& scene, Motion motion, const std::string
   Settled made = settled(scene, std::move(motion));
   return {std::move(made.motion),
           {},
-          {"one of joints that were held together under the loads and then let go",
+          {"one whose joints were first held together under the loads, then released",
            balanced_by(scene,
                        scene.model.bolts.empty() ? "contact forces and strains" : "contact forces, strains and bolts"),
            why, 0, made.unsolved_steps}};

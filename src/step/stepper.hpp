@@ -23,8 +23,12 @@
 namespace keyblock {
 
 /// Whether a step that could not be made says something of the scene: that rock finds no equilibrium under its loads,
-/// or that something accelerates. Otherwise the calculation did not come to an end.
-enum class FailureKind { undecided, no_equilibrium, accelerates };
+/// or that something accelerates. Otherwise the calculation did not come to an end; `cracks`: for a tip that has no
+/// room or cannot be judged, so that other rules of motion do not help.
+enum class FailureKind { undecided, no_equilibrium, accelerates, cracks };
+constexpr bool is_of_the_scene(FailureKind kind) {
+  return kind == FailureKind::no_equilibrium || kind == FailureKind::accelerates;
+}
 
 /// A step that could not be made: the state is that of the last accepted step.
 struct StepFailure {

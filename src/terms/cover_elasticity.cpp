@@ -29,6 +29,31 @@ Eigen::MatrixX2d unknowns_of(const ElementShape& shape, const Eigen::VectorXd& d
   return own;
 }
 
+/// `h` = H of each point, one below the other and transposed: Σ ∇N_a d_a. Sums as they stand: these matrices are too
+/// small
+/// for blocked products, and `h` keeps its memory from one element to the next.
+void displacement_gradients(const Eigen::MatrixXd& gradients, std::span<const int> functions, const Eigen::VectorXd& d,
+                            Eigen::MatrixX2d& h) {
+  h.setZero(gradients.rows(), 2);
+  for (Eigen::Index a = 0; a < gradients.cols(); ++a) {
+    const double* const own = d.data() + 2 * functions[static_cast<std::size_t>(a)];
+    for (Eigen::Index i = 0; i < h.rows(); ++i) {
+      h(i, 0) += gradients(i, a) * own[0];
+      h(i, 1) += gradients(i, a) * own[1];
+    }
+  }
+}
+
+/// `force` += ∇Nᵀ `flux`, by functions.
+void add_flux(const Eigen::MatrixXd& gradients, std::span<const int> functions, const Eigen::MatrixX2d& flux,
+              Eigen::VectorXd& force) {
+  for (Eigen::Index a = 0; a < gradients.cols(); ++a) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (Eigen::Index i = 0; i < flux.rows(); ++i) sum += gradients(i, a) * flux.row(i).transpose();
+    force.segment<2>(2 * functions[static_cast<std::size_t>(a)]) += sum;
+  }
+}
+
 /// The 2 × 2 of a point in what displacement_gradients stacks.
 Eigen::Matrix2d at_point(const Eigen::MatrixX2d& stacked, Eigen::Index point) {
   return stacked.middleRows<2>(2 * point).transpose();
@@ -72,9 +97,10 @@ CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
 
 double CoverElasticity::energy(const Eigen::VectorXd& d) const {
   double sum = 0;
+  Eigen::MatrixX2d h;
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
-    const Eigen::MatrixX2d h = displacement_gradients(e, d);
+    displacement_gradients(element.gradients, basis_.shape(e).functions, d, h);
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
       sum += element.weights(i) * element.at(i).energy(green_strain(at_point(h, i)));
     }
@@ -86,10 +112,12 @@ Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::V
                                        std::span<const double> more) const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(d0.size());
   Eigen::MatrixX2d flux;  // S F_halfᵀ
+  Eigen::MatrixX2d h0, h1;
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
-    const Eigen::MatrixX2d h0 = displacement_gradients(e, d0);
-    const Eigen::MatrixX2d h1 = displacement_gradients(e, d1);
+    const std::span<const int> functions = basis_.shape(e).functions;
+    displacement_gradients(element.gradients, functions, d0, h0);
+    displacement_gradients(element.gradients, functions, d1, h1);
     const double theta = weight_of(e, common, more);
     flux.resize(h0.rows(), 2);
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
@@ -100,10 +128,7 @@ Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::V
       const Eigen::Matrix2d mean = Eigen::Matrix2d::Identity() + (start + end) / 2;
       flux.middleRows<2>(2 * i) = element.weights(i) * stress * mean.transpose();
     }
-    const Eigen::MatrixX2d of_element = element.gradients.transpose() * flux;
-    const ElementShape shape = basis_.shape(e);
-    for (int a = 0; a < shape.function_count(); ++a)
-      force.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]) += of_element.row(a).transpose();
+    add_flux(element.gradients, functions, flux, force);
   }
   return force;
 }
@@ -111,11 +136,13 @@ Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::V
 void CoverElasticity::add_tangent(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double common,
                                   std::span<const double> more, double scale, SparseSystem& system) const {
   Linearised points;
+  Eigen::MatrixX2d h0, h1;
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
     const double theta = weight_of(e, common, more);
-    const Eigen::MatrixX2d h0 = displacement_gradients(e, d0);
-    const Eigen::MatrixX2d h1 = displacement_gradients(e, d1);
+    const std::span<const int> functions = basis_.shape(e).functions;
+    displacement_gradients(element.gradients, functions, d0, h0);
+    displacement_gradients(element.gradients, functions, d1, h1);
     points.stress.resize(3, element.weights.size());
     points.stiffness.clear();
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
@@ -124,15 +151,17 @@ void CoverElasticity::add_tangent(const Eigen::VectorXd& d0, const Eigen::Vector
       points.stress.col(i) = element.at(i).stress_of_step(from, to, theta);
       points.stiffness.push_back(element.at(i).stiffness_of_step(from, to, theta));
     }
-    add_element_tangent(e, (h0 + h1) / 2, points, theta * scale, scale / 2, system);
+    h0 = (h0 + h1) / 2;
+    add_element_tangent(e, h0, theta * scale, scale / 2, points, system);
   }
 }
 
 void CoverElasticity::add_static_tangent(const Eigen::VectorXd& d, double scale, SparseSystem& system) const {
   Linearised points;
+  Eigen::MatrixX2d h;
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
-    const Eigen::MatrixX2d h = displacement_gradients(e, d);
+    displacement_gradients(element.gradients, basis_.shape(e).functions, d, h);
     points.stress.resize(3, element.weights.size());
     points.stiffness.clear();
     for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
@@ -140,33 +169,44 @@ void CoverElasticity::add_static_tangent(const Eigen::VectorXd& d, double scale,
       points.stress.col(i) = element.at(i).stress(strain);
       points.stiffness.push_back(element.at(i).stiffness(strain));
     }
-    add_element_tangent(e, h, points, scale, scale, system);
+    add_element_tangent(e, h, scale, scale, points, system);
   }
 }
 
-// Bᵀ D B with three rows of B a point, ∇N S ∇N with two.
-void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, const Linearised& points,
-                                          double material, double geometric, SparseSystem& system) const {
+// Bᵀ D B with three columns of Bᵀ a point, ∇N S ∇N with two.
+void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, double material, double geometric,
+                                          Linearised& points, SparseSystem& system) const {
   const Element& element = elements_[static_cast<std::size_t>(e)];
   const Eigen::Index count = element.weights.size();
   const Eigen::Index n = element.gradients.cols();
-  Eigen::MatrixXd b(3 * count, 2 * n);
-  Eigen::MatrixXd weighted(3 * count, 2 * n);
-  Eigen::MatrixXd stressed(2 * count, n);
+  auto& [stress, stiffness, b, weighted, stressed, tangent, both] = points;
+  b.resize(2 * n, 3 * count);
+  weighted.resize(3 * count, 2 * n);
+  stressed.resize(2 * count, n);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + at_point(mean, i);
     const auto g = element.gradients.middleRows<2>(2 * i);
+    const Eigen::Matrix3d of_point = material * element.weights(i) * stiffness[static_cast<std::size_t>(i)];
+    const Eigen::Matrix2d geometry = geometric * element.weights(i) * stress_tensor(stress.col(i));
     for (Eigen::Index a = 0; a < n; ++a) {
       const Eigen::Vector2d ga = g.col(a);
-      for (Eigen::Index k = 0; k < 2; ++k)
-        b.block<3, 1>(3 * i, 2 * a + k) << f(k, 0) * ga(0), f(k, 1) * ga(1), f(k, 0) * ga(1) + f(k, 1) * ga(0);
+      for (Eigen::Index k = 0; k < 2; ++k) {
+        const Eigen::Vector3d column{f(k, 0) * ga(0), f(k, 1) * ga(1), f(k, 0) * ga(1) + f(k, 1) * ga(0)};
+        b.block<1, 3>(2 * a + k, 3 * i) = column.transpose();
+        weighted.block<3, 1>(3 * i, 2 * a + k) = of_point * column;
+      }
+      stressed.block<2, 1>(2 * i, a) = geometry * ga;
     }
-    weighted.middleRows<3>(3 * i) =
-        (material * element.weights(i) * points.stiffness[static_cast<std::size_t>(i)]) * b.middleRows<3>(3 * i);
-    stressed.middleRows<2>(2 * i) = (geometric * element.weights(i) * stress_tensor(points.stress.col(i))) * g;
   }
-  Eigen::MatrixXd tangent = b.transpose() * weighted;
-  const Eigen::MatrixXd both = element.gradients.transpose() * stressed;
+  // Blocked products cost more than they save where few points are summed.
+  constexpr Eigen::Index kFewPoints = 3;
+  if (count <= kFewPoints) {
+    tangent = b.lazyProduct(weighted);
+    both = element.gradients.transpose().lazyProduct(stressed);
+  } else {
+    tangent = b * weighted;
+    both = element.gradients.transpose() * stressed;
+  }
   for (Eigen::Index a = 0; a < n; ++a) {
     for (Eigen::Index c = 0; c < n; ++c) {
       tangent(2 * a, 2 * c) += both(a, c);
@@ -174,10 +214,6 @@ void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, c
     }
   }
   system.add_matrix(basis_.shape(e).functions, tangent);
-}
-
-Eigen::MatrixX2d CoverElasticity::displacement_gradients(int e, const Eigen::VectorXd& d) const {
-  return elements_[static_cast<std::size_t>(e)].gradients * unknowns_of(basis_.shape(e), d);
 }
 
 Stress CoverElasticity::initial_stress(int e, Point x) const {

@@ -71,15 +71,19 @@ class CoverElasticity {
     }
   };
 
-  /// Stress and stiffness of every point of an element.
+  /// Stress and stiffness of every point of an element, and the memory that its tangent is made in.
   struct Linearised {
     Eigen::Matrix3Xd stress;
     std::vector<Eigen::Matrix3d> stiffness;
+    Eigen::MatrixXd b;         // Bᵀ
+    Eigen::MatrixXd weighted;  // D B
+    Eigen::MatrixXd stressed;  // S ∇N
+    Eigen::MatrixXd tangent;
+    Eigen::MatrixXd both;
   };
 
-  void add_element_tangent(int element, const Eigen::MatrixX2d& mean, const Linearised& points, double material,
-                           double geometric, SparseSystem& system) const;
-  Eigen::MatrixX2d displacement_gradients(int element, const Eigen::VectorXd& d) const;
+  void add_element_tangent(int element, const Eigen::MatrixX2d& mean, double material, double geometric,
+                           Linearised& points, SparseSystem& system) const;
   Stress initial_stress(int element, Point x) const;
 
   CoverBasis basis_;

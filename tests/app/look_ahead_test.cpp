@@ -84,7 +84,7 @@ TEST(LookAhead, slivers_are_counted_and_the_worst_are_named) {
 TEST(LookAhead, blocks_that_nothing_holds_are_named) {
   const auto report = check_of(case_text(blocks({kFloor, rectangle(4, 2, 6, 4), rectangle(4, 4, 6, 6)})));
   const std::string sentence = said(report, "unheld_blocks");
-  EXPECT_TRUE(contains(sentence, "2 blocks hang together of 3")) << sentence;
+  EXPECT_TRUE(contains(sentence, "2 blocks of 3 are connected to nothing")) << sentence;
   EXPECT_TRUE(contains(sentence, "the first is block 2 at 5, 3")) << sentence;
   EXPECT_EQ(said(report, "unsupported_blocks"), "");
 }
@@ -132,6 +132,25 @@ TEST(LookAhead, units_that_contradict_are_told) {
   const std::string sentence = said(report, "units_contradict");
   EXPECT_TRUE(contains(sentence, "gravity 9.81 is 0.00981 m/s2 in the declared units (mm, kg, s)")) << sentence;
   EXPECT_EQ(said(check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}))), "units_contradict"), "");
+}
+
+TEST(LookAhead, gravity_upward_and_friction_in_radians_are_told) {
+  const std::string geometry = blocks({kFloor, rectangle(4, 1, 6, 3)});
+  std::string text = case_text(geometry, kUnits, R"("gravity": -9.81,)");
+  EXPECT_TRUE(contains(said(check_of(text, {"--trial", "0"}), "units_contradict"), "gravity points upward, 9.81"));
+  text = case_text(geometry);
+  text.replace(text.find("\"friction_angle_deg\": 30"), 24, "\"friction_angle_deg\": 0.5236");
+  EXPECT_TRUE(contains(said(check_of(text, {"--trial", "0"}), "units_contradict"), "would be 30 degrees"));
+}
+
+TEST(LookAhead, a_run_says_it_too_before_its_first_step) {
+  const std::string folder = support::fresh_folder("run_looks_ahead");
+  support::write_text(folder + "/case.json", case_text(blocks({kFloor, rectangle(4, 2, 6, 4)})));
+  const support::ProgramRun run =
+      support::run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--set", "steps=2"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "1 block of 2 is connected to nothing that is held")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "unheld_blocks")) << run.messages;
 }
 
 TEST(LookAhead, a_run_that_fails_at_once_is_told) {

@@ -178,7 +178,7 @@ TEST(Shell, a_start_that_nobody_asked_for_is_no_warning) {
   ASSERT_EQ(run_keyblock({"new", "arch", "-o", folder + "/arch.json"}).exit_code, 0);
   const ProgramRun run = run_keyblock({"run", folder + "/arch.json", "-o", folder + "/out", "--set", "steps=2"});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
-  EXPECT_FALSE(contains(run.messages, "start_not_as_asked")) << run.messages;
+  EXPECT_FALSE(contains(run.messages, "start_settled")) << run.messages;
 }
 
 // A setting that is none, and the nearest that is; warnings come before the first step.

@@ -89,6 +89,17 @@ TEST(Candidates, grid_and_all_against_all_find_the_same_pairs) {
   }
 }
 
+// Up to eight are tested each with each, more by a grid.
+TEST(Candidates, few_are_found_as_many_are) {
+  for (const int count : {2, 8, 9, 20}) {
+    const Scattered scattering = scattered(count, 15, 3);
+    const ShiScene scene = legacy_scene(scattering.blocks, plain_analysis(1e-3, 1));
+    const std::vector<ElementPair> expected = all_against_all(scattering, 0.5);
+    EXPECT_EQ(close_pairs(scene.model, start(scene).state, 0.5), expected) << count;
+    EXPECT_FALSE(count > 2 && expected.empty());
+  }
+}
+
 TEST(Candidates, one_element_has_no_pair) {
   const ShiScene scene = legacy_scene({{rectangle({0, 0}, {1, 1})}, {}, {}, {}, {}, {}}, plain_analysis(1e-3, 1));
   EXPECT_TRUE(close_pairs(scene.model, start(scene).state, 1).empty());

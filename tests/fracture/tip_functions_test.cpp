@@ -1,4 +1,5 @@
-// Solutions with near-tip functions: the near-tip field itself, K of an edge crack, and how fast its energy converges.
+// Solutions with near-tip functions: the near-tip field itself, K of an edge crack, how fast its energy converges, and
+// tips that contact closes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -60,7 +61,7 @@ Point pull(Point, Point normal) {
 }
 
 /// fra-01: a plate 1 by 2 in tension 1, the crack half through it.
-Found edge_crack(double side, double radius) {
+Continuum edge_cracked(double side, double radius) {
   Continuum continuum = cracked({0, -1}, {1, 1}, {{0, 0}, {0.5, 0}}, side, radius);
   continuum.tractions = {{{{0, 1}, {1, 1}}, pull}, {{{0, -1}, {1, -1}}, pull}};
   const auto spring = [&](Point at, Point direction) {
@@ -69,7 +70,11 @@ Found edge_crack(double side, double radius) {
   spring({1, -1}, {1, 0});
   spring({1, -1}, {0, 1});
   spring({1, 1}, {1, 0});
-  return solved(continuum);
+  return continuum;
+}
+
+Found edge_crack(double side, double radius) {
+  return solved(edge_cracked(side, radius));
 }
 
 constexpr double kEdgeCrack = 3.5388220051642585;  // 2.82357 √(π/2), independent finite elements (fra-01)
@@ -134,6 +139,41 @@ TEST(TipFunctions, the_energy_converges_in_a_fixed_radius) {
   const double first = energies[1] - energies[0], second = energies[2] - energies[1];
   ASSERT_GT(second, 0);
   EXPECT_GE(std::log2(first / second) / 2, 1.5) << first << " " << second;
+}
+
+// Contact that presses the faces together at the tip leaves no K_I, and what the integral says of it goes out of K_II
+// in the share of the forces. A force that cannot explain an opening, or of another body, closes nothing.
+TEST(ClosedTip, is_one_whose_own_faces_press_as_hard_as_k_says) {
+  const Continuum continuum = edge_cracked(0.1, 0);
+  const ContinuumSolution solution = solve_static(continuum);
+  const CrackTip& tip = continuum.manifold.tips.front();
+  const double side = solution.basis.shape(element_of(continuum.manifold, tip)).frame.size;
+  const CrackDomain domain(continuum.manifold, tip, {DomainKind::circle, 0.2, 0.4, 0});
+  const auto element_at = [&](double x, double y) { return element_of(continuum.manifold, {{x, y}, {}, 0, ""}); };
+  const auto factors = [&](double share, Point force, bool is_of_faces) {
+    const Eigen::VectorXd d = share * solution.solution.x;
+    CoverSolution view{continuum, solution.basis, d};
+    for (const double r : {0.5 * side, 1.5 * side, 3 * side}) {
+      const int left = element_at(0.5 - r, 1e-6), right = element_at(0.5 - r, -1e-6);
+      view.face_forces.push_back({left, {0.5 - r, 0}, force, is_of_faces ? right : -1});
+      view.face_forces.push_back({right, {0.5 - r, 0}, -1.0 * force, is_of_faces ? left : -1});
+    }
+    return factors_at(view, tip, domain);
+  };
+  const Point force{-4, 10};
+  // So much of the field that it and the forces leave a K_I of 1.
+  const double share = (1 - factors(0, force, false).k.mode_1) / kEdgeCrack;
+  const TipFactors open = factors(share, force, false);
+  EXPECT_FALSE(open.is_closed);
+  EXPECT_NEAR(open.k.mode_1, 1, 0.01 * std::abs(share) * kEdgeCrack);
+  const TipFactors closed = factors(share, force, true);
+  EXPECT_TRUE(closed.is_closed);
+  EXPECT_EQ(closed.k.mode_1, 0);
+  EXPECT_NEAR(closed.k.mode_2, open.k.mode_2 - force.x / force.y * open.k.mode_1, 1e-9);
+  const TipFactors hardly = factors(1, {0, 1e-9}, true);
+  EXPECT_FALSE(hardly.is_closed);
+  EXPECT_NEAR(hardly.k.mode_1, kEdgeCrack, 0.01 * kEdgeCrack);
+  EXPECT_FALSE(factors(share, {0, -10}, true).is_closed) << "faces that pull each other";
 }
 
 }  // namespace keyblock::tip_functions_test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <pugixml.hpp>
 
@@ -76,6 +77,50 @@ TEST(RunPicture, a_tall_scene_has_its_chart_beside_it) {
 
 TEST(RunPicture, the_same_run_gives_the_same_bytes) {
   EXPECT_EQ(run_picture(slide()), run_picture(slide()));
+}
+
+// A sliver that fell out of a slope squeezed the slope into a corner of the page.
+TEST(RunPicture, small_blocks_far_away_are_left_out_and_counted) {
+  RunPicture picture = slide();
+  picture.end = Frame{};
+  for (int i = 0; i < 40; ++i) {
+    ElementFrame block = square_at(i, 0, 1).elements[0];
+    block.area = 1;
+    block.centroid = {i + 0.5, 0.5};
+    picture.end.elements.push_back(block);
+  }
+  picture.start = picture.end;
+  const std::string alone = run_picture(picture);
+  ElementFrame sliver;
+  sliver.loops = {{{0, -20}, {0.1, -20}, {0.1, -19.9}}};
+  sliver.centroid = {0.05, -20};
+  sliver.area = 0.005;
+  picture.end.elements.push_back(sliver);
+  const auto says = [](const RunPicture& of) { return has(run_picture(of), "outside of the picture"); };
+  EXPECT_FALSE(has(alone, "outside of the picture"));
+  EXPECT_TRUE(has(run_picture(picture), "1 small block lies outside of the picture"));
+  const auto polygons = [](const std::string& text) { return std::count(text.begin(), text.end(), 'Z'); };
+  EXPECT_EQ(polygons(run_picture(picture)), polygons(alone) + 1) << "the square of the legend, and no block";
+  RunPicture marked = picture;
+  marked.marked = {40};  // what failed is shown wherever it is
+  EXPECT_FALSE(says(marked));
+  RunPicture measured = picture;
+  measured.end.measured_points = {{{0.05, -20}, {}, 40}};
+  EXPECT_FALSE(says(measured));
+  RunPicture large = picture;
+  large.end.elements.back().area = 1;
+  EXPECT_FALSE(says(large));
+  RunPicture of_few = picture;
+  of_few.end.elements.erase(of_few.end.elements.begin(), of_few.end.elements.begin() + 31);
+  EXPECT_FALSE(says(of_few));
+}
+
+TEST(RunPicture, several_materials_have_a_legend) {
+  RunPicture picture = slide();
+  EXPECT_FALSE(has(run_picture(picture), "block material"));
+  picture.end.elements.push_back(square_at(5, 0, 1).elements[0]);
+  picture.end.elements.back().material = 2;
+  EXPECT_TRUE(has(run_picture(picture), "block material 3"));
 }
 
 }  // namespace keyblock::report::run_picture_test

@@ -132,13 +132,14 @@ TEST_P(ResumedStages, left_before_any_step_they_go_on_to_the_same_bytes) {
     ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << std::get<StepFailure>(made).reason;
   }
   ASSERT_EQ(static_cast<int>(saved.size()), scene.settings.step_count);
-  const std::string end = bytes_of(*whole);
-  for (const std::string& bytes : saved) {
-    Archive archive = archive_of_checkpoint("checkpoint.h5", bytes);
+  saved.push_back(bytes_of(*whole));
+  // What comes to the state of the next step goes on from there as that does: one step of each is enough.
+  for (std::size_t step = 0; step + 1 < saved.size(); ++step) {
+    Archive archive = archive_of_checkpoint("checkpoint.h5", saved[step]);
     const std::unique_ptr<Stepper> again = restored_stepper(scene, archive);
-    EXPECT_TRUE(bytes_of(*again) == bytes);
-    while (!again->is_done()) again->advance();
-    EXPECT_TRUE(bytes_of(*again) == end);
+    EXPECT_TRUE(bytes_of(*again) == saved[step]) << step;
+    again->advance();
+    EXPECT_TRUE(bytes_of(*again) == saved[step + 1]) << step;
   }
 }
 

@@ -146,6 +146,8 @@ TEST(Fit, units_of_headings_are_taken) {
   EXPECT_EQ(stress_unit(pairs, false), "MPa");
   EXPECT_EQ(strain_factor(pairs_of("strain [mm/m],stress\n1,5\n")), 1e-3);
   EXPECT_EQ(stress_unit(pairs_of("strain,stress\n1,5\n"), false), "");
+  EXPECT_EQ(strain_factor(pairs_of("strain (axial),stress (axial) [MPa]\n1,5\n")), 1);
+  EXPECT_EQ(stress_unit(pairs_of("strain (axial),stress (axial) [MPa]\n1,5\n"), false), "MPa");
   EXPECT_EQ(stress_unit(pairs_of("s3 [psi],s1 [psi]\n1,5\n", "s3", "s1"), true), "psi");
   EXPECT_NE(refusal([] { strain_factor(pairs_of("strain [MPa],stress\n1,5\n")); }).find("a unit of strain"),
             std::string::npos);

@@ -238,7 +238,11 @@ ExitCode run_batch(const BatchOptions& options) {
   do_jobs(options, plan, archive, journal);
   std::error_code is_no_matter;
   fs::remove_all(plan.checks_folder(), is_no_matter);
-  if (stop_asked) {
+  // Asked during the last job, a stop leaves nothing undone.
+  const bool is_done = std::ranges::all_of(archive.jobs, [&](const study::BatchJob& job) {
+    return journal.find(job.name, archive.files_of(job)) != nullptr;
+  });
+  if (stop_asked && !is_done) {
     spdlog::warn("stopped by request; --resume goes on");
     return ExitCode::stopped;
   }

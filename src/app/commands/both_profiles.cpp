@@ -38,6 +38,11 @@ bool has_run(const ProfileAnswer& answer) {
   return answer.refused.empty();
 }
 
+// One that failed in its first step has nothing to compare.
+bool has_values(const ProfileAnswer& answer) {
+  return has_run(answer) && answer.record.outcome.steps > 0;
+}
+
 bool is_static(const Settings& settings) {
   return settings.dynamics == Dynamics::standard && settings.standard.motion != MotionRule::dynamic;
 }
@@ -65,26 +70,29 @@ std::vector<Row> rows_of(const ProfileAnswer& one, const ProfileAnswer& other, c
   const auto row = [&](std::string name, auto value_of) {
     return Row{std::move(name), has_run(one) ? value_of(one) : "-", has_run(other) ? value_of(other) : "-"};
   };
+  const auto value = [&](std::string name, auto value_of) {
+    return Row{std::move(name), has_values(one) ? value_of(one) : "-", has_values(other) ? value_of(other) : "-"};
+  };
   return {
       {"end", word_for(one), word_for(other)},
       row("blocks", [](const ProfileAnswer& a) { return fmt::format("{}", a.blocks); }),
       row("steps", [](const ProfileAnswer& a) { return fmt::format("{}", a.record.outcome.steps); }),
       row(with_declared("end time", measures::kTime, units),
           [](const ProfileAnswer& a) { return fmt::format("{:.6g}", a.record.outcome.time); }),
-      row(with_declared("greatest displacement", measures::kLength, units),
-          [](const ProfileAnswer& a) {
-            return value_of_block(a.record.extremes.displacement, a.record.extremes.displaced_element);
-          }),
-      row(with_declared("least principal stress", measures::kStress, units),
-          [](const ProfileAnswer& a) {
-            return value_of_block(a.record.extremes.least_stress, a.record.extremes.compressed_element);
-          }),
-      row(with_declared("greatest principal stress", measures::kStress, units),
-          [](const ProfileAnswer& a) {
-            return value_of_block(a.record.extremes.greatest_stress, a.record.extremes.stretched_element);
-          }),
-      row(with_declared("greatest penetration", measures::kLength, units),
-          [](const ProfileAnswer& a) { return fmt::format("{:.3g}", a.record.totals.greatest_penetration); }),
+      value(with_declared("greatest displacement", measures::kLength, units),
+            [](const ProfileAnswer& a) {
+              return value_of_block(a.record.extremes.displacement, a.record.extremes.displaced_element);
+            }),
+      value(with_declared("least principal stress", measures::kStress, units),
+            [](const ProfileAnswer& a) {
+              return value_of_block(a.record.extremes.least_stress, a.record.extremes.compressed_element);
+            }),
+      value(with_declared("greatest principal stress", measures::kStress, units),
+            [](const ProfileAnswer& a) {
+              return value_of_block(a.record.extremes.greatest_stress, a.record.extremes.stretched_element);
+            }),
+      value(with_declared("greatest penetration", measures::kLength, units),
+            [](const ProfileAnswer& a) { return fmt::format("{:.3g}", a.record.totals.greatest_penetration); }),
       row("exit code", [](const ProfileAnswer& a) { return fmt::format("{}", static_cast<int>(a.code)); }),
       {"results", one.folder, other.folder},
   };
@@ -173,6 +181,7 @@ std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnsw
                                 100 * std::abs(a - b) / std::max(std::abs(a), std::abs(b))));
   };
   look("end time", one.record.outcome.time, other.record.outcome.time);
+  if (!has_values(one) || !has_values(other)) return found;
   look("greatest displacement", one.record.extremes.displacement, other.record.extremes.displacement);
   look("least principal stress", one.record.extremes.least_stress, other.record.extremes.least_stress);
   look("greatest principal stress", one.record.extremes.greatest_stress, other.record.extremes.greatest_stress);

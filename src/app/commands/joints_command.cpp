@@ -157,7 +157,8 @@ Action configure_joints(CLI::App& app) {
   add("--set", options->sets,
       "a joint set: dip=60,spacing=1,trace=5,gap=0.5,scatter=0.1,distribution=lognormal,joint=2; again for more");
   add("--rectangle", options->rectangle, "the outline: width=20,height=10,x=0,y=0");
-  add("--slope", options->slope, "the outline: height=10,angle=60,bench=3,benches=2,toe=10,crest=15,base=5");
+  add("--slope", options->slope,
+      "the outline, the foot of its face at x = 0, y = 0: height=10,angle=60,bench=3,benches=2,toe=10,crest=15,base=5");
   add("--tunnel", options->tunnels, "shape=circle|d|horseshoe,width=4,height=4,x=10,y=5; again for more");
   add("--fixed", options->fixed, "a fixed line: x1,y1,x2,y2; again for more");
   add("--measured", options->measured, "a measured point: x,y; again for more");

@@ -25,6 +25,7 @@
 #include "job/run_job.hpp"
 #include "run/cover_settings.hpp"
 #include "run/follow/history_option.hpp"
+#include "run/look_ahead.hpp"
 #include "run/settings_file.hpp"
 #include "run/settings_of.hpp"
 #include "settings/profile.hpp"
@@ -330,9 +331,9 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   loaded.problem = with_followed_points(std::move(loaded.problem));
   const Prepared prepared = prepare_as_asked(loaded.problem, asked.record.profile, asked.overrides);
   RunRecord& record = asked.record;
-  record.timings.prepare = watch.lap();
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
-  record.warnings = joined(loaded.warnings, prepared.warnings);
+  record.warnings = joined(joined(loaded.warnings, prepared.warnings), look_ahead(loaded.problem, prepared));
+  record.timings.prepare = watch.lap();
   const std::size_t told = record.warnings.size();
   const std::string title =
       fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);

@@ -34,7 +34,7 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kFarApart = 0.03;  // of |K|, between treatments: as much as domains may differ
 
 nlohmann::ordered_json json_of(const TipFactors& f) {
-  return {{"K_I", f.k.mode_1}, {"K_II", f.k.mode_2}, {"J", f.j}};
+  return {{"K_I", f.k.mode_1}, {"K_II", f.k.mode_2}, {"J", f.j}, {"closed", f.is_closed}};
 }
 
 /// Of the two treatments of a tip, how far apart they are over |K| by the case's own.
@@ -124,9 +124,11 @@ void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseInte
                domain.factors->j, (k.mode_1 * k.mode_1 + k.mode_2 * k.mode_2) / report.rock.effective_modulus());
   }
   if (!report.factors) return;
-  fmt::print("  K_I {:.6g}, K_II {:.6g} [{}], J {:.6g} [{}]; circles differ by {:.2f} % and {:.2f} % of K\n",
+  fmt::print("  K_I {:.6g}, K_II {:.6g} [{}], J {:.6g} [{}]; {}circles differ by {:.2f} % and {:.2f} % of K\n",
              report.factors->k.mode_1, report.factors->k.mode_2, unit_of(measures::kToughness, units),
-             report.factors->j, unit_of(measures::kEnergyPerArea, units), 100 * report.spread_1, 100 * report.spread_2);
+             report.factors->j, unit_of(measures::kEnergyPerArea, units),
+             report.factors->is_closed ? "its faces are pressed together; " : "", 100 * report.spread_1,
+             100 * report.spread_2);
   if (has_both(tip)) print_treatments(tip, found);
   fmt::print("  would go on by {:.2f} degrees, K_eq {:.6g}", tip.kink.angle * kDegrees, tip.kink.equivalent);
   if (tip.toughness)

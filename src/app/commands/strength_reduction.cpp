@@ -18,6 +18,7 @@
 #include "problem/units/measure.hpp"
 #include "report/rock/strength_picture.hpp"
 #include "run/cover_settings.hpp"
+#include "run/look_ahead.hpp"
 #include "run/settings_of.hpp"
 #include "study/cases/named_files.hpp"
 #include "study/strength/factor_of_safety.hpp"
@@ -214,7 +215,8 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
 ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& options) {
   require_options(chosen, options);
   const study::StrengthTrials trials = trials_of(chosen, options);
-  log_warnings(joined(chosen.input.warnings, trials.prepared().warnings));
+  log_warnings(joined(joined(chosen.input.warnings, trials.prepared().warnings),
+                      look_ahead(chosen.input.problem, trials.prepared())));
   listen_for_stops();
   study::SearchOptions search{options.from, options.to, options.within.value_or(0.01)};
   search.wants_stop = [] { return stop_signal() != 0; };

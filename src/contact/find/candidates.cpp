@@ -24,6 +24,9 @@ bool touch(const Box& a, const Box& b, double distance) {
          b.low.y <= a.high.y + distance;
 }
 
+// So few elements are tested each with each: a grid would take longer.
+constexpr std::size_t kFew = 8;
+
 // A box that covers more cells than this is tested against all others instead: one huge element must not fill
 // the grid. Where there are many such boxes, a tree takes the place of the grid.
 constexpr double kMostCells = 64;
@@ -50,7 +53,7 @@ class Grid {
     cell_ = std::max({sizes[sizes.size() / 2] + distance, smallest, along, std::numeric_limits<double>::min()});
     columns_ = static_cast<int>(extent.x / cell_) + 1;
     rows_ = static_cast<int>(extent.y / cell_) + 1;
-    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    last_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
   }
 
   struct Range {
@@ -66,18 +69,41 @@ class Grid {
             index(box.low.y - margin - origin_.y, rows_), index(box.high.y + margin - origin_.y, rows_)};
   }
 
-  std::vector<int>& cell(int column, int row) {
-    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                  static_cast<std::size_t>(column)];
+  void add(const Range& range, int box) {
+    for (int row = range.bottom; row <= range.top; ++row)
+      for (int column = range.left; column <= range.right; ++column) {
+        int& last = last_[cell(column, row)];
+        entries_.push_back({box, last});
+        last = static_cast<int>(entries_.size()) - 1;
+      }
+  }
+
+  /// Calls `seen(box)` for all that were added in these cells, some more than once.
+  template <class Seen>
+  void visit(const Range& range, const Seen& seen) const {
+    for (int row = range.bottom; row <= range.top; ++row)
+      for (int column = range.left; column <= range.right; ++column)
+        for (int i = last_[cell(column, row)]; i >= 0; i = entries_[static_cast<std::size_t>(i)].before)
+          seen(entries_[static_cast<std::size_t>(i)].box);
   }
 
  private:
+  std::size_t cell(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
   double distance_;
   Point origin_;
   double cell_ = 0;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<std::vector<int>> cells_;
+  /// A box in a cell, and the entry that was the last of that cell before; -1: none.
+  struct Entry {
+    int box;
+    int before;
+  };
+  std::vector<Entry> entries_;
+  std::vector<int> last_;  ///< of each cell
 };
 
 }  // namespace
@@ -91,9 +117,16 @@ std::vector<ElementPair> close_pairs(const Model& model, const State& state, dou
 std::vector<ElementPair> close_pairs(const Model& model, const State& state, const std::vector<ElementIndex>& among,
                                      double distance) {
   std::vector<Box> boxes;
+  boxes.reserve(among.size());
   for (ElementIndex e : among) boxes.push_back(box_of(model, state, e));
   std::vector<ElementPair> pairs;
-  if (boxes.size() < 2) return pairs;
+  if (boxes.size() <= kFew) {
+    for (std::size_t b = 0; b < boxes.size(); ++b)
+      for (std::size_t a = 0; a < b; ++a)
+        if (touch(boxes[a], boxes[b], distance)) pairs.push_back({among[a], among[b]});
+    std::ranges::sort(pairs);
+    return pairs;
+  }
   Grid grid(boxes, distance);
   const auto is_large = [&](const Box& box) { return grid.range_of(box, distance).cells() > kMostCells; };
   if (std::ranges::count_if(boxes, is_large) > kMostLarge) {
@@ -117,12 +150,8 @@ std::vector<ElementPair> close_pairs(const Model& model, const State& state, con
       large.push_back(b);
     } else {
       for (int a : large) test(a, b);
-      for (int row = range.bottom; row <= range.top; ++row)
-        for (int column = range.left; column <= range.right; ++column)
-          for (int a : grid.cell(column, row)) test(a, b);
-      const Grid::Range own = grid.range_of(box, 0);
-      for (int row = own.bottom; row <= own.top; ++row)
-        for (int column = own.left; column <= own.right; ++column) grid.cell(column, row).push_back(b);
+      grid.visit(range, [&](int a) { test(a, b); });
+      grid.add(grid.range_of(box, 0), b);
     }
     std::ranges::sort(met);
     met.erase(std::unique(met.begin(), met.end()), met.end());

@@ -250,6 +250,7 @@ class PairTouches {
     const double high = std::min(own_high, facing_high);
     if (high < low - kTie * own_high) return {};
     Touches touches;
+    touches.reserve(search_.with_middles ? 3 : 2);
     touches.push_back(facing_low >= 0 ? Touch{facing.end, reference.start, reference.end}
                                       : Touch{reference.start, facing.start, facing.end});
     touches.push_back(facing_high <= own_high ? Touch{facing.start, reference.start, reference.end}

@@ -57,6 +57,7 @@ void ContactRow::add_shared(double force, Eigen::VectorXd& sum) const {
 UnknownsTable answer_of_blocks(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks,
                                const Eigen::VectorXd& forces) {
   UnknownsTable sum;
+  sum.reserve(blocks.size());
   for (ElementIndex e : indices(blocks)) sum.push_back(Unknowns::Zero(blocks[e].rows()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double f = forces[static_cast<Eigen::Index>(i)];

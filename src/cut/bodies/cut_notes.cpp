@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/counted.hpp"
 #include "base/listed.hpp"
 #include "geometry/segment.hpp"
 
@@ -46,8 +47,8 @@ void CutNotes::of_dangling(const std::vector<char>& is_dangling) {
   const auto first = std::find(is_dangling.begin(), is_dangling.end(), 1);
   if (first == is_dangling.end()) return;
   warn("dangling_lines_removed", place(static_cast<int>(first - is_dangling.begin())),
-       fmt::format("{} of {} lines have parts that hang loose and are removed; this is the first",
-                   std::count(is_dangling.begin(), is_dangling.end(), 1), is_dangling.size()));
+       fmt::format("loose ends of {} of {} are removed; this is the first",
+                   std::count(is_dangling.begin(), is_dangling.end(), 1), counted(is_dangling.size(), "line")));
 }
 
 void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& table) {
@@ -62,15 +63,15 @@ void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& t
   if (!table.moves.empty()) {
     const NodeMove& first = table.moves.front();
     warn("nodes_merged", place(first.line),
-         fmt::format("{} crossings were moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
-                     table.moves.size(), tolerances().merge, first.from.x, first.from.y));
+         fmt::format("{} moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
+                     counted(table.moves.size(), "crossing"), tolerances().merge, first.from.x, first.from.y));
   }
   result_.report.placed_otherwise = table.placed_otherwise;
   if (table.placed_otherwise > 0) {
     warn("nodes_placed_otherwise", drawing_.place,
-         fmt::format("{} merged nodes stand where the drawing decides, not at the crossing that the old programs "
-                     "would have found first",
-                     table.placed_otherwise));
+         fmt::format("{} merged where the drawing decides, not at the crossing that the old programs would have found "
+                     "first",
+                     counted(static_cast<std::size_t>(table.placed_otherwise), "node")));
   }
   if (!table.undecided_nodes.empty()) {
     const Point at = table.arrangement.nodes[table.undecided_nodes.front()].position;
@@ -100,8 +101,8 @@ void CutNotes::of_removed(const char* name, const char* why, const std::vector<E
   std::sort(lines.begin(), lines.end());
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   warn(name, place(lines.front()),
-       fmt::format("{} pieces of {} lines {} and are removed; the first is of this line", edges.size(), lines.size(),
-                   why));
+       fmt::format("removed: {} of {}, which {}; the first is of this line", counted(edges.size(), "piece"),
+                   counted(lines.size(), "line"), why));
 }
 
 }  // namespace keyblock

@@ -16,6 +16,9 @@ constexpr double kRow = 20;
 constexpr double kSignWidth = 26;
 constexpr double kEntryGap = 18;
 constexpr double kTextSize = 12;
+constexpr double kFarAway = 0.1;     // of the diagonal of what was drawn, beyond it
+constexpr double kFewOfMany = 0.05;  // of the number of all blocks
+constexpr double kSmallPart = 0.02;  // of their area
 
 void draw_fixed_point(SvgPage& page, Point p) {
   page.polygon({{p, {p.x - 5, p.y + 9}, {p.x + 5, p.y + 9}}},
@@ -83,6 +86,28 @@ void draw_mark(SvgPage& page, Point at, Mark mark) {
 
 void draw_bolt(SvgPage& page, Point from, Point to) {
   page.line(from, to, {.stroke = kBoltColour, .stroke_width = 1.5, .dash = "4 3"});
+}
+
+std::vector<std::size_t> far_small_blocks(const Box& drawn, const std::vector<PlacedBlock>& blocks) {
+  const double away = kFarAway * std::hypot(drawn.width(), drawn.height());
+  std::vector<std::size_t> found;
+  double of_found = 0, of_all = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const Point& at = blocks[i].middle;
+    of_all += blocks[i].area;
+    const bool is_near = at.x >= drawn.low.x - away && at.x <= drawn.high.x + away && at.y >= drawn.low.y - away &&
+                         at.y <= drawn.high.y + away;
+    if (is_near || blocks[i].stays) continue;
+    of_found += blocks[i].area;
+    found.push_back(i);
+  }
+  const bool are_few = static_cast<double>(found.size()) <= kFewOfMany * static_cast<double>(blocks.size());
+  return are_few && of_found <= kSmallPart * of_all ? found : std::vector<std::size_t>();
+}
+
+std::string outside_in_words(std::size_t count) {
+  return fmt::format("{} outside of the picture",
+                     count == 1 ? "1 small block lies" : fmt::format("{} small blocks lie", count));
 }
 
 double edge_width(Point page_size, std::size_t block_count) {

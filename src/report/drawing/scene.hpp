@@ -25,6 +25,20 @@ void draw_bolt(SvgPage& page, Point from, Point to);
 /// Width of block edges: one page unit for few blocks, finer where they crowd.
 double edge_width(Point page_size, std::size_t block_count);
 
+/// Where a block lies. `stays`: it is shown wherever it is.
+struct PlacedBlock {
+  Point middle;
+  double area = 0;
+  bool stays = false;
+};
+
+/// The blocks that a picture leaves out, in their order: those far outside of `drawn`, if they are few of many and a
+/// small part of the area. A sliver that fell out of a slope would squeeze the slope into a corner of the page.
+std::vector<std::size_t> far_small_blocks(const Box& drawn, const std::vector<PlacedBlock>& blocks);
+
+/// "2 small blocks lie outside of the picture".
+std::string outside_in_words(std::size_t count);
+
 /// One entry of a legend: a filled square, a line, or the sign of a point.
 struct LegendEntry {
   enum class Sign { area, line, dashed_line, dots, mark };

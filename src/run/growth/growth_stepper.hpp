@@ -56,7 +56,7 @@ class GrowthStepper : public StepperOfScenes {
   std::vector<double> corrections(const std::vector<CrackPlan>& trial) const;
   /// Puts the cracks of the next step, or that there is none.
   void put_next();
-  StepFailure failure(const std::string& why) const { return {why, {}, FailureKind::undecided, 0}; }
+  StepFailure failure(const std::string& why) const { return {why, {}, FailureKind::cracks, 0}; }
 
   Scene first_;
   std::unique_ptr<Stepper> now_;

@@ -89,6 +89,11 @@ double energy_of(const Continuum& continuum, const TipState& tip) {
   return energy_of_fracture(rock_at(continuum, tip_of(continuum.manifold, tip)), tip.toughness);
 }
 
+StepFailure cannot_go_on(int step, const std::exception& error) {
+  const std::string why = fmt::format("step {}: cracks cannot go on so: {}", step, error.what());
+  return {why, {}, FailureKind::cracks};
+}
+
 }  // namespace
 
 GrowthUnderLoads::GrowthUnderLoads(Scene first) : first_(std::move(first)) {
@@ -290,15 +295,12 @@ void GrowthUnderLoads::look_at_tips() {
 }
 
 std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
-  const auto cannot_go_on = [&](const std::exception& error) {
-    return StepFailure{fmt::format("step {}: cracks cannot go on so: {}", state().step + 1, error.what()), {}};
-  };
   if (!next_.empty()) try {
       recut();
     } catch (const InputError& error) {
-      return cannot_go_on(error);
+      return cannot_go_on(state().step + 1, error);
     } catch (const std::invalid_argument& error) {
-      return cannot_go_on(error);
+      return cannot_go_on(state().step + 1, error);
     }
   std::variant<StepReport, StepFailure> made = now_->advance();
   if (std::holds_alternative<StepFailure>(made)) return made;

@@ -41,14 +41,18 @@ std::vector<FaceForce> face_forces(const Stepper& stepper, const CoverDisplaceme
   const ContactFrames contacts = stepper.contacts();
   if (contacts.empty()) return forces;
   const std::unordered_map<int, int> elements = elements_by_number(stepper.model());
-  const auto add = [&](int number, Point at, Point force) {
-    if (const auto found = elements.find(number); found != elements.end())
-      forces.push_back({found->second, undeformed(moved, found->second, at), force});
+  const auto element_of = [&](int number) {
+    const auto found = elements.find(number);
+    return found == elements.end() ? -1 : found->second;
+  };
+  const auto add = [&](int number, int other, Point at, Point force) {
+    if (const int e = element_of(number); e >= 0)
+      forces.push_back({e, undeformed(moved, e, at), force, element_of(other)});
   };
   for (const ContactFrame& contact : contacts) {
     if (contact.normal_force == 0 && contact.shear_force == 0) continue;
-    add(contact.element, contact.position, contact.force());
-    add(contact.other, contact.position, -1.0 * contact.force());
+    add(contact.element, contact.other, contact.position, contact.force());
+    add(contact.other, contact.element, contact.position, -1.0 * contact.force());
   }
   return forces;
 }

@@ -46,12 +46,17 @@ std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     fs::path root = fs::path(path).lexically_normal();
     if (!root.has_filename()) root = root.parent_path();
-    if (!fs::is_directory(root)) throw InputError({path, 0, 0}, "expected a folder with cases, found none");
+    if (!fs::is_directory(root))
+      throw InputError(
+          {path, 0, 0},
+          "expected a folder with cases, found none (without a name, compare takes legacy_cases in this folder)");
     const std::size_t before = cases.size();
     visit(root, root, cases);
     if (cases.size() == before)
-      throw InputError({path, 0, 0},
-                       "expected a case (expected.csv, or steps.csv with blocks.csv), found none below it");
+      throw InputError(
+          {path, 0, 0},
+          "expected a case (expected.csv, or steps.csv with blocks.csv), found none below it; `keyblock batch` runs a "
+          "folder of files");
   }
   return cases;
 }

@@ -42,11 +42,20 @@ std::size_t column_of(const formats::CsvTable& table, std::string_view word) {
   return static_cast<std::size_t>(std::ranges::find_if(table.header, has_word) - table.header.begin());
 }
 
-// "MPa" of "Stress [MPa]" and of "Stress (MPa)".
+bool is_known_unit(const std::string& text) {
+  return text == "%" || text == "‰" || unit_named(text).has_value();
+}
+
+// "MPa" of "Stress (axial) [MPa]" and of "Stress (MPa)": what round brackets hold need not be a unit.
 std::string unit_of(const std::string& heading) {
-  const std::size_t open = heading.find_first_of("[(");
-  const std::size_t close = open == std::string::npos ? open : heading.find(heading[open] == '[' ? ']' : ')', open);
-  return close == std::string::npos ? std::string() : heading.substr(open + 1, close - open - 1);
+  const auto within = [&](char open, char close) {
+    const std::size_t from = heading.rfind(open), to = heading.rfind(close);
+    return from == std::string::npos || to == std::string::npos || to < from ? std::string()
+                                                                             : heading.substr(from + 1, to - from - 1);
+  };
+  if (const std::string square = within('[', ']'); !square.empty()) return square;
+  const std::string round = within('(', ')');
+  return is_known_unit(round) ? round : std::string();
 }
 
 [[noreturn]] void refuse_unit(const MeasuredPairs& pairs, const char* expected, const std::string& found) {

@@ -84,7 +84,7 @@ TrialOutcome stepped(std::unique_ptr<Stepper> stepper, const std::function<bool(
     }
     const auto& failure = std::get<StepFailure>(step);
     made.told.rounds += failure.passes;
-    made.told.verdict = failure.kind == FailureKind::undecided ? Verdict::undecided : Verdict::falls;
+    made.told.verdict = is_of_the_scene(failure.kind) ? Verdict::falls : Verdict::undecided;
     made.told.why = failure.reason;
     made.rock_yields = failure.rock_yields;
     const std::optional<State> attempted = stepper->attempted();
