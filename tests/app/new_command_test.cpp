@@ -37,6 +37,24 @@ TEST(NewCommand, every_kind_runs_to_a_good_end) {
   }
 }
 
+TEST(NewCommand, what_ends_in_yaml_is_yaml_and_says_the_same) {
+  const std::string folder = support::fresh_folder("new_yaml");
+  for (const char* name : {"slope", "arch", "beam", "tunnel", "block"}) {
+    const std::string json = folder + "/" + name + ".json", yaml = folder + "/" + name + ".yaml";
+    ASSERT_EQ(run_keyblock({"new", name, "-o", json}).exit_code, 0);
+    ASSERT_EQ(run_keyblock({"new", name, "-o", yaml}).exit_code, 0);
+    EXPECT_NE(read_text(yaml).find("\n# Editors complete"), std::string::npos) << name;
+    const auto seen = [](const std::string& file) {
+      const ProgramRun check = run_keyblock({"check", file, "--trial", "0", "--json"});
+      EXPECT_EQ(check.exit_code, 0) << file << check.messages;
+      auto report = nlohmann::json::parse(check.output, nullptr, false)["case"];
+      for (auto& warning : report["warnings"]) warning = warning["sentence"];
+      return report;
+    };
+    EXPECT_EQ(seen(json), seen(yaml)) << name;
+  }
+}
+
 // The arch and the slope stand: nothing comes further than their joints give.
 TEST(NewCommand, what_ought_to_stand_stands) {
   for (const char* name : {"slope", "arch"})

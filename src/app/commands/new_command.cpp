@@ -8,6 +8,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/command.hpp"
@@ -30,11 +32,62 @@ std::vector<std::string> template_names() {
   return names;
 }
 
+// A template as YAML: the outer object by lines without quotes about its keys and without commas, what stands in it as
+// it is, and // outside of quotes as #.
+class YamlOfTemplate {
+ public:
+  explicit YamlOfTemplate(std::string_view json) : json_(json) {
+    while (at_ < json_.size()) take();
+    while (yaml_.ends_with("\n\n")) yaml_.pop_back();
+  }
+  std::string text() && { return std::move(yaml_); }
+
+ private:
+  void take() {
+    const char c = json_[at_];
+    const bool is_line_start = at_ == 0 || json_[at_ - 1] == '\n';
+    if (is_line_start && depth_ == 1 && c == ' ') {
+      ++at_;
+    } else if (json_.substr(at_).starts_with("//")) {
+      const std::size_t end = std::min(json_.find('\n', at_), json_.size());
+      yaml_ += fmt::format("#{}", json_.substr(at_ + 2, end - at_ - 2));
+      at_ = end;
+    } else if (c == '"') {
+      take_word();
+    } else {
+      take_sign(c);
+      ++at_;
+    }
+  }
+
+  void take_word() {
+    const std::size_t end = json_.find('"', at_ + 1) + 1;
+    const bool is_outer_key = depth_ == 1 && (yaml_.empty() || yaml_.back() == '\n');
+    yaml_ += is_outer_key ? json_.substr(at_ + 1, end - at_ - 2) : json_.substr(at_, end - at_);
+    at_ = end;
+  }
+
+  void take_sign(char c) {
+    const bool opens = c == '{' || c == '[', closes = c == '}' || c == ']';
+    const bool is_of_outer = (opens && depth_ == 0) || (closes && depth_ == 1) || (c == ',' && depth_ == 1);
+    depth_ += opens ? 1 : closes ? -1 : 0;
+    const bool is_empty_line = c == '\n' && yaml_.empty();
+    if (!is_of_outer && !is_empty_line) yaml_ += c;
+  }
+
+  std::string_view json_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  std::string yaml_;
+};
+
 ExitCode write_template(const NewOptions& options) {
   const auto found = std::ranges::find(case_templates(), options.name, &CaseTemplate::name);
   const std::string file = options.file.empty() ? options.name + ".json" : options.file;
   require_writable({file}, {}, overwrite_if(options.force));
-  write_output(file, found->text, overwrite_if(options.force));
+  const bool is_yaml = file.ends_with(".yaml") || file.ends_with(".yml");
+  write_output(file, is_yaml ? YamlOfTemplate(found->text).text() : std::string(found->text),
+               overwrite_if(options.force));
   if (options.as_json)
     fmt::print("{}\n",
                nlohmann::ordered_json({{"file", file}, {"kind", options.name}, {"about", found->about}}).dump());
@@ -51,7 +104,7 @@ Action configure_new(CLI::App& options) {
   options.add_option("KIND", chosen->name, fmt::format("{}", fmt::join(lines, "; ")))
       ->required()
       ->check(CLI::IsMember(template_names()));
-  options.add_option("-o,--output", chosen->file, "the case file to write (default: KIND.json)");
+  options.add_option("-o,--output", chosen->file, "the case file to write, .json or .yaml (default: KIND.json)");
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
   options.add_flag("--json", chosen->as_json, "print the name of the file, its kind and what it is as JSON");
   return [chosen] { return write_template(*chosen); };
