@@ -11,13 +11,16 @@
 #include "settings/profile.hpp"
 #include "study/cases/compare.hpp"
 
-namespace keyblock::study::cases_test {
+namespace keyblock::study {
 
-/// How GoogleTest names a case in its output.
+/// How GoogleTest names a case in its output; it looks in the namespace of the type.
 void PrintTo(const CaseFolder& folder, std::ostream* out) {
   *out << folder.name;
 }
 
+}  // namespace keyblock::study
+
+namespace keyblock::study::cases_test {
 namespace {
 
 /// The cases with expected values that are not slow.

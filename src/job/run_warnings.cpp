@@ -123,8 +123,8 @@ std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
   return {
       {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
        [](const StepReport& s, int, int) {
-         return fmt::format("step {}: {} contacts still opened or closed at the pass limit", s.step,
-                            s.unsettled_contacts);
+         return fmt::format("step {}: {} still opened or closed at the pass limit", s.step,
+                            counted(static_cast<std::size_t>(s.unsettled_contacts), "contact"));
        }},
       {"deep_penetration", [l](const StepReport& s) { return s.greatest_penetration > l.deep; },
        [l](const StepReport& s, int, int) {
@@ -135,9 +135,12 @@ std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
        }},
       {"large_residual",
        [l](const StepReport& s) { return s.residual > (l.is_standard ? kLargeImbalance : kLargeResidual); },
-       [l](const StepReport& s, int, int) {
+       [l](const StepReport& s, int concerned, int steps) {
          return l.is_standard
-                    ? fmt::format("step {}: forces are out of balance by {:.1e} of the load", s.step, s.residual)
+                    ? fmt::format(
+                          "step {}: forces are out of balance by {:.1e} of the load; by more than {:.0e} in {} "
+                          "of {} steps, the greatest in run.json",
+                          s.step, s.residual, kLargeImbalance, concerned, steps)
                     : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only", s.step,
                                   s.residual);
        }},

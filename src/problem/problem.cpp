@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kUsualEdgeNodeRatio = 0.1;  // files hold 0.001 … 0.02; from here on the cutter eats whole blocks
 
-/// Counts the material numbers that were out of range and remembers where each was met first.
+/// Counts the material numbers that were out of range and remembers where each was met first. Old files are run with
+/// the nearest number, as the old programs ran them; in a case of Keyblock's own such a number is a fault.
 class Clamp {
  public:
   Clamp(std::string noun, std::size_t materials) : noun_(std::move(noun)), last_(static_cast<int>(materials) - 1) {}
@@ -37,6 +38,14 @@ class Clamp {
           {name, met.place,
            fmt::format("{} {} of {} {} is outside 1 to {}; taken as {}", noun_, static_cast<long long>(index) + 1,
                        met.times, carriers, last_ + 1, std::clamp(index, 0, last_) + 1)});
+    return all;
+  }
+
+  std::vector<InputError> errors(std::string_view carriers) const {
+    std::vector<InputError> all;
+    for (const auto& [index, met] : met_)
+      all.emplace_back(met.place, fmt::format("expected a {} from 1 to {}, found {} (of {} {})", noun_, last_ + 1,
+                                              static_cast<long long>(index) + 1, met.times, carriers));
     return all;
   }
 
@@ -193,6 +202,13 @@ class Checker {
     checked_.errors.insert(checked_.errors.end(), more.begin(), more.end());
   }
 
+  void tell(const Clamp& clamp, const char* name, const char* carriers) {
+    if (checked_.problem.has_own_case)
+      fail(clamp.errors(carriers));
+    else
+      warn(clamp.warnings(name, carriers));
+  }
+
   void drop_zero_length_lines(Drawing& drawing) {
     const auto boundaries = drawing.joints.begin() + static_cast<std::ptrdiff_t>(drawing.boundary_count);
     const auto is_dropped = [](const JointLine& line) { return is_point(line.segment); };
@@ -206,8 +222,8 @@ class Checker {
     Clamp block("block material", analysis.block_materials.size());
     for (JointLine& line : drawing.joints) line.joint_material = joint(line.joint_material, line.place);
     for (MaterialLine& line : drawing.material_lines) line.block_material = block(line.block_material, line.place);
-    warn(joint.warnings("joint_material_clamped", "lines"));
-    warn(block.warnings("block_material_clamped", "material lines"));
+    tell(joint, "joint_material_clamped", "lines");
+    tell(block, "block_material_clamped", "material lines");
   }
 
   void clamp_materials(Blocks& blocks, const Analysis& analysis) {
@@ -220,8 +236,8 @@ class Checker {
       for (BlockLoop& hole : block.holes)
         for (BlockVertex& vertex : hole) vertex.joint_material = joint(vertex.joint_material, place);
     }
-    warn(joint.warnings("joint_material_clamped", "edges"));
-    warn(material.warnings("block_material_clamped", "blocks"));
+    tell(joint, "joint_material_clamped", "edges");
+    tell(material, "block_material_clamped", "blocks");
   }
 
   void clamp_materials(Cover& cover, const Analysis& analysis) {
@@ -229,8 +245,8 @@ class Checker {
     Clamp material("block material", analysis.block_materials.size());
     for (CoverElement& element : cover.elements) element.material = material(element.material, cover.place);
     for (LoopVertex& vertex : cover.loop_vertices) vertex.joint_material = joint(vertex.joint_material, cover.place);
-    warn(joint.warnings("joint_material_clamped", "edges"));
-    warn(material.warnings("block_material_clamped", "elements"));
+    tell(joint, "joint_material_clamped", "edges");
+    tell(material, "block_material_clamped", "elements");
   }
 
   /// By the type of the bolt. One whose drawing states its properties (native files) keeps them.
@@ -247,7 +263,7 @@ class Checker {
       bolt.strength = own.strength;
       bolt.pretension = own.pretension;
     }
-    warn(type.warnings("bolt_type_clamped", "bolts"));
+    tell(type, "bolt_type_clamped", "bolts");
   }
 
   static bool has_properties(const BoltLine& bolt) {
