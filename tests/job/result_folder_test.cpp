@@ -152,7 +152,8 @@ TEST(ResultFolder, a_folder_taken_away_ends_the_run_and_is_not_made_again) {
   const auto run = run_keyblock(stack_into(folder + "/out", "1000000"), folder + "/out/frames/00000000.vtu",
                                 [&] { fs::rename(folder + "/out", folder + "/elsewhere"); });
   EXPECT_EQ(run.exit_code, 4) << run.messages;
-  EXPECT_TRUE(contains(run.messages, "cannot write " + folder + "/out/frames/")) << run.messages;
+  // A frame, or the table of contacts beside it: what is written first after that.
+  EXPECT_TRUE(contains(run.messages, "cannot write " + folder + "/out/")) << run.messages;
   EXPECT_FALSE(fs::exists(folder + "/out"));
   EXPECT_TRUE(fs::exists(folder + "/elsewhere/checkpoint.h5"));
 }
