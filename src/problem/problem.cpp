@@ -19,8 +19,9 @@ namespace {
 
 constexpr double kUsualEdgeNodeRatio = 0.1;  // files hold 0.001 … 0.02; from here on the cutter eats whole blocks
 
-/// Counts the material numbers that were out of range and remembers where each was met first. Old files are run with
-/// the nearest number, as the old programs ran them; in a case of Keyblock's own such a number is a fault.
+/// Counts the material numbers that were out of range and remembers where each was met first. Files of old programs and
+/// drawings are run with the nearest number, as the old programs ran them; in a case file that holds both geometry and
+/// materials such a number is a fault.
 class Clamp {
  public:
   Clamp(std::string noun, std::size_t materials) : noun_(std::move(noun)), last_(static_cast<int>(materials) - 1) {}
@@ -39,6 +40,10 @@ class Clamp {
            fmt::format("{} {} of {} {} is outside 1 to {}; taken as {}", noun_, static_cast<long long>(index) + 1,
                        met.times, carriers, last_ + 1, std::clamp(index, 0, last_) + 1)});
     return all;
+  }
+
+  bool is_met_in(const Place& file) const {
+    return !met_.empty() && met_.begin()->second.place.file.text() == file.file.text();
   }
 
   std::vector<InputError> errors(std::string_view carriers) const {
@@ -203,7 +208,7 @@ class Checker {
   }
 
   void tell(const Clamp& clamp, const char* name, const char* carriers) {
-    if (checked_.problem.has_own_case)
+    if (checked_.problem.has_own_case && clamp.is_met_in(checked_.problem.analysis->place))
       fail(clamp.errors(carriers));
     else
       warn(clamp.warnings(name, carriers));

@@ -55,15 +55,20 @@ TEST(Problem, materials_out_of_range_are_clamped_with_one_warning_a_number_at_it
   EXPECT_EQ(mended.material_lines[0].block_material, 1);
 }
 
-TEST(Problem, materials_out_of_range_are_a_fault_of_a_case_of_our_own) {
+TEST(Problem, materials_out_of_range_are_a_fault_of_a_case_file_that_holds_both) {
   Drawing drawing = sound_drawing();
   drawing.joints.push_back({{{0, 0}, {1, 1}}, 8, {"g", 3, 1}});
   Problem problem{drawing, sound_analysis()};
   problem.has_own_case = true;
-  const Checked checked = check(problem);
-  EXPECT_TRUE(checked.warnings.empty());
-  ASSERT_EQ(checked.errors.size(), 1U);
-  EXPECT_STREQ(checked.errors[0].what(), "g:3:1: error: expected a joint material from 1 to 2, found 9 (of 1 lines)");
+  problem.analysis->place = {"other", 1, 1};  // an old drawing beside a case file of today
+  const Checked beside = check(problem);
+  EXPECT_TRUE(beside.errors.empty());
+  EXPECT_EQ(names(beside), std::vector<std::string>{"joint_material_clamped"});
+  problem.analysis->place = {"g", 1, 1};
+  const Checked own = check(problem);
+  EXPECT_TRUE(own.warnings.empty());
+  ASSERT_EQ(own.errors.size(), 1U);
+  EXPECT_STREQ(own.errors[0].what(), "g:3:1: error: expected a joint material from 1 to 2, found 9 (of 1 lines)");
 }
 
 TEST(Problem, lines_without_length_are_left_out_and_boundaries_still_counted) {
