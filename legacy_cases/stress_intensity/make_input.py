@@ -24,7 +24,7 @@ SOURCE = {'01': 'Tada, Paris & Irwin 1973; value of an independent finite-elemen
           '07': 'Srawley 1976; independent finite-element value', '11': 'Atkinson, Smelser & Sanchez 1982; independent finite-element value'}
 
 
-def write(name, corners, cracks, side, covers, values, about, source, young=YOUNG, poisson=POISSON, tip=None, tolerance=0.007, reason=ASKED, absolute=None, joint=None, side_with_functions=None, functions=True):
+def write(name, corners, cracks, side, covers, values, about, source, young=YOUNG, poisson=POISSON, tip=None, tolerance=0.007, reason=ASKED, absolute=None, joint=None, side_with_functions=None, functions=True, initial=None):
     """`values`: quantity, tip, value; each is to be met within `tolerance` of the greatest of them. The same with near-tip functions on longer sides
     in the case `name`_functions, each within its own share, or that of the greatest where it is 0; not where faces touch, or without `functions`."""
     length = max(math.dist(a[0], a[-1]) for a in cracks)
@@ -33,6 +33,8 @@ def write(name, corners, cracks, side, covers, values, about, source, young=YOUN
     parts.update(covers)
     size = max(abs(v[2]) for v in values)
     text = case_text(corners, parts, young, poisson, [], plane_strain=True).replace(',\n  "measured_points": []', '')
+    if initial:
+        text = text.replace('"poissons_ratio": %s' % poisson, '"poissons_ratio": %s, "initial_stress": %s' % (poisson, json.dumps(initial)))
     if joint:
         text = text.replace('   {}\n', '   %s\n' % json.dumps(joint))
     write_case(os.path.join(HERE, name), text, [(q, t, v, absolute or tolerance * size, reason, source) for q, t, v in values], about)
@@ -138,16 +140,17 @@ def arc_crack(degrees):
           reason='asked for: 3 %', functions=False)
 
 
-def closed_crack(friction):
-    """A flaw of half length 1 at 45 degrees in a plate 40 wide under compression 1; both faces touch and rub."""
+def closed_crack(friction, name=None, initial=None):
+    """A flaw of half length 1 at 45 degrees in a plate 40 wide under compression 1; both faces touch and rub. An `initial` stress of the plate changes
+    its displacement, not its stress."""
     c = math.sqrt(0.5)
     root = math.sqrt(math.pi)
     covers = pulled(None, (-20, -20), (20, 20), stress=-1)
     covers['contact'] = 'felt'
-    write('closed_crack_%02d' % round(10 * friction), rectangle(-20, -20, 20, 20), [[[-c, -c], [c, c]]], 4, covers,
-          [(q, t, v) for t in (1, 2) for q, v in (('K_I', 0), ('K_II', -0.5 * (1 - friction) * root))], 'closed crack at 45 degrees in compression, friction %g (fra-19)' % friction,
+    write(name or 'closed_crack_%02d' % round(10 * friction), rectangle(-20, -20, 20, 20), [[[-c, -c], [c, c]]], 4, covers,
+          [(q, t, v) for t in (1, 2) for q, v in (('K_I', 0), ('K_II', -0.5 * (1 - friction) * root))], 'closed crack at 45 degrees in compression, friction %g (fra-19)%s' % (friction, ', initial stress' if initial else ''),
           'K_II = (tau - mu sn) sqrt(pi c), Horii & Nemat-Nasser 1985', tip=1 / FINEST, absolute=0.005 * root,
-          reason='asked for: 0.005 of s sqrt(pi c)', joint={'friction_angle_deg': math.degrees(math.atan(friction))})
+          reason='asked for: 0.005 of s sqrt(pi c)', joint={'friction_angle_deg': math.degrees(math.atan(friction))}, initial=initial)
 
 
 def step_wave():
@@ -184,4 +187,5 @@ if __name__ == '__main__':
     arc_crack(60)
     for friction in (0, 0.3, 0.6):
         closed_crack(friction)
+    closed_crack(0.3, 'closed_crack_in_situ', [-0.5, -0.2, 0.1])
     step_wave()

@@ -47,8 +47,9 @@ struct TipFactors {
 /// integral says of it is the error of the faces' term: elements near the tip answer forces on its faces otherwise than
 /// the rock does, by the root of their sides. It is taken for that up to three times the pressure times this root. On a
 /// face at θ = ±π the near-tip gradients of both modes are one function of r, ∂uᵃ_2/∂x_1 of mode I and ∂uᵃ_1/∂x_1 of
-/// mode II (Williams 1957), so that the error of K_II is that of K_I times F_1/F_2 of the tractions near the tip, and
-/// is taken out: 5 % of K_II at friction 0.6 where sides are c/320. J stays that of the domain.
+/// mode II (Williams 1957), so that the error of K_II is that of K_I times F_1/F_2 of the contact forces near the tip,
+/// and is taken out: 5 % of K_II at friction 0.6 where sides are c/320. The traction of an initial stress is smooth and
+/// makes none of it (case closed_crack_in_situ). J stays that of the domain.
 TipFactors factors_at(const CoverSolution& solution, const CrackTip& tip, const CrackDomain& domain);
 
 /// Elastic constants of the rock at a tip.

@@ -44,10 +44,11 @@ struct Framed {
   std::size_t left_out = 0;
 };
 
-/// The picture without small blocks that lie far away at the end. What failed, or carries a point or a bolt, stays.
+/// The picture without small blocks that lie far away at the end. What failed, or carries a point, stays; scenes with
+/// bolts, and bodies of many elements, are shown whole.
 Framed framed(RunPicture picture) {
   Frame& end = picture.end;
-  if (!end.outlines.empty() || !end.bolts.empty()) return {std::move(picture)};  // bodies of many elements
+  if (!end.outlines.empty() || !end.bolts.empty()) return {std::move(picture)};
   std::set<int> shown(picture.marked.begin(), picture.marked.end());
   for (const auto* points : {&end.fixed_points, &end.loading_points, &end.measured_points})
     for (const PointFrame& point : *points) shown.insert(point.element);

@@ -15,7 +15,7 @@ struct RunPicture {
   std::string title;
   Frame start;                    ///< drawn as dashed outlines, where an element moved
   Frame end;                      ///< drawn filled
-  std::vector<Curve> curves;      ///< without any point the chart is left out
+  std::vector<Curve> curves;      ///< without two points of any the chart is left out
   AxisLabels axes;                ///< of the chart, with units: "time [s]", "displacement [m]"
   std::string time_unit;          ///< for the legend, e.g. "s"; may be empty
   std::vector<int> marked = {};   ///< numbers, from 0, of elements at which a run failed: edged and pointed at

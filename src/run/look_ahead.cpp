@@ -259,8 +259,7 @@ class Blocky {
     return fmt::format(
         "contact springs of {:.3g} are {:.3g} times as stiff as the inertia of the mean block over a step "
         "(mass / time_step²); with {} touching pairs and more than {:g} times, steps in which contacts slide may take "
-        "tens to hundreds "
-        "of systems: --set contact_penalty={:.2g} or --set time_step={:.2g} avoids that",
+        "tens to hundreds of systems: --set contact_penalty={:.2g} or --set time_step={:.2g} avoids that",
         settings_.contact_penalty, ratio, touching_.size(), kStiff, settings_.contact_penalty * kStiff / ratio,
         settings_.time_step * std::sqrt(kStiff / ratio));
   }
