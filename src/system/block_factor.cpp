@@ -68,13 +68,18 @@ class KernelOf : public BlockFactor::Kernel {
       first_rows_.push_back(row);
       row += size;
     }
-    clear();
+    fill_up();
   }
 
   void clear() override {
     std::ranges::fill(diagonal_, Padded<N>{});
     std::ranges::fill(lower_, Padded<N>{});
     std::ranges::fill(upper_, Padded<N>{});
+    fill_up();
+  }
+
+  // Ones on the diagonal of what smaller blocks leave of a whole one.
+  void fill_up() {
     for (std::size_t i = 0; i < sizes_.size(); ++i)
       diagonal_[at(pattern_->place(static_cast<int>(i)))].square().diagonal().tail(N - sizes_[i]).setOnes();
   }
@@ -83,11 +88,11 @@ class KernelOf : public BlockFactor::Kernel {
     const int a = pattern_->place(i);
     const int b = pattern_->place(j);
     if (a == b)
-      diagonal_[at(a)].square().topLeftCorner(block.rows(), block.cols()) += block;
+      add(block, diagonal_[at(a)].square());
     else if (a > b)
-      lower_[at(pattern_->entry(a, b))].square().topLeftCorner(block.rows(), block.cols()) += block;
+      add(block, lower_[at(pattern_->entry(a, b))].square());
     else
-      upper_[at(pattern_->entry(b, a))].square().topLeftCorner(block.cols(), block.rows()) += block.transpose();
+      add(block.transpose(), upper_[at(pattern_->entry(b, a))].square());
   }
 
   // A pivot is split in two: of column j, `lower_` becomes L (rows below) and `upper_` the transposed rows of U to the
@@ -165,6 +170,15 @@ class KernelOf : public BlockFactor::Kernel {
       return of_lower.allFinite() && of_upper.allFinite();
     }
   };
+
+  // Of a size that the compiler knows, as most are.
+  template <class Of, class To>
+  static void add(const Of& block, To to) {
+    if (block.rows() == N && block.cols() == N)
+      to += block.template topLeftCorner<N, N>();
+    else
+      to.topLeftCorner(block.rows(), block.cols()) += block;
+  }
 
   // −a b.
   static Padded<N> product(const Padded<N>& a, const Padded<N>& b) {

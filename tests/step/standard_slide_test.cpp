@@ -112,6 +112,20 @@ TEST(StandardSlide, a_sliding_block_follows_the_closed_form_for_every_choice_of_
   }
 }
 
+// The estimate is then the motion itself, and rows and matrix of the first round serve.
+TEST(StandardSlide, a_block_that_goes_on_with_the_acceleration_it_has_takes_one_system_a_step) {
+  for (const Choice& choice : kChoices) {
+    StandardStepper stepper(slope_scene(30, 20, 1e-2, choice));
+    run_to(stepper, 0.2);
+    for (int i = 0; i < 20; ++i) {
+      const auto made = stepper.advance();
+      const auto* report = std::get_if<StepReport>(&made);
+      ASSERT_NE(report, nullptr) << name_of(choice);
+      EXPECT_LE(report->passes, 1) << name_of(choice) << ", step " << report->step;
+    }
+  }
+}
+
 // dda-04: at the friction angle of the slope and above, the block stays.
 TEST(StandardSlide, a_block_at_its_friction_angle_and_above_does_not_creep) {
   for (const Choice& choice : kChoices) {

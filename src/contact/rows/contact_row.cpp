@@ -31,8 +31,8 @@ Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
   for_each_entry(rows.size(), [&](std::size_t i) {
     const ContactRow& row = rows[i];
-    result[static_cast<Eigen::Index>(i)] = row.of_vertex.dot(x[row.vertex_element].transpose()) +
-                                           row.of_edge.dot(x[row.edge_element].transpose()) + row.of_shared(x.shared);
+    result[static_cast<Eigen::Index>(i)] = product(row.of_vertex, x[row.vertex_element]) +
+                                           product(row.of_edge, x[row.edge_element]) + row.of_shared(x.shared);
   });
   return result;
 }
@@ -44,8 +44,8 @@ double ContactRow::of_shared(const Eigen::VectorXd& x) const {
 }
 
 void ContactRow::add_to(UnknownsTable& sum, double force) const {
-  sum[vertex_element] += force * of_vertex.transpose();
-  sum[edge_element] += force * of_edge.transpose();
+  add_scaled(force, of_vertex, sum[vertex_element]);
+  add_scaled(force, of_edge, sum[edge_element]);
   add_shared(force, sum.shared);
 }
 
@@ -62,10 +62,10 @@ UnknownsTable answer_of_blocks(const ContactRows& rows, const Table<ElementIndex
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double f = forces[static_cast<Eigen::Index>(i)];
     if (f == 0) continue;  // open
-    sum[rows[i].vertex_element] += f * rows[i].of_vertex.transpose();
-    sum[rows[i].edge_element] += f * rows[i].of_edge.transpose();
+    add_scaled(f, rows[i].of_vertex, sum[rows[i].vertex_element]);
+    add_scaled(f, rows[i].of_edge, sum[rows[i].edge_element]);
   }
-  for (ElementIndex e : indices(blocks)) sum[e] = blocks[e] * sum[e];
+  for (ElementIndex e : indices(blocks)) sum[e] = product(blocks[e], sum[e]);
   return sum;
 }
 

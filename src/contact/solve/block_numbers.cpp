@@ -19,6 +19,8 @@ int answering(const UnknownBlock& flexibility) {
 }
 
 UnknownBlock inverse_of(const UnknownBlock& flexibility, int size) {
+  using Whole = Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>;
+  if (size == kMostUnknowns) return Whole(flexibility).llt().solve(Whole::Identity());
   const UnknownBlock part = flexibility.topLeftCorner(size, size);
   return part.llt().solve(UnknownBlock::Identity(size, size));
 }

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kManyBlocks = 300;
 
 ContactRow through(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& blocks) {
-  return {row.vertex_element, row.edge_element, row.of_vertex * blocks[row.vertex_element],
-          row.of_edge * blocks[row.edge_element]};
+  return {row.vertex_element, row.edge_element, product(row.of_vertex, blocks[row.vertex_element]),
+          product(row.of_edge, blocks[row.edge_element])};
 }
 
 // Right sides that the factor of shared unknowns takes at a time.
@@ -47,7 +47,7 @@ void add_coupled(const ContactRow& row, Eigen::Index i, std::span<const Eigen::I
 }
 
 // Of the blocks alone.
-double product(const ContactRow& a, const ContactRow& b) {
+double product_of(const ContactRow& a, const ContactRow& b) {
   double sum = 0;
   if (a.vertex_element == b.vertex_element) sum += a.of_vertex.dot(b.of_vertex);
   if (a.vertex_element == b.edge_element) sum += a.of_vertex.dot(b.of_edge);
@@ -169,8 +169,8 @@ Eigen::VectorXd ContactMatrix::operator*(const Eigen::VectorXd& forces) const {
   const UnknownsTable of_blocks = answer_of_blocks(*rows_, flexibility_.blocks, forces);
   Eigen::VectorXd all = added_.cwiseProduct(forces);
   for (Eigen::Index i = 0; i < all.size(); ++i)
-    all[i] += row(i).of_vertex.dot(of_blocks[row(i).vertex_element].transpose()) +
-              row(i).of_edge.dot(of_blocks[row(i).edge_element].transpose());
+    all[i] += product(row(i).of_vertex, of_blocks[row(i).vertex_element]) +
+              product(row(i).of_edge, of_blocks[row(i).edge_element]);
   return shared_.is_none() ? all : Eigen::VectorXd(all + shared_.times(forces));
 }
 
@@ -178,7 +178,7 @@ Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibil
   Eigen::VectorXd diagonal(static_cast<Eigen::Index>(rows.size()));
   for_each_entry(rows.size(), [&](std::size_t i) {
     const auto n = static_cast<Eigen::Index>(i);
-    diagonal[n] = product(through(rows[i], flexibility.blocks), rows[i]);
+    diagonal[n] = product_of(through(rows[i], flexibility.blocks), rows[i]);
     if (!shared.is_none()) diagonal[n] += shared.entry(n, n);
   });
   return diagonal;
@@ -189,7 +189,7 @@ RowThrough::RowThrough(const ContactMatrix& w, Eigen::Index i)
 
 double RowThrough::times(Eigen::Index j) const {
   const double of_shared = w_.shared().is_none() ? 0 : w_.shared().entry(i_, j);
-  return product(through_, w_.row(j)) + of_shared;
+  return product_of(through_, w_.row(j)) + of_shared;
 }
 
 }  // namespace keyblock

@@ -15,6 +15,16 @@ constexpr int kMostRefinements = 4;
 
 using Row = ContactRow::Row;
 
+// Adds factor columnᵀ across.
+void add_outer(double factor, const Row& column, const Row& across, BlockFactor::Block& sum) {
+  if (sum.rows() == kMostUnknowns && sum.cols() == kMostUnknowns)
+    Eigen::Map<Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>>(sum.data()).noalias() +=
+        (factor * Eigen::Map<const AllUnknowns>(column.data())) *
+        Eigen::Map<const AllUnknowns>(across.data()).transpose();
+  else
+    sum.noalias() += (factor * column.head(sum.rows())).transpose() * across.head(sum.cols());
+}
+
 }  // namespace
 
 ForcesOfBlocks::ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added)
@@ -61,9 +71,7 @@ void ForcesOfBlocks::add_pair(Eigen::Index pair, std::size_t first_unknown, int 
     const Row* columns[2] = {&of_vertex, &of_edge};
     const Row* across[2] = {&row.of_vertex, &row.of_edge};
     for (int i : {0, 1})
-      for (int j : {0, 1})
-        sums[i][j].noalias() += (stiffness * columns[i]->head(blocks_.size(blocks[i]))).transpose() *
-                                across[j]->head(blocks_.size(blocks[j]));
+      for (int j : {0, 1}) add_outer(stiffness, *columns[i], *across[j], sums[i][j]);
   }
   for (int i : {0, 1})
     for (int j : {0, 1})
@@ -75,7 +83,10 @@ Eigen::VectorXd ForcesOfBlocks::on_blocks(const Eigen::VectorXd& forces) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(blocks_.row_count());
   const auto add = [&](ElementIndex e, const Row& row, double force) {
     const int block = blocks_.of(e);
-    if (block >= 0)
+    if (block < 0) return;
+    if (blocks_.size(block) == kMostUnknowns)
+      sum.segment<kMostUnknowns>(blocks_.first_row(block)) += force * Eigen::Map<const AllUnknowns>(row.data());
+    else
       sum.segment(blocks_.first_row(block), blocks_.size(block)) += force * row.head(blocks_.size(block)).transpose();
   };
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
@@ -90,6 +101,8 @@ double ForcesOfBlocks::rate(Eigen::Index i, const Eigen::VectorXd& x) const {
   const auto of = [&](ElementIndex e, const Row& row) {
     const int block = blocks_.of(e);
     if (block < 0) return 0.0;
+    if (blocks_.size(block) == kMostUnknowns)
+      return Eigen::Map<const AllUnknowns>(row.data()).dot(x.segment<kMostUnknowns>(blocks_.first_row(block)));
     return row.head(blocks_.size(block)).dot(x.segment(blocks_.first_row(block), blocks_.size(block)));
   };
   return of(w_.row(i).vertex_element, w_.row(i).of_vertex) + of(w_.row(i).edge_element, w_.row(i).of_edge);

@@ -17,9 +17,13 @@ Unknowns known(const StepSum& sum, const BlockMotion& start) {
 
 StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule& rule) {
   const auto put_inverse = [](const UnknownBlock& of, UnknownBlock& inverse) {
-    const auto factor = of.llt();
-    inverse = factor.solve(UnknownBlock::Identity(of.rows(), of.cols()));
-    return factor.info() == Eigen::Success;
+    const auto put = [&](const auto& whole) {
+      const auto factor = whole.llt();
+      inverse = factor.solve(std::decay_t<decltype(whole)>::Identity(whole.rows(), whole.cols()));
+      return factor.info() == Eigen::Success;
+    };
+    if (of.rows() != kMostUnknowns) return put(of);
+    return put(Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>(of));  // of a size that the compiler knows
   };
   StepInverses made;
   const double missing =

@@ -50,6 +50,8 @@ inline constexpr double kTolerable = 1e-6;
 // directions of forces are then as good as that, and gaps are those of the estimate itself in any case.
 inline constexpr int kMostRows = 2;
 inline constexpr double kSameRows = 1e-9;
+// Of few pairs they cost next to nothing: forces then do their work along the way of the step to the last digits.
+inline constexpr double kSameRowsOfFew = kSettled;
 // In assemblies rows may be as wrong as forces are, and forces that meet the gaps of the last estimate within this many
 // times their goal, a hundred-thousandth of the heaviest load, are not sought again: what is left is a share of that
 // size of the free fall of a step.

@@ -25,9 +25,11 @@ void FreeMotion::evaluate(const UnknownsTable& estimate) {
   for (const auto& of_group : estimated_) of_group->evaluate(estimate, step_);
 }
 
-UnknownsTable FreeMotion::steady() const {
-  UnknownsTable increments = plus(start_.v, -1, step_.known_velocity);
-  increments *= 1 / rate();
+UnknownsTable FreeMotion::going_on() const {
+  const bool keeps_velocity = !is_linear() || rule_.end_acceleration.increment == 0;
+  UnknownsTable increments =
+      keeps_velocity ? plus(start_.v, -1, step_.known_velocity) : plus(start_.a, -1, step_.known_acceleration);
+  increments *= 1 / (keeps_velocity ? rate() : rule_.end_acceleration.increment);
   return increments;
 }
 

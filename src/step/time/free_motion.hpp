@@ -37,8 +37,10 @@ class FreeMotion {
 
   /// Share of the increments in the velocity at the end, over the known one.
   double rate() const { return rule_.end_velocity.increment; }
-  /// Increments of a motion that goes on as it is: at rest none.
-  UnknownsTable steady() const;
+  /// Increments of a motion that goes on as it is, at rest none: with the acceleration of the step before where bodies
+  /// are blocks, whose contact forces change little from step to step, else with the velocity, as where a rule has no
+  /// acceleration.
+  UnknownsTable going_on() const;
   /// The end of the step. `is_found`: the increments solve the equations.
   BodiesMotion end(const UnknownsTable& increments, bool is_found) const;
   /// Whether rock may yield.

@@ -23,7 +23,7 @@ class SmoothSolve {
       : tolerance_(tolerance),
         free_(scene, start, loads, rule, dt),
         contacts_(scene, start, touches, tolerance, time, dt, rule, free_) {
-    increments_ = is_linear() ? free_.increments() : before ? plus(before->q, -1, start.q) : free_.steady();
+    increments_ = is_linear() ? free_.increments() : before ? plus(before->q, -1, start.q) : free_.going_on();
     result_.forces = before ? contacts_.forces_of(*before) : contacts_.remembered_forces();
   }
 
@@ -46,9 +46,8 @@ class SmoothSolve {
   }
 
   RoundsEnd find_increment(int round) {
-    const double same = is_coarse() ? of_smooth_motion::kSameRowsOfMany : of_smooth_motion::kSameRows;
-    const bool rows_moved =
-        round > 0 && round < of_smooth_motion::kMostRows && free_.greatest_change(increments_, linearised_) > same;
+    const bool rows_moved = round > 0 && round < of_smooth_motion::kMostRows &&
+                            free_.greatest_change(increments_, linearised_) > same_rows();
     const bool falls_slowly = !free_.is_linear() && round > 1 && change_ > of_smooth_motion::kWorstGain * before_;
     if (round == 0 || falls_slowly) result_.converged = free_.linearise(increments_);
     if (!result_.converged) return RoundsEnd::no_factor;
@@ -92,6 +91,12 @@ class SmoothSolve {
 
   // Very many pairs between blocks alone.
   bool is_coarse() const { return free_.is_linear() && contacts_.touch_count() > FrictionalProblem::kVeryManyPairs; }
+
+  double same_rows() const {
+    if (is_coarse()) return of_smooth_motion::kSameRowsOfMany;
+    const bool are_few = contacts_.touch_count() <= FrictionalProblem::kFewPairs;
+    return are_few ? of_smooth_motion::kSameRowsOfFew : of_smooth_motion::kSameRows;
+  }
 
   // What forces leave of the gaps of the last estimate is nothing to their goal, or no more than they left of those
   // before.
