@@ -46,6 +46,12 @@ std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
   return formats::write_dxf(content);
 }
 
+std::vector<int> numbers_of(const Frame& frame, const std::vector<std::size_t>& elements) {
+  std::vector<int> numbers;
+  for (const std::size_t i : elements) numbers.push_back(number_of(frame, i));
+  return numbers;
+}
+
 std::string histories_header(const Units& units) {
   return formats::headings(formats::kHistoriesTable, units) + '\n';
 }
@@ -171,37 +177,45 @@ void RunFolder::write_list_of_frames() {
   files_.write(kFrameList, frame_files_.list());
 }
 
-void RunFolder::write_tables(const RunTables& tables) {
+void RunFolder::write_tables(const RunTables& tables, const std::vector<int>& hidden) {
   flush_histories();
-  files_.write(formats::kHistoryTable.file, formats::history_csv(tables.history, units_));
+  files_.write(formats::kHistoryTable.file,
+               formats::history_csv(tables.history, units_, columns_of_history(tables.history, hidden)));
   files_.write(formats::kStepTable.file, tables.steps);
   if (!tables.ledger.empty()) files_.write(formats::kLedgerTable.file, tables.ledger);
   if (tables.history.of_measured_points)
     files_.write(formats::kPointsTable.file, formats::points_csv(tables.history, units_));
 }
 
-void RunFolder::write_pictures(const RunResults& results) {
-  const auto& [title, tables, steps, ledger, field, is_of_motion, marked, marked_words, follows] = results;
-  const History& history = tables.history;
+void RunFolder::write_pictures(const RunResults& results, const std::vector<std::size_t>& left_out) {
+  const FieldFrame& field = results.field;
+  const History& history = results.tables.history;
   const std::string at_end =
-      fmt::format("{}, time {:g}{}{}", title, field.time, units_.time.empty() ? "" : " ", units_.time);
-  files_.write("picture.svg", report::run_picture({title,
+      fmt::format("{}, time {:g}{}{}", results.title, field.time, units_.time.empty() ? "" : " ", units_.time);
+  const Shown shown{history, frames_.front(), field, numbers_of(frames_.back(), left_out)};
+  files_.write("picture.svg", report::run_picture({results.title,
                                                    frames_.front(),
                                                    frames_.back(),
-                                                   displacement_curves(history, frames_.front(), field),
+                                                   displacement_curves(shown),
                                                    {with_unit("time", measures::kTime, units_),
                                                     with_unit("displacement", measures::kLength, units_)},
                                                    units_.time,
-                                                   marked,
-                                                   marked_words,
-                                                   units_}));
-  if (ledger.rows.size() > 1) files_.write("energy.svg", report::energy_picture(title + ", energy", ledger, units_));
+                                                   results.marked,
+                                                   results.marked_words,
+                                                   units_,
+                                                   left_out,
+                                                   numbers_of_curves(shown),
+                                                   numbered_words(shown)}));
+  if (results.ledger.rows.size() > 1)
+    files_.write("energy.svg", report::energy_picture(results.title + ", energy", results.ledger, units_));
   files_.write("field.svg", report::field_picture({at_end, field, field, frames_.back().measured_points,
-                                                   report::most_varied(field), is_of_motion, units_}));
+                                                   results.shown.empty() ? report::most_varied(field)
+                                                                         : report::field_of_word(results.shown),
+                                                   results.is_of_motion, units_, left_out}));
   if (field.plastic)
     files_.write("plastic.svg", report::plastic_picture({at_end, field, frames_.back().outlines, units_}));
   if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
-    files_.write(kReactionFile, report::reaction_picture(title + ", reactions", curves, units_));
+    files_.write(kReactionFile, report::reaction_picture(results.title + ", reactions", curves, units_));
 }
 
 void RunFolder::finish(const RunResults& results) {
@@ -211,11 +225,13 @@ void RunFolder::finish(const RunResults& results) {
   flush_histories();
   if (results.follows_by_choice && histories_.has_begun()) files_.name(formats::kHistoriesTable.file);
   for (const std::string& name : frame_tables_.names()) files_.name(name);
-  write_tables(results.tables);
+  const std::vector<std::size_t> left_out = report::left_out_of(frames_.front(), frames_.back(), results.marked);
+  const std::vector<int> hidden = numbers_of(frames_.back(), left_out);
+  write_tables(results.tables, hidden);
   if (!results.follows_by_choice)
     files_.write(formats::kHistoriesTable.file,
-                 histories_header(units_) + most_moved_rows(history, frames_.front(), results.field, units_));
-  write_pictures(results);
+                 histories_header(units_) + most_moved_rows({history, frames_.front(), results.field, hidden}, units_));
+  write_pictures(results, left_out);
   if (const std::string tips = formats::tips_csv(history, units_); !tips.empty()) {
     files_.write(formats::kTipsTable.file, tips);
     files_.write("cracks.svg",

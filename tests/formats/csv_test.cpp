@@ -86,6 +86,13 @@ TEST(Csv, history_ends_with_the_forces_of_bolts) {
             "1,0.5,1,2,3,4,-50,100.5\n");
 }
 
+// Of 300 blocks it would have 1,202 columns.
+TEST(Csv, history_of_chosen_points_keeps_their_numbers) {
+  History history;
+  history.rows.push_back({1, 0.5, {{{1, 2}, {3, 4}, 0, {}}, {{5, 6}, {7, 8}, 1, {}}, {{9, 10}, {11, 12}, 2, {}}}, {}});
+  EXPECT_EQ(history_csv(history, {}, {2}), "step,time [T],x3 [L],y3 [L],dx3 [L],dy3 [L]\n1,0.5,9,10,11,12\n");
+}
+
 TEST(Csv, history_without_rows_is_a_header_alone) {
   EXPECT_EQ(history_csv({}), "step,time [T]\n");
 }
