@@ -56,6 +56,37 @@ std::string histories_header(const Units& units) {
   return formats::headings(formats::kHistoriesTable, units) + '\n';
 }
 
+void write_pictures(OutputFiles& files, const RunResults& results, const Frame& start, const Frame& end,
+                    const std::vector<std::size_t>& left_out, const Units& units) {
+  const FieldFrame& field = results.field;
+  const History& history = results.tables.history;
+  const std::string at_end =
+      fmt::format("{}, time {:g}{}{}", results.title, field.time, units.time.empty() ? "" : " ", units.time);
+  const Shown shown{history, start, field, numbers_of(end, left_out)};
+  files.write("picture.svg", report::run_picture({results.title,
+                                                  start,
+                                                  end,
+                                                  displacement_curves(shown),
+                                                  {with_unit("time", measures::kTime, units),
+                                                   with_unit("displacement", measures::kLength, units)},
+                                                  units.time,
+                                                  results.marked,
+                                                  results.marked_words,
+                                                  units,
+                                                  left_out,
+                                                  numbers_of_curves(shown),
+                                                  numbered_words(shown)}));
+  if (results.ledger.rows.size() > 1)
+    files.write("energy.svg", report::energy_picture(results.title + ", energy", results.ledger, units));
+  files.write("field.svg", report::field_picture({at_end, field, field, end.measured_points,
+                                                  results.shown.empty() ? report::most_varied(field)
+                                                                        : report::field_of_word(results.shown),
+                                                  results.is_of_motion, units, left_out}));
+  if (field.plastic) files.write("plastic.svg", report::plastic_picture({at_end, field, end.outlines, units}));
+  if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
+    files.write(kReactionFile, report::reaction_picture(results.title + ", reactions", curves, units));
+}
+
 }  // namespace
 
 RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace, Units units)
@@ -187,37 +218,6 @@ void RunFolder::write_tables(const RunTables& tables, const std::vector<int>& hi
     files_.write(formats::kPointsTable.file, formats::points_csv(tables.history, units_));
 }
 
-void RunFolder::write_pictures(const RunResults& results, const std::vector<std::size_t>& left_out) {
-  const FieldFrame& field = results.field;
-  const History& history = results.tables.history;
-  const std::string at_end =
-      fmt::format("{}, time {:g}{}{}", results.title, field.time, units_.time.empty() ? "" : " ", units_.time);
-  const Shown shown{history, frames_.front(), field, numbers_of(frames_.back(), left_out)};
-  files_.write("picture.svg", report::run_picture({results.title,
-                                                   frames_.front(),
-                                                   frames_.back(),
-                                                   displacement_curves(shown),
-                                                   {with_unit("time", measures::kTime, units_),
-                                                    with_unit("displacement", measures::kLength, units_)},
-                                                   units_.time,
-                                                   results.marked,
-                                                   results.marked_words,
-                                                   units_,
-                                                   left_out,
-                                                   numbers_of_curves(shown),
-                                                   numbered_words(shown)}));
-  if (results.ledger.rows.size() > 1)
-    files_.write("energy.svg", report::energy_picture(results.title + ", energy", results.ledger, units_));
-  files_.write("field.svg", report::field_picture({at_end, field, field, frames_.back().measured_points,
-                                                   results.shown.empty() ? report::most_varied(field)
-                                                                         : report::field_of_word(results.shown),
-                                                   results.is_of_motion, units_, left_out}));
-  if (field.plastic)
-    files_.write("plastic.svg", report::plastic_picture({at_end, field, frames_.back().outlines, units_}));
-  if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
-    files_.write(kReactionFile, report::reaction_picture(results.title + ", reactions", curves, units_));
-}
-
 void RunFolder::finish(const RunResults& results) {
   const History& history = results.tables.history;
   files_.forget_names();
@@ -231,7 +231,7 @@ void RunFolder::finish(const RunResults& results) {
   if (!results.follows_by_choice)
     files_.write(formats::kHistoriesTable.file,
                  histories_header(units_) + most_moved_rows({history, frames_.front(), results.field, hidden}, units_));
-  write_pictures(results, left_out);
+  write_pictures(files_, results, frames_.front(), frames_.back(), left_out, units_);
   if (const std::string tips = formats::tips_csv(history, units_); !tips.empty()) {
     files_.write(formats::kTipsTable.file, tips);
     files_.write("cracks.svg",

@@ -94,7 +94,8 @@ class RunFolder {
   /// Lines of histories.csv, kept for a while before they are written.
   void add_histories(const std::string& rows);
 
-  /// history.csv (`hidden`: numbers of blocks that pictures leave out), step_table.csv, ledger.csv if there is a ledger, points.csv where points are measured.
+  /// history.csv (`hidden`: numbers of blocks that pictures leave out), step_table.csv, ledger.csv if there is a
+  /// ledger, points.csv where points are measured.
   void write_tables(const RunTables& tables, const std::vector<int>& hidden = {});
 
   /// All tables, fields.pvd, picture.svg, field.svg; energy.svg if there is a
@@ -115,7 +116,6 @@ class RunFolder {
 
  private:
   void write_list_of_frames();
-  void write_pictures(const RunResults& results, const std::vector<std::size_t>& left_out);
   void flush_frames();
   void flush_histories();
 

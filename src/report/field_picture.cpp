@@ -65,6 +65,13 @@ bool is_amount(FieldShown shown) {
   return shown == FieldShown::von_mises || is_displacement(shown);
 }
 
+// A principal stress is of one sign in most rock: white is then none, not the middle.
+ColourScale::Map map_of(FieldShown shown) {
+  if (is_amount(shown)) return ColourScale::Map::rising;
+  const bool is_principal = shown == FieldShown::greatest || shown == FieldShown::least;
+  return is_principal ? ColourScale::Map::about_zero : ColourScale::Map::diverging;
+}
+
 std::string caption_of(FieldShown shown, bool is_there) {
   if (!is_there) return is_displacement(shown) ? "no displacement" : "no stress";
   const std::string_view name = name_of(shown);
@@ -176,11 +183,11 @@ std::string field_picture(const FieldPicture& whole) {
   caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
   draw_mesh(page, map(1), picture.end, deformed, true);
   const std::vector<Patch> patches = shown_patches(picture.end, picture.shown, is_true ? deformed : as_drawn);
-  const ColourScale scale = is_amount(picture.shown) ? scale_of(patches, ColourScale::Map::rising) : scale_of(patches);
+  const ColourScale scale = scale_of(patches, map_of(picture.shown));
   const bool is_there = scale.low != 0 || scale.high != 0;
   caption(2, caption_of(picture.shown, is_there));
   draw_patches(page, map(2), patches, scale);
-  if (body_count(picture.end) == picture.end.elements.size())
+  if (body_count(whole.end) == whole.end.elements.size())
     draw_mesh(page, map(2), picture.end, is_true ? deformed : as_drawn, false);
   for (const PointFrame& point : picture.measured) {
     const Point at = is_true ? point.position : point.position - point.displacement;

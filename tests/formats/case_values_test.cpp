@@ -60,7 +60,8 @@ TEST(CaseValues, faults_are_named_where_they_stand) {
   EXPECT_EQ(error_of(case_of(kMetre, unnamed, kJoint, kRatio)),
             "f:2:37: error: expected the number or the name of a block material, one of granit rock; did you mean "
             "\"granit rock\"?, found \"granite rock\"");
-  EXPECT_NE(error_of(case_of("{}", kRock, kJoint, kRatio)).find("time_step: units of the case"), std::string::npos);
+  EXPECT_NE(error_of(case_of("{}", kRock, kJoint, kRatio)).find("time_step: a number, or the section \"units\""),
+            std::string::npos);
   EXPECT_NE(error_of(case_of(kMetre, kRock, R"({"name": "bedding", "like": "granite_jiont"})", kRatio))
                 .find("did you mean \"granite_joint\"?"),
             std::string::npos);

@@ -50,7 +50,8 @@ TEST(Csv, steps_table_has_the_columns_of_the_reference_traces) {
                                           .penalty = 5e9,
                                           .displacement_ratio = 0.5,
                                           .greatest_penetration = 1e-6,
-                                          .residual = 0}}};
+                                          .residual = 0,
+                                          .residual_at = {}}}};
   EXPECT_EQ(steps_csv(steps),
             "step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration\n"
             "1,0.001,0.001,2,3,1,4,5e+09,0.5,1e-06\n");

@@ -89,8 +89,8 @@ TEST(Measure, a_name_is_worth_what_the_declared_units_make_of_it) {
     }
 }
 
-// Against factors that were published: NIST Special Publication 811 (2008), appendix B, to its seven digits, and products
-// of the exact ones of metre, kilogram and second.
+// Against factors that were published: NIST Special Publication 811 (2008), appendix B, to its seven digits, and
+// products of the exact ones of metre, kilogram and second.
 TEST(Measure, names_are_worth_what_tables_of_conversion_say) {
   struct Row {
     const Units& units;
