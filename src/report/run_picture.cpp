@@ -184,8 +184,9 @@ std::vector<std::size_t> left_out_of(const Frame& start, const Frame& end, const
 }
 
 std::string run_picture(const RunPicture& whole) {
-  const RunPicture picture = framed(whole);
+  RunPicture picture = framed(whole);
   const bool chart = std::ranges::any_of(picture.curves, [](const Curve& curve) { return curve.x.size() > 1; });
+  if (!chart) picture.numbers.clear();
   const Box box = bounds(picture.start, picture.end);
   const Layout layout = choose_layout(box, chart);
   const std::vector<LegendEntry> legend = make_legend(picture);

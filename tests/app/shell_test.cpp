@@ -108,6 +108,20 @@ TEST(Shell, settings_come_in_groups_those_set_first_ahead) {
   EXPECT_GT(text.find("\nquirk."), quirks);
 }
 
+// After 20 steps a run of a million knows what they cost; one that is soon over needs no forecast.
+TEST(Shell, a_long_run_foretells_what_it_costs) {
+  const std::string folder = fresh_folder("forecast");
+  ASSERT_EQ(run_keyblock({"new", "slope", "-o", folder + "/slope.json"}).exit_code, 0);
+  const std::string out = folder + "/long";
+  const ProgramRun run = support::interrupt_keyblock(
+      {"run", folder + "/slope.json", "-o", out, "--set", "steps=1000000"}, out + "/step_table.csv");
+  EXPECT_EQ(run.exit_code, 130) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "forecast after 20 steps: ")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, " s a step, about ")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, " for the 999980 that are left")) << run.messages;
+  EXPECT_FALSE(contains(run_keyblock(slide_into(folder + "/short")).messages, "forecast"));
+}
+
 TEST(Shell, quiet_says_errors_alone_and_a_log_keeps_all) {
   const std::string folder = fresh_folder("quiet");
   const ProgramRun quiet = run_keyblock(slide_into(folder + "/a", {"--quiet"}));

@@ -125,6 +125,8 @@ TEST(RunPicture, what_has_a_curve_has_its_number_in_the_drawing) {
   picture.numbered_words = "block whose curve is drawn";
   EXPECT_TRUE(has(run_picture(picture), ">17<"));
   EXPECT_TRUE(has(run_picture(picture), ">block whose curve is drawn<"));
+  picture.curves.clear();  // of a run without a step
+  EXPECT_FALSE(has(run_picture(picture), "whose curve is drawn"));
 }
 
 TEST(RunPicture, several_materials_have_a_legend) {

@@ -53,7 +53,7 @@ constexpr const char* kExitCodes =
 
 std::string man_page(const CLI::App& program) {
   std::string page = fmt::format(
-      ".TH KEYBLOCK 1 \"\" \"keyblock {}\" \"User Commands\"\n"
+      ".\\\" -*- coding: utf-8 -*-\n.TH KEYBLOCK 1 \"\" \"keyblock {}\" \"User Commands\"\n"
       ".SH NAME\nkeyblock \\- discontinuous deformation analysis and the numerical manifold method\n"
       ".SH SYNOPSIS\n\\fBkeyblock\\fR \\fIcommand\\fR [\\fIoptions\\fR]\n"
       ".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}.SH COMMANDS\n",
