@@ -10,7 +10,7 @@ PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
            libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev
 
-.PHONY: help build debug run test cases index fronts validate bench sanitize fuzz format tidy clean packages
+.PHONY: help build install debug run test cases index fronts validate bench sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## use | | this list
@@ -69,6 +69,17 @@ bench: packages ## cases | long | measures the time of a step from 100 to 100,00
 build: packages ## use | 16 min | compiles the program build/keyblock and its tests
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(JOBS)
+
+# The program is that of this kind of machine (KEYBLOCK_NATIVE); root's paths are /usr/local, others may say PREFIX=$$HOME/.local.
+PREFIX ?= /usr/local
+install: packages ## use | 1 s | puts program, man page and completion of bash below PREFIX=/usr/local (DESTDIR before it)
+	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+	cmake --build build --parallel $(JOBS) --target keyblock
+	install -D -m 755 build/keyblock "$(DESTDIR)$(PREFIX)/bin/keyblock"
+	build/keyblock shell man >build/keyblock.1
+	build/keyblock shell bash >build/keyblock.bash
+	install -D -m 644 build/keyblock.1 "$(DESTDIR)$(PREFIX)/share/man/man1/keyblock.1"
+	install -D -m 644 build/keyblock.bash "$(DESTDIR)$(PREFIX)/share/bash-completion/completions/keyblock"
 
 debug: packages ## care | long | compiles with assertions and debug information in build-debug, each file by itself
 	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug -DKEYBLOCK_BATCHES=OFF

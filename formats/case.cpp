@@ -123,19 +123,32 @@ void open_named_drawings(std::vector<FileReading>& files) {
   namespace fs = std::filesystem;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (!files[i].reading || files[i].reading->content.drawing_file.empty()) continue;
-    const Content& content = files[i].reading->content;
+    const Content content = files[i].reading->content;
+    const auto refuse = [&](const std::string& found) {
+      files[i].error = InputError(
+          content.drawing_file_place,
+          fmt::format("expected the name of a drawing in the folder of the case, such as \"slope.dxf\", found {}",
+                      found));
+      files[i].reading.reset();
+    };
     const std::string path = (fs::path(files[i].path).parent_path() / content.drawing_file).string();
     std::error_code error;
     const bool is_given =
         std::ranges::any_of(files, [&](const FileReading& file) { return fs::equivalent(file.path, path, error); });
     if (is_given) continue;
     if (!fs::is_regular_file(path, error)) {
-      files[i].error = InputError(content.drawing_file_place,
-                                  fmt::format("expected the drawing of the case, {}, found no such file", path));
-      files[i].reading.reset();
+      refuse(fs::is_directory(path, error) ? fmt::format("the folder \"{}\"", content.drawing_file)
+                                           : fmt::format("\"{}\": there is no file {}", content.drawing_file, path));
       continue;
     }
-    files.push_back(open(path));
+    FileReading drawing = open(path);
+    const bool has_geometry = drawing.reading && (drawing.reading->content.drawing || drawing.reading->content.blocks ||
+                                                  drawing.reading->content.cover);
+    if (drawing.reading && !has_geometry) {
+      refuse(fmt::format("\"{}\", a {} without one", content.drawing_file, drawing.choice->format->title));
+      continue;
+    }
+    files.push_back(std::move(drawing));
   }
 }
 

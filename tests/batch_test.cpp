@@ -210,6 +210,18 @@ TEST(Batch, an_interrupted_batch_finishes_what_runs_and_exits_130) {
   }
 }
 
+// The job that runs is finished, and none is left: the batch is done.
+TEST(Batch, a_stop_during_the_last_job_leaves_nothing_undone) {
+  const fs::path root = fresh_folder("batch_stopped_last");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in");
+  const ProgramRun run = support::interrupt_keyblock(
+      {"batch", root / "in", "--run", "--profile", "legacy", "-o", root / "out", "--jobs", "1"},
+      (root / "out" / "jobs").string());
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_TRUE(fs::exists(root / "out" / "catalogue.csv"));
+  EXPECT_EQ(jobs_in(root / "out").at(0)["verdict"], "ran");
+}
+
 TEST(Batch, begun_again_it_leaves_nothing_of_the_earlier_one) {
   const fs::path root = fresh_folder("batch_force");
   copy_case("stack/five_blocks/five_blocks", root / "in");

@@ -46,11 +46,6 @@ inline constexpr std::array<std::string_view, 3> kGrowthLoads{"automatic", "scal
 inline constexpr std::array<std::string_view, 4> kContactTables{"automatic", "all", "chosen", "none"};
 inline constexpr std::array<std::string_view, 2> kRotations{"first_order", "exact"};
 
-// Names only: a misspelt one would stand in every later file.
-inline constexpr std::array<std::string_view, 8> kLengthUnits{"m", "mm", "cm", "dm", "km", "in", "ft", "yd"};
-inline constexpr std::array<std::string_view, 8> kMassUnits{"kg", "g", "t", "Mg", "kt", "lb", "slug", "tonne"};
-inline constexpr std::array<std::string_view, 7> kTimeUnits{"s", "ms", "min", "h", "d", "day", "year"};
-
 inline constexpr double kDefaultEdgeNodeRatio = 0.001;  // as that of DXF files and joint sets
 
 template <class F>

@@ -14,7 +14,7 @@
 
 #include "formats/case_file/material_library.hpp"
 #include "formats/case_file/number_fields.hpp"
-#include "formats/case_file/unit_names.hpp"
+#include "problem/units/unit_names.hpp"
 
 namespace keyblock::formats {
 
@@ -50,6 +50,7 @@ class CaseReading : public NumberFields {
     if (value_->kind() == JsonKind::string) {
       file = value_->string();
       place = value_->place();
+      if (file.empty()) value_->fail(fmt::format("{}: the name of a file, such as \"slope.dxf\"", name));
     } else {
       fill(of_kind(JsonKind::object, name), name, value.emplace());
     }

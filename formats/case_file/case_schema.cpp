@@ -11,7 +11,7 @@
 #include "formats/case_file/case_values.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/case_file/material_library.hpp"
-#include "formats/case_file/unit_names.hpp"
+#include "problem/units/unit_names.hpp"
 
 namespace keyblock::formats {
 namespace {

@@ -27,7 +27,9 @@ double NumberFields::converted_at(const JsonValue& value, std::string_view name,
   const auto [number, lacks_units] = converted(value.string(), measure, value.units());
   if (lacks_units)
     value.fail(fmt::format(
-        "{}: units of the case (\"units\": {{\"length\": \"m\", …}}), into which a value is converted", name));
+        "{}: a number, or the section \"units\": {{\"length\": \"m\", \"mass\": \"kg\", \"time\": \"s\"}} in the case, "
+        "to whose units a value with a unit is converted",
+        name));
   if (!number) value.fail(fmt::format("{}: {}, or {}", name, or_else, example_of(measure)));
   return *number;
 }

@@ -130,7 +130,7 @@ void append_totals(std::string& text, const std::optional<PlasticTotals>& plasti
 
 /// How many columns of each kind the rows of a history have.
 struct HistoryColumns {
-  std::size_t points = 0;
+  std::vector<std::size_t> points;  ///< their places in a row
   std::size_t bolts = 0;
   std::size_t reactions = 0;
   std::size_t driven = 0;
@@ -138,9 +138,10 @@ struct HistoryColumns {
   bool has_factor = false;
   bool has_plastic = false;
 
-  explicit HistoryColumns(const History& history) {
+  HistoryColumns(const History& history, const std::vector<std::size_t>& chosen) : points(chosen) {
+    std::size_t most = 0;
     for (const HistoryRow& row : history.rows) {
-      points = std::max(points, row.points.size());
+      most = std::max(most, row.points.size());
       bolts = std::max(bolts, row.bolt_forces.size());
       reactions = std::max(reactions, row.reactions.size());
       driven = std::max(driven, row.driven.size());
@@ -148,15 +149,18 @@ struct HistoryColumns {
       has_factor = has_factor || row.load_factor != 1;
       has_plastic = has_plastic || row.plastic.has_value();
     }
+    for (std::size_t i = 0; chosen.empty() && i < most; ++i) points.push_back(i);
   }
 
   std::string header(const Units& units) const {
     std::vector<std::string> names{"step", "time"};
-    const auto put = [&](std::size_t count, std::initializer_list<const char*> of_each) {
-      for (std::size_t i = 1; i <= count; ++i)
-        for (const char* name : of_each) names.push_back(fmt::format(fmt::runtime(name), i));
+    const auto put_at = [&](std::size_t i, std::initializer_list<const char*> of_each) {
+      for (const char* name : of_each) names.push_back(fmt::format(fmt::runtime(name), i + 1));
     };
-    put(points, {"x{}", "y{}", "dx{}", "dy{}"});
+    const auto put = [&](std::size_t count, std::initializer_list<const char*> of_each) {
+      for (std::size_t i = 0; i < count; ++i) put_at(i, of_each);
+    };
+    for (const std::size_t i : points) put_at(i, {"x{}", "y{}", "dx{}", "dy{}"});
     put(bolts, {"bolt{}"});
     put(reactions, {"reaction{}_x", "reaction{}_y"});
     put(driven, {"driven{}"});
@@ -169,13 +173,13 @@ struct HistoryColumns {
 
 }  // namespace
 
-std::string history_csv(const History& history, const Units& units) {
-  const HistoryColumns columns(history);
+std::string history_csv(const History& history, const Units& units, const std::vector<std::size_t>& chosen) {
+  const HistoryColumns columns(history, chosen);
   std::string text = columns.header(units);
   for (const HistoryRow& row : history.rows) {
     text += fmt::format("{}", row.step);
     append_row(text, {row.time});
-    for (std::size_t i = 0; i < columns.points; ++i) {
+    for (const std::size_t i : columns.points) {
       if (i < row.points.size() && is_there(row.points[i]))
         append_row(text, {row.points[i].position.x, row.points[i].position.y, row.points[i].displacement.x,
                           row.points[i].displacement.y});
@@ -199,7 +203,7 @@ std::string history_csv(const History& history, const Units& units) {
 }
 
 std::string points_csv(const History& history, const Units& units) {
-  const bool has_plastic = HistoryColumns(history).has_plastic;
+  const bool has_plastic = HistoryColumns(history, {}).has_plastic;
   std::string text = headings_of(kPointsTable, has_plastic, units);
   for (const HistoryRow& row : history.rows) {
     for (std::size_t i = 0; i < row.points.size(); ++i) {

@@ -47,7 +47,8 @@
 
 namespace keyblock::formats {
 
-std::string history_csv(const History& history, const Units& units = {});
+/// Of the points at these places of the rows, counted from 1 as in whole tables; all of them where none are chosen.
+std::string history_csv(const History& history, const Units& units = {}, const std::vector<std::size_t>& chosen = {});
 std::string points_csv(const History& history, const Units& units = {});
 std::string steps_csv(std::span<const StepReport> steps, const Units& units = {});
 std::string rounds_csv(std::span<const StepReport> steps);

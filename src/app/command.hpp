@@ -44,6 +44,7 @@ Action configure_element(CLI::App& options);   ///< element_command.cpp
 Action configure_fit(CLI::App& options);       ///< fit_command.cpp
 Action configure_sif(CLI::App& options);       ///< sif_command.cpp
 Action configure_formats(CLI::App& options);   ///< formats_command.cpp
+Action configure_shell(CLI::App& options);     ///< shell/shell_command.cpp
 Action configure_version(CLI::App& options);   ///< version.cpp
 
 }  // namespace keyblock

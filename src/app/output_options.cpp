@@ -10,11 +10,12 @@
 
 #include "base/error.hpp"
 #include "job/folder/frame_tables.hpp"
+#include "report/field_picture.hpp"
 #include "run/follow/history_option.hpp"
 
 namespace keyblock {
 
-std::pair<CLI::Option*, CLI::Option*> add_output_options(CLI::App& options, OutputOptions& chosen) {
+std::array<CLI::Option*, 3> add_output_options(CLI::App& options, OutputOptions& chosen) {
   CLI::Option* histories =
       options
           .add_option("--history", chosen.histories,
@@ -26,7 +27,14 @@ std::pair<CLI::Option*, CLI::Option*> add_output_options(CLI::App& options, Outp
       fmt::format("which contacts are written: automatic (all; up to {:g} rows those of every frame), all, chosen "
                   "(those of histories), none, or N: those of every N-th frame",
                   kMostContactRows));
-  return {histories, contacts};
+  CLI::Option* field =
+      options
+          .add_option(
+              "--field", chosen.field,
+              "what field.svg shows: a component of stress, a principal one (s1 the greatest, s3 the least), the "
+              "stress to von Mises, or the displacement (default: the component that varies most)")
+          ->check(CLI::IsMember(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
+  return {histories, contacts, field};
 }
 
 OutputPlan outputs_asked(OutputPlan plan, const OutputOptions& options) {

@@ -18,6 +18,9 @@ constexpr double kTerminalSeconds = 0.2;  // between two renewals on a terminal
 constexpr double kLogSeconds = 5;         // between two lines in a log
 constexpr double kPatience = 2;           // without a step, until that is told
 constexpr double kLeastShare = 0.02;      // of a search, from which on its end is guessed
+constexpr double kForecastSeconds = 2;    // of stepping, or so many steps, after which the cost of all is foretold
+constexpr int kForecastSteps = 20;
+constexpr double kLongRun = 20;  // seconds left, below which nobody needs to be told
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
@@ -31,12 +34,22 @@ void show(const std::string& text) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(int step_count, int steps_done)
+std::string time_in_words(double seconds) {
+  constexpr double kMinute = 60, kHour = 3600, kDay = 86400;
+  if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
+  if (seconds < 2 * kDay) return fmt::format("{:.1f} h", seconds / kHour);
+  return fmt::format("{:.1f} days", seconds / kDay);
+}
+
+ProgressLine::ProgressLine(int step_count, int steps_done, std::string cheaper)
     : step_count_(step_count),
       steps_done_(steps_done),
+      cheaper_(std::move(cheaper)),
       on_terminal_(isatty(STDERR_FILENO) == 1),
       started_(Clock::now()),
       shown_(started_),
+      first_(started_),
       stepped_(started_),
       step_(steps_done) {
   forget_headway();
@@ -58,7 +71,25 @@ std::string ProgressLine::words_of_waiting(Clock::time_point now) const {
   if (way.share < kLeastShare) return words;
   words += fmt::format(", about {:.0f} % of the way", 100 * way.share);
   const double left = seconds(now - stepped_) * (1 - way.share) / way.share;
-  return words + fmt::format(", {:.0f} s left", left);
+  return words + fmt::format(", {} left", time_in_words(left));
+}
+
+// The first step may have come after a long search for the start.
+double ProgressLine::seconds_a_step(Clock::time_point now) const {
+  const int made = step_ - steps_done_;
+  return made < 2 ? seconds(now - started_) : seconds(now - first_) / (made - 1);
+}
+
+void ProgressLine::forecast(Clock::time_point now) {
+  const int made = step_ - steps_done_;
+  if (is_forecast_ || made < 2 || (made < kForecastSteps && seconds(now - first_) < kForecastSeconds)) return;
+  is_forecast_ = true;
+  if (seconds_left(now) < kLongRun) return;
+  keyblock::show(fmt::format(
+      "{}forecast after {} steps: {:.2g} s a step, about {} for the {} that are left{}\n", line_open_ ? "\r\x1b[K" : "",
+      made, seconds_a_step(now), time_in_words(seconds_left(now)), step_count_ - step_,
+      cheaper_.empty() ? "" : "; contact springs are stiff for the step: " + cheaper_ + " makes steps cheaper"));
+  line_open_ = false;
 }
 
 void ProgressLine::tell_of_waiting() {
@@ -79,14 +110,15 @@ void ProgressLine::show(const StepReport& report) {
   const Clock::time_point now = Clock::now();
   stepped_ = now;
   step_ = report.step;
+  if (step_ == steps_done_ + 1) first_ = now;
+  forecast(now);
   forget_headway();
   const bool last = report.step == step_count_;
   if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : kLogSeconds)) return;
   shown_ = now;
-  const double left = seconds(now - started_) / (report.step - steps_done_) * (step_count_ - report.step);
-  keyblock::show(fmt::format("{}step {} of {}  time {:.6g}  dt {:.4g}  passes {}  {:.0f} s left{}",
+  keyblock::show(fmt::format("{}step {} of {}  time {:.6g}  dt {:.4g}  passes {}  {} left{}",
                              on_terminal_ ? "\r\x1b[K" : "", report.step, step_count_, report.time, report.dt,
-                             report.passes, left, on_terminal_ ? "" : "\n"));
+                             report.passes, time_in_words(seconds_left(now)), on_terminal_ ? "" : "\n"));
   line_open_ = on_terminal_;
 }
 

@@ -12,13 +12,17 @@
 
 namespace keyblock {
 
+/// "40 s", "12 min", "3.5 h", "2.1 days".
+std::string time_in_words(double seconds);
+
 /// On a terminal one line renewed a few times a second; elsewhere a line now and then. Between steps that take long,
 /// and in the search for the start or for an equilibrium, it says for how long by now, how far it is and how much time
-/// is left, as far as the search tells that. Nothing under --quiet.
+/// is left, as far as the search tells that. After the first few steps of a long run a line of its own says what a step
+/// and all of them cost. Nothing under --quiet.
 class ProgressLine {
  public:
-  /// `steps_done`: by an earlier part of the run.
-  ProgressLine(int step_count, int steps_done);
+  /// `steps_done`: by an earlier part of the run. `cheaper`: what would make steps cheaper, for the forecast; or empty.
+  ProgressLine(int step_count, int steps_done, std::string cheaper);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -31,15 +35,21 @@ class ProgressLine {
 
   void tell_of_waiting();
   std::string words_of_waiting(Clock::time_point now) const;
+  void forecast(Clock::time_point now);
+  double seconds_a_step(Clock::time_point now) const;
+  double seconds_left(Clock::time_point now) const { return seconds_a_step(now) * (step_count_ - step_); }
 
   int step_count_;
   int steps_done_;
+  std::string cheaper_;
   bool on_terminal_;
   Clock::time_point started_;
   Clock::time_point shown_;
+  Clock::time_point first_;    ///< when the first step was made, before which the start was found
   Clock::time_point stepped_;  ///< when the last step was made
   int step_;                   ///< the last that was made
   bool line_open_ = false;
+  bool is_forecast_ = false;
   std::mutex mutex_;
   std::condition_variable wakes_;
   bool is_over_ = false;

@@ -1,4 +1,4 @@
-// Names and words of files as they may stand on a terminal.
+// Names and words of files as they may stand on a terminal and in tables.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,5 +13,9 @@ std::string printable(std::string_view text);
 
 /// UTF-8, and a text that is none with a question mark in a lozenge (U+FFFD) for each byte that fits nowhere.
 std::string valid_utf8(std::string_view text);
+
+/// As a cell of a table of comma separated values (RFC 4180): in quotes where it has to be, line breaks as spaces, so
+/// that a row is a line.
+std::string csv_cell(std::string_view text);
 
 }  // namespace keyblock

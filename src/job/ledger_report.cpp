@@ -23,8 +23,9 @@ struct Column {
 const std::vector<Column> kStored{{"kinetic", [](const LedgerRow& r) { return r.stored.kinetic; }},
                                   {"strain", [](const LedgerRow& r) { return r.stored.strain; }},
                                   {"gravity", [](const LedgerRow& r) { return r.stored.gravity; }}};
+const Column kExternal{"external", [](const LedgerRow& r) { return r.flow.external; }};
 const std::vector<Column> kFlows{{"contact", [](const LedgerRow& r) { return r.stored.contact; }},
-                                 {"external", [](const LedgerRow& r) { return r.flow.external; }},
+                                 kExternal,
                                  {"friction", [](const LedgerRow& r) { return r.flow.friction; }},
                                  {"damping", [](const LedgerRow& r) { return r.flow.damping; }},
                                  {"impact", [](const LedgerRow& r) { return r.flow.impact; }},
@@ -60,6 +61,7 @@ std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start)
   std::vector<Column> columns = kStored;
   const auto append = [&](const std::vector<Column>& more) { columns.insert(columns.end(), more.begin(), more.end()); };
   if (scope.has_flows) append(kFlows);
+  if (!scope.has_flows && scope.has_work) append({kExternal});
   if (scope.has_flows && scope.may_yield) append(kPlastic);
   if (scope.has_flows && scope.may_crack) append(kFracture);
   if (scope.has_flows && scope.has_changes) append(kChanges);

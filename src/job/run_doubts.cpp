@@ -10,22 +10,13 @@
 
 #include "geometry/shared_area.hpp"
 #include "material/elastic.hpp"
-#include "model/body_load.hpp"
 
 namespace keyblock {
 namespace {
 
-// Nothing else gives energy: the books of dynamics shi hold neither the work of other loads nor what bolts store.
-bool is_of_weight_alone(const Prepared& prepared) {
-  const Model& model = prepared.scene.model;
-  const auto is_driven = [](const CarriedPoint& point) { return point.curve.times.size() > 1; };
-  return model.loading_points.empty() && model.bolts.empty() && std::ranges::none_of(model.fixed_points, is_driven) &&
-         !has_body_acceleration(prepared.scene.settings);
-}
-
-bool keeps_energy(const Prepared& prepared, const RunRecord& record) {
+bool keeps_energy(const RunRecord& record) {
   if (record.is_static || !record.ledger_sums.is_begun) return false;
-  return record.outcome.ledger_scope.has_flows || is_of_weight_alone(prepared);
+  return record.outcome.ledger_scope.has_flows || record.outcome.ledger_scope.has_work;
 }
 
 std::string law_of(const Prepared& prepared, int number) {
@@ -119,7 +110,7 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
 }
 
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Place& place) {
-  if (!keeps_energy(prepared, record)) return;
+  if (!keeps_energy(record)) return;
   const double limit = prepared.scene.settings.trust.energy;
   if (const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope); !(made <= limit))
     found.push_back({"energy_beyond_limit", place,

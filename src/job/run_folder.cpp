@@ -46,8 +46,45 @@ std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
   return formats::write_dxf(content);
 }
 
+std::vector<int> numbers_of(const Frame& frame, const std::vector<std::size_t>& elements) {
+  std::vector<int> numbers;
+  for (const std::size_t i : elements) numbers.push_back(number_of(frame, i));
+  return numbers;
+}
+
 std::string histories_header(const Units& units) {
   return formats::headings(formats::kHistoriesTable, units) + '\n';
+}
+
+void write_pictures(OutputFiles& files, const RunResults& results, const Frame& start, const Frame& end,
+                    const std::vector<std::size_t>& left_out, const Units& units) {
+  const FieldFrame& field = results.field;
+  const History& history = results.tables.history;
+  const std::string at_end =
+      fmt::format("{}, time {:g}{}{}", results.title, field.time, units.time.empty() ? "" : " ", units.time);
+  const Shown shown{history, start, field, numbers_of(end, left_out)};
+  files.write("picture.svg", report::run_picture({results.title,
+                                                  start,
+                                                  end,
+                                                  displacement_curves(shown),
+                                                  {with_unit("time", measures::kTime, units),
+                                                   with_unit("displacement", measures::kLength, units)},
+                                                  units.time,
+                                                  results.marked,
+                                                  results.marked_words,
+                                                  units,
+                                                  left_out,
+                                                  numbers_of_curves(shown),
+                                                  numbered_words(shown)}));
+  if (results.ledger.rows.size() > 1)
+    files.write("energy.svg", report::energy_picture(results.title + ", energy", results.ledger, units));
+  files.write("field.svg", report::field_picture({at_end, field, field, end.measured_points,
+                                                  results.shown.empty() ? report::most_varied(field)
+                                                                        : report::field_of_word(results.shown),
+                                                  results.is_of_motion, units, left_out}));
+  if (field.plastic) files.write("plastic.svg", report::plastic_picture({at_end, field, end.outlines, units}));
+  if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
+    files.write(kReactionFile, report::reaction_picture(results.title + ", reactions", curves, units));
 }
 
 }  // namespace
@@ -171,37 +208,14 @@ void RunFolder::write_list_of_frames() {
   files_.write(kFrameList, frame_files_.list());
 }
 
-void RunFolder::write_tables(const RunTables& tables) {
+void RunFolder::write_tables(const RunTables& tables, const std::vector<int>& hidden) {
   flush_histories();
-  files_.write(formats::kHistoryTable.file, formats::history_csv(tables.history, units_));
+  files_.write(formats::kHistoryTable.file,
+               formats::history_csv(tables.history, units_, columns_of_history(tables.history, hidden)));
   files_.write(formats::kStepTable.file, tables.steps);
   if (!tables.ledger.empty()) files_.write(formats::kLedgerTable.file, tables.ledger);
   if (tables.history.of_measured_points)
     files_.write(formats::kPointsTable.file, formats::points_csv(tables.history, units_));
-}
-
-void RunFolder::write_pictures(const RunResults& results) {
-  const auto& [title, tables, steps, ledger, field, is_of_motion, marked, marked_words, follows] = results;
-  const History& history = tables.history;
-  const std::string at_end =
-      fmt::format("{}, time {:g}{}{}", title, field.time, units_.time.empty() ? "" : " ", units_.time);
-  files_.write("picture.svg", report::run_picture({title,
-                                                   frames_.front(),
-                                                   frames_.back(),
-                                                   displacement_curves(history, frames_.front(), field),
-                                                   {with_unit("time", measures::kTime, units_),
-                                                    with_unit("displacement", measures::kLength, units_)},
-                                                   units_.time,
-                                                   marked,
-                                                   marked_words,
-                                                   units_}));
-  if (ledger.rows.size() > 1) files_.write("energy.svg", report::energy_picture(title + ", energy", ledger, units_));
-  files_.write("field.svg", report::field_picture({at_end, field, field, frames_.back().measured_points,
-                                                   report::most_varied(field), is_of_motion, units_}));
-  if (field.plastic)
-    files_.write("plastic.svg", report::plastic_picture({at_end, field, frames_.back().outlines, units_}));
-  if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
-    files_.write(kReactionFile, report::reaction_picture(title + ", reactions", curves, units_));
 }
 
 void RunFolder::finish(const RunResults& results) {
@@ -211,11 +225,13 @@ void RunFolder::finish(const RunResults& results) {
   flush_histories();
   if (results.follows_by_choice && histories_.has_begun()) files_.name(formats::kHistoriesTable.file);
   for (const std::string& name : frame_tables_.names()) files_.name(name);
-  write_tables(results.tables);
+  const std::vector<std::size_t> left_out = report::left_out_of(frames_.front(), frames_.back(), results.marked);
+  const std::vector<int> hidden = numbers_of(frames_.back(), left_out);
+  write_tables(results.tables, hidden);
   if (!results.follows_by_choice)
     files_.write(formats::kHistoriesTable.file,
-                 histories_header(units_) + most_moved_rows(history, frames_.front(), results.field, units_));
-  write_pictures(results);
+                 histories_header(units_) + most_moved_rows({history, frames_.front(), results.field, hidden}, units_));
+  write_pictures(files_, results, frames_.front(), frames_.back(), left_out, units_);
   if (const std::string tips = formats::tips_csv(history, units_); !tips.empty()) {
     files_.write(formats::kTipsTable.file, tips);
     files_.write("cracks.svg",

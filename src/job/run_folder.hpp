@@ -46,6 +46,7 @@ struct RunResults {
   std::vector<int> marked = {};    ///< elements, from 0, at which it failed
   std::string marked_words = {};   ///< what these do
   bool follows_by_choice = false;  ///< histories.csv was written on the way
+  std::string shown = {};  ///< in field.svg, a word of `report::kFieldWords`; empty: the stress that varies most
 };
 
 class RunFolder {
@@ -93,8 +94,9 @@ class RunFolder {
   /// Lines of histories.csv, kept for a while before they are written.
   void add_histories(const std::string& rows);
 
-  /// history.csv, step_table.csv, ledger.csv if there is a ledger, points.csv where points are measured.
-  void write_tables(const RunTables& tables);
+  /// history.csv (`hidden`: numbers of blocks that pictures leave out), step_table.csv, ledger.csv if there is a
+  /// ledger, points.csv where points are measured.
+  void write_tables(const RunTables& tables, const std::vector<int>& hidden = {});
 
   /// All tables, fields.pvd, picture.svg, field.svg; energy.svg if there is a
   /// ledger, plastic.svg where rock may yield, reactions.svg where load steps of such rock drive an edge and, for a
@@ -114,7 +116,6 @@ class RunFolder {
 
  private:
   void write_list_of_frames();
-  void write_pictures(const RunResults& results);
   void flush_frames();
   void flush_histories();
 

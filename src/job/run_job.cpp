@@ -198,7 +198,8 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                   !prepared_.scene.is_untouched,
                   numbers_of(record_.outcome.elements),
                   what_failed_does(record_.outcome, prepared_.scene.settings.dynamics),
-                  !followed_.is_empty()});
+                  !followed_.is_empty(),
+                  options_.shown});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -24,6 +24,7 @@ struct RunJobOptions {
   double checkpoint_every = 0;  ///< seconds; 0: none but at the start and where the run is stopped
   Place place;                  ///< of the analysis, for what is said of the whole run
   OutputPlan outputs = {};      ///< points of histories are measured points of the scene
+  std::string shown = {};       ///< in field.svg, as RunResults has it
 };
 
 /// Who is told of steps, and who may stop them. Either may be left empty.

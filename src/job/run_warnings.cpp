@@ -45,6 +45,14 @@ std::vector<std::string> start_complaints(const StartReport& start) {
   return sentences;
 }
 
+/// Where forces are most out of balance, and among how many contacts.
+std::string worst_contact(const StepReport& step) {
+  if (step.residual_element == 0) return {};
+  return fmt::format(", where block {} touches block {} at {:.4g}, {:.4g} ({} contacts in all, {} closed)",
+                     step.residual_element, step.residual_other, step.residual_at.x, step.residual_at.y, step.contacts,
+                     step.closed);
+}
+
 /// What the steps of a run are held against.
 struct StepLimits {
   double time_step = 0;  ///< the shortest of the scenes
@@ -138,12 +146,15 @@ std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
        [l](const StepReport& s, int concerned, int steps) {
          return l.is_standard
                     ? fmt::format(
-                          "step {}: forces are out of balance by {:.1e} of the load; by more than {:.0e} in {} "
-                          "of {} steps, the greatest in run.json",
-                          s.step, s.residual, kLargeImbalance, concerned, steps)
-                    : fmt::format("step {}: the equations are solved to a relative residual of {:.1e} only", s.step,
-                                  s.residual);
-       }},
+                          "forces are out of balance by more than {:.0e} of the load in {} of {} steps; the worst is "
+                          "step {} (time {:.6g}), by {:.1e}{}",
+                          kLargeImbalance, concerned, steps, s.step, s.time, s.residual, worst_contact(s))
+                    : fmt::format(
+                          "the equations of {} of {} steps are solved to a relative residual of more than "
+                          "{:.0e}; the worst is step {} (time {:.6g}), to {:.1e}",
+                          concerned, steps, kLargeResidual, s.step, s.time, s.residual);
+       },
+       [](const StepReport& s) { return s.residual; }},
       {"step_in_parts", [](const StepReport& s) { return s.parts >= kManyParts; },
        [](const StepReport& s, int concerned, int steps) {
          return fmt::format("step {} was made in {} parts: near a limit load; as in {} of {} steps", s.step, s.parts,
@@ -187,8 +198,12 @@ void StepWatch::add(const StepReport& step) {
   ++steps_;
   way_ += step.displacement_ratio;
   before_ = std::exchange(last_, step.displacement_ratio);
-  for (std::size_t i = 0; i < kinds_.size(); ++i)
-    if (kinds_[i].concerns(step) && seen_[i].count++ == 0) seen_[i].first = step;
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    const StepKind& kind = kinds_[i];
+    if (!kind.concerns(step)) continue;
+    const bool is_told = seen_[i].count++ == 0 || (kind.measure && kind.measure(step) > kind.measure(seen_[i].told));
+    if (is_told) seen_[i].told = step;
+  }
 }
 
 void StepWatch::describe(Archive& archive) {
@@ -197,7 +212,7 @@ void StepWatch::describe(Archive& archive) {
   archive.value("before", before_);
   archive.value("last", last_);
   archive.table("kinds", seen_, [&](Seen& seen) {
-    keyblock::describe(archive, seen.first);
+    keyblock::describe(archive, seen.told);
     archive.value("concerned", seen.count);
   });
 }
@@ -206,7 +221,7 @@ Warnings StepWatch::warnings(const Place& place) const {
   Warnings warnings;
   for (std::size_t i = 0; i < kinds_.size(); ++i)
     if (seen_[i].count > 0)
-      warnings.push_back({kinds_[i].name, place, kinds_[i].sentence(seen_[i].first, seen_[i].count, steps_)});
+      warnings.push_back({kinds_[i].name, place, kinds_[i].sentence(seen_[i].told, seen_[i].count, steps_)});
   return joined(std::move(warnings), far_from_equilibrium(place));
 }
 

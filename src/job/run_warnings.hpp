@@ -1,4 +1,4 @@
-// What a reader of the results must know and would not see: said once, with the first step concerned.
+// What a reader of the results must know and would not see: said once, with the first or the worst step concerned.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,11 +14,12 @@
 
 namespace keyblock {
 
-/// A kind of step of which something is said, once, at the first.
+/// A kind of step of which something is said once: of the first, or of the one that measures most.
 struct StepKind {
   const char* name;
   std::function<bool(const StepReport&)> concerns;
-  std::function<std::string(const StepReport& first, int concerned, int steps)> sentence;
+  std::function<std::string(const StepReport& told, int concerned, int steps)> sentence;
+  std::function<double(const StepReport&)> measure = {};  ///< empty: the first is told
 };
 
 /// Watches the steps of a run as they are told.
@@ -38,7 +39,7 @@ class StepWatch {
 
  private:
   struct Seen {
-    StepReport first;
+    StepReport told;
     int count = 0;  ///< steps concerned
   };
 

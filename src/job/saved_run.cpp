@@ -41,6 +41,7 @@ void describe(Archive& archive, RunRequest& request) {
   describe(archive, "settings", request.settings);
   describe(archive, "histories", request.histories);
   archive.value("contacts", request.contacts);
+  archive.value("field", request.field);
 }
 
 std::string this_program() {

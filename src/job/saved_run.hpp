@@ -30,6 +30,7 @@ struct RunRequest {
   std::vector<std::string> settings;        ///< all, key=value
   std::vector<std::string> histories = {};  ///< as the command line has them
   std::string contacts = {};                ///< likewise
+  std::string field = {};                   ///< likewise
 };
 
 void describe(Archive& archive, RunRequest& request);

@@ -3,13 +3,15 @@
 #include "report/field_picture.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "base/counted.hpp"
-#include "geometry/polygon.hpp"
+#include "material/stress_invariants.hpp"
 #include "problem/units/measure.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/field_patches.hpp"
@@ -17,6 +19,7 @@
 #include "report/drawing/svg.hpp"
 #include "report/drawing/ticks.hpp"
 #include "report/page.hpp"
+#include "result/extremes.hpp"
 
 namespace keyblock::report {
 namespace {
@@ -27,26 +30,61 @@ constexpr double kBarWidth = 92;       // colour bar with its numbers
 constexpr double kLargestMove = 0.08;  // of the extent, in the deformed mesh
 constexpr std::string_view kMeshColour = "#333333";
 
-double component(const Stress& stress, StressShown shown) {
+double value_of(const FieldCorner& corner, FieldShown shown) {
+  const Stress& stress = corner.stress;
   switch (shown) {
-    case StressShown::xx:
+    case FieldShown::xx:
       return stress.xx;
-    case StressShown::yy:
+    case FieldShown::yy:
       return stress.yy;
-    case StressShown::xy:
+    case FieldShown::xy:
       return stress.xy;
+    case FieldShown::greatest:
+      return principal(stress).second;
+    case FieldShown::least:
+      return principal(stress).first;
+    case FieldShown::von_mises:
+      return invariants_of(stress).von_mises;
+    case FieldShown::displacement:
+      return length(corner.displacement);
   }
   return 0;
 }
 
-std::string_view name_of(StressShown shown) {
-  constexpr std::array<std::string_view, 3> kNames{"σxx", "σyy", "σxy"};
+std::string_view name_of(FieldShown shown) {
+  constexpr std::array<std::string_view, 7> kNames{"σxx", "σyy", "σxy", "σ1", "σ3", "von Mises", "displacement"};
   return kNames[static_cast<std::size_t>(shown)];
 }
 
-std::vector<Patch> stress_patches(const FieldFrame& field, StressShown shown, const CornerPlace& place = as_drawn) {
+bool is_displacement(FieldShown shown) {
+  return shown == FieldShown::displacement;
+}
+
+// Never below zero.
+bool is_amount(FieldShown shown) {
+  return shown == FieldShown::von_mises || is_displacement(shown);
+}
+
+// A principal stress is of one sign in most rock: white is then none, not the middle.
+ColourScale::Map map_of(FieldShown shown) {
+  if (is_amount(shown)) return ColourScale::Map::rising;
+  const bool is_principal = shown == FieldShown::greatest || shown == FieldShown::least;
+  return is_principal ? ColourScale::Map::about_zero : ColourScale::Map::diverging;
+}
+
+std::string caption_of(FieldShown shown, bool is_there) {
+  if (!is_there) return is_displacement(shown) ? "no displacement" : "no stress";
+  const std::string_view name = name_of(shown);
+  if (shown == FieldShown::greatest)
+    return fmt::format("{}, greatest principal stress in the plane, tension positive", name);
+  if (shown == FieldShown::least) return fmt::format("{}, least principal stress in the plane, tension positive", name);
+  if (shown == FieldShown::von_mises) return "stress to von Mises";
+  return is_displacement(shown) ? std::string(name) : fmt::format("{}, tension positive", name);
+}
+
+std::vector<Patch> shown_patches(const FieldFrame& field, FieldShown shown, const CornerPlace& place = as_drawn) {
   return patches_of(
-      field, [shown](const FieldCorner& corner) { return component(corner.stress, shown); }, place);
+      field, [shown](const FieldCorner& corner) { return value_of(corner, shown); }, place);
 }
 
 double shown_factor(const FieldFrame& end, const Box& box) {
@@ -92,32 +130,28 @@ Panels place_panels(const Box& box) {
   return panels;
 }
 
-struct Framed {
-  FieldPicture picture;
-  std::size_t left_out = 0;
-};
-
-/// The picture without small blocks that lie far away at the end.
-Framed framed(FieldPicture picture) {
+/// Without what the pictures of the run leave out.
+FieldPicture framed(FieldPicture picture) {
   std::vector<FieldElement>& elements = picture.end.elements;
-  if (body_count(picture.end) != elements.size()) return {std::move(picture)};  // bodies of many elements
-  std::vector<PlacedBlock> blocks;
-  for (const FieldElement& element : elements) {
-    const auto loops = loops_of(element, as_drawn);
-    blocks.push_back({as_moved(element.middle), loops.empty() ? 0 : std::abs(area(loops.front()))});
-  }
-  const std::vector<std::size_t> far = far_small_blocks(bounds(picture.start, as_drawn), blocks);
-  for (auto i = far.rbegin(); i != far.rend(); ++i) elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(*i));
-  return {std::move(picture), far.size()};
+  for (auto i = picture.left_out.rbegin(); i != picture.left_out.rend(); ++i)
+    elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(*i));
+  return picture;
 }
 
 }  // namespace
 
-StressShown most_varied(const FieldFrame& field) {
-  StressShown most = StressShown::xx;
+FieldShown field_of_word(const std::string& word) {
+  const auto found = std::ranges::find(kFieldWords, word);
+  if (found == kFieldWords.end())
+    throw std::invalid_argument(fmt::format("there is no field \"{}\", only {}", word, fmt::join(kFieldWords, ", ")));
+  return static_cast<FieldShown>(found - kFieldWords.begin());
+}
+
+FieldShown most_varied(const FieldFrame& field) {
+  FieldShown most = FieldShown::xx;
   double widest = -1;
-  for (const StressShown shown : {StressShown::xx, StressShown::yy, StressShown::xy}) {
-    const ColourScale scale = scale_of(stress_patches(field, shown));
+  for (const FieldShown shown : {FieldShown::xx, FieldShown::yy, FieldShown::xy}) {
+    const ColourScale scale = scale_of(shown_patches(field, shown));
     if (!(scale.high - scale.low > widest * (1 + 1e-9))) continue;
     widest = scale.high - scale.low;
     most = shown;
@@ -126,7 +160,8 @@ StressShown most_varied(const FieldFrame& field) {
 }
 
 std::string field_picture(const FieldPicture& whole) {
-  const auto [picture, left_out] = framed(whole);
+  const FieldPicture picture = framed(whole);
+  const std::size_t left_out = picture.left_out.size();
   const double wanted = shown_factor(picture.end, bounds(picture.end, as_drawn));
   const double factor = picture.is_of_motion ? std::max(1.0, wanted) : wanted;
   const CornerPlace deformed = [factor](const FieldCorner& corner) {
@@ -147,12 +182,12 @@ std::string field_picture(const FieldPicture& whole) {
   draw_mesh(page, map(0), picture.start, as_drawn, true);
   caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
   draw_mesh(page, map(1), picture.end, deformed, true);
-  const std::vector<Patch> patches = stress_patches(picture.end, picture.stress, is_true ? deformed : as_drawn);
-  const ColourScale scale = scale_of(patches);
-  const bool is_stressed = scale.low != 0 || scale.high != 0;
-  caption(2, is_stressed ? fmt::format("{}, tension positive", name_of(picture.stress)) : "no stress");
+  const std::vector<Patch> patches = shown_patches(picture.end, picture.shown, is_true ? deformed : as_drawn);
+  const ColourScale scale = scale_of(patches, map_of(picture.shown));
+  const bool is_there = scale.low != 0 || scale.high != 0;
+  caption(2, caption_of(picture.shown, is_there));
   draw_patches(page, map(2), patches, scale);
-  if (body_count(picture.end) == picture.end.elements.size())
+  if (body_count(whole.end) == whole.end.elements.size())
     draw_mesh(page, map(2), picture.end, is_true ? deformed : as_drawn, false);
   for (const PointFrame& point : picture.measured) {
     const Point at = is_true ? point.position : point.position - point.displacement;
@@ -160,10 +195,11 @@ std::string field_picture(const FieldPicture& whole) {
     if (is_shown) draw_mark(page, map(2)(at), Mark::measured_point);
   }
   const Point size = map(2).size();
-  if (is_stressed)
+  if (is_there)
     draw_colour_bar(page, {panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y},
                     std::min(size.y, 240.0), scale,
-                    with_unit(name_of(picture.stress), measures::kStress, picture.units));
+                    with_unit(name_of(picture.shown),
+                              is_displacement(picture.shown) ? measures::kLength : measures::kStress, picture.units));
   draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, map(0), picture.units);
   return page.str();
 }

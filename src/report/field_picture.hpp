@@ -1,7 +1,8 @@
-// A picture of elements: as they were, displaced, and one component of the stress in colour.
+// A picture of elements: as they were, displaced, and stress or displacement in colour.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,20 +12,28 @@
 
 namespace keyblock::report {
 
-enum class StressShown { xx, yy, xy };
+/// Components of the stress, its principal values in the plane, what it is to von Mises, and the length of the
+/// displacement.
+enum class FieldShown { xx, yy, xy, greatest, least, von_mises, displacement };
+
+/// Words of the command line, in their order: "sxx", "s1", "von_mises".
+inline constexpr std::array<const char*, 7> kFieldWords{"sxx", "syy", "sxy", "s1", "s3", "von_mises", "displacement"};
+/// Throws std::invalid_argument for a word that is none.
+FieldShown field_of_word(const std::string& word);
 
 struct FieldPicture {
   std::string title;
   FieldFrame start;  ///< the mesh before anything is dug out
   FieldFrame end;
   std::vector<PointFrame> measured;  ///< at the end
-  StressShown stress = StressShown::xx;
+  FieldShown shown = FieldShown::xx;
   bool is_of_motion = false;  ///< displacements may be large: never drawn smaller, and true ones carry the stress
   Units units = {};
+  std::vector<std::size_t> left_out = {};  ///< elements of the end, in their order, that the picture leaves out
 };
 
-/// The component that varies most.
-StressShown most_varied(const FieldFrame& field);
+/// The component of the stress that varies most.
+FieldShown most_varied(const FieldFrame& field);
 
 /// An SVG document: three panels below each other, for tall bodies beside each other. The deformed mesh is scaled to be
 /// seen; the factor is named. Colours are of mean corner values over triangles from each element's middle.

@@ -23,6 +23,9 @@ constexpr std::string_view kMarkedColour = "#d00000";
 constexpr double kMarkedWidth = 2;
 constexpr double kLeastRing = 8;
 constexpr double kRingGap = 4;
+constexpr std::string_view kNumberColour = "#005080";
+constexpr double kNumberSize = 12;
+constexpr Point kNumberBeside{6, 4};
 
 /// Where the parts stand.
 struct Layout {
@@ -39,28 +42,14 @@ Box bounds(const Frame& start, const Frame& end) {
   return box;
 }
 
-struct Framed {
-  RunPicture picture;
-  std::size_t left_out = 0;
-};
-
-/// The picture without small blocks that lie far away at the end. What failed, or carries a point, stays; scenes with
-/// bolts, and bodies of many elements, are shown whole.
-Framed framed(RunPicture picture) {
+/// Without what is left out.
+RunPicture framed(RunPicture picture) {
   Frame& end = picture.end;
-  if (!end.outlines.empty() || !end.bolts.empty()) return {std::move(picture)};
-  std::set<int> shown(picture.marked.begin(), picture.marked.end());
-  for (const auto* points : {&end.fixed_points, &end.loading_points, &end.measured_points})
-    for (const PointFrame& point : *points) shown.insert(point.element);
-  std::vector<PlacedBlock> blocks;
-  for (std::size_t i = 0; i < end.elements.size(); ++i)
-    blocks.push_back({end.elements[i].centroid, end.elements[i].area, shown.contains(number_of(end, i))});
-  const std::vector<std::size_t> far = far_small_blocks(bounds(picture.start, {}), blocks);
   for (std::size_t i = 0; i < end.elements.size(); ++i)
     end.elements[i].number = number_of(end, i);  // also where others are taken away
-  for (auto i = far.rbegin(); i != far.rend(); ++i)
+  for (auto i = picture.left_out.rbegin(); i != picture.left_out.rend(); ++i)
     end.elements.erase(end.elements.begin() + static_cast<std::ptrdiff_t>(*i));
-  return {std::move(picture), far.size()};
+  return picture;
 }
 
 Layout choose_layout(const Box& box, bool chart) {
@@ -139,7 +128,17 @@ std::string time_words(std::string_view word, double time, const std::string& un
   return fmt::format("{}, t = {:g}{}{}", word, time, unit.empty() ? "" : " ", unit);
 }
 
-std::vector<LegendEntry> make_legend(const RunPicture& picture, std::size_t left_out) {
+/// On white, so that it can be read over edges.
+void draw_numbers(SvgPage& page, const PageMap& map, const RunPicture& picture) {
+  for (const NumberedPlace& number : picture.numbers) {
+    const Point at = map(number.at) + kNumberBeside;
+    page.rectangle(at - Point{2, kNumberSize - 1}, text_width(number.words, kNumberSize) + 4, kNumberSize + 2,
+                   {.fill = "#ffffff"});
+    page.text(at, number.words, {.size = kNumberSize, .fill = kNumberColour, .bold = true});
+  }
+}
+
+std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   using Sign = LegendEntry::Sign;
   std::vector<LegendEntry> legend{
       {.sign = Sign::dashed_line,
@@ -164,18 +163,33 @@ std::vector<LegendEntry> make_legend(const RunPicture& picture, std::size_t left
   if (!picture.marked.empty())
     legend.push_back({.sign = Sign::dashed_line, .colour = kMarkedColour, .words = picture.marked_words});
   if (!picture.end.bolts.empty()) legend.push_back({.sign = Sign::dashed_line, .colour = kBoltColour, .words = "bolt"});
-  if (left_out > 0) legend.push_back({.sign = Sign::area, .colour = "none", .words = outside_in_words(left_out)});
+  if (!picture.numbers.empty())
+    legend.push_back({.sign = Sign::number, .colour = kNumberColour, .words = picture.numbered_words});
+  if (!picture.left_out.empty())
+    legend.push_back({.sign = Sign::area, .colour = "none", .words = outside_in_words(picture.left_out.size())});
   return legend;
 }
 
 }  // namespace
 
+std::vector<std::size_t> left_out_of(const Frame& start, const Frame& end, const std::vector<int>& marked) {
+  if (!end.outlines.empty() || !end.bolts.empty()) return {};
+  std::set<int> shown(marked.begin(), marked.end());
+  for (const auto* points : {&end.fixed_points, &end.loading_points, &end.measured_points})
+    for (const PointFrame& point : *points) shown.insert(point.element);
+  std::vector<PlacedBlock> blocks;
+  for (std::size_t i = 0; i < end.elements.size(); ++i)
+    blocks.push_back({end.elements[i].centroid, end.elements[i].area, shown.contains(number_of(end, i))});
+  return far_small_blocks(bounds(start, {}), blocks);
+}
+
 std::string run_picture(const RunPicture& whole) {
-  const auto [picture, left_out] = framed(whole);
+  RunPicture picture = framed(whole);
   const bool chart = std::ranges::any_of(picture.curves, [](const Curve& curve) { return curve.x.size() > 1; });
+  if (!chart) picture.numbers.clear();
   const Box box = bounds(picture.start, picture.end);
   const Layout layout = choose_layout(box, chart);
-  const std::vector<LegendEntry> legend = make_legend(picture, left_out);
+  const std::vector<LegendEntry> legend = make_legend(picture);
   const double scene_top = kTitleHeight + legend_height(legend, kRoom) + 12;
   const Point size = PageMap(box, {}, layout.scene_room).size();
   const PageMap map(box, {kMargin + (layout.scene_room.x - size.x) / 2, scene_top}, layout.scene_room);
@@ -196,6 +210,7 @@ std::string run_picture(const RunPicture& whole) {
     draw_bolts(page, map, picture.end);
     draw_marks(page, map, picture.end);
     draw_marked(page, map, picture);
+    draw_numbers(page, map, picture);
     draw_scale_bar(page, {kMargin, bar_line}, std::min(layout.scene_room.x, kRoom), map, picture.units);
   }
   if (chart) draw_chart(page, chart_corner, chart_size, picture.curves, picture.axes);

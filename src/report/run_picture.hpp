@@ -11,17 +11,31 @@
 
 namespace keyblock::report {
 
+/// A number beside a place of the end: whose curve it is.
+struct NumberedPlace {
+  std::string words;
+  Point at;
+};
+
 struct RunPicture {
   std::string title;
-  Frame start;                    ///< drawn as dashed outlines, where an element moved
-  Frame end;                      ///< drawn filled
-  std::vector<Curve> curves;      ///< without two points of any the chart is left out
-  AxisLabels axes;                ///< of the chart, with units: "time [s]", "displacement [m]"
-  std::string time_unit;          ///< for the legend, e.g. "s"; may be empty
-  std::vector<int> marked = {};   ///< numbers, from 0, of elements at which a run failed: edged and pointed at
-  std::string marked_words = {};  ///< what they do, for the legend: "accelerates"
-  Units units = {};               ///< of the scale bar
+  Frame start;                             ///< drawn as dashed outlines, where an element moved
+  Frame end;                               ///< drawn filled
+  std::vector<Curve> curves;               ///< without two points of any the chart is left out
+  AxisLabels axes;                         ///< of the chart, with units: "time [s]", "displacement [m]"
+  std::string time_unit;                   ///< for the legend, e.g. "s"; may be empty
+  std::vector<int> marked = {};            ///< numbers, from 0, of elements at which a run failed: edged and pointed at
+  std::string marked_words = {};           ///< what they do, for the legend: "accelerates"
+  Units units = {};                        ///< of the scale bar
+  std::vector<std::size_t> left_out = {};  ///< elements of the end, in their order, that the picture leaves out
+  std::vector<NumberedPlace> numbers = {};  ///< of what the curves are of
+  std::string numbered_words = {};          ///< what they number, for the legend: "block whose curve is drawn"
 };
+
+/// Of the end the elements, in their order there, that every picture of a run leaves out: small blocks that lie far
+/// away from what was drawn (`far_small_blocks`). What failed (`marked`, numbers from 0), or carries a point, stays;
+/// scenes with bolts, and bodies of many elements, are shown whole.
+std::vector<std::size_t> left_out_of(const Frame& start, const Frame& end, const std::vector<int>& marked);
 
 /// An SVG document. The chart stands below a wide scene and beside a tall one.
 std::string run_picture(const RunPicture& picture);

@@ -229,6 +229,9 @@ void describe(Archive& a, StepReport& report) {
   a.value("area_share", report.area_share);
   a.value("crushed_element", report.crushed_element);
   a.value("residual", report.residual);
+  a.value("residual_element", report.residual_element);
+  a.value("residual_other", report.residual_other);
+  describe(a, "residual_at", report.residual_at);
   a.value("parts", report.parts);
   a.numbers("residuals", report.residuals);
   a.value("unresolved_parts", report.unresolved_parts);

@@ -79,6 +79,7 @@ struct LedgerScope {
   bool has_changes = false;  ///< the scene changes during the run
   bool may_yield = false;    ///< some of its rock may yield
   bool may_crack = false;    ///< cracks may go on in it
+  bool has_work = false;     ///< without flows: the work of all that pushes but weight and contact is kept
 };
 
 struct Ledger {

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "geometry/point.hpp"
+
 namespace keyblock {
 
 struct StepReport {
@@ -25,7 +27,10 @@ struct StepReport {
   /// Dynamics `shi`: largest relative residual of the step's linear solves; `standard`: forces out of balance over the
   /// largest load on a block.
   double residual = 0;
-  int parts = 1;                       ///< that a load step of rock that may yield was made in
+  int residual_element = 0;  ///< number of the element at the contact that holds the residual up, from 1; 0: none told
+  int residual_other = 0;    ///< of the other one
+  Point residual_at;         ///< where they touch
+  int parts = 1;             ///< that a load step of rock that may yield was made in
   std::vector<double> residuals = {};  ///< of such a step: out of balance over the largest force, before each round of
                                        ///< Newton's method of its last part and after the last
   int unresolved_parts = 0;            ///< made at the least size, with a greater error or displacement than wanted

@@ -79,6 +79,27 @@ class Blocky {
     return found;
   }
 
+  /// Over the inertia of the mean block, where they are too stiff for the step; otherwise 0.
+  double stiffness_of_springs() const {
+    if (settings_.dynamics != Dynamics::standard || settings_.standard.motion != MotionRule::dynamic) return 0;
+    if (touching_.size() < kManyPairs ||
+        with_enforcement_decided(settings_, model_).standard.enforcement.common != Enforcement::penalty)
+      return 0;
+    double mass = 0;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      mass += shapes_[i].area * model_.material_of(model_.elements[index(i)]).density;
+    mass /= static_cast<double>(shapes_.size());
+    const double ratio = settings_.contact_penalty * settings_.time_step * settings_.time_step / mass;
+    return ratio > kStiff ? ratio : 0;
+  }
+
+  std::string softer_springs() const {
+    const double ratio = stiffness_of_springs();
+    if (ratio == 0) return {};
+    return fmt::format("--set contact_penalty={:.2g} or --set time_step={:.2g}",
+                       settings_.contact_penalty * kStiff / ratio, settings_.time_step * std::sqrt(kStiff / ratio));
+  }
+
  private:
   std::string named(std::size_t block) const {
     return fmt::format("block {} at {}, area {:.3g} ({:.2g} % of the mean)", block + 1, at(shapes_[block].centroid),
@@ -246,22 +267,13 @@ class Blocky {
   }
 
   std::string stiff_springs() const {
-    if (settings_.dynamics != Dynamics::standard || settings_.standard.motion != MotionRule::dynamic) return {};
-    if (touching_.size() < kManyPairs ||
-        with_enforcement_decided(settings_, model_).standard.enforcement.common != Enforcement::penalty)
-      return {};
-    double mass = 0;
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-      mass += shapes_[i].area * model_.material_of(model_.elements[index(i)]).density;
-    mass /= static_cast<double>(shapes_.size());
-    const double ratio = settings_.contact_penalty * settings_.time_step * settings_.time_step / mass;
-    if (!(ratio > kStiff)) return {};
+    const double ratio = stiffness_of_springs();
+    if (ratio == 0) return {};
     return fmt::format(
         "contact springs of {:.3g} are {:.3g} times as stiff as the inertia of the mean block over a step "
         "(mass / time_step²); with {} touching pairs and more than {:g} times, steps in which contacts slide may take "
-        "tens to hundreds of systems: --set contact_penalty={:.2g} or --set time_step={:.2g} avoids that",
-        settings_.contact_penalty, ratio, touching_.size(), kStiff, settings_.contact_penalty * kStiff / ratio,
-        settings_.time_step * std::sqrt(kStiff / ratio));
+        "tens to hundreds of systems: {} avoids that",
+        settings_.contact_penalty, ratio, touching_.size(), kStiff, softer_springs());
   }
 
   const Model& model_;
@@ -319,15 +331,22 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
   return found;
 }
 
+bool is_of_blocks(const Prepared& prepared) {
+  const Model& model = prepared.scene.model;
+  return model.nodes.empty() && !model.continuum && !prepared.blocks.blocks.empty() &&
+         model.elements.size() == prepared.blocks.blocks.size();
+}
+
 }  // namespace
 
 Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
   Warnings found = contradictions(problem, prepared.scene.settings);
-  const Model& model = prepared.scene.model;
-  const bool is_of_blocks = model.nodes.empty() && !model.continuum && !prepared.blocks.blocks.empty() &&
-                            model.elements.size() == prepared.blocks.blocks.size();
-  if (!is_of_blocks) return found;
+  if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));
+}
+
+std::string softer_springs(const Prepared& prepared) {
+  return is_of_blocks(prepared) ? Blocky(prepared).softer_springs() : std::string();
 }
 
 std::string smallest_block(const Blocks& blocks) {

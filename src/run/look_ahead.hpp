@@ -13,6 +13,10 @@ namespace keyblock {
 /// covers are looked at for units alone.
 Warnings look_ahead(const Problem& problem, const Prepared& prepared);
 
+/// Options that make contact springs soft enough for cheap steps, where they are too stiff for the step
+/// (`springs_stiff_for_step`); otherwise empty.
+std::string softer_springs(const Prepared& prepared);
+
 /// The smallest block, for whom it is good to know: its number, place and area over that of the mean; empty without
 /// blocks.
 std::string smallest_block(const Blocks& blocks);

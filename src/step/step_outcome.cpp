@@ -45,6 +45,11 @@ StepReport report_of(const StandardScene& scene, const Motion& motion, const Sta
   report.matrix_blocks = static_cast<int>(scene.bodies().size());
   report.penalty = scene.has_springs() ? scene.normal_stiffness() : 0;
   report.residual = made.step.residual;
+  if (const std::optional<Touch>& worst = made.step.worst) {
+    report.residual_element = scene.model.number_of(scene.model.vertices[worst->vertex].element);
+    report.residual_other = scene.model.number_of(scene.model.vertices[worst->start].element);
+    report.residual_at = state.vertices[worst->vertex];
+  }
   report.displacement_ratio = made.displacement / (scene.settings.allowed_displacement_ratio * scene.model.scale);
   for (const auto& [touch, memory] : motion.closed.all()) {
     const double depth = -gap_of(touch, state.vertices);

@@ -44,6 +44,16 @@ TEST(FormatsCommand, one_format_has_a_sample) {
   EXPECT_EQ(run_keyblock({"formats", "no-such"}).exit_code, 2);
 }
 
+// Granite of the library: 2650 kg/m3 and 52.7 GPa.
+TEST(FormatsCommand, the_library_of_materials_is_a_table_or_json) {
+  const auto json = nlohmann::json::parse(run_keyblock({"formats", "--materials", "--json"}).output);
+  EXPECT_EQ(json["block_materials"][0]["like"], "granite");
+  EXPECT_EQ(json["block_materials"][0]["density"], 2650);
+  EXPECT_NEAR(json["block_materials"][0]["youngs_modulus"].get<double>(), 52.7e9, 1);
+  EXPECT_GT(json["joint_materials"].size(), 3U);
+  EXPECT_TRUE(contains(run_keyblock({"formats", "--materials"}).output, "| `granite` | 2650 | 52.7 |"));
+}
+
 TEST(FormatsCommand, the_schema_is_json) {
   const auto schema = nlohmann::json::parse(run_keyblock({"formats", "--schema"}).output);
   EXPECT_TRUE(schema["properties"].contains("analysis"));

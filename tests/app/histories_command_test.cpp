@@ -118,6 +118,34 @@ TEST(HistoriesCommand, without_a_choice_the_table_has_what_moves_most) {
   EXPECT_EQ(rows[1][6], "m");
 }
 
+// Two squares stand on the floor and ten fall: columns and curves are of those that fall, under their own numbers.
+TEST(HistoriesCommand, of_many_blocks_the_table_and_the_picture_have_those_that_move_most) {
+  std::string blocks = R"({"outer": [[0, 0, 1], [40, 0, 1], [40, 1, 1], [0, 1, 1]]})";
+  for (int i = 0; i < 12; ++i) {
+    const int x = 1 + 3 * i, y = i < 2 ? 1 : 5;
+    blocks += ", {\"outer\": [[" + std::to_string(x) + ", " + std::to_string(y) + ", 1], [" + std::to_string(x + 1) +
+              ", " + std::to_string(y) + ", 1], [" + std::to_string(x + 1) + ", " + std::to_string(y + 1) + ", 1], [" +
+              std::to_string(x) + ", " + std::to_string(y + 1) + ", 1]]}";
+  }
+  const std::string folder = fresh_folder("histories_many");
+  write_text(folder + "/case.json",
+             R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"}, "blocks": {"blocks": [)" + blocks +
+                 R"(], "fixed_points": [[1, 0.5, 1], [39, 0.5, 1]]}, "analysis": {"step_count": 100, "time_step": 0.002,
+                 "gravity": 9.81, "block_materials": [{"density": 2500, "youngs_modulus": 5e9, "poissons_ratio": 0.25}],
+                 "joint_materials": [{"friction_angle_deg": 30}]}})");
+  const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--field", "von_mises"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const auto rows = rows_of(folder + "/out/history.csv");
+  ASSERT_EQ(rows[0].size(), 2U + 4 * 10);
+  EXPECT_EQ(rows[0][2], "x4 [m]");
+  EXPECT_EQ(rows[0][38], "x13 [m]");
+  EXPECT_NEAR(std::stod(rows.back()[5]), -9.81 * 0.2 * 0.2 / 2, 1e-9);
+  const std::string picture = read_text(folder + "/out/picture.svg");
+  EXPECT_TRUE(contains(picture, ">block whose curve is drawn<"));
+  EXPECT_TRUE(contains(picture, ">4<") && contains(picture, ">9<") && !contains(picture, ">3<"));
+  EXPECT_TRUE(contains(read_text(folder + "/out/field.svg"), ">von Mises [Pa]<"));
+}
+
 // The line y = 0.5 cuts the lowest square; y = 1 lies between it and the next.
 TEST(HistoriesCommand, a_line_through_a_body_on_covers_is_refused) {
   const std::string folder = case_in("histories_covers", R"(, "covers": {"mesh": {"side": 0.3}})");

@@ -47,6 +47,17 @@ TEST(LayersCommand, the_example_of_docs_is_the_drawing_that_has_the_names) {
   EXPECT_FALSE(contains(with.output, "dxf_layer")) << with.output;
 }
 
+// Converted alone, a case still says what the layers of the drawing that comes beside it are.
+TEST(LayersCommand, a_case_converted_without_its_drawing_keeps_its_layers) {
+  const std::string folder = fresh_folder("layers_kept");
+  std::string text = read_text(kDocs + "bench.json");
+  text.insert(text.find("\"analysis\""), R"("layers": {"Contour": "boundary", "Gauge": "measured"}, )");
+  write_text(folder + "/case.json", text);
+  const std::string out = converted(folder, {folder + "/case.json"});
+  EXPECT_TRUE(contains(out, "\"Contour\": \"boundary\"")) << out;
+  EXPECT_TRUE(contains(out, "\"Gauge\": \"measured\"")) << out;
+}
+
 TEST(LayersCommand, a_case_file_says_it_too_and_the_option_counts) {
   const std::string folder = fresh_folder("layers_case");
   std::filesystem::copy_file(kDocs + "quarry.dxf", folder + "/quarry.dxf");

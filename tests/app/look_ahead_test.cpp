@@ -36,13 +36,13 @@ std::string blocks(const std::vector<std::string>& all) {
   return text + R"(], "fixed_points": [[0.5, 0.5, 1], [9.5, 0.5, 1]]})";
 }
 
-nlohmann::json check_of(const std::string& text, const std::vector<std::string>& more = {}) {
+nlohmann::json check_of(const std::string& text, const std::vector<std::string>& more = {}, int exit_code = 0) {
   const std::string file = support::fresh_folder("look_ahead") + "/case.json";
   support::write_text(file, text);
   std::vector<std::string> arguments{"check", file, "--json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const support::ProgramRun run = support::run_keyblock(arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_EQ(run.exit_code, exit_code) << run.messages;
   return nlohmann::json::parse(run.output)["case"];
 }
 
@@ -156,8 +156,21 @@ TEST(LookAhead, a_run_says_it_too_before_its_first_step) {
 TEST(LookAhead, a_run_that_fails_at_once_is_told) {
   std::string text = case_text(blocks({kFloor, rectangle(20, 2, 22, 4)}));
   text.replace(text.find(kMoves), kMoves.size(), R"("velocity_carry_over": 0)");
-  const auto report = check_of(text);
+  const auto report = check_of(text, {}, 1);
   EXPECT_TRUE(contains(said(report, "first_steps_fail"), "no equilibrium: block 2 accelerates")) << report;
+}
+
+// Whoever asks the exit code, or reads the last line alone, is told too; without steps there is nothing to tell.
+TEST(LookAhead, a_run_that_fails_at_once_is_the_last_line_of_check) {
+  std::string text = case_text(blocks({kFloor, rectangle(20, 2, 22, 4)}));
+  text.replace(text.find(kMoves), kMoves.size(), R"("velocity_carry_over": 0)");
+  const std::string file = support::fresh_folder("check_fails") + "/case.json";
+  support::write_text(file, text);
+  const support::ProgramRun run = support::run_keyblock({"check", file});
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  const std::string last = "keyblock: error: a run will not go, as steps made for a trial show: step 1 (time 0)";
+  EXPECT_EQ(run.messages.find('\n', run.messages.find(last)), run.messages.size() - 1) << run.messages;
+  EXPECT_EQ(support::run_keyblock({"check", file, "--trial", "0"}).exit_code, 0);
 }
 
 }  // namespace keyblock::look_ahead_test

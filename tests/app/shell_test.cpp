@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -45,10 +46,53 @@ TEST(Shell, slips_are_told_the_nearest_name) {
 
 TEST(Shell, every_command_shows_examples) {
   for (const char* command : {"new", "check", "cut", "joints", "run", "fos", "compare", "tradeoff", "sweep", "batch",
-                              "convert", "element", "fit", "formats", "version"}) {
+                              "convert", "element", "fit", "formats", "shell", "version"}) {
     const ProgramRun help = run_keyblock({command, "--help"});
     EXPECT_TRUE(contains(help.output, std::string("Examples:\n  keyblock ") + command)) << help.output;
   }
+}
+
+// Neither is written by hand: what --help lists, they have.
+TEST(Shell, man_page_and_completion_name_all_commands_and_options) {
+  const std::string man = run_keyblock({"shell", "man"}).output;
+  const std::string bash = run_keyblock({"shell", "bash"}).output;
+  std::istringstream help(run_keyblock({"--help"}).output);
+  int commands = 0;
+  bool has_begun = false;
+  for (std::string line; std::getline(help, line);) {
+    if (has_begun && line.starts_with("  ") && line[2] != ' ') {
+      const std::string name = line.substr(2, line.find(' ', 2) - 2);
+      ++commands;
+      EXPECT_TRUE(contains(man, "\n.SS keyblock " + name + "\n")) << name;
+      EXPECT_TRUE(contains(bash, "    " + name + ") options+=")) << name;
+      std::istringstream words(run_keyblock({name, "--help"}).output);
+      for (std::string word; words >> word;) {
+        const std::string option = word.substr(word.starts_with("-") && word[1] != '-' ? word.find(',') + 1 : 0);
+        if (!option.starts_with("--") || option.size() < 4 || option.find_first_of(".,;:)=`\"") != std::string::npos)
+          continue;
+        EXPECT_TRUE(contains(bash, option)) << name << " " << option;
+      }
+    }
+    has_begun = has_begun || line == "Subcommands:";
+  }
+  EXPECT_GE(commands, 18);
+}
+
+TEST(Shell, bash_completes_commands_options_and_values) {
+  const std::string script = fresh_folder("completion") + "/keyblock.bash";
+  write_text(script, run_keyblock({"shell", "bash"}).output);
+  const auto completed = [&](const std::string& words) {
+    const ProgramRun run =
+        support::run_script("bash -c '. " + script + "; COMP_WORDS=(keyblock " + words +
+                            "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _keyblock; echo ${COMPREPLY[*]}'");
+    EXPECT_EQ(run.exit_code, 0) << run.messages;
+    return run.output;
+  };
+  EXPECT_EQ(completed("conv"), "convert\n");
+  EXPECT_EQ(completed("run --fiel"), "--field\n");
+  EXPECT_EQ(completed("run --field s"), "sxx syy sxy s1 s3\n");
+  EXPECT_EQ(completed("new a"), "arch\n");
+  EXPECT_EQ(completed("--qui"), "--quiet\n");
 }
 
 TEST(Shell, settings_come_in_groups_those_set_first_ahead) {
@@ -62,6 +106,20 @@ TEST(Shell, settings_come_in_groups_those_set_first_ahead) {
     EXPECT_GT(text.find(name), first) << name;
   }
   EXPECT_GT(text.find("\nquirk."), quirks);
+}
+
+// After 20 steps a run of a million knows what they cost; one that is soon over needs no forecast.
+TEST(Shell, a_long_run_foretells_what_it_costs) {
+  const std::string folder = fresh_folder("forecast");
+  ASSERT_EQ(run_keyblock({"new", "slope", "-o", folder + "/slope.json"}).exit_code, 0);
+  const std::string out = folder + "/long";
+  const ProgramRun run = support::interrupt_keyblock(
+      {"run", folder + "/slope.json", "-o", out, "--set", "steps=1000000"}, out + "/step_table.csv");
+  EXPECT_EQ(run.exit_code, 130) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "forecast after 20 steps: ")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, " s a step, about ")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, " for the 999980 that are left")) << run.messages;
+  EXPECT_FALSE(contains(run_keyblock(slide_into(folder + "/short")).messages, "forecast"));
 }
 
 TEST(Shell, quiet_says_errors_alone_and_a_log_keeps_all) {

@@ -60,7 +60,8 @@ TEST(CaseValues, faults_are_named_where_they_stand) {
   EXPECT_EQ(error_of(case_of(kMetre, unnamed, kJoint, kRatio)),
             "f:2:37: error: expected the number or the name of a block material, one of granit rock; did you mean "
             "\"granit rock\"?, found \"granite rock\"");
-  EXPECT_NE(error_of(case_of("{}", kRock, kJoint, kRatio)).find("time_step: units of the case"), std::string::npos);
+  EXPECT_NE(error_of(case_of("{}", kRock, kJoint, kRatio)).find("time_step: a number, or the section \"units\""),
+            std::string::npos);
   EXPECT_NE(error_of(case_of(kMetre, kRock, R"({"name": "bedding", "like": "granite_jiont"})", kRatio))
                 .find("did you mean \"granite_joint\"?"),
             std::string::npos);
@@ -127,14 +128,25 @@ TEST(CaseValues, a_case_names_its_drawing) {
   EXPECT_EQ(std::get<Drawing>(loaded.problem.geometry).joints.size(), 7U);
   EXPECT_EQ(loaded.files.size(), 2U);
   std::filesystem::remove(folder + "/plane.geo");
-  try {
-    load_case({folder + "/case.json"});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("case.json:2:13: error: expected the drawing of the case"),
-              std::string::npos)
-        << error.what();
-  }
+  const auto refused = [&](const std::string& name) {
+    std::string named = text;
+    named.replace(named.find("plane.geo"), 9, name);
+    support::write_text(folder + "/case.json", named);
+    try {
+      load_case({folder + "/case.json"});
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(folder.size() + 1);
+    }
+    return std::string();
+  };
+  const std::string wanted =
+      "case.json:2:13: error: expected the name of a drawing in the folder of the case, such as \"slope.dxf\", found ";
+  EXPECT_EQ(refused("plane.geo"), wanted + "\"plane.geo\": there is no file " + folder + "/plane.geo");
+  EXPECT_EQ(refused("."), wanted + "the folder \".\"");
+  support::write_text(folder + "/other.json", R"({"keyblock": 1, "units": {"length": "m"}})");
+  EXPECT_EQ(refused("other.json"), wanted + "\"other.json\", a Keyblock case file without one");
+  EXPECT_EQ(refused(""),
+            "case.json:2:13: error: expected drawing: the name of a file, such as \"slope.dxf\", found \"\"");
 }
 
 }  // namespace keyblock::formats::case_values_test

@@ -50,7 +50,8 @@ TEST(Csv, steps_table_has_the_columns_of_the_reference_traces) {
                                           .penalty = 5e9,
                                           .displacement_ratio = 0.5,
                                           .greatest_penetration = 1e-6,
-                                          .residual = 0}}};
+                                          .residual = 0,
+                                          .residual_at = {}}}};
   EXPECT_EQ(steps_csv(steps),
             "step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration\n"
             "1,0.001,0.001,2,3,1,4,5e+09,0.5,1e-06\n");
@@ -84,6 +85,13 @@ TEST(Csv, history_ends_with_the_forces_of_bolts) {
   EXPECT_EQ(history_csv(history),
             "step,time [T],x1 [L],y1 [L],dx1 [L],dy1 [L],bolt1 [F],bolt2 [F]\n"
             "1,0.5,1,2,3,4,-50,100.5\n");
+}
+
+// Of 300 blocks it would have 1,202 columns.
+TEST(Csv, history_of_chosen_points_keeps_their_numbers) {
+  History history;
+  history.rows.push_back({1, 0.5, {{{1, 2}, {3, 4}, 0, {}}, {{5, 6}, {7, 8}, 1, {}}, {{9, 10}, {11, 12}, 2, {}}}, {}});
+  EXPECT_EQ(history_csv(history, {}, {2}), "step,time [T],x3 [L],y3 [L],dx3 [L],dy3 [L]\n1,0.5,9,10,11,12\n");
 }
 
 TEST(Csv, history_without_rows_is_a_header_alone) {

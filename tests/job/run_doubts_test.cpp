@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/text/csv.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
@@ -36,6 +37,16 @@ support::ProgramRun run_of(const std::string& folder, const std::string& text, c
   return run_keyblock({"run", out + "/in.json", "--profile", profile, "-o", out + "/out"});
 }
 
+/// A free block of 1 m and 2500 kg/m3 without weight, under the old rules: what `more` says of its points and of the
+/// analysis is all that acts.
+std::string lone_block(const std::string& points, const std::string& more) {
+  return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]}], )" +
+         points + R"(}, "analysis": {"velocity_carry_over": 1, "step_count": 10, "time_step": 0.01,
+    "allowed_displacement_ratio": 0.5, )" +
+         more + R"(, "block_materials": [{"density": 2500, "youngs_modulus": 5e9, "poissons_ratio": 0}],
+    "joint_materials": [{}], "penalty_factor": 1}})";
+}
+
 void expect_trusted(const support::ProgramRun& run) {
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   EXPECT_EQ(run.messages.find("not to be trusted"), std::string::npos) << run.messages;
@@ -44,6 +55,23 @@ void expect_trusted(const support::ProgramRun& run) {
 void expect_doubted(const support::ProgramRun& run, const std::string& why) {
   EXPECT_EQ(run.exit_code, 1) << run.messages;
   EXPECT_NE(run.messages.find("the results are not to be trusted: " + why), std::string::npos) << run.messages;
+}
+
+double last_of(const formats::CsvTable& table, const std::string& column) {
+  return formats::csv_real(table, table.rows.back(), formats::csv_column(table, column));
+}
+
+/// Runs it under the old rules: what moves at the end has all that was done on it, nothing else took or gave. Returns
+/// that energy.
+double energy_of_work(const std::string& folder, const std::string& points, const std::string& more) {
+  const std::string out = fresh_folder(folder);
+  write_text(out + "/in.json", lone_block(points, more));
+  expect_trusted(run_keyblock({"run", out + "/in.json", "--profile", "legacy", "-o", out + "/out"}));
+  const formats::CsvTable ledger = formats::read_csv(formats::load(out + "/out/ledger.csv"));
+  const double kinetic = last_of(ledger, "kinetic");
+  EXPECT_GT(kinetic, 0);
+  EXPECT_NEAR(last_of(ledger, "external"), kinetic, 1e-9 * kinetic);
+  return kinetic;
 }
 
 }  // namespace
@@ -83,6 +111,33 @@ TEST(RunDoubts, a_start_that_lifts_a_block_out_of_another_is_doubted) {
   const std::string twin = R"({"material": 2, "outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]})";
   text.insert(text.find(twin), twin + ", ");
   expect_doubted(run_of("doubt_lifted", text, "standard"), "the start moves block");
+}
+
+// 1000 N for 0.1 s on 2500 kg: a = 0.4, v = 0.04, ½ m v² = 2 J, and F times its way of ½ a t² = 2 mm is as much.
+TEST(RunDoubts, the_work_of_loads_is_in_the_books_of_the_old_rules) {
+  EXPECT_NEAR(energy_of_work("doubt_load", R"("loading_points": [[0.5, 0.5, 1]])",
+                             R"("point_loads": [[[0, 1000, 0], [1, 1000, 0]]])"),
+              2, 1e-9);
+}
+
+TEST(RunDoubts, the_work_of_an_acceleration_is_in_the_books_of_the_old_rules) {
+  EXPECT_NEAR(energy_of_work("doubt_shaken", R"("bolts": [])", R"("body_acceleration": [[0, 0.4, 0], [1, 0.4, 0]])"), 2,
+              1e-9);
+}
+
+// Driven at its centroid it neither turns nor strains.
+TEST(RunDoubts, the_work_of_driven_points_is_in_the_books_of_the_old_rules) {
+  energy_of_work("doubt_driven", R"("fixed_points": [[0.5, 0.5, 1]])",
+                 R"("fixed_point_motions": [[[0, 0, 0], [0.05, 0.01, 0], [1, 0.2, 0.1]]])");
+}
+
+// The shaken slope of the fronts: under the old rules its blocks fly apart, with ten times the energy of what fell and
+// what shook them. Nothing else says so.
+TEST(RunDoubts, blocks_that_fly_apart_under_given_accelerations_are_doubted) {
+  const std::string folder = fresh_folder("doubt_slope");
+  const std::string slope = KEYBLOCK_SOURCE_DIR "/legacy_cases/fronts/slope.json";
+  expect_doubted(run_keyblock({"run", slope, "--profile", "legacy", "-o", folder + "/out"}),
+                 "energy came from nothing: 0.9");
 }
 
 }  // namespace keyblock::run_doubts_test

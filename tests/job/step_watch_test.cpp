@@ -47,4 +47,28 @@ TEST(StepWatch, a_load_step_of_many_parts_is_warned_of_once) {
   EXPECT_EQ(found[0].sentence, "step 3 was made in 7 parts: near a limit load; as in 2 of 5 steps");
 }
 
+// 3 of 4 steps are out of balance by more than 1e-6; the third is the worst.
+TEST(StepWatch, forces_out_of_balance_are_told_by_the_worst_step_with_its_contact) {
+  StepWatch watch(square_that_yields());
+  const double residuals[] = {2e-6, 1e-9, 7e-4, 3e-5};
+  for (int i = 0; i < 4; ++i) {
+    StepReport report;
+    report.step = i + 1;
+    report.time = 0.5 * report.step;
+    report.residual = residuals[i];
+    report.residual_element = 10 + i;
+    report.residual_other = 20 + i;
+    report.residual_at = {1.5, -2};
+    report.contacts = 40;
+    report.closed = 30;
+    watch.add(report);
+  }
+  const Warnings found = watch.warnings({});
+  const auto told = std::ranges::find(found, "large_residual", &Warning::name);
+  ASSERT_NE(told, found.end());
+  EXPECT_EQ(told->sentence,
+            "forces are out of balance by more than 1e-06 of the load in 3 of 4 steps; the worst is step 3 (time 1.5), "
+            "by 7.0e-04, where block 12 touches block 22 at 1.5, -2 (40 contacts in all, 30 closed)");
+}
+
 }  // namespace keyblock::step_watch_test

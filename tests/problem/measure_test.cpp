@@ -89,6 +89,45 @@ TEST(Measure, a_name_is_worth_what_the_declared_units_make_of_it) {
     }
 }
 
+// Against factors that were published: NIST Special Publication 811 (2008), appendix B, to its seven digits, and
+// products of the exact ones of metre, kilogram and second.
+TEST(Measure, names_are_worth_what_tables_of_conversion_say) {
+  struct Row {
+    const Units& units;
+    Measure measure;
+    const char* name;
+    double si;
+  };
+  const Row table[] = {{kMetres, measures::kStress, "Pa", 1},
+                       {kMetres, measures::kToughness, "N/m^1.5", 1},
+                       {kKilonewtons, measures::kStress, "kPa", 1e3},
+                       {kKilonewtons, measures::kMass, "t/m", 1e3},
+                       {kKilonewtons, measures::kForcePerVolume, "kN/m³", 1e3},
+                       {kMillimetres, measures::kStress, "MPa", 1e6},
+                       {kMillimetres, measures::kForce, "N/mm", 1e3},
+                       {kMillimetres, measures::kDensity, "t/mm³", 1e12},
+                       {kMillimetres, measures::kMomentOfInertia, "t·mm²/mm", 1},
+                       {kMegapascals, measures::kForce, "MN/m", 1e6},
+                       {kMegapascals, measures::kDensity, "kt/m³", 1e6},
+                       {kFeet, measures::kLength, "ft", 0.3048},
+                       {kFeet, measures::kStress, "psf", 47.88026},
+                       {kFeet, measures::kForce, "lbf/ft", 14.59390},
+                       {kFeet, measures::kDensity, "slug/ft³", 515.3788},
+                       {kFeet, measures::kMass, "slug/ft", 14.59390 / 0.3048},
+                       {kInches, measures::kLength, "in", 0.0254},
+                       {kInches, measures::kStress, "psi", 6894.757},
+                       {kInches, measures::kForce, "lbf/in", 175.1268},
+                       {kInches, measures::kAcceleration, "in/s²", 0.0254},
+                       {kFeetPsi, measures::kStress, "psi", 6894.757},
+                       {kPounds, measures::kStress, "lb/ft/s²", 1.488164},
+                       {kPounds, measures::kDensity, "lb/ft³", 16.01846}};
+  for (const Row& row : table) {
+    EXPECT_EQ(unit_of(row.measure, row.units), row.name);
+    EXPECT_NEAR(unit_named(row.name)->factor / row.si, 1, 5e-7) << row.name;
+    EXPECT_NEAR(*si_factor(row.units, dimension_of(row.measure)) / row.si, 1, 5e-7) << row.name;
+  }
+}
+
 TEST(Measure, what_is_not_declared_stays_a_letter) {
   EXPECT_EQ(with_unit("x", measures::kLength, {"m", "", ""}), "x [m]");
   EXPECT_EQ(with_unit("force", measures::kForce, {"m", "", ""}), "force [F]");

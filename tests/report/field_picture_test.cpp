@@ -24,8 +24,8 @@ bool contains(const std::string& text, const std::string& part) {
 
 TEST(FieldPicture, it_names_elements_scale_and_stress) {
   const FieldFrame field = sheared();
-  EXPECT_EQ(most_varied(field), StressShown::yy);
-  const std::string svg = field_picture({"a title", field, field, {}, StressShown::yy});
+  EXPECT_EQ(most_varied(field), FieldShown::yy);
+  const std::string svg = field_picture({"a title", field, field, {}, FieldShown::yy});
   EXPECT_TRUE(contains(svg, "a title"));
   EXPECT_TRUE(contains(svg, "1 block"));
   EXPECT_TRUE(contains(svg, "displacement × 10"));  // 0.08 of the extent √2, rounded down to 1, 2 or 5
@@ -36,7 +36,7 @@ TEST(FieldPicture, it_names_elements_scale_and_stress) {
 TEST(FieldPicture, a_field_at_rest_is_drawn_as_it_is) {
   FieldFrame field = sheared();
   for (auto& corner : field.elements[0].loops[0]) corner.displacement = {};
-  EXPECT_TRUE(contains(field_picture({"t", field, field, {}, StressShown::xx}), "displacement × 1<"));
+  EXPECT_TRUE(contains(field_picture({"t", field, field, {}, FieldShown::xx}), "displacement × 1<"));
   EXPECT_TRUE(contains(mesh_picture("3 elements", field), "3 elements"));
 }
 
@@ -44,7 +44,7 @@ TEST(FieldPicture, a_motion_is_never_drawn_smaller_than_it_is) {
   FieldFrame field = sheared();
   for (auto& corner : field.elements[0].loops[0]) corner.displacement = {3, 0};
   field.elements[0].middle.displacement = {3, 0};
-  FieldPicture picture{"t", field, field, {}, StressShown::yy};
+  FieldPicture picture{"t", field, field, {}, FieldShown::yy};
   EXPECT_TRUE(contains(field_picture(picture), "displacement × 0.02<"));
   picture.is_of_motion = true;
   EXPECT_TRUE(contains(field_picture(picture), "displacement × 1<"));
@@ -57,6 +57,35 @@ TEST(FieldPicture, rigid_blocks_have_no_stress) {
   const std::string svg = field_picture({"", field, field, {}, most_varied(field)});
   EXPECT_TRUE(contains(svg, "no stress"));
   EXPECT_FALSE(contains(svg, "tension positive"));
+}
+
+// At the corners of the lower edge σxx = σxy = 0 and σyy = -4, at the upper ones σyy = 1: σ1 is 0 and 1, σ3 -4 and 0,
+// and the stress to von Mises without σzz is |σyy|. A piece has the mean of its edge and the middle's -1.5.
+TEST(FieldPicture, principal_stresses_von_mises_and_displacement_may_be_shown) {
+  const FieldFrame field = sheared();
+  const auto shown = [&](const char* word) {
+    FieldPicture picture{"t", field, field, {}, field_of_word(word)};
+    picture.units = {"m", "kg", "s"};
+    return field_picture(picture);
+  };
+  EXPECT_TRUE(contains(shown("s1"), ">σ1 [Pa]<"));
+  EXPECT_TRUE(contains(shown("s1"), "greatest principal stress"));
+  EXPECT_TRUE(contains(shown("s3"), ">σ3 [Pa]<"));
+  EXPECT_TRUE(contains(shown("s3"), ">-3.17<"));
+  EXPECT_TRUE(contains(shown("von_mises"), ">von Mises [Pa]<"));
+  EXPECT_TRUE(contains(shown("von_mises"), ">3.17<"));
+  EXPECT_TRUE(contains(shown("displacement"), ">displacement [m]<"));
+  EXPECT_THROW(field_of_word("szz"), std::invalid_argument);
+}
+
+// Which blocks are left out is decided for all pictures of a run.
+TEST(FieldPicture, it_leaves_out_what_it_is_told_to) {
+  FieldFrame field = sheared();
+  field.elements.push_back(field.elements[0]);
+  field.elements[1].body = 1;
+  FieldPicture picture{"t", field, field, {}, FieldShown::yy};
+  picture.left_out = {1};
+  EXPECT_TRUE(contains(field_picture(picture), "1 small block lies outside of the picture"));
 }
 
 }  // namespace keyblock::report::field_picture_test

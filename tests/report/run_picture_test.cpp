@@ -96,23 +96,37 @@ TEST(RunPicture, small_blocks_far_away_are_left_out_and_counted) {
   sliver.centroid = {0.05, -20};
   sliver.area = 0.005;
   picture.end.elements.push_back(sliver);
-  const auto says = [](const RunPicture& of) { return has(run_picture(of), "outside of the picture"); };
+  const auto leaves_out = [](const RunPicture& of) { return !left_out_of(of.start, of.end, of.marked).empty(); };
   EXPECT_FALSE(has(alone, "outside of the picture"));
+  EXPECT_EQ(left_out_of(picture.start, picture.end, {}), std::vector<std::size_t>{40});
+  picture.left_out = {40};
   EXPECT_TRUE(has(run_picture(picture), "1 small block lies outside of the picture"));
   const auto polygons = [](const std::string& text) { return std::count(text.begin(), text.end(), 'Z'); };
   EXPECT_EQ(polygons(run_picture(picture)), polygons(alone) + 1) << "the square of the legend, and no block";
   RunPicture marked = picture;
   marked.marked = {40};  // what failed is shown wherever it is
-  EXPECT_FALSE(says(marked));
+  EXPECT_FALSE(leaves_out(marked));
   RunPicture measured = picture;
   measured.end.measured_points = {{{0.05, -20}, {}, 40}};
-  EXPECT_FALSE(says(measured));
+  EXPECT_FALSE(leaves_out(measured));
   RunPicture large = picture;
   large.end.elements.back().area = 1;
-  EXPECT_FALSE(says(large));
+  EXPECT_FALSE(leaves_out(large));
   RunPicture of_few = picture;
   of_few.end.elements.erase(of_few.end.elements.begin(), of_few.end.elements.begin() + 31);
-  EXPECT_FALSE(says(of_few));
+  EXPECT_FALSE(leaves_out(of_few));
+}
+
+// The number of a curve stands in the drawing beside what it is of, and the legend says what numbers are.
+TEST(RunPicture, what_has_a_curve_has_its_number_in_the_drawing) {
+  RunPicture picture = slide();
+  EXPECT_FALSE(has(run_picture(picture), "whose curve is drawn"));
+  picture.numbers = {{"17", {3.5, 0.5}}};
+  picture.numbered_words = "block whose curve is drawn";
+  EXPECT_TRUE(has(run_picture(picture), ">17<"));
+  EXPECT_TRUE(has(run_picture(picture), ">block whose curve is drawn<"));
+  picture.curves.clear();  // of a run without a step
+  EXPECT_FALSE(has(run_picture(picture), "whose curve is drawn"));
 }
 
 TEST(RunPicture, several_materials_have_a_legend) {

@@ -17,6 +17,7 @@
 #include "app/batch/batch_archive.hpp"
 #include "app/batch/batch_work.hpp"
 #include "app/command.hpp"
+#include "app/progress.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "formats/registry.hpp"
@@ -156,7 +157,7 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
   return journal;
 }
 
-/// Says now and then how far the batch is.
+/// Says now and then how far the batch is, and how much time is left if the other jobs take as long.
 class Reports {
  public:
   explicit Reports(std::size_t jobs) : jobs_(jobs) {}
@@ -164,13 +165,16 @@ class Reports {
     ++done_;
     if (Clock::now() - shown_ < kBetweenReports) return;
     shown_ = Clock::now();
-    spdlog::info("{} of {} jobs done", done_, jobs_);
+    const double taken = std::chrono::duration<double>(Clock::now() - begun_).count();
+    const double left = taken * static_cast<double>(jobs_ - done_) / static_cast<double>(done_);
+    spdlog::info("{} of {} jobs done, about {} left", done_, jobs_, time_in_words(left));
   }
 
  private:
   std::size_t jobs_;
   std::size_t done_ = 0;
-  Clock::time_point shown_ = Clock::now();
+  Clock::time_point begun_ = Clock::now();
+  Clock::time_point shown_ = begun_;
 };
 
 /// Does what the journal does not hold yet, and writes it there.

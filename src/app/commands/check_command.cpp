@@ -14,6 +14,7 @@
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/layers_option.hpp"
+#include "app/progress.hpp"
 #include "base/counted.hpp"
 #include "base/printable.hpp"
 #include "cut/covers/from_cover.hpp"
@@ -38,6 +39,7 @@ using Json = nlohmann::ordered_json;
 // Steps are tried for so long, unless asked otherwise.
 constexpr double kTrialSeconds = 2;
 constexpr int kTrialSteps = 20;
+constexpr double kSeconds = 10;  // below which they are told with two digits
 
 struct CheckOptions {
   std::vector<std::string> files;
@@ -155,9 +157,11 @@ void print(const Requirements& plan) {
 std::string cost_in_words(const TrialSteps& trial, int steps) {
   if (!trial.starts) return fmt::format("cost: the start alone takes more than {:.2g} s", trial.start_seconds);
   const bool is_bound = trial.made == 0 && trial.failure.empty();
-  return fmt::format("cost: start {:.2g} s, {}{:.2g} s a step ({} tried), {}{:.2g} s for {}", trial.start_seconds,
+  const double all = trial.seconds_of(steps);
+  return fmt::format("cost: start {:.2g} s, {}{:.2g} s a step ({} tried), {}{} for {}", trial.start_seconds,
                      is_bound ? "more than " : "", trial.step_seconds, trial.made, is_bound ? "more than " : "about ",
-                     trial.seconds_of(steps), counted(static_cast<std::size_t>(steps), "step"));
+                     all < kSeconds ? fmt::format("{:.2g} s", all) : time_in_words(all),
+                     counted(static_cast<std::size_t>(steps), "step"));
 }
 
 Json json_of(const TrialSteps& trial, int steps) {
@@ -332,7 +336,10 @@ ExitCode check_files(const CheckOptions& options) {
     for (const formats::FileReading& file : files) print(file);
     print(report);
   }
-  return log_errors(files, report) > 0 ? ExitCode::unreadable : ExitCode::ok;
+  if (log_errors(files, report) > 0) return ExitCode::unreadable;
+  if (!report.trial || report.trial->failure.empty()) return ExitCode::ok;
+  spdlog::error("keyblock: error: a run will not go, as steps made for a trial show: {}", report.trial->failure);
+  return ExitCode::check_failed;
 }
 
 }  // namespace

@@ -44,11 +44,33 @@ Json json_of(const formats::Format& format) {
           {"sample", formats::knowledge_of(format).sample}};
 }
 
+/// In SI, as a case that declares m, kg and s would take them.
+Json library_json() {
+  const Units units{"m", "kg", "s"};
+  Json rocks = Json::array(), joints = Json::array();
+  for (const std::string& name : formats::library_names(BlockMaterial{})) {
+    BlockMaterial rock;
+    formats::take_from_library(name, units, rock);
+    rocks.push_back({{"like", name},
+                     {"density", rock.density},
+                     {"youngs_modulus", rock.youngs_modulus},
+                     {"poissons_ratio", rock.poissons_ratio}});
+  }
+  for (const std::string& name : formats::library_names(JointMaterial{})) {
+    JointMaterial joint;
+    formats::take_from_library(name, units, joint);
+    joints.push_back({{"like", name}, {"friction_angle_deg", joint.friction_angle_deg}});
+  }
+  return {{"units", {{"length", "m"}, {"mass", "kg"}, {"time", "s"}}},
+          {"block_materials", rocks},
+          {"joint_materials", joints}};
+}
+
 ExitCode list(const FormatsOptions& options) {
   if (options.wants_schema) {
     fmt::print("{}", formats::case_schema());
   } else if (options.wants_materials) {
-    fmt::print("{}", formats::library_tables());
+    fmt::print("{}", options.as_json ? library_json().dump(1) + "\n" : formats::library_tables());
   } else if (!options.name.empty()) {
     const formats::Format* format = formats::find_format(options.name);
     if (!format)

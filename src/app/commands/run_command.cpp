@@ -261,7 +261,8 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
                      {},
                      {},
                      options.outputs.histories,
-                     options.outputs.contacts};
+                     options.outputs.contacts,
+                     options.outputs.field};
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
     request.digests.push_back(input.sha256);
@@ -342,11 +343,11 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   for (const std::string& file : options.files) require_not_below(file, options.folder);
   RunJob job(prepared, std::move(record), std::move(request),
              {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
-              options.checkpoint_every, loaded.problem.analysis->place, loaded.problem.outputs},
+              options.checkpoint_every, loaded.problem.analysis->place, loaded.problem.outputs, options.outputs.field},
              saved);
   listen_for_stops();  // from here on something is left that a stop should leave whole
   job.open();
-  ProgressLine progress(prepared.scene.settings.step_count, job.steps_before().value_or(0));
+  ProgressLine progress(prepared.scene.settings.step_count, job.steps_before().value_or(0), softer_springs(prepared));
   print_start(prepared, job, saved != nullptr);
   if (!job.run({[&](const StepReport& report) { progress.show(report); }, [] { return stop_signal() != 0; }})) {
     spdlog::warn("{} before the first step; {}", stopped_how(), how_to_go_on(options.folder));
@@ -379,6 +380,7 @@ ExitCode resume_run(const RunOptions& options) {
   again.trace = request.has_trace;
   again.outputs.histories = request.histories;
   again.outputs.contacts = request.contacts;
+  again.outputs.field = request.field;
   return run_asked(again, &request, &saved).code;
 }
 
@@ -526,7 +528,7 @@ Action configure_run(CLI::App& options) {
           ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
-  const auto [histories, contacts] = add_output_options(options, chosen->outputs);
+  const auto [histories, contacts, field] = add_output_options(options, chosen->outputs);
   CLI::Option* layers = add_layers_option(options, chosen->layers);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,
@@ -549,10 +551,10 @@ Action configure_run(CLI::App& options) {
                       "joints, rock or both: divide their strength until the case no longer stands, as `fos` does")
           ->check(CLI::IsMember({"joints", "rock", "both"}));
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
-  for (CLI::Option* of_run : {every, trace, both, histories, contacts}) reduced->excludes(of_run);
+  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field}) reduced->excludes(of_run);
   both->excludes(profile);
-  for (CLI::Option* other :
-       {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories, contacts, layers})
+  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories,
+                             contacts, field, layers})
     resume->excludes(other);
   add_thread_option(options);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");

@@ -13,6 +13,7 @@
 #include "app/above_zero.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
+#include "base/printable.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
@@ -41,6 +42,12 @@ Json number_or_none(const std::optional<double>& value) {
 
 Json bracket_json(const Bracket& bracket) {
   return {{"stands", number_or_none(bracket.stands)}, {"falls", number_or_none(bracket.falls)}};
+}
+
+Json blocks_json(const std::vector<int>& blocks) {
+  Json numbers = Json::array();
+  for (const int block : blocks) numbers.push_back(block + 1);
+  return numbers;
 }
 
 std::string kind_of(const StrengthTrial& trial) {
@@ -72,13 +79,9 @@ Json json_of(const ReducedCase& chosen, const FactorOfSafety& found) {
           {"equilibrium", bracket_json(found.equilibrium)},
           {"knee_times", study::kKnee},
           {"lower_estimate", found.is_lower_estimate},
+          {"left_out", blocks_json(found.left_out)},
           {"notes", found.notes},
           {"trials", trials}};
-}
-
-std::string quoted(std::string text) {
-  for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) text.insert(at, 1, '"');
-  return '"' + text + '"';
 }
 
 std::string csv_of(const FactorOfSafety& found, const Units& units) {
@@ -86,7 +89,7 @@ std::string csv_of(const FactorOfSafety& found, const Units& units) {
                                 with_declared("largest_displacement", measures::kLength, units));
   for (const StrengthTrial& t : found.trials)
     csv += fmt::format("{},{},{},{},{},{},{}\n", t.factor, study::name_of(t.verdict), t.is_balanced, t.is_past_knee,
-                       t.displacement, t.rounds, quoted(t.why));
+                       t.displacement, t.rounds, csv_cell(t.why));
   return csv;
 }
 
@@ -223,6 +226,7 @@ ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& opti
   search.on_trial = [](const StrengthTrial& trial) {
     spdlog::info("F = {:.6g}: {}{}{}", trial.factor, kind_of(trial), trial.why.empty() ? "" : ": ", trial.why);
   };
+  search.on_loose = [](const std::string& sentence) { spdlog::info("{}; the search begins anew", sentence); };
   const FactorOfSafety found = study::factor_of_safety(trials, search);
   const std::string json = json_of(chosen, found).dump(1, ' ', false, Json::error_handler_t::replace);
   if (options.as_json)

@@ -82,6 +82,12 @@ double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces)
   return residual(problem, tried(problem, forces));
 }
 
+std::size_t worst_pair(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
+  Eigen::Index worst = 0;
+  (natural_map(problem, forces).forces - forces).cwiseAbs().maxCoeff(&worst);
+  return static_cast<std::size_t>(worst / 2);
+}
+
 // The pairs that the natural map would still change by more than is acceptable.
 std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Tried& tried) {
   const auto& [forces, y] = tried;

@@ -111,6 +111,9 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, con
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 double residual(const FrictionalProblem& problem, const Tried& tried);
 
+/// The pair of forces that the natural map would change most: it holds the residual up. At least one pair is there.
+std::size_t worst_pair(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
+
 /// Whether every force is settled: the natural map changes it by no more than is acceptable, or it is one that its law
 /// allows and its |y| is tolerated.
 bool is_acceptable(const FrictionalProblem& problem, const Eigen::VectorXd& forces);

@@ -16,6 +16,8 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
+constexpr std::size_t kMostColumns =
+    10;  // blocks of history.csv: four columns each, a table that can be looked through
 
 bool is_in(const HistoryRow& row, std::size_t point) {
   return point < row.points.size() && is_there(row.points[point]);
@@ -65,29 +67,52 @@ std::optional<double> displacement_of(const HistoryRow& row, const std::vector<s
   return way ? std::optional(length(*way)) : std::nullopt;
 }
 
+using Parts = std::vector<std::pair<std::size_t, double>>;
+
 // All of few; of many those that came farthest, the first of them first.
-std::vector<std::size_t> shown_of(const History& history, const FollowedParts& followed) {
-  std::vector<double> farthest;
-  for (const auto& parts : followed.parts) {
-    double& most = farthest.emplace_back(0);
-    for (const HistoryRow& row : history.rows) most = std::max(most, displacement_of(row, parts).value_or(0));
-  }
-  std::vector<std::size_t> shown(followed.parts.size());
+std::vector<std::size_t> farthest_of(const History& history, const std::vector<Parts>& all, std::size_t most,
+                                     const std::vector<int>& hidden) {
+  std::vector<std::size_t> shown(all.size());
   std::iota(shown.begin(), shown.end(), 0U);
-  if (shown.size() <= kMostCurves) return shown;
+  if (shown.size() <= most) return shown;
+  std::erase_if(shown, [&](std::size_t i) { return std::ranges::find(hidden, static_cast<int>(i)) != hidden.end(); });
+  std::vector<double> farthest(all.size(), 0);
+  for (const std::size_t i : shown)
+    for (const HistoryRow& row : history.rows)
+      farthest[i] = std::max(farthest[i], displacement_of(row, all[i]).value_or(0));
   std::ranges::stable_sort(shown, std::ranges::greater(), [&](std::size_t i) { return farthest[i]; });
-  shown.resize(kMostCurves);
+  shown.resize(std::min(most, shown.size()));
   return shown;
+}
+
+std::vector<std::size_t> shown_of(const Shown& all, const FollowedParts& followed) {
+  const bool are_blocks = !all.history.of_measured_points && followed.parts.size() == all.field.elements.size();
+  return farthest_of(all.history, followed.parts, kMostCurves, are_blocks ? all.hidden : std::vector<int>());
+}
+
+// In the last row that has it.
+std::optional<Point> place_of(const History& history, const Parts& parts) {
+  for (auto row = history.rows.rbegin(); row != history.rows.rend(); ++row) {
+    Point at;
+    bool is_whole = true;
+    for (const auto& [point, share] : parts) {
+      is_whole = is_whole && is_in(*row, point);
+      if (is_whole) at = at + share * row->points[point].position;
+    }
+    if (is_whole) return at;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 // How far each of them has come, over time.
-std::vector<report::Curve> displacement_curves(const History& history, const Frame& start, const FieldFrame& field) {
+std::vector<report::Curve> displacement_curves(const Shown& all) {
+  const History& history = all.history;
   std::vector<report::Curve> curves;
   if (history.rows.empty()) return curves;
-  const FollowedParts followed = followed_by(history, start, field);
-  const std::vector<std::size_t> shown = shown_of(history, followed);
+  const FollowedParts followed = followed_by(history, all.start, all.field);
+  const std::vector<std::size_t> shown = shown_of(all, followed);
   for (const std::size_t i : shown) {
     report::Curve curve;
     const bool is_last_of_more = i == shown.back() && followed.parts.size() > shown.size();
@@ -104,12 +129,39 @@ std::vector<report::Curve> displacement_curves(const History& history, const Fra
   return curves;
 }
 
-std::string most_moved_rows(const History& history, const Frame& start, const FieldFrame& field, const Units& units) {
+std::vector<report::NumberedPlace> numbers_of_curves(const Shown& all) {
+  std::vector<report::NumberedPlace> numbers;
+  if (all.history.rows.empty()) return numbers;
+  const FollowedParts followed = followed_by(all.history, all.start, all.field);
+  for (const std::size_t i : shown_of(all, followed))
+    if (const std::optional<Point> at = place_of(all.history, followed.parts[i]))
+      numbers.push_back({fmt::format("{}", i + 1), *at});
+  return numbers;
+}
+
+std::string numbered_words(const Shown& all) {
+  if (all.history.rows.empty()) return {};
+  return fmt::format("{} whose curve is drawn", followed_by(all.history, all.start, all.field).word);
+}
+
+std::vector<std::size_t> columns_of_history(const History& history, const std::vector<int>& hidden) {
+  std::size_t most = 0;
+  for (const HistoryRow& row : history.rows) most = std::max(most, row.points.size());
+  if (history.of_measured_points || most <= kMostColumns) return {};
+  std::vector<Parts> all;
+  for (std::size_t i = 0; i < most; ++i) all.push_back({{i, 1.0}});
+  std::vector<std::size_t> chosen = farthest_of(history, all, kMostColumns, hidden);
+  std::ranges::sort(chosen);
+  return chosen;
+}
+
+std::string most_moved_rows(const Shown& all, const Units& units) {
+  const History& history = all.history;
   std::string text;
   if (history.rows.empty()) return text;
   const std::string unit = unit_of(measures::kLength, units);
-  const FollowedParts followed = followed_by(history, start, field);
-  const std::vector<std::size_t> shown = shown_of(history, followed);
+  const FollowedParts followed = followed_by(history, all.start, all.field);
+  const std::vector<std::size_t> shown = shown_of(all, followed);
   for (const HistoryRow& row : history.rows)
     for (const std::size_t i : shown) {
       const std::optional<Point> way = way_of(row, followed.parts[i]);

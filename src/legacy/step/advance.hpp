@@ -35,6 +35,7 @@ struct Stepping {
   double penalty = 0;  ///< contact stiffness to begin the next step with
   Solver solver;
   bool has_solved = false;
+  double work = 0;  ///< of all that pushes but weight and contact, since the start
 };
 
 Stepping start(const ShiScene& scene);

@@ -49,6 +49,7 @@ void describe(Archive& a, Stepping& stepping) {
   a.value("penalty", stepping.penalty);
   a.value("has_solved", stepping.has_solved);
   a.value("gave_up_iterations", stepping.solver.gave_up_iterations);
+  a.value("work", stepping.work);
 }
 
 }  // namespace
@@ -67,10 +68,14 @@ ShiStepper::ShiStepper(Scene scene, Archive& saved) : ShiStepper(std::move(scene
 std::variant<StepReport, StepFailure> ShiStepper::advance() {
   const bool had_solved = stepping_.has_solved;
   const bool gave_up = stepping_.solver.gave_up_iterations;
+  const bool does_work = scene_.settings.ledger == Bookkeeping::on && keyblock::does_work(model(), settings());
+  const State start = does_work ? state() : State();
   Table<VertexIndex, Point> before = state().vertices;
   try {
     std::variant<StepReport, StepFailure> made = keyblock::advance(scene_, stepping_);
-    if (std::holds_alternative<StepReport>(made)) vertices_before_ = std::move(before);
+    if (std::holds_alternative<StepFailure>(made)) return made;
+    vertices_before_ = std::move(before);
+    if (does_work) stepping_.work += work_of_step(model(), settings(), start, state());
     return made;
   } catch (const StopRequested&) {
     stepping_.has_solved = had_solved;
@@ -84,7 +89,9 @@ ContactFrames ShiStepper::contacts() const {
 }
 
 LedgerRow ShiStepper::ledger() const {
-  return stored_row(scene_.model, scene_.settings, state(), unloaded_);
+  LedgerRow row = stored_row(scene_.model, scene_.settings, state(), unloaded_);
+  row.flow.external = stepping_.work;
+  return row;
 }
 
 LedgerScope ShiStepper::ledger_scope() const {

@@ -9,12 +9,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "problem/units/unit_names.hpp"
+
 namespace keyblock {
 namespace {
-
-constexpr std::array<std::string_view, 10> kForceNames{"N", "kN", "MN", "GN", "mN", "µN", "lbf", "kip", "kgf", "tf"};
-constexpr std::array<std::string_view, 10> kStressNames{"Pa",  "kPa", "MPa", "GPa", "mPa",
-                                                        "µPa", "psi", "ksi", "psf", "bar"};
 
 /// What stands for the base units, and between them.
 struct Words {
@@ -93,8 +91,8 @@ Words words_of(const Units& units) {
   // A product stands for no name: what has mass is then spelt by force, or by stress where force has no name either.
   const bool has_name = units.mass.find("·") == std::string::npos;
   Words words{
-      has_name ? units.mass : std::string(), units.length, units.time, named(units, kForceDimension, kForceNames),
-      named(units, kStress, kStressNames),   "·"};
+      has_name ? units.mass : std::string(), units.length, units.time, named(units, kForceDimension, kForceUnits),
+      named(units, kStress, kStressUnits),   "·"};
   if (!has_name && words.force.empty() && !words.stress.empty()) words.force = words.stress + "·" + units.length + "²";
   return words;
 }

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "problem/units/unit_names.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -153,8 +155,8 @@ bool multiply(Unit& product, Part part, bool is_first) {
 std::string known_mass(const std::string& made) {
   const std::optional<Unit> unit = unit_named(made);
   if (!unit || unit->dimension != kMass) return {};
-  for (const char* const name : {"kg", "t", "kt", "g", "slug", "lb"})
-    if (std::abs(unit->factor / unit_named(name)->factor - 1) < kSameUnit) return name;
+  for (const std::string_view name : kMassUnits)
+    if (std::abs(unit->factor / unit_named(name)->factor - 1) < kSameUnit) return std::string(name);
   return made;
 }
 

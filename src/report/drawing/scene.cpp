@@ -68,6 +68,10 @@ void draw_sign(SvgPage& page, Point left, const LegendEntry& entry) {
     case LegendEntry::Sign::mark:
       draw_mark(page, entry.mark == Mark::fixed_point ? middle - Point{0, 5} : middle, entry.mark);
       break;
+    case LegendEntry::Sign::number:
+      page.text(middle + Point{0, 4}, "12",
+                {.size = kTextSize, .anchor = Anchor::middle, .fill = entry.colour, .bold = true});
+      break;
   }
 }
 

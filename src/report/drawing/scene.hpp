@@ -39,9 +39,9 @@ std::vector<std::size_t> far_small_blocks(const Box& drawn, const std::vector<Pl
 /// "2 small blocks lie outside of the picture".
 std::string outside_in_words(std::size_t count);
 
-/// One entry of a legend: a filled square, a line, or the sign of a point.
+/// One entry of a legend: a filled square, a line, the sign of a point, or a number.
 struct LegendEntry {
-  enum class Sign { area, line, dashed_line, dots, mark };
+  enum class Sign { area, line, dashed_line, dots, mark, number };
   Sign sign = Sign::area;
   std::string_view colour;
   Mark mark = Mark::fixed_point;

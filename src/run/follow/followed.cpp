@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/counted.hpp"
+#include "base/printable.hpp"
 #include "model/continuum.hpp"
 #include "problem/units/measure.hpp"
 #include "run/follow/resultant.hpp"
@@ -33,17 +34,6 @@ std::string name_of(const HistoryPlan& plan) {
   if (plan.joint) return fmt::format("{}", *plan.joint + 1);
   const auto& [start, end] = *plan.line;
   return fmt::format("{:g} {:g} to {:g} {:g}", start.x, start.y, end.x, end.y);
-}
-
-/// As tables of comma separated values have it.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return quoted + '"';
 }
 
 bool is_between(const ContactFrame& contact, const BlockPair& pair) {
@@ -102,7 +92,7 @@ class Lines {
   Lines(const Stepper& stepper, const FollowedUnits& units, const std::string& what, const std::string& name)
       : stepper_(stepper),
         units_(units),
-        first_(fmt::format("{},{},{},{},", stepper.state().step, stepper.state().time, what, cell(name))) {}
+        first_(fmt::format("{},{},{},{},", stepper.state().step, stepper.state().time, what, csv_cell(name))) {}
 
   void point(int number) {
     const Model& model = stepper_.model();

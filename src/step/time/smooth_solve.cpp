@@ -31,6 +31,7 @@ class SmoothSolve {
     do {
       settle();
     } while (result_.converged && contacts_.break_bonds(result_.forces));
+    if (result_.residual > contacts_.problem().goal) result_.worst = worst_pair(contacts_.problem(), result_.forces);
     static_cast<BodiesMotion&>(result_) = free_.end(increments_, result_.converged);
     std::move(contacts_).put_end(result_);
     result_.flexibility = std::move(free_).take_flexibility();

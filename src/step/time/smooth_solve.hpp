@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "contact/rows/gap.hpp"
 #include "contact/solve/frictional_problem.hpp"
@@ -39,6 +40,7 @@ struct SmoothMotion : BodiesMotion {
   bool converged = false;
   bool is_tolerated = false;           ///< converged by what is tolerated alone
   std::vector<std::size_t> undecided;  ///< touches that would not settle
+  std::optional<std::size_t> worst;    ///< touch that holds the residual up, where the goal was not reached
 };
 
 /// With weights θv of the velocity and θf of the elastic force (Moreau 1988 for the half weights, Shi 1988 for ½ and

@@ -74,6 +74,7 @@ class Attempt {
     step_.touches.insert(step_.touches.end(), parts_.impacts.begin(), parts_.impacts.end());
     step_.undecided = smooth_.undecided;
     step_.residual = scales_.force > 0 ? smooth_.residual / scales_.force : 0;
+    if (smooth_.worst && *smooth_.worst < parts_.smooth.size()) step_.worst = parts_.smooth[*smooth_.worst];
     step_.converged = smooth_.converged;
     if (!step_.converged) return std::move(step_);
     if (!smooth_.is_tolerated) step_.undecided.clear();
@@ -283,12 +284,18 @@ StandardStep in_parts(const StandardScene& scene, const Motion& start, double ti
   second.locked_overlaps += first.locked_overlaps;
   if (second.undecided.empty()) second.undecided = first.undecided;
   second.account += first.account;
-  second.residual = std::max(first.residual, second.residual);
+  keep_larger_residual(second, first);
   second.least = std::min(first.least, second.least);
   return second;
 }
 
 }  // namespace
+
+void keep_larger_residual(StandardStep& step, const StandardStep& other) {
+  if (!(other.residual > step.residual)) return;
+  step.residual = other.residual;
+  step.worst = other.worst;
+}
 
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt) {
   return in_parts(scene, start, time, dt, may_yield(scene) ? of_steps::kMostHalvingsOfYield : of_steps::kMostHalvings);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "step/time/ledger.hpp"
 
 namespace keyblock {
@@ -16,6 +18,7 @@ struct StandardStep {
   int locked_overlaps = 0;  ///< of impacts, left because other touches are in the way
   double least = 0;         ///< smallest part made of a step in time
   double residual = 0;
+  std::optional<Touch> worst;  ///< contact that holds the residual up, where one is known
   bool converged = true;
   Touches touches;                     ///< all that were reckoned with
   std::vector<std::size_t> undecided;  ///< of the touches: those that went round in a cycle
@@ -23,6 +26,9 @@ struct StandardStep {
   std::vector<ElementIndex> moving;    ///< at rest: it was given up because these move away
   std::vector<ElementIndex> restless;  ///< at rest: it was given up because these do not come to rest where they are
 };
+
+/// Of two parts of a step, the residual of the one that has the larger.
+void keep_larger_residual(StandardStep& step, const StandardStep& other);
 
 /// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in
 /// halves again; then it is given up.

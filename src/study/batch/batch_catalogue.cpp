@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "base/printable.hpp"
+
 namespace keyblock::study {
 namespace {
 
@@ -61,10 +63,7 @@ CatalogueAnswer answer_of(const Json& json) {
 }
 
 std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
+  return csv_cell(text);
 }
 
 std::string cell(const std::optional<int>& number) {

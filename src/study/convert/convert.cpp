@@ -177,8 +177,13 @@ const Target* find_target(std::string_view name) {
 Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults) {
   Conversion conversion;
   Content content;
+  const bool has_drawing = std::ranges::any_of(
+      files, [](const formats::FileReading& file) { return file.choice && file.choice->format == &formats::kDxf; });
   for (const formats::FileReading& file : files) {
     if (file.error) throw *file.error;
+    // With the drawing they are made use of; without it they wait for one.
+    const formats::LayerTable& layers = file.reading->content.layers;
+    if (!has_drawing && content.layers.rows.empty()) content.layers = layers;
     const formats::Reading reading = faults == Faults::berkeley ? as_berkeley_reads(file) : *file.reading;
     conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
     add_to(content, reading.content, file.path);

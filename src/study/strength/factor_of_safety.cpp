@@ -30,6 +30,9 @@ class FactorSearch {
     most_ = options.to.value_or(std::max(1.0, first_) * kFarthest);
   }
 
+  /// Blocks that are to be left out before the factor of the others can be found; the search ended there.
+  const std::vector<int>& loose() const { return loose_; }
+
   FactorOfSafety run() {
     try {
       result_.end = search();
@@ -88,6 +91,10 @@ class FactorSearch {
 
   Verdict made_at(double factor) {
     TrialOutcome outcome = trials_.run(factor, options_.wants_stop);
+    if (trials_.may_leave_out(outcome.restless)) {
+      loose_ = outcome.restless;
+      outcome.told.verdict = Verdict::undecided;
+    }
     order_.push_back(factor);
     made_[factor] = std::move(outcome);
     judge();
@@ -136,6 +143,7 @@ class FactorSearch {
     result_.within = options_.within;
     result_.is_lower_estimate = flows_below_friction(trials_.problem(), trials_.what());
     result_.notes = trials_.notes();
+    result_.left_out = trials_.left_out();
   }
 
   void put_states() {
@@ -158,6 +166,7 @@ class FactorSearch {
   std::vector<double> order_;
   std::optional<double> last_;      ///< largest factor that stands
   std::optional<double> previous_;  ///< and the one before it was found
+  std::vector<int> loose_;
   FactorOfSafety result_;
   Sign verdict_ = [](const StrengthTrial& told) { return told.verdict; };
   Sign balance_ = [](const StrengthTrial& told) {
@@ -191,10 +200,18 @@ std::string name_of(SearchEnd end) {
   return kNames.at(static_cast<std::size_t>(end));
 }
 
-FactorOfSafety factor_of_safety(const StrengthTrials& trials, const SearchOptions& options) {
-  FactorOfSafety result = FactorSearch(trials, options).run();
-  add_notes(result);
-  return result;
+FactorOfSafety factor_of_safety(const StrengthTrials& given, const SearchOptions& options) {
+  StrengthTrials trials = given;
+  while (true) {
+    FactorSearch search(trials, options);
+    FactorOfSafety result = search.run();
+    if (search.loose().empty() || result.end == SearchEnd::stopped) {
+      add_notes(result);
+      return result;
+    }
+    trials.leave_out(search.loose());
+    if (options.on_loose) options.on_loose(trials.notes().back());
+  }
 }
 
 }  // namespace keyblock::study

@@ -23,6 +23,7 @@ struct SearchOptions {
   double within = 0.01;        ///< width of the bracket
   std::function<bool()> wants_stop = [] { return false; };
   std::function<void(const StrengthTrial&)> on_trial = [](const StrengthTrial&) {};
+  std::function<void(const std::string&)> on_loose = {};  ///< told that a block is left out, and the search begins anew
 };
 
 /// The largest factor known to stand below the least that falls.
@@ -55,6 +56,7 @@ struct FactorOfSafety {
   Bracket equilibrium;                ///< of equilibrium alone
   bool is_lower_estimate = false;     ///< rock that is reduced flows with ψ < φ
   std::vector<std::string> notes;     ///< what is to be known of it, in sentences
+  std::vector<int> left_out = {};     ///< numbers, from 0, of loose blocks that the scene is taken without
 
   std::optional<StrengthState> standing;         ///< of the last that stands
   std::optional<StrengthState> standing_before;  ///< of the one before it
@@ -66,7 +68,8 @@ struct FactorOfSafety {
 };
 
 /// Begins at `from`, or 1, goes up by quarters, or down by fifths, to the first that ends differently, and bisects.
-/// Where the knee and the loss of equilibrium lie apart, the bracket of equilibrium is closed too.
+/// Where the knee and the loss of equilibrium lie apart, the bracket of equilibrium is closed too. Where there is no
+/// equilibrium for loose blocks alone (`kLooseArea`, `kLooseInAll`), the search begins anew without them.
 /// Throws as the trials.
 FactorOfSafety factor_of_safety(const StrengthTrials& trials, const SearchOptions& options);
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/stop.hpp"
+#include "geometry/polygon.hpp"
 #include "run/record.hpp"
 #include "run/settings_of.hpp"
 #include "run/steppers.hpp"
@@ -39,11 +40,56 @@ bool is_on_covers(const Problem& problem) {
   return problem.covers || std::holds_alternative<Cover>(problem.geometry);
 }
 
+// Of blocks that are no slivers: one that drops into a gap says nothing of the others.
 double largest_displacement(const Stepper& stepper, const State& state) {
+  const Model& model = stepper.model();
   double most = 0;
-  for (const VertexIndex v : indices(stepper.model().vertices))
+  for (const VertexIndex v : indices(model.vertices)) {
+    const ElementIndex e = model.vertices[v].element;
+    const double area = stepper.unloaded().elements[e].moments.area;
+    if (!model.elements[e].is_on_covers() && area < kLooseArea * model.mean_area) continue;
     most = std::max(most, length(state.vertices[v] - stepper.unloaded().vertices[v]));
+  }
   return most;
+}
+
+bool carries_a_point(const Blocks& blocks, int block) {
+  const auto is_on = [&](const BlockPoint& point) { return point.block == block; };
+  const auto holds = [&](const BlockBolt& bolt) { return bolt.first_block == block || bolt.second_block == block; };
+  return std::ranges::any_of(blocks.fixed_points, is_on) || std::ranges::any_of(blocks.loading_points, is_on) ||
+         std::ranges::any_of(blocks.measured_points, is_on) || std::ranges::any_of(blocks.bolts, holds);
+}
+
+double area_of(const BlockPolygon& block) {
+  double sum = area(points_of(block.outer));
+  for (const BlockLoop& hole : block.holes) sum += area(points_of(hole));  // clockwise
+  return sum;
+}
+
+double area_of(const Blocks& blocks) {
+  double sum = 0;
+  for (const BlockPolygon& block : blocks.blocks) sum += area_of(block);
+  return sum;
+}
+
+// Without some, which carry nothing; what the others carry follows them.
+Blocks without(const Blocks& whole, const std::vector<int>& left_out) {
+  Blocks rest = whole;
+  rest.blocks.clear();
+  std::vector<int> place(whole.blocks.size(), -1);
+  for (std::size_t i = 0; i < whole.blocks.size(); ++i) {
+    if (std::ranges::find(left_out, static_cast<int>(i)) != left_out.end()) continue;
+    place[i] = static_cast<int>(rest.blocks.size());
+    rest.blocks.push_back(whole.blocks[i]);
+  }
+  const auto moved = [&](int& block) { block = place[static_cast<std::size_t>(block)]; };
+  for (auto* points : {&rest.fixed_points, &rest.loading_points, &rest.measured_points})
+    for (BlockPoint& point : *points) moved(point.block);
+  for (BlockBolt& bolt : rest.bolts) {
+    moved(bolt.first_block);
+    moved(bolt.second_block);
+  }
+  return rest;
 }
 
 // Stress is that of the state before.
@@ -87,6 +133,7 @@ TrialOutcome stepped(std::unique_ptr<Stepper> stepper, const std::function<bool(
     made.told.verdict = is_of_the_scene(failure.kind) ? Verdict::falls : Verdict::undecided;
     made.told.why = failure.reason;
     made.rock_yields = failure.rock_yields;
+    for (const ElementIndex e : failure.elements) made.restless.push_back(stepper->model().number_of(e) - 1);
     const std::optional<State> attempted = stepper->attempted();
     made.told.displacement = largest_displacement(*stepper, attempted ? *attempted : stepper->state());
     made.state = state_of(*stepper);
@@ -139,7 +186,44 @@ StrengthTrials::StrengthTrials(Problem problem, std::string profile, std::vector
 }
 
 Prepared StrengthTrials::prepared_at(double factor) const {
-  return prepare(with_reduced_strength(problem_, what_, factor), profile_, overrides_);
+  Prepared prepared = prepare(with_reduced_strength(problem_, what_, factor), profile_, overrides_);
+  if (!whole_) return prepared;
+  std::vector<Identity>& elements = prepared.scene.model.identities.elements;
+  elements.clear();
+  for (int i = 0; i < static_cast<int>(whole_->blocks.size()); ++i)
+    if (std::ranges::find(left_out_, i) == left_out_.end()) elements.push_back({i, i});
+  return prepared;
+}
+
+bool StrengthTrials::may_leave_out(const std::vector<int>& blocks) const {
+  const Blocks& whole = whole_ ? *whole_ : prepared_.blocks;
+  if (blocks.empty() || whole.blocks.empty() || is_on_covers(problem_) || !problem_.stages.empty()) return false;
+  const double all = area_of(whole);
+  double sum = 0;
+  for (const int block : left_out_) sum += area_of(whole.blocks[static_cast<std::size_t>(block)]);
+  for (const int block : blocks) {
+    const double own = area_of(whole.blocks[static_cast<std::size_t>(block)]);
+    sum += own;
+    if (own >= kLooseArea * all / static_cast<double>(whole.blocks.size()) || carries_a_point(whole, block))
+      return false;
+  }
+  return sum <= kLooseInAll * all;
+}
+
+void StrengthTrials::leave_out(const std::vector<int>& blocks) {
+  if (!whole_) whole_ = prepared_.blocks;
+  const double mean = area_of(*whole_) / static_cast<double>(whole_->blocks.size());
+  for (const int block : blocks) {
+    const BlockPolygon& polygon = whole_->blocks[static_cast<std::size_t>(block)];
+    const Point at = centroid(points_of(polygon.outer));
+    notes_.push_back(
+        fmt::format("block {} at {:.4g}, {:.4g} falls by itself and is small (area {:.3g}, {:.2g} % of the "
+                    "mean): it is left out, so that the factor is that of the others",
+                    block + 1, at.x, at.y, area_of(polygon), 100 * area_of(polygon) / mean));
+  }
+  left_out_.insert(left_out_.end(), blocks.begin(), blocks.end());
+  problem_.geometry = without(*whole_, left_out_);
+  prepared_ = prepared_at(1);
 }
 
 bool StrengthTrials::may_yield() const {

@@ -44,7 +44,14 @@ struct TrialOutcome {
   StrengthState state;                ///< the last equilibrium
   std::optional<FieldFrame> attempt;  ///< where a trial that falls had come to, out of balance
   bool rock_yields = false;           ///< as StepFailure has it, of the step that found no equilibrium
+  std::vector<int> restless = {};     ///< numbers, from 0, of the blocks for which there is none
 };
+
+/// A block is loose where it falls by itself and is smaller than this share of the mean area: what `slivers` warns of.
+inline constexpr double kLooseArea = 0.01;
+/// All that are left out may have this share of the area of all blocks: a tenth of the width of bracket that is sought
+/// unless asked otherwise, so that the weight that goes with them is no more than that to the factor.
+inline constexpr double kLooseInAll = 1e-3;
 
 /// Makes trials of one problem. Statics of profile `standard`, whatever the case asks for: a case of motion in time
 /// becomes one of equilibrium under its loads, in one step where they do not change (10 on covers).
@@ -61,6 +68,13 @@ class StrengthTrials {
   /// Sentences on how the case was changed to be one of statics.
   const std::vector<std::string>& notes() const { return notes_; }
 
+  /// Whether these blocks (numbers from 0), with those left out before, may be left out: blocks of a scene without
+  /// stages that are small by both measures and carry no point and no bolt.
+  bool may_leave_out(const std::vector<int>& blocks) const;
+  /// Takes them away; a note says so. The others keep their numbers.
+  void leave_out(const std::vector<int>& blocks);
+  const std::vector<int>& left_out() const { return left_out_; }
+
   /// From no load. Beginning at the equilibrium of another trial was tried on rock: what stands takes twice as many
   /// rounds, what falls three times, and where ψ < φ the factor becomes another. Throws StopRequested.
   TrialOutcome run(double factor, const std::function<bool()>& wants_stop) const;
@@ -75,6 +89,8 @@ class StrengthTrials {
   Reduced what_;
   std::vector<std::string> notes_;
   Prepared prepared_;
+  std::optional<Blocks> whole_;  ///< all blocks, once some are left out
+  std::vector<int> left_out_;    ///< their numbers, from 0
 };
 
 }  // namespace keyblock::study

@@ -1,0 +1,80 @@
+// A script of bash, written from the tables of commands and options.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/shell/described_options.hpp"
+
+namespace keyblock {
+namespace {
+
+std::string names_of(const std::vector<DescribedOption>& options) {
+  std::string names;
+  for (const DescribedOption& option : options)
+    for (const std::string& name : option.names) names += (names.empty() ? "" : " ") + name;
+  return names;
+}
+
+/// "run,--field) words=\"sxx syy\" ;;": values that are one of a few words.
+std::string values_of(const std::string& command, const std::vector<DescribedOption>& options) {
+  std::string cases;
+  for (const DescribedOption& option : options) {
+    if (option.words.empty()) continue;
+    for (const std::string& name : option.names)
+      cases += fmt::format("    {},{}) words=\"{}\" ;;\n", command, name, fmt::join(option.words, " "));
+  }
+  return cases;
+}
+
+/// Words of what stands without a name: the kinds of `new`.
+std::string words_of(const std::vector<DescribedOption>& options) {
+  for (const DescribedOption& option : options)
+    if (option.names.empty() && !option.words.empty()) return fmt::format("{}", fmt::join(option.words, " "));
+  return {};
+}
+
+constexpr const char* kScript = R"(# bash completion of keyblock, written by `keyblock shell bash`
+_keyblock() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} command="" word i
+  local commands="{}" options="{}" words=""
+  for ((i = 1; i < COMP_CWORD; ++i)); do
+    for word in $commands; do
+      if [[ $word == "${{COMP_WORDS[i]}}" ]]; then command=$word; break 2; fi
+    done
+  done
+  case "$command,$previous" in
+{}  esac
+  if [[ -n $words ]]; then
+    COMPREPLY=($(compgen -W "$words" -- "$current"))
+    return
+  fi
+  case "$command" in
+{}  esac
+  if [[ $current == -* ]]; then
+    COMPREPLY=($(compgen -W "$options" -- "$current"))
+  elif [[ -z $command ]]; then
+    COMPREPLY=($(compgen -W "$commands" -- "$current"))
+  elif [[ -n $words ]]; then
+    COMPREPLY=($(compgen -W "$words" -- "$current"))
+  else
+    COMPREPLY=($(compgen -f -- "$current"))
+  fi
+}}
+complete -o filenames -F _keyblock keyblock
+)";
+
+}  // namespace
+
+std::string bash_completion(const CLI::App& program) {
+  std::string commands, values, cases;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    const std::vector<DescribedOption> options = described_options(*command);
+    const std::string& name = command->get_name();
+    commands += (commands.empty() ? "" : " ") + name;
+    values += values_of(name, options);
+    cases += fmt::format("    {}) options+=\" {}\"; words=\"{}\" ;;\n", name, names_of(options), words_of(options));
+  }
+  return fmt::format(kScript, commands, names_of(described_options(program)), values, cases);
+}
+
+}  // namespace keyblock

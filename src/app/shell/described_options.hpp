@@ -1,0 +1,28 @@
+// The options of a command as they are declared, for whatever describes them elsewhere: man page and completion.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+struct DescribedOption {
+  std::vector<std::string> names;  ///< "-o", "--output"; none of what stands without a name
+  std::string placeholder;         ///< "files" of what stands without a name
+  std::string description;
+  bool takes_value = false;
+  std::vector<std::string> words = {};  ///< that it may take, where only these are taken
+};
+
+/// Of the program, or of one of its commands, in their order.
+std::vector<DescribedOption> described_options(const CLI::App& app);
+
+/// The whole program in roff, section 1: every command with its options and examples.
+std::string man_page(const CLI::App& program);
+
+/// A script for bash that completes commands, options, and values of options that take one of a few words.
+std::string bash_completion(const CLI::App& program);
+
+}  // namespace keyblock

@@ -1,0 +1,67 @@
+// The man page, written from the tables of commands and options, so that it says what --help says.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/shell/described_options.hpp"
+
+namespace keyblock {
+namespace {
+
+// A backslash begins a request of roff, as does a point or an apostrophe at the start of a line.
+std::string escaped(std::string_view text) {
+  std::string safe;
+  bool begins_line = true;
+  for (const char c : text) {
+    if (begins_line && (c == '.' || c == '\'')) safe += "\\&";
+    if (c == '\\')
+      safe += "\\e";
+    else if (c == '-')
+      safe += "\\-";
+    else
+      safe += c;
+    begins_line = c == '\n';
+  }
+  return safe;
+}
+
+std::string entry(const DescribedOption& option) {
+  const std::string name = option.names.empty() ? option.placeholder : fmt::format("{}", fmt::join(option.names, ", "));
+  const std::string value = option.names.empty() || !option.takes_value ? ""
+                            : option.words.empty()                      ? " \\fIvalue\\fR"
+                                                   : " " + escaped(fmt::format("{}", fmt::join(option.words, "|")));
+  return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", escaped(name), value, escaped(option.description));
+}
+
+std::string options_of(const CLI::App& app) {
+  std::string text;
+  for (const DescribedOption& option : described_options(app)) text += entry(option);
+  return text;
+}
+
+constexpr const char* kExitCodes =
+    ".SH EXIT STATUS\n"
+    ".TP\n\\fB0\\fR\ndone\n"
+    ".TP\n\\fB1\\fR\ndone, but a check did not hold, or the results cannot be trusted\n"
+    ".TP\n\\fB2\\fR\nwrong command line\n"
+    ".TP\n\\fB3\\fR\ninput that cannot be read or used; the message names file, line and column\n"
+    ".TP\n\\fB4\\fR\nthe computation could not go on, or its results could not be written\n"
+    ".TP\n\\fB5\\fR\na limit of time or memory was reached\n"
+    ".TP\n\\fB130\\fR\nstopped by the user\n";
+
+}  // namespace
+
+std::string man_page(const CLI::App& program) {
+  std::string page = fmt::format(
+      ".\\\" -*- coding: utf-8 -*-\n.TH KEYBLOCK 1 \"\" \"keyblock {}\" \"User Commands\"\n"
+      ".SH NAME\nkeyblock \\- discontinuous deformation analysis and the numerical manifold method\n"
+      ".SH SYNOPSIS\n\\fBkeyblock\\fR \\fIcommand\\fR [\\fIoptions\\fR]\n"
+      ".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}.SH COMMANDS\n",
+      KEYBLOCK_VERSION, escaped(program.get_description() + "."), options_of(program));
+  for (const CLI::App* command : program.get_subcommands({}))
+    page += fmt::format(".SS keyblock {}\n{}.\n{}.PP\n.nf\n{}.fi\n", escaped(command->get_name()),
+                        escaped(command->get_description()), options_of(*command), escaped(command->get_footer()));
+  return page + kExitCodes;
+}
+
+}  // namespace keyblock

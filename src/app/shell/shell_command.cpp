@@ -1,0 +1,24 @@
+// `keyblock shell`: what a shell and `man` want to know of the program, made from its own tables of options.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/command.hpp"
+#include "app/shell/described_options.hpp"
+
+namespace keyblock {
+
+Action configure_shell(CLI::App& options) {
+  const auto what = std::make_shared<std::string>();
+  options.add_option("WHAT", *what, "man: the man page; bash: a script that completes commands and options")
+      ->required()
+      ->check(CLI::IsMember({"man", "bash"}));
+  return [what, &options] {
+    const CLI::App& program = *options.get_parent();
+    fmt::print("{}", *what == "man" ? man_page(program) : bash_completion(program));
+    return ExitCode::ok;
+  };
+}
+
+}  // namespace keyblock
