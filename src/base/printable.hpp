@@ -14,8 +14,7 @@ std::string printable(std::string_view text);
 /// UTF-8, and a text that is none with a question mark in a lozenge (U+FFFD) for each byte that fits nowhere.
 std::string valid_utf8(std::string_view text);
 
-/// As a cell of a table of comma separated values (RFC 4180): in quotes where it has to be, line breaks as spaces, so
-/// that a row is a line.
+/// As a cell of a table of comma separated values (RFC 4180): in quotes where it has to be.
 std::string csv_cell(std::string_view text);
 
 }  // namespace keyblock

@@ -36,6 +36,13 @@ std::string name_of(const HistoryPlan& plan) {
   return fmt::format("{:g} {:g} to {:g} {:g}", start.x, start.y, end.x, end.y);
 }
 
+/// Rows of a table that grows are lines.
+std::string row_cell(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return csv_cell(text);
+}
+
 bool is_between(const ContactFrame& contact, const BlockPair& pair) {
   return (contact.element == pair.first && contact.other == pair.second) ||
          (contact.element == pair.second && contact.other == pair.first);
@@ -92,7 +99,7 @@ class Lines {
   Lines(const Stepper& stepper, const FollowedUnits& units, const std::string& what, const std::string& name)
       : stepper_(stepper),
         units_(units),
-        first_(fmt::format("{},{},{},{},", stepper.state().step, stepper.state().time, what, csv_cell(name))) {}
+        first_(fmt::format("{},{},{},{},", stepper.state().step, stepper.state().time, what, row_cell(name))) {}
 
   void point(int number) {
     const Model& model = stepper_.model();

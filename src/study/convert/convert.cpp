@@ -56,6 +56,7 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   formats::put_units(all.units, content.units, {file});
   put(all.choices, content.choices, file, "run");
   put(all.outputs, content.outputs, file, "set of outputs");
+  if (all.layers.rows.empty()) all.layers = content.layers;
   if (!all.stages.empty() && !content.stages.empty())
     throw InputError({file}, "expected stages in one of the files, found more");
   all.stages.insert(all.stages.end(), content.stages.begin(), content.stages.end());
@@ -177,17 +178,17 @@ const Target* find_target(std::string_view name) {
 Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults) {
   Conversion conversion;
   Content content;
-  const bool has_drawing = std::ranges::any_of(
-      files, [](const formats::FileReading& file) { return file.choice && file.choice->format == &formats::kDxf; });
   for (const formats::FileReading& file : files) {
     if (file.error) throw *file.error;
-    // With the drawing they are made use of; without it they wait for one.
-    const formats::LayerTable& layers = file.reading->content.layers;
-    if (!has_drawing && content.layers.rows.empty()) content.layers = layers;
     const formats::Reading reading = faults == Faults::berkeley ? as_berkeley_reads(file) : *file.reading;
     conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
     add_to(content, reading.content, file.path);
   }
+  // With the drawing they are made use of; without it they wait for one.
+  const auto is_drawing = [](const formats::FileReading& file) {
+    return file.choice && file.choice->format == &formats::kDxf;
+  };
+  if (std::ranges::any_of(files, is_drawing)) content.layers = {};
   conversion.warnings = joined(std::move(conversion.warnings), formats::mismatches(content));
   if (std::optional<Derivation> derived = derived_geometry(content, target)) {
     content.drawing = std::move(derived->content.drawing);
