@@ -111,6 +111,13 @@ void YieldPoints::add_groups(FunctionGroups& groups) const {
   for (const YieldPoint& point : points_) groups.add(point.functions);
 }
 
+std::set<int> YieldPoints::functions_of_whole_tangents() const {
+  std::set<int> functions;
+  for (const YieldPoint& point : points_)
+    if (!point.rock.law->has_symmetric_tangent()) functions.insert(point.functions.begin(), point.functions.end());
+  return functions;
+}
+
 YieldStates YieldPoints::start() const {
   YieldStates states(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) states[i].elastic = points_[i].rock.initial;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,8 @@ class YieldPoints {
 
   bool is_empty() const { return points_.empty(); }
   int point_count() const { return static_cast<int>(points_.size()); }
+  /// Functions of points whose law has a tangent that is not symmetric.
+  std::set<int> functions_of_whole_tangents() const;
   /// The functions of each point couple.
   void add_groups(FunctionGroups& groups) const;
 
