@@ -41,6 +41,6 @@ def graded(edge, far):
     return {'kind': 'unstructured', 'placement': 'aligned', 'side': far, 'refined': [(1, 0, 0.35 * edge)]}
 
 
-for phi, settlement, steps, share, fine in ((0, 6e-5, 16, 0.01, 0.01), (10, 1.2e-4, 16, 0.015, 0.01), (20, 2e-4, 24, 0.02, 0.01), (30, 4e-4, 24, 0.03, 0.015)):
+for phi, settlement, steps, share, fine in ((0, 6e-5, 16, 0.01, 0.01), (10, 1.2e-4, 16, 0.015, 0.01), (20, 2e-4, 24, 0.02, 0.01), (30, 2e-4, 24, 0.03, 0.015)):
     case('phi_%d' % phi, phi, graded(0.1, 0.3), settlement, steps, share, '1,682 unknowns; half of it at 5,414 (case fine)')
     case('phi_%d_fine' % phi, phi, graded(0.04, 0.16), settlement, steps, fine, 'asked for: %g %%' % (100 * fine), slow=True)

@@ -83,8 +83,9 @@ TEST(YieldingMotion, plates_press_rock_that_flows_without_dilation_in_few_system
     const std::string motion = "[[0, 0, 0], [10, 0, -0.01]]";
     const std::string text = fmt::format(
         R"({{"keyblock": 1, "blocks": {{"blocks": [{}],
-        "fixed_points": [[-0.9, -0.5, 1], [1.9, -0.5, 1], [-0.9, 1.5, 3], [1.9, 1.5, 3]]}}, {}"analysis": {{"velocity_carry_over": 0, "step_count": 10, "time_step": 1,
-        "allowed_displacement_ratio": 1, "plane_strain": true, "fixed_point_motions": [[], [], {}, {}],
+        "fixed_points": [[-0.9, -0.5, 1], [1.9, -0.5, 1], [-0.9, 1.5, 3], [1.9, 1.5, 3]]}}, {}
+        "analysis": {{"velocity_carry_over": 0, "step_count": 10, "time_step": 1, "allowed_displacement_ratio": 1,
+        "plane_strain": true, "fixed_point_motions": [[], [], {}, {}],
         "block_materials": [{{"density": 1, "unit_weight": 0, "youngs_modulus": 1e4, "poissons_ratio": 0.3,
         "strength": {{"cohesion": 10, "friction_deg": 30, "dilation_deg": 0}}}},
         {{"density": 1, "unit_weight": 0, "youngs_modulus": 1e6, "poissons_ratio": 0.3}}],

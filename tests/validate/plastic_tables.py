@@ -97,7 +97,7 @@ class Tables:
     def footing_text(self, phi, psi, mesh, steps, functions=None):
         width = depth = 5.0
         corners = [(0, -depth), (width, -depth), (width, 0), (1, 0), (0, 0)]
-        settlement = {0: 6e-5, 10: 1.2e-4, 20: 2e-4, 30: 4e-4}[phi]
+        settlement = {0: 6e-5, 10: 1.2e-4, 20: 2e-4, 30: 2e-4}[phi]
         covers = {"mesh": mesh,
                   "displacements": [{"along": [(0, -depth), (width, -depth)]}, {"along": [(0, -depth), (0, 0)], "held": "normal"},
                                     {"along": [(width, -depth), (width, 0)], "held": "normal"},

@@ -26,7 +26,8 @@ struct CoverMotion {
 ///     Δq = free_increment + A⁻¹ Jᵀ λ,   A = ∂r/∂Δq,
 /// made symmetric (CoverElasticity::add_tangent) but for bodies whose law has a tangent that is not: those have the
 /// exact one. Solved again from linearise(Δq) until Δq stays: the residual is exact, A need not be. The end of the step
-/// is end(Δq). One object serves all steps of a run; the bodies must outlive it. The order of elimination is found once.
+/// is end(Δq). One object serves all steps of a run; the bodies must outlive it. The order of elimination is found
+/// once.
 class CoverEquations {
  public:
   explicit CoverEquations(const ElasticBodies& bodies);
