@@ -66,6 +66,7 @@ class SmoothSolve {
     ++result_.rounds;
     next_ = next_increments(std::move(now));
     change_ = free_.greatest_change(increments_, next_);
+    stalls_ += stalls() ? 1 : 0;
     return RoundsEnd::open;
   }
 
@@ -82,6 +83,7 @@ class SmoothSolve {
     change_ = is_linear() ? 0 : 1;
     unsolved_ = std::numeric_limits<double>::infinity();
     before_ = change_;
+    stalls_ = 0;
     PartsByChange search;
     if (newton(*this, search, most_rounds()) == RoundsEnd::no_factor) return;
     // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
@@ -91,9 +93,10 @@ class SmoothSolve {
     result_.converged = result_.converged && (change_ <= tolerable || forces_suffice);
   }
 
-  // What changes so little would be accepted after the last round: where a new tangent no longer makes it less, no
-  // later one does.
-  bool is_round_off() const {
+  // What changes so little would be accepted after the last round: where new tangents have not made it less several
+  // times, no later one does.
+  bool is_round_off() const { return stalls_ >= of_smooth_motion::kStallsOfRoundOff; }
+  bool stalls() const {
     return free_.has_kinks() && is_new_tangent_ && change_ <= of_smooth_motion::kTolerableOfYield &&
            change_ > of_line_search::kStalls * before_;
   }
@@ -138,6 +141,7 @@ class SmoothSolve {
   double change_ = 0;   ///< by the last round
   double before_ = 0;   ///< by the one before it
   bool is_new_tangent_ = false;
+  int stalls_ = 0;            ///< rounds of tolerable changes that a new tangent made no less
   double unsolved_ = 0;       ///< by the forces of the round before in the gaps of this one
   UnknownsTable linearised_;  ///< increments about which rows and matrix were made
   SmoothMotion result_;
