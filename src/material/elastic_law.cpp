@@ -103,6 +103,26 @@ Eigen::Vector3d log_step_stress(const Eigen::Vector3d& from, const Eigen::Vector
   return at_mean + (mean.dot(log_strain(to) - log_strain(from)) - at_mean.dot(change)) / size * along;
 }
 
+// S = Pᵀ T + w/s n, with w = T · Δε - Pᵀ T · ΔE, s = ΔE · n and n = ΔE with the shear of a tensor.
+Eigen::Matrix3d log_step_stiffness(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& mean,
+                                   const Eigen::Matrix3d& by_end) {
+  const Eigen::Vector3d middle = (from + to) / 2;
+  const Eigen::Matrix3d rate = log_strain_rate(middle), rate_at_end = log_strain_rate(to);
+  const Eigen::Matrix3d stress_by_end = by_end * rate_at_end;
+  const Eigen::Matrix3d at_mean = rate.transpose() * stress_by_end + log_strain_curvature(middle, mean) / 2;
+  const Eigen::Vector3d change = to - from;
+  const Eigen::Vector3d along(change(0), change(1), change(2) / 2);
+  const double size = change.dot(along);
+  if (!(size > kNoStep)) return at_mean;
+  const Eigen::Vector3d logs = log_strain(to) - log_strain(from), stress = rate.transpose() * mean;
+  const double share = (mean.dot(logs) - stress.dot(change)) / size;
+  const Eigen::RowVector3d work_by_end = logs.transpose() * stress_by_end + mean.transpose() * rate_at_end -
+                                         change.transpose() * at_mean - stress.transpose();
+  const Eigen::Vector3d tensor(1, 1, 0.5);
+  return at_mean + along * (work_by_end - 2 * share * along.transpose()) / size +
+         share * Eigen::Matrix3d(tensor.asDiagonal());
+}
+
 Eigen::Vector3d ElasticPoint::log_stress_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                                  double theta) const {
   return log_step_stress(from, to, mean_stress(log_strain(from), log_strain(to), theta));

@@ -65,6 +65,10 @@ Eigen::Matrix3d log_strain_curvature(const Eigen::Vector3d& green, const Eigen::
 /// with it: Pᵀ T at the mean of both, corrected along E1 - E0 (Gonzalez 2000).
 Eigen::Vector3d log_step_stress(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& mean);
 
+/// ∂S/∂E1 of it, 3 × 3, exact and not symmetric. `by_end`: ∂`mean`/∂ε1.
+Eigen::Matrix3d log_step_stiffness(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& mean,
+                                   const Eigen::Matrix3d& by_end);
+
 inline double ElasticPoint::energy(const Eigen::Vector3d& green) const {
   const auto stored = [&](const Eigen::Vector3d& strain) { return strain.dot(initial + modulus * strain / 2); };
   return law == ElasticLaw::st_venant_kirchhoff ? stored(green) : stored(log_strain(green));

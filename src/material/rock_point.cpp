@@ -100,7 +100,7 @@ Eigen::Matrix3d RockPoint::missing_stiffness(const Eigen::Vector3d& strain0, con
   const Eigen::Vector3d by_end = (m.to.stress - m.from.stress - m.to.tangent * m.change).head<3>() / 2;
   const Eigen::Matrix3d one_sided = along * by_end.transpose() / square;
   const Eigen::Vector3d tensor(1, 1, 0.5);
-  return (one_sided + one_sided.transpose()) / 2 + m.work / square * Eigen::Matrix3d(tensor.asDiagonal()) -
+  return one_sided + m.work / square * Eigen::Matrix3d(tensor.asDiagonal()) -
          2 * m.work / (square * square) * along * along.transpose();
 }
 

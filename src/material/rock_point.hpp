@@ -39,7 +39,7 @@ struct RockPoint {
   /// 2000). None without cracks, or where all stay closed or open: the energy between is quadratic.
   Eigen::Vector3d missing_stress(const Eigen::Vector3d& strain0, const YieldState& before,
                                  const Eigen::Vector3d& strain1, const YieldState& after) const;
-  /// The symmetric part of its derivative by the strain at the end, of a way on which nothing flows.
+  /// Its derivative by the strain at the end, of a way on which nothing flows.
   Eigen::Matrix3d missing_stiffness(const Eigen::Vector3d& strain0, const YieldState& before,
                                     const Eigen::Vector3d& strain1, const YieldState& after) const;
 

@@ -155,6 +155,12 @@ Eigen::Vector4d YieldLaw::intact_strain(const Eigen::Vector4d& s) const {
          youngs_modulus;
 }
 
+bool YieldLaw::has_symmetric_tangent() const {
+  if (!may_yield || strength.surface == YieldSurface::von_mises) return true;
+  if (strength.change) return false;
+  return strength.surface == YieldSurface::tresca || strength.values.friction_deg == strength.values.dilation_deg;
+}
+
 YieldLaw yield_law(const BlockMaterial& material) {
   Strength none;
   none.surface = YieldSurface::tresca;

@@ -28,6 +28,9 @@ struct YieldLaw {
   /// Its part between cracks, D⁻¹ σ.
   Eigen::Vector4d intact_strain(const Eigen::Vector4d& stress) const;
 
+  /// Whether ∂stress/∂strain is symmetric at every stress: flow normal to a surface that stays, or of von Mises.
+  bool has_symmetric_tangent() const;
+
   /// Only of one with a closure.
   CrackedElasticity cracked() const { return {youngs_modulus, poissons_ratio, *closure}; }
 };

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/counted.hpp"
-#include "geometry/polygon.hpp"
 #include "material/strength.hpp"
 #include "model/continuum.hpp"
 #include "model/state.hpp"
@@ -17,10 +15,6 @@
 namespace keyblock {
 
 namespace {
-
-// Of its triangle: the corner of Cook's panel on a mesh turned against it, with pieces below it, moved by 3 to 30 % too
-// far, for gradients averaged over covers see little of such a piece.
-constexpr double kSmallPiece = 0.2;
 
 bool softens_by_energy(const BlockMaterial& material) {
   return material.strength && material.strength->change && material.strength->change->fracture_energy > 0;
@@ -41,19 +35,6 @@ void require_size(const BlockMaterial& material, double largest) {
                                  allowed, largest));
 }
 
-/// Of elements whose material has a strength.
-std::size_t small_pieces(const Continuum& continuum) {
-  const Manifold& manifold = continuum.manifold;
-  std::size_t count = 0;
-  for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
-    if (!continuum.material(static_cast<int>(e)).strength) continue;
-    double own = 0;
-    for (const std::vector<Point>& loop : manifold.polygon(manifold.elements[e])) own += area(loop);
-    count += own < kSmallPiece * area(manifold.triangle(manifold.elements[e])) ? 1 : 0;
-  }
-  return count;
-}
-
 Warnings look_at_covers(const Continuum& continuum, const Place& place) {
   Warnings warnings;
   const bool yields = std::ranges::any_of(continuum.manifold.body_materials, [&](int material) {
@@ -65,12 +46,6 @@ Warnings look_at_covers(const Continuum& continuum, const Place& place) {
         {"functions_lock", place,
          "derived functions lock where rock flows without change of volume: limit loads come out 10 to 20 % "
          "too high; constant ones (the default) do not"});
-  if (const std::size_t slivers = small_pieces(continuum); slivers > 0)
-    warnings.push_back({"soft_corners", place,
-                        fmt::format("{} of rock that may yield {} less than {} of a triangle of the mesh: corners and "
-                                    "edges come out too soft there (a mesh of kind unstructured, aligned to the "
-                                    "bodies, leaves none)",
-                                    counted(slivers, "piece"), slivers == 1 ? "is" : "are", kSmallPiece)});
   if (std::ranges::none_of(continuum.materials, softens_by_energy)) return warnings;
   const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
   for (std::size_t i = 0; i < continuum.materials.size(); ++i)

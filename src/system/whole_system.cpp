@@ -47,6 +47,9 @@ WholeSystem::WholeSystem(int function_count, const FunctionGroups& groups)
   matrix_.coeffs().setZero();
 }
 
+// Column by column, the mirrored entries of a column come before its own: rows ascend.
+WholeSystem::WholeSystem(const SparseSystem& symmetric) : matrix_(symmetric.lower().selfadjointView<Eigen::Lower>()) {}
+
 double* WholeSystem::at(int row, int column) {
   const int* const inner = matrix_.innerIndexPtr();
   const int* const begin = inner + matrix_.outerIndexPtr()[column];

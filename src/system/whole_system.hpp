@@ -11,6 +11,9 @@ class WholeSystem {
  public:
   WholeSystem(int function_count, const FunctionGroups& groups);
 
+  /// With the couplings and values of a symmetric one.
+  explicit WholeSystem(const SparseSystem& symmetric);
+
   void clear() { matrix_.coeffs().setZero(); }
   /// A += `block`, 2n × 2n, of n different functions.
   void add_matrix(std::span<const int> functions, const Eigen::MatrixXd& block);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a round of Newton's method costs where rock flows, over one of elastic rock with derived functions on the same mesh; asked: at most 1.5.
+And how long a footing takes to collapse at 5,414 unknowns; asked: less than a minute.
 
 A round is the difference of two runs of different length over their rounds, so that reading, meshing and writing do not count; each is the least
 of three. What a step does besides its rounds (places, frames) is in them: an elastic step has one round, so that its rounds bear more of it. Times alone
@@ -20,17 +21,20 @@ REPEATS = 3
 ASKED = 1.5
 
 
-def coulomb(cohesion):
-    return {"surface": "mohr_coulomb", "cohesion": cohesion, "friction_deg": 10, "dilation_deg": 10}
+COLLAPSE_SECONDS = 60
 
 
-def footing(edge, far, strength, functions):
+def coulomb(cohesion, angle=10):
+    return {"surface": "mohr_coulomb", "cohesion": cohesion, "friction_deg": angle, "dilation_deg": angle}
+
+
+def footing(edge, far, strength, functions, settlement=1e-4, steps=40):
     corners = [(0, -5), (5, -5), (5, 0), (1, 0), (0, 0)]
     covers = {"mesh": {"kind": "unstructured", "placement": "aligned", "side": far, "refined": [(1, 0, 0.35 * edge)]},
               "functions": functions,
               "displacements": [{"along": [(0, -5), (5, -5)]}, {"along": [(0, -5), (0, 0)], "held": "normal"},
-                                {"along": [(5, -5), (5, 0)], "held": "normal"}, {"along": [(0, 0), (1, 0)], "held": "y", "y": -1e-4}]}
-    return case_text(corners, covers, 1e7, 0.3, [(0.5, 0)], plane_strain=True, steps=(40, 1), strength=strength)
+                                {"along": [(5, -5), (5, 0)], "held": "normal"}, {"along": [(0, 0), (1, 0)], "held": "y", "y": -settlement}]}
+    return case_text(corners, covers, 1e7, 0.3, [(0.5, 0)], plane_strain=True, steps=(steps, 1), strength=strength)
 
 
 def run(program, text, steps, folder):
@@ -60,6 +64,28 @@ def round_of(program, text, lengths, folder):
     return (long - short) / (more - fewer), report["counts"]["unknowns"], more, report["plastic"]["yielding_fraction"]
 
 
+def collapse(program, folder):
+    """Rows of footings whose load stands at the end: seconds of the whole run, and the growth of load over settlement in the last step."""
+    print("A footing to collapse, flow associated, 24 steps (asked: %d s)" % COLLAPSE_SECONDS)
+    print("%5s %9s %7s %9s %8s %8s" % ("phi", "unknowns", "rounds", "Nc", "slope", "seconds"))
+    rows = []
+    for angle in (10, 20, 30):
+        file, out = pathlib.Path(folder) / "collapse.json", pathlib.Path(folder) / "collapse"
+        file.write_text(footing(0.04, 0.16, coulomb(10, angle), "constant", 1.2e-4 if angle == 10 else 2e-4, 24))
+        done = subprocess.run([program, "run", str(file), "-o", str(out), "--force"], capture_output=True, text=True)
+        if done.returncode not in (0, 1):
+            raise RuntimeError(done.stderr)
+        report = json.loads((out / "run.json").read_text())
+        lines = [line.split(",") for line in (out / "history.csv").read_text().splitlines()]
+        load = lines[0].index(next(name for name in lines[0] if name.startswith("reaction4_y")))
+        before, last = (-float(line[load]) for line in lines[-2:])
+        row = {"phi": angle, "unknowns": report["counts"]["unknowns"], "rounds": report["counts"]["passes"], "nc": last / 10,
+               "slope": (last - before) / last * 24, "seconds": report["seconds"]["run"]}
+        print("%5d %9d %7d %9.4f %8.4f %8.1f" % tuple(row.values()), flush=True)
+        rows.append(row)
+    return rows
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
@@ -78,8 +104,10 @@ def main():
                 elastic = elastic or seconds
                 print("%9g %-28s %8d %7d %8.1f%% %10.1f %7.2f" % (far, rock, unknowns, rounds, 100 * yielding, 1000 * seconds, seconds / elastic), flush=True)
                 rows.append({"side": far, "rock": rock, "unknowns": unknowns, "rounds": rounds, "yielding": yielding, "seconds": seconds, "ratio": seconds / elastic})
+        print()
+        collapsed = collapse(arguments.program, folder)
     if arguments.json:
-        arguments.json.write_text(json.dumps(rows, indent=1) + "\n")
+        arguments.json.write_text(json.dumps({"rounds": rows, "collapse": collapsed}, indent=1) + "\n")
     return 0
 
 

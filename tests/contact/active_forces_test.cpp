@@ -40,8 +40,10 @@ FrictionalProblem chain(int elements, std::mt19937& engine) {
 /// Bodies of three functions each, none of which answers to forces on another.
 class SharedOfBodies : public SharedFlexibility {
  public:
-  explicit SharedOfBodies(std::vector<Eigen::MatrixXd> bodies) : bodies_(std::move(bodies)) {}
+  SharedOfBodies(std::vector<Eigen::MatrixXd> bodies, bool is_symmetric)
+      : bodies_(std::move(bodies)), is_symmetric_(is_symmetric) {}
   Eigen::Index size() const override { return 6 * std::ssize(bodies_); }
+  bool is_symmetric() const override { return is_symmetric_; }
   Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
     Eigen::MatrixXd answers(forces.rows(), forces.cols());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -53,22 +55,26 @@ class SharedOfBodies : public SharedFlexibility {
 
  private:
   std::vector<Eigen::MatrixXd> bodies_;
+  bool is_symmetric_;
 };
 
 // A chain of bodies on covers with a block at its end.
-FrictionalProblem chain_on_covers(int bodies, std::mt19937& engine) {
+FrictionalProblem chain_on_covers(int bodies, std::mt19937& engine, bool is_symmetric = true) {
   std::uniform_real_distribution<double> number(-1, 1);
   const auto random = [&](int rows, int columns) {
     return Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return number(engine); }));
   };
   const auto answer_of = [&](int size) {
     const Eigen::MatrixXd root = random(size, size);
-    return Eigen::MatrixXd(root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(size, size));
+    const Eigen::MatrixXd turn = is_symmetric ? Eigen::MatrixXd::Zero(size, size) : random(size, size);
+    return Eigen::MatrixXd(root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(size, size) + turn -
+                           turn.transpose());
   };
   std::vector<Eigen::MatrixXd> of_bodies;
   for (int b = 0; b < bodies; ++b) of_bodies.push_back(answer_of(6));
   Flexibility flexibility;
-  flexibility.shared = std::make_shared<SharedOfBodies>(of_bodies);
+  flexibility.shared = std::make_shared<SharedOfBodies>(of_bodies, is_symmetric);
+  flexibility.has_symmetric_blocks = is_symmetric;
   flexibility.blocks.assign(static_cast<std::size_t>(bodies), UnknownBlock(0, 0));
   flexibility.blocks.push_back(UnknownBlock(answer_of(3)));
   const auto entries_of = [&](int body, std::vector<SharedEntry>& entries) {
@@ -133,6 +139,7 @@ TEST(ActiveForces, on_covers_they_meet_the_equations_of_their_active_set) {
   for (const int bodies : {10, 200}) {
     std::mt19937 engine(5);
     EXPECT_LE(misfit(chain_on_covers(bodies, engine), 1e-3, false), 1e-9) << bodies;
+    EXPECT_LE(misfit(chain_on_covers(bodies, engine, false), 1e-3, false), 1e-9) << bodies;
   }
 }
 
@@ -148,6 +155,26 @@ TEST(ContactMatrix, covers_couple_the_forces_on_a_body_and_no_others) {
     const Eigen::VectorXd column = problem.w * Eigen::VectorXd::Unit(problem.w.rows(), i);
     EXPECT_LE((row - column).norm(), 1e-13 * column.norm()) << i;
   }
+}
+
+TEST(ContactMatrix, bodies_need_not_answer_symmetrically) {
+  std::mt19937 engine(7);
+  const FrictionalProblem problem = chain_on_covers(8, engine, false);
+  ContactRows rows;
+  for (Eigen::Index i = 0; i < problem.w.rows(); ++i) rows.push_back(problem.w.row(i));
+  Eigen::MatrixXd all(problem.w.rows(), problem.w.rows());
+  for (Eigen::Index i = 0; i < problem.w.rows(); ++i) {
+    const Eigen::VectorXd force = Eigen::VectorXd::Unit(problem.w.rows(), i);
+    const Eigen::VectorXd expected = rates(rows, answer(rows, problem.w.flexibility(), force));
+    all.col(i) = problem.w * force;
+    EXPECT_LE((all.col(i) - expected).norm(), 1e-13 * expected.norm()) << i;
+    for (const CoupledRows::Entry& entry : problem.w.coupled().of(i))
+      EXPECT_NEAR(
+          entry.value,
+          rates(rows, answer(rows, problem.w.flexibility(), Eigen::VectorXd::Unit(problem.w.rows(), entry.row)))[i],
+          1e-13 * problem.w.diagonal().maxCoeff());
+  }
+  EXPECT_GT((all - all.transpose()).norm(), 0.1 * all.norm());
 }
 
 TEST(ActiveForces, soft_springs_between_many_blocks_are_solved_by_iterations_as_well_as_asked) {

@@ -85,7 +85,7 @@ struct RandomPairs {
 
 TEST(PairSystem, iterations_meet_the_dense_solution_with_slip_and_open_pairs) {
   RandomPairs scene(120, 5);
-  const BlockNumbers blocks(scene.rows, scene.flexibility);
+  const BlockNumbers blocks(scene.rows, {scene.flexibility});
   const PairSystem system(scene.rows, blocks, scene.flexibility);
   const Eigen::MatrixXd g = scene.g(blocks);
   const Eigen::VectorXd f = scene.random(static_cast<int>(scene.rows.size()), 1);
@@ -104,7 +104,7 @@ TEST(PairSystem, single_precision_bears_any_unit_and_blocks_of_three_unknowns) {
   for (const int most : {3, 6})
     for (const double unit : {1e-25, 1e-13, 1e13, 1e25}) {
       RandomPairs scene(120, 7, unit, most);
-      const BlockNumbers blocks(scene.rows, scene.flexibility);
+      const BlockNumbers blocks(scene.rows, {scene.flexibility});
       const PairSystem system(scene.rows, blocks, scene.flexibility);
       const Eigen::VectorXd f = scene.random(static_cast<int>(scene.rows.size()), 1);
       const double goal = 1e-9 / std::sqrt(unit);
@@ -115,7 +115,7 @@ TEST(PairSystem, single_precision_bears_any_unit_and_blocks_of_three_unknowns) {
 
 TEST(PairSystem, what_is_no_number_does_not_converge) {
   RandomPairs scene(120, 8);
-  const BlockNumbers blocks(scene.rows, scene.flexibility);
+  const BlockNumbers blocks(scene.rows, {scene.flexibility});
   const PairSystem system(scene.rows, blocks, scene.flexibility);
   Eigen::VectorXd f = scene.random(static_cast<int>(scene.rows.size()), 1);
   f[5] = std::numeric_limits<double>::quiet_NaN();
@@ -124,7 +124,7 @@ TEST(PairSystem, what_is_no_number_does_not_converge) {
 
 TEST(PairSystem, too_few_products_are_said_to_be_too_few) {
   RandomPairs scene(120, 6);
-  const BlockNumbers blocks(scene.rows, scene.flexibility);
+  const BlockNumbers blocks(scene.rows, {scene.flexibility});
   const PairSystem system(scene.rows, blocks, scene.flexibility);
   const Eigen::VectorXd f = scene.random(static_cast<int>(scene.rows.size()), 1);
   EXPECT_FALSE(system.solve(scene.h, f, Eigen::VectorXd::Zero(f.size()), 1e-10, 4).converged);

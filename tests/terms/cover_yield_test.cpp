@@ -271,6 +271,32 @@ TEST(CoverYield, the_tangent_of_a_step_is_the_symmetric_part_of_its_derivative) 
   EXPECT_NEAR(way.dot(system.times(way)), difference, 1e-3 * std::abs(difference));
 }
 
+// Of flow that is not normal: all of its entries, after steps of strain small and large.
+TEST(CoverYield, a_law_without_symmetric_tangent_has_the_exact_tangent_of_a_step) {
+  for (const double size : {2e-4, 2e-2}) {
+    const Plate plate(CoverFunctions::constant, friction(1000, 30, 0), Plane::strain, {500, -300, 200});
+    const Eigen::Index count = 2 * plate.basis.function_count();
+    const Eigen::VectorXd d0 = scattered(count, 2e-5, 0.3);
+    const Eigen::VectorXd d1 = d0 + scattered(count, size * kHeight, 0.9);
+    const YieldStates before = plate.yield.after(d0, plate.yield.start());
+    FunctionGroups groups;
+    plate.yield.add_groups(groups);
+    SparseSystem symmetric(plate.basis.function_count(), groups);
+    WholeSystem whole(symmetric);
+    plate.yield.add_tangent_of_step({d0, before, d1, 0.5}, symmetric, &whole);
+    EXPECT_EQ(symmetric.lower().norm(), 0);
+    const Eigen::VectorXd way = scattered(count, 1, 2.1);
+    constexpr double kStep = 1e-9;
+    const Eigen::VectorXd forth = d1 + kStep * way, back = d1 - kStep * way;
+    const Eigen::VectorXd difference =
+        (plate.yield.force_of_step({d0, before, forth, 0.5}) - plate.yield.force_of_step({d0, before, back, 0.5})) /
+        (2 * kStep);
+    // Differences of forces of 1e4 at most over 1e-9.
+    EXPECT_LT((whole.matrix() * way - difference).norm(), 1e-5 * difference.norm());
+    EXPECT_GT((whole.matrix().transpose() * way - difference).norm(), 1e-2 * difference.norm());
+  }
+}
+
 TEST(CoverYield, forces_of_a_step_have_no_resultant_and_no_moment_about_the_mean_places) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
   const Eigen::Index count = 2 * plate.basis.function_count();

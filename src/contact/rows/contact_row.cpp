@@ -13,6 +13,7 @@ class ScaledFlexibility final : public SharedFlexibility {
  public:
   ScaledFlexibility(std::shared_ptr<const SharedFlexibility> of, double by) : of_(std::move(of)), by_(by) {}
   Eigen::Index size() const override { return of_->size(); }
+  bool is_symmetric() const override { return of_->is_symmetric(); }
   Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override { return by_ * of_->times(forces); }
 
  private:

@@ -74,6 +74,7 @@ class SharedFlexibility {
  public:
   virtual ~SharedFlexibility() = default;
   virtual Eigen::Index size() const = 0;  ///< unknowns
+  virtual bool is_symmetric() const { return true; }
   /// B f, a column a load.
   virtual Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const = 0;
 };
@@ -85,6 +86,7 @@ std::shared_ptr<const SharedFlexibility> scaled(std::shared_ptr<const SharedFlex
 struct Flexibility {
   Table<ElementIndex, UnknownBlock> blocks;
   std::shared_ptr<const SharedFlexibility> shared{};
+  bool has_symmetric_blocks = true;  ///< false: that of a block that flows not normal to its surface is not
 };
 
 /// B Gᵀ f of the blocks alone; shared unknowns are left out.

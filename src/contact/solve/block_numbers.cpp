@@ -3,6 +3,7 @@
 #include "contact/solve/block_numbers.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cstddef>
 
@@ -18,18 +19,19 @@ int answering(const UnknownBlock& flexibility) {
   return count;
 }
 
-UnknownBlock inverse_of(const UnknownBlock& flexibility, int size) {
+UnknownBlock inverse_of(const UnknownBlock& flexibility, int size, bool is_symmetric) {
   using Whole = Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>;
-  if (size == kMostUnknowns) return Whole(flexibility).llt().solve(Whole::Identity());
+  if (is_symmetric && size == kMostUnknowns) return Whole(flexibility).llt().solve(Whole::Identity());
   const UnknownBlock part = flexibility.topLeftCorner(size, size);
+  if (!is_symmetric) return part.partialPivLu().inverse();
   return part.llt().solve(UnknownBlock::Identity(size, size));
 }
 
 }  // namespace
 
-BlockNumbers::BlockNumbers(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility) {
+BlockNumbers::BlockNumbers(const ContactRows& rows, const Flexibility& flexibility) {
   int row = 0;
-  for (const UnknownBlock& block : flexibility) {
+  for (const UnknownBlock& block : flexibility.blocks) {
     const int size = answering(block);
     numbers_.push_back(size > 0 ? count() : -1);
     if (size == 0) continue;
@@ -41,7 +43,9 @@ BlockNumbers::BlockNumbers(const ContactRows& rows, const Table<ElementIndex, Un
   stiffness_.resize(sizes_.size());
   for_each_entry(numbers_.size(), [&](std::size_t i) {
     const ElementIndex e{static_cast<int>(i)};
-    if (of(e) >= 0) stiffness_[static_cast<std::size_t>(of(e))] = inverse_of(flexibility[e], size(of(e)));
+    if (of(e) >= 0)
+      stiffness_[static_cast<std::size_t>(of(e))] =
+          inverse_of(flexibility.blocks[e], size(of(e)), flexibility.has_symmetric_blocks);
   });
   for (std::size_t i = 0; i < rows.size(); i += 2) {
     const int a = numbers_[rows[i].vertex_element];

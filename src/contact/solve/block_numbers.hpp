@@ -13,7 +13,7 @@ namespace keyblock {
 /// Unknowns that answer to forces, block by block, and which blocks share a contact.
 class BlockNumbers {
  public:
-  BlockNumbers(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& flexibility);
+  BlockNumbers(const ContactRows& rows, const Flexibility& flexibility);
 
   /// −1 where nothing can move.
   int of(ElementIndex e) const { return numbers_[e]; }

@@ -34,10 +34,9 @@ AnswersByUnknown answers_to(const ContactRows& rows, std::span<const Eigen::Inde
   return shared.times(forces);
 }
 
-/// The entries of row i with those of `some` that are not behind it.
-void add_coupled(const ContactRow& row, Eigen::Index i, std::span<const Eigen::Index> some,
+/// The entries of a row with the first `count` of `some`.
+void add_coupled(const ContactRow& row, std::ptrdiff_t count, std::span<const Eigen::Index> some,
                  const AnswersByUnknown& answers, std::vector<SharedCoupling::Entry>& entries) {
-  const auto count = std::ranges::upper_bound(some, i) - some.begin();
   Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(count);
   for (const SharedEntry& entry : row.shared)
     sums += entry.x * answers.row(2 * entry.function).head(count) +
@@ -69,16 +68,19 @@ SharedCoupling::SharedCoupling(const ContactRows& rows, const Flexibility& flexi
   std::vector<Eigen::Index> coupled;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (!rows[i].shared.empty()) coupled.push_back(static_cast<Eigen::Index>(i));
-  std::vector<std::vector<Entry>> lower(rows.size());
+  const bool is_symmetric = flexibility.shared->is_symmetric();
+  std::vector<std::vector<Entry>> lower(rows.size());  // of one that is not symmetric all
   for (std::size_t begin = 0; begin < coupled.size(); begin += kSolvedAtOnce) {
     const std::span<const Eigen::Index> some =
         std::span(coupled).subspan(begin, std::min(kSolvedAtOnce, coupled.size() - begin));
     const AnswersByUnknown answers = answers_to(rows, some, *flexibility.shared);
-    for (const Eigen::Index i : std::span(coupled).subspan(begin))
-      add_coupled(rows[static_cast<std::size_t>(i)], i, some, answers, lower[static_cast<std::size_t>(i)]);
+    for (const Eigen::Index i : std::span(coupled).subspan(is_symmetric ? begin : 0)) {
+      const auto count = is_symmetric ? std::ranges::upper_bound(some, i) - some.begin() : std::ssize(some);
+      add_coupled(rows[static_cast<std::size_t>(i)], count, some, answers, lower[static_cast<std::size_t>(i)]);
+    }
   }
   std::vector<std::vector<Entry>> upper(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
+  for (std::size_t i = 0; is_symmetric && i < rows.size(); ++i)
     for (const Entry& entry : lower[i])
       if (entry.row != static_cast<Eigen::Index>(i))
         upper[static_cast<std::size_t>(entry.row)].push_back({static_cast<Eigen::Index>(i), entry.value});
@@ -128,7 +130,7 @@ void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
 }
 
 const BlockNumbers& ContactMatrix::blocks() const {
-  if (!blocks_) blocks_ = std::make_shared<BlockNumbers>(*rows_, flexibility_.blocks);
+  if (!blocks_) blocks_ = std::make_shared<BlockNumbers>(*rows_, flexibility_);
   return *blocks_;
 }
 

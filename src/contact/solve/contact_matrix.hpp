@@ -57,8 +57,8 @@ class SharedCoupling {
 };
 
 /// W = G B Gᵀ + diag(added), with a row of G a force and a block of B an element: the flexibility of its unknowns,
-/// symmetric, zero in rows and columns of unknowns that do not answer. Those that do come first. Covers have one common
-/// part of B.
+/// symmetric but of rock whose flow is not normal to its surface, zero in rows and columns of unknowns that do not
+/// answer. Those that do come first. Covers have one common part of B.
 class ContactMatrix {
  public:
   ContactMatrix() = default;

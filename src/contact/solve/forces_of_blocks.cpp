@@ -32,8 +32,9 @@ ForcesOfBlocks::ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, con
   if (!(compliance_.minCoeff() > 0)) return;
   factor_ = blocks_.take_factor();
   assemble();
-  is_regular_ = factor_->factorise(!set.slips);
-  if (is_regular_ || set.slips) return;
+  const bool is_symmetric = !set.slips && w.flexibility().has_symmetric_blocks;
+  is_regular_ = factor_->factorise(is_symmetric);
+  if (is_regular_ || !is_symmetric) return;
   factor_->clear();  // round-off took what is positive of a pivot
   assemble();
   is_regular_ = factor_->factorise(false);

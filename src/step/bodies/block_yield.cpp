@@ -21,8 +21,12 @@ double BlockYield::inelastic_energy(const Unknowns& q, const YieldState& state) 
 }
 
 UnknownBlock BlockYield::lost_stiffness(const Response& response) const {
-  const Eigen::Matrix3d lost = modulus - response.tangent.topLeftCorner<3, 3>();
-  return rock.area / 2 * (strain.transpose() * (lost + lost.transpose()) * strain);
+  return of_unknowns(modulus - response.tangent.topLeftCorner<3, 3>());
+}
+
+UnknownBlock BlockYield::of_unknowns(const Eigen::Matrix3d& stiffness) const {
+  if (!rock.law->has_symmetric_tangent()) return rock.area * (strain.transpose() * stiffness * strain);
+  return rock.area / 2 * (strain.transpose() * (stiffness + stiffness.transpose()) * strain);
 }
 
 std::optional<BlockYield> block_yield(const Model& model, const Reference& reference, const Settings& settings,

@@ -26,19 +26,22 @@ struct BlockYield {
   Unknowns inelastic_force(const Eigen::Vector4d& strain) const;
   /// Of the energy stored what there is beside that of no inelastic strain.
   double inelastic_energy(const Unknowns& q, const YieldState& state) const;
-  /// What the mean elastic force of a step lacks where cracks close on the way (RockPoint::missing_stress), and the
-  /// symmetric part of its derivative by the end.
+  /// What the mean elastic force of a step lacks where cracks close on the way (RockPoint::missing_stress), and its
+  /// derivative by the end.
   Unknowns missing_force(const Unknowns& q0, const YieldState& before, const Unknowns& q1,
                          const YieldState& after) const {
     return rock.area * (strain.transpose() * rock.missing_stress(strain_at(q0), before, strain_at(q1), after));
   }
   UnknownBlock missing_stiffness(const Unknowns& q0, const YieldState& before, const Unknowns& q1,
                                  const YieldState& after) const {
-    return rock.area *
-           (strain.transpose() * rock.missing_stiffness(strain_at(q0), before, strain_at(q1), after) * strain);
+    return of_unknowns(rock.missing_stiffness(strain_at(q0), before, strain_at(q1), after));
   }
-  /// V Bᵀ (D - ∂σ/∂ε) B, made symmetric: what flow and cracks take of the stiffness.
+  /// V Bᵀ (D - ∂σ/∂ε) B: what flow and cracks take of the stiffness.
   UnknownBlock lost_stiffness(const Response& response) const;
+
+ private:
+  /// V Bᵀ C B, made symmetric where the law's tangent is.
+  UnknownBlock of_unknowns(const Eigen::Matrix3d& stiffness) const;
 };
 
 /// None of a linear elastic material, or of a block without strains.

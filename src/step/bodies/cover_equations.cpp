@@ -3,6 +3,7 @@
 #include "step/bodies/cover_equations.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "step/bodies/linear_static.hpp"
 
@@ -13,12 +14,33 @@ Eigen::VectorXd known_of_covers(const StepSum& sum, const CoverMotion& start) {
   return sum.velocity * start.v + sum.acceleration * start.a;
 }
 
+/// Whether a body has a tangent that is not symmetric. Where unknowns depend on each other none counts as such, for LU
+/// takes no matrix that is singular.
+std::vector<bool> whole_tangents(const ElasticBodies& bodies) {
+  const auto& functions = bodies.rigid.functions();
+  std::vector<bool> is_whole(functions.size());
+  if (definiteness_of(bodies.continuum.functions) == Definiteness::semidefinite) return is_whole;
+  const std::set<int> of_points = bodies.yield.functions_of_whole_tangents();
+  for (std::size_t body = 0; body < functions.size(); ++body)
+    is_whole[body] = std::ranges::any_of(functions[body], [&](int f) { return of_points.contains(f); });
+  return is_whole;
+}
+
+std::optional<WholeSystem> whole_system(const ElasticBodies& bodies) {
+  if (std::ranges::count(whole_tangents(bodies), true) == 0) return std::nullopt;
+  return WholeSystem(bodies.mass);
+}
+
+PartFactors factors_of(const ElasticBodies& bodies, const std::optional<WholeSystem>& whole) {
+  const Definiteness definiteness = definiteness_of(bodies.continuum.functions);
+  if (!whole) return {bodies.mass, bodies.rigid.functions(), definiteness};
+  return {bodies.mass, *whole, bodies.rigid.functions(), whole_tangents(bodies), definiteness};
+}
+
 }  // namespace
 
 CoverEquations::CoverEquations(const ElasticBodies& bodies)
-    : bodies_(bodies),
-      tangent_(bodies.mass),
-      factors_(tangent_, bodies.rigid.functions(), definiteness_of(bodies.continuum.functions)) {}
+    : bodies_(bodies), tangent_(bodies.mass), whole_(whole_system(bodies)), factors_(factors_of(bodies, whole_)) {}
 
 void CoverEquations::begin(const CoverMotion& start, const Eigen::VectorXd& load, const StepRule& rule, double dt) {
   rule_ = rule;
@@ -50,9 +72,11 @@ void CoverEquations::linearise(const Eigen::VectorXd& increment) {
   tangent_.add_scaled(weights_.force, bodies_.supports);
   const Eigen::VectorXd end = start_ + increment;
   bodies_.elasticity.add_tangent(start_, end, weights_.force, of_strain_rate_, 1, tangent_);
-  bodies_.yield.add_tangent_of_step(way_to(end), tangent_);
+  if (whole_) whole_->clear();
+  bodies_.yield.add_tangent_of_step(way_to(end), tangent_, whole_ ? &*whole_ : nullptr);
+  if (whole_) whole_->add(tangent_);
   is_factorised_ = false;
-  factors_.factorise(tangent_);
+  factors_.factorise(tangent_, whole_ ? &*whole_ : nullptr);
   is_factorised_ = true;
   factor_weights_ = weights_;
 }

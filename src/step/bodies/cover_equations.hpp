@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "step/bodies/elastic_bodies.hpp"
 #include "step/bodies/integrator.hpp"
@@ -22,9 +23,11 @@ struct CoverMotion {
 /// r(Δq) = M inertia + a M damping + f(q0, q0 + Δq; θ + b/dt) + ghost_force(q0, q0 + Δq; θ) + H (q0 + θ Δq) - F,
 /// the sums and θ = rule.stiffness as StepRule has them; a, b of CoverDamping, where b takes the mean rate of strain
 /// over the step whatever the rule. In the step with contact
-///     Δq = free_increment + A⁻¹ Jᵀ λ,   A = ∂r/∂Δq made symmetric (CoverElasticity::add_tangent),
-/// solved again from linearise(Δq) until Δq stays: the residual is exact, A need not be. The end of the step is
-/// end(Δq). One object serves all steps of a run; the bodies must outlive it. The order of elimination is found once.
+///     Δq = free_increment + A⁻¹ Jᵀ λ,   A = ∂r/∂Δq,
+/// made symmetric (CoverElasticity::add_tangent) but for bodies whose law has a tangent that is not: those have the
+/// exact one. Solved again from linearise(Δq) until Δq stays: the residual is exact, A need not be. The end of the step
+/// is end(Δq). One object serves all steps of a run; the bodies must outlive it. The order of elimination is found
+/// once.
 class CoverEquations {
  public:
   explicit CoverEquations(const ElasticBodies& bodies);
@@ -35,10 +38,11 @@ class CoverEquations {
   /// where its loads act.
   void begin(const CoverMotion& start, const Eigen::VectorXd& load, const StepRule& rule, double dt);
 
-  /// Residual and factor at Δq = `increment`. Throws NotPositiveDefinite.
+  /// Residual and factor at Δq = `increment`. Throws NotPositiveDefinite, SingularMatrix.
   void linearise(const Eigen::VectorXd& increment);
   /// The residual alone: the factor stays that of the last linearise, of whatever step.
   void evaluate(const Eigen::VectorXd& increment);
+  bool is_symmetric() const { return factors_.are_symmetric(); }
   /// Whether there is a factor that was made for a rule and a dt with the same weights.
   bool has_factor() const;
 
@@ -62,6 +66,7 @@ class CoverEquations {
  private:
   const ElasticBodies& bodies_;
   SparseSystem tangent_;
+  std::optional<WholeSystem> whole_;  // of all bodies, where that of one is not symmetric
   PartFactors factors_;
   struct Weights {
     double force = 1;        // θ

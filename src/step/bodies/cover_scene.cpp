@@ -47,6 +47,7 @@ class StepAnswer : public SharedFlexibility {
   StepAnswer(const CoverEquations& equations, const Functions& functions)
       : equations_(equations), functions_(functions) {}
   Eigen::Index size() const override { return equations_.residual().size(); }
+  bool is_symmetric() const override { return equations_.is_symmetric(); }
   Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
     return by_body(functions_, forces,
                    [&](int body, const Eigen::MatrixXd& part) { return equations_.solve(body, part); });

@@ -13,9 +13,11 @@
 namespace keyblock {
 namespace {
 
-FunctionGroups groups_of(const CoverBasis& basis, const std::vector<GhostPair>& pairs, const CoverYield& yield) {
+FunctionGroups groups_of(const CoverBasis& basis, const std::vector<GhostPair>& pairs, const CoverYield& yield,
+                         const HeldEdges& held) {
   FunctionGroups groups = coupled_functions(basis, pairs);
   yield.add_groups(groups);
+  held.add_groups(groups);
   return groups;
 }
 
@@ -33,7 +35,7 @@ LoadedBodies::LoadedBodies(const Continuum& continuum)
       yield_(continuum_, basis_),
       held_(continuum_, basis_),
       ghost_pairs_(elastic_ghost_pairs(continuum_, basis_)),
-      groups_(groups_of(basis_, ghost_pairs_, yield_)),
+      groups_(groups_of(basis_, ghost_pairs_, yield_, held_)),
       loads_(basis_.function_count(), groups_),
       stiffness_(basis_.function_count(), groups_) {
   add_cover_body_force(continuum_, basis_, loads_);

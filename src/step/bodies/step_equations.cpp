@@ -3,6 +3,7 @@
 #include "step/bodies/step_equations.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <utility>
 
@@ -15,8 +16,12 @@ Unknowns known(const StepSum& sum, const BlockMotion& start) {
 
 }  // namespace
 
-StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule& rule) {
-  const auto put_inverse = [](const UnknownBlock& of, UnknownBlock& inverse) {
+StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule& rule, bool is_symmetric) {
+  const auto put_inverse = [is_symmetric](const UnknownBlock& of, UnknownBlock& inverse) {
+    if (!is_symmetric) {
+      inverse = of.partialPivLu().inverse();
+      return inverse.allFinite();
+    }
     const auto put = [&](const auto& whole) {
       const auto factor = whole.llt();
       inverse = factor.solve(std::decay_t<decltype(whole)>::Identity(whole.rows(), whole.cols()));

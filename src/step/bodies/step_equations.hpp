@@ -18,9 +18,9 @@ struct BlockMotion {
 struct StepInverses {
   UnknownBlock inverse;
   UnknownBlock judging;
-  bool are_definite = true;
+  bool are_definite = true;  ///< of one that is not symmetric: A⁻¹ exists
 };
-StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule& rule);
+StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule& rule, bool is_symmetric = true);
 
 /// Δq = free + inverse Gᵀ λ. Velocity and acceleration at the end are the known part and the rule's share of Δq.
 struct StepEquations {

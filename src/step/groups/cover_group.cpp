@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/worse.hpp"
+#include "system/sparse_lu.hpp"
 
 namespace keyblock {
 namespace {
@@ -19,6 +20,8 @@ class CoverStep final : public EstimatedStep {
     try {
       equations_.linearise(estimate.shared);
     } catch (const NotPositiveDefinite&) {
+      has_factor = false;
+    } catch (const SingularMatrix&) {
       has_factor = false;
     }
     step.flexibility.shared = bodies_.flexibility_of_step();

@@ -34,10 +34,13 @@ bool YieldingBlocks::linearise(const UnknownsTable& estimate, FreeStep& step) {
     const Response response = block.yield->respond(end(e, estimate), before(e));
     const UnknownBlock a = block.matrix - block.share * block.yield->lost_stiffness(response) +
                            block.yield->missing_stiffness(start_.q[e], before(e), end(e, estimate), response.after);
-    StepInverses inverses = inverses_of(a, bodies_[e], rule_);
+    StepInverses inverses = inverses_of(a, bodies_[e], rule_, block.yield->rock.law->has_symmetric_tangent());
     has_factor[static_cast<std::size_t>(e.value)] = inverses.are_definite ? 1 : 0;
+    // Forces are judged as of elastic rock: beside what flows, gaps that are far from closed would be next to nothing.
     step.flexibility.blocks[e] = std::move(inverses.inverse);
-    if (!step.judging.blocks.empty()) step.judging.blocks[e] = std::move(inverses.judging);
+  });
+  step.flexibility.has_symmetric_blocks = std::ranges::all_of(blocks_, [](const Block& block) {
+    return block.yield == nullptr || block.yield->rock.law->has_symmetric_tangent();
   });
   return std::ranges::all_of(has_factor, [](char has) { return has != 0; });
 }

@@ -46,6 +46,8 @@ inline constexpr int kMostRoundsOfYield = 40;    // points change sides of their
 // that is a hundred-thousandth of the modulus.
 inline constexpr double kTolerableOfYield = 1e-9;
 inline constexpr double kTolerable = 1e-6;
+// Rounds of tolerable changes that new tangents made no less: of round-off every second is one.
+inline constexpr int kStallsOfRoundOff = 3;
 // Rows and matrix are made anew about the first estimates, and where these moved by more than the second figure:
 // directions of forces are then as good as that, and gaps are those of the estimate itself in any case.
 inline constexpr int kMostRows = 2;

@@ -39,7 +39,7 @@ class OnPath {
 
   RoundsEnd find_increment(int) {
     try {
-      const SparseLu& factor = tangent_.factor_at(from_.state, at_.state.d);
+      const LinearFactor& factor = tangent_.factor_at(from_.state, at_.state.d);
       corrected_ = at_.way - Eigen::VectorXd(factor.solve(now_.residual));
       by_share_ = factor.solve(load_);
     } catch (const SingularMatrix&) {

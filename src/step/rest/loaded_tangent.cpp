@@ -2,10 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/loaded_tangent.hpp"
 
+#include "step/bodies/linear_static.hpp"
+
 namespace keyblock {
 
-const SparseLu& LoadedTangent::factor_at(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share) {
+// Where unknowns depend on each other the matrix is singular to Cholesky's factor.
+LoadedTangent::LoadedTangent(const LoadedBodies& bodies)
+    : bodies_(&bodies),
+      is_symmetric_(bodies.yield().functions_of_whole_tangents().empty() &&
+                    definiteness_of(bodies.basis().functions()) == Definiteness::definite),
+      tangent_(bodies.tangent()) {}
+
+const LinearFactor& LoadedTangent::factor_at(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share) {
   bodies_->put_tangent(from, d, elastic_share, tangent_);
+  if (is_symmetric_) {
+    try {
+      const Eigen::SparseMatrix<double> lower = tangent_.matrix().triangularView<Eigen::Lower>();
+      if (!symmetric_) symmetric_.emplace(lower, Definiteness::definite);
+      symmetric_->factorise(lower);
+      return *symmetric_;
+    } catch (const NotPositiveDefinite&) {  // rock that gives way: LU finds what it can
+    }
+  }
   if (!factor_) factor_.emplace(tangent_.matrix());
   factor_->factorise(tangent_.matrix());
   return *factor_;

@@ -7,6 +7,7 @@
 
 #include "step/bodies/loaded_bodies.hpp"
 #include "step/newton/newton.hpp"
+#include "system/sparse_factor.hpp"
 #include "system/sparse_lu.hpp"
 
 namespace keyblock {
@@ -23,18 +24,21 @@ inline RoundsEnd state_of(double left) {
   return std::isfinite(left) ? RoundsEnd::open : RoundsEnd::not_finite;
 }
 
-/// By LU, for it need not be symmetric. One object serves all steps of a scene: the order of elimination is found once.
+/// By Cholesky's factor where every law has a symmetric tangent and this one is positive definite, else by LU. One
+/// object serves all steps of a scene: the orders of elimination are found once.
 class LoadedTangent {
  public:
-  explicit LoadedTangent(const LoadedBodies& bodies) : bodies_(&bodies), tangent_(bodies.tangent()) {}
+  explicit LoadedTangent(const LoadedBodies& bodies);
 
   const LoadedBodies& bodies() const { return *bodies_; }
   /// At d, with this share of the elastic stiffness in it. Throws SingularMatrix.
-  const SparseLu& factor_at(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share = 0);
+  const LinearFactor& factor_at(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share = 0);
 
  private:
   const LoadedBodies* bodies_;
+  bool is_symmetric_ = false;
   WholeSystem tangent_;
+  std::optional<SparseFactor> symmetric_;
   std::optional<SparseLu> factor_;
 };
 

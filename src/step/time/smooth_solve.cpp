@@ -42,7 +42,7 @@ class SmoothSolve {
 
   RoundsEnd state() const {
     if (!result_.converged) return RoundsEnd::no_contact_forces;
-    if (change_ <= of_smooth_motion::kSettled) return RoundsEnd::balanced;
+    if (change_ <= of_smooth_motion::kSettled || is_round_off()) return RoundsEnd::balanced;
     return std::isfinite(change_) ? RoundsEnd::open : RoundsEnd::not_finite;
   }
 
@@ -50,9 +50,10 @@ class SmoothSolve {
     const bool rows_moved = round > 0 && round < of_smooth_motion::kMostRows &&
                             free_.greatest_change(increments_, linearised_) > same_rows();
     const bool falls_slowly = !free_.is_linear() && round > 1 && change_ > of_smooth_motion::kWorstGain * before_;
-    if (round == 0 || falls_slowly) result_.converged = free_.linearise(increments_);
+    is_new_tangent_ = round == 0 || falls_slowly;
+    if (is_new_tangent_) result_.converged = free_.linearise(increments_);
     if (!result_.converged) return RoundsEnd::no_factor;
-    if (round == 0 || rows_moved || falls_slowly) {
+    if (is_new_tangent_ || rows_moved) {
       linearised_ = increments_;
       contacts_.linearise(increments_);
     }
@@ -65,6 +66,7 @@ class SmoothSolve {
     ++result_.rounds;
     next_ = next_increments(std::move(now));
     change_ = free_.greatest_change(increments_, next_);
+    stalls_ += stalls() ? 1 : 0;
     return RoundsEnd::open;
   }
 
@@ -81,6 +83,7 @@ class SmoothSolve {
     change_ = is_linear() ? 0 : 1;
     unsolved_ = std::numeric_limits<double>::infinity();
     before_ = change_;
+    stalls_ = 0;
     PartsByChange search;
     if (newton(*this, search, most_rounds()) == RoundsEnd::no_factor) return;
     // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
@@ -88,6 +91,14 @@ class SmoothSolve {
                                 unsolved_ <= std::max(contacts_.problem().acceptable, tolerance_.tolerated);
     const double tolerable = free_.has_kinks() ? of_smooth_motion::kTolerableOfYield : of_smooth_motion::kTolerable;
     result_.converged = result_.converged && (change_ <= tolerable || forces_suffice);
+  }
+
+  // What changes so little would be accepted after the last round: where new tangents have not made it less several
+  // times, no later one does.
+  bool is_round_off() const { return stalls_ >= of_smooth_motion::kStallsOfRoundOff; }
+  bool stalls() const {
+    return free_.has_kinks() && is_new_tangent_ && change_ <= of_smooth_motion::kTolerableOfYield &&
+           change_ > of_line_search::kStalls * before_;
   }
 
   // Very many pairs between blocks alone.
@@ -132,9 +143,11 @@ class SmoothSolve {
   FreeMotion free_;
   SmoothContacts contacts_;
   UnknownsTable increments_;
-  UnknownsTable next_;        ///< of the round
-  double change_ = 0;         ///< by the last round
-  double before_ = 0;         ///< by the one before it
+  UnknownsTable next_;  ///< of the round
+  double change_ = 0;   ///< by the last round
+  double before_ = 0;   ///< by the one before it
+  bool is_new_tangent_ = false;
+  int stalls_ = 0;            ///< rounds of tolerable changes that a new tangent made no less
   double unsolved_ = 0;       ///< by the forces of the round before in the gaps of this one
   UnknownsTable linearised_;  ///< increments about which rows and matrix were made
   SmoothMotion result_;

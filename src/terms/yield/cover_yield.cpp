@@ -51,18 +51,22 @@ CoverYield::Answer CoverYield::answer(const Eigen::VectorXd& d, const YieldState
   return answer;
 }
 
-// Bᵀ C B and ∇N · S ∇N.
+// B(F)ᵀ C B(F of strain) and ∇N · S ∇N.
 Eigen::MatrixXd CoverYield::tangent_at(const YieldPoint& point, const Eigen::Matrix2d& f,
-                                       const Eigen::Matrix3d& stiffness, const Eigen::Vector3d& second) {
+                                       const Eigen::Matrix2d& of_strain, const Eigen::Matrix3d& stiffness,
+                                       const Eigen::Vector3d& second, double share) {
   const auto n = static_cast<Eigen::Index>(point.functions.size());
-  Eigen::Matrix3Xd b(3, 2 * n);
-  for (Eigen::Index a = 0; a < n; ++a) {
-    const Eigen::Vector2d g = point.gradients.col(a);
-    for (Eigen::Index k = 0; k < 2; ++k)
-      b.col(2 * a + k) << f(k, 0) * g(0), f(k, 1) * g(1), f(k, 0) * g(1) + f(k, 1) * g(0);
-  }
-  Eigen::MatrixXd tangent = b.transpose() * (stiffness * b);
-  const Eigen::MatrixXd geometric = point.gradients.transpose() * (stress_tensor(second) * point.gradients);
+  const auto strain_operator = [&](const Eigen::Matrix2d& at) {
+    Eigen::Matrix3Xd b(3, 2 * n);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const Eigen::Vector2d g = point.gradients.col(a);
+      for (Eigen::Index k = 0; k < 2; ++k)
+        b.col(2 * a + k) << at(k, 0) * g(0), at(k, 1) * g(1), at(k, 0) * g(1) + at(k, 1) * g(0);
+    }
+    return b;
+  };
+  Eigen::MatrixXd tangent = strain_operator(f).transpose() * (stiffness * strain_operator(of_strain));
+  const Eigen::MatrixXd geometric = share * (point.gradients.transpose() * (stress_tensor(second) * point.gradients));
   for (Eigen::Index a = 0; a < n; ++a)
     for (Eigen::Index c = 0; c < n; ++c) {
       tangent(2 * a, 2 * c) += geometric(a, c);
@@ -83,10 +87,10 @@ void CoverYield::add_tangent(const Eigen::VectorXd& d, const YieldStates& before
     const Eigen::Matrix3d modulus =
         (1 - elastic_share) * response.tangent.topLeftCorner<3, 3>() + elastic_share * elastic_[point.law];
     const Eigen::Matrix3d rate = log_strain_rate(green);
-    system.add_matrix(
-        point.functions,
-        tangent_at(point, Eigen::Matrix2d::Identity() + h,
-                   rate.transpose() * modulus * rate + log_strain_curvature(green, stress), rate.transpose() * stress));
+    const Eigen::Matrix2d f = Eigen::Matrix2d::Identity() + h;
+    system.add_matrix(point.functions,
+                      tangent_at(point, f, f, rate.transpose() * modulus * rate + log_strain_curvature(green, stress),
+                                 rate.transpose() * stress));
   }
 }
 
@@ -125,8 +129,9 @@ Eigen::VectorXd CoverYield::force_of_step(const Way& way) const {
   return force;
 }
 
-// P is taken at the mean strain, which moves by half of what the end does.
-void CoverYield::add_tangent_of_step(const Way& way, SparseSystem& system) const {
+// Made symmetric: P is taken at the mean strain, which moves by half of what the end does, and F1 is F_half.
+void CoverYield::add_tangent_of_step(const Way& way, SparseSystem& system, WholeSystem* whole) const {
+  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const YieldPoint& point = points_[i];
     const Eigen::Matrix2d h0 = displacement_gradient(point, way.d0), h1 = displacement_gradient(point, way.d1);
@@ -134,14 +139,20 @@ void CoverYield::add_tangent_of_step(const Way& way, SparseSystem& system) const
     const Eigen::Vector3d log0 = log_strain(from), log1 = log_strain(to);
     const Response end = point.rock.respond(log1, way.before[i]);
     const Eigen::Vector3d stress = mean_stress(point, way, log0, log1, way.before[i], end);
-    const Eigen::Matrix3d of_law = end.tangent.topLeftCorner<3, 3>();
-    const Eigen::Matrix3d modulus = way.theta / 2 * (of_law + of_law.transpose()) +
-                                    (weight_of(point, way) - way.theta) * elastic_[point.law] +
-                                    point.rock.missing_stiffness(log0, way.before[i], log1, end.after);
+    Eigen::Matrix3d modulus = way.theta * end.tangent.topLeftCorner<3, 3>() +
+                              (weight_of(point, way) - way.theta) * elastic_[point.law] +
+                              point.rock.missing_stiffness(log0, way.before[i], log1, end.after);
+    const Eigen::Matrix2d half = one + (h0 + h1) / 2;
+    const Eigen::Vector3d second = log_step_stress(from, to, stress);
+    if (whole != nullptr && !point.rock.law->has_symmetric_tangent()) {
+      const Eigen::Matrix3d stiffness = log_step_stiffness(from, to, stress, modulus);
+      whole->add_matrix(point.functions, tangent_at(point, half, one + h1, stiffness, second, 0.5));
+      continue;
+    }
+    modulus = ((modulus + modulus.transpose()) / 2).eval();
     const Eigen::Matrix3d rate = log_strain_rate(mean);
     const Eigen::Matrix3d stiffness = rate.transpose() * modulus * rate + log_strain_curvature(mean, stress) / 2;
-    system.add_matrix(point.functions, tangent_at(point, Eigen::Matrix2d::Identity() + (h0 + h1) / 2, stiffness,
-                                                  log_step_stress(from, to, stress) / 2));
+    system.add_matrix(point.functions, tangent_at(point, half, half, stiffness, second, 0.5));
   }
 }
 

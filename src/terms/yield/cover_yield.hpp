@@ -47,8 +47,9 @@ class CoverYield : public YieldPoints {
   /// change of the energy stored, the plastic work, and a rest that vanishes with the step. Not finite where there is
   /// none (`Answer::exists`).
   Eigen::VectorXd force_of_step(const Way& way) const;
-  /// A += ∂force_of_step/∂d1, made symmetric, as CoverElasticity::add_tangent.
-  void add_tangent_of_step(const Way& way, SparseSystem& system) const;
+  /// A += ∂force_of_step/∂d1, made symmetric, as CoverElasticity::add_tangent; `whole`, if there is one, takes the
+  /// exact derivative of points whose law has a tangent that is not symmetric in place of that.
+  void add_tangent_of_step(const Way& way, SparseSystem& system, WholeSystem* whole = nullptr) const;
 
   /// Of the stress of damping, `more` D Δε, over a step.
   double damping_work(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, std::span<const double> more) const;
@@ -70,9 +71,10 @@ class CoverYield : public YieldPoints {
   double weight_of(const YieldPoint& point, const Way& way) const;
   void add_force(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Vector3d& second,
                  Eigen::VectorXd& force) const;
-  /// Of a point with the stress S and the stiffness ∂S/∂E at F.
-  static Eigen::MatrixXd tangent_at(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Matrix3d& stiffness,
-                                    const Eigen::Vector3d& second);
+  /// Of a force with F and S that moves with the stiffness ∂S/∂E, where E does so as at F `of_strain`; the change of F
+  /// is `share` of that of the deformation.
+  static Eigen::MatrixXd tangent_at(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Matrix2d& of_strain,
+                                    const Eigen::Matrix3d& stiffness, const Eigen::Vector3d& second, double share = 1);
 };
 
 }  // namespace keyblock

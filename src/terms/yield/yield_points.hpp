@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -19,14 +20,17 @@ using YieldStates = std::vector<YieldState>;
 
 /// Of elements whose material has a strength or cracks that close. With constant functions a point is a physical cover,
 /// its gradient of deformation the mean over the cover's star weighted by λ_i, ∇N̄_a = ∫ λ_i ∇N_a / ∫ λ_i (Dohrmann et
-/// al. 2000; Liu et al. 2009): elements with gradients of their own lock when they flow at constant volume. With other
-/// functions points are those of integration of the elements.
+/// al. 2000; Liu et al. 2009): elements with gradients of their own lock when they flow at constant volume. Small
+/// pieces of triangles at the rim of a body are no part of that and have points of their own. With other functions
+/// points are those of integration of the elements.
 class YieldPoints {
  public:
   YieldPoints(const Continuum& continuum, const CoverBasis& basis);
 
   bool is_empty() const { return points_.empty(); }
   int point_count() const { return static_cast<int>(points_.size()); }
+  /// Functions of points whose law has a tangent that is not symmetric.
+  std::set<int> functions_of_whole_tangents() const;
   /// The functions of each point couple.
   void add_groups(FunctionGroups& groups) const;
 
@@ -78,10 +82,12 @@ class YieldPoints {
   std::vector<std::shared_ptr<const YieldLaw>> laws_;  // one a material
   std::vector<Eigen::Matrix3d> elastic_;               // its modulus in the plane
   std::vector<YieldPoint> points_;
+  std::vector<bool> has_own_;                         // of elements where averaged: points that no cover shares
   std::vector<std::vector<std::size_t>> of_element_;  // its points, in the order of its functions where averaged
 
  private:
   void add_averaged(const Continuum& continuum, const CoverBasis& basis);
+  void add_own(const Continuum& continuum, const CoverBasis& basis, int element);
   void add_of_elements(const Continuum& continuum, const CoverBasis& basis);
 };
 
