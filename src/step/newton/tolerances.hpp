@@ -248,9 +248,6 @@ inline constexpr int kMostSteps = 40;
 inline constexpr int kMostSearches = 4;
 // At rest is what moves by less than this share of what a free block does.
 inline constexpr double kAtRest = 1e-4;
-// No block moves otherwise than in the step before by more than this share of the greatest way: what settles does so by
-// a tenth and more in each step.
-inline constexpr double kSteady = 2.5e-3;
 // Of the largest load on a block; what steps of the run itself ask of as many touches.
 inline constexpr double kForceGoal = 1e-6;
 inline constexpr double kForceAcceptable = 1e-3;

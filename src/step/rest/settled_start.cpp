@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "base/progress/headway.hpp"
 #include "base/union_find.hpp"
@@ -49,7 +48,7 @@ class Settling {
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
                             share_of_fall(first_share, moved / free, of_settled_start::kAtRest)));
-      if (moved <= of_settled_start::kAtRest * free || moves_as_before(free)) break;
+      if (moved <= of_settled_start::kAtRest * free) break;
       if (moved <= of_settled_start::kFarthest * scales_.size)
         stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
     }
@@ -113,7 +112,6 @@ class Settling {
     }
     if (!made.converged) {
       ++unsolved_;
-      ways_.clear();
       return of_settled_start::kFarthest * scales_.size;
     }
     const UnknownsTable moved = plus(made.q, -1, motion_.q);
@@ -130,24 +128,10 @@ class Settling {
             {touch, memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1], motion_.closed.of(touch))});
     }
     motion_.closed = ClosedContacts(std::move(closed));
-    ways_.clear();
-    for (const Unknowns& of : moved) ways_.push_back(of.size() > 0 ? Point{of[0], of[1]} : Point{});
-    return length(*std::ranges::max_element(ways_, {}, [](Point of) { return length(of); }));
-  }
-
-  // What slides or falls moves in each step as in the one before, over what a free block does, and never comes to rest:
-  // more steps would only carry it on.
-  bool moves_as_before(double free) {
-    const std::vector<Point> before = std::exchange(shares_, {});
-    double greatest = 0;
-    for (const Point way : ways_) {
-      shares_.push_back((1 / free) * way);
-      greatest = std::max(greatest, length(shares_.back()));
-    }
-    if (before.size() != shares_.size()) return false;
-    for (std::size_t i = 0; i < before.size(); ++i)
-      if (length(shares_[i] - before[i]) > of_settled_start::kSteady * greatest) return false;
-    return true;
+    double farthest = 0;
+    for (const Unknowns& of : moved)
+      if (of.size() > 0) farthest = std::max(farthest, of.head<2>().norm());
+    return farthest;
   }
 
   // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past
@@ -189,8 +173,6 @@ class Settling {
   UnknownsTable loads_;
   Scales scales_;
   FoundTouches found_;
-  std::vector<Point> ways_;    ///< of each block in the last step; empty if that found no forces
-  std::vector<Point> shares_;  ///< the same over those of a free block
   int unsolved_ = 0;
 };
 
