@@ -32,7 +32,7 @@ std::array<CLI::Option*, 3> add_output_options(CLI::App& options, OutputOptions&
           .add_option(
               "--field", chosen.field,
               "what field.svg shows: a component of stress, a principal one (s1 the greatest, s3 the least), the "
-              "stress to von Mises, or the displacement (default: the component that varies most)")
+              "von Mises stress, or the displacement (default: the component that varies most)")
           ->check(CLI::IsMember(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
   return {histories, contacts, field};
 }

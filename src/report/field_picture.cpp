@@ -52,7 +52,7 @@ double value_of(const FieldCorner& corner, FieldShown shown) {
 }
 
 std::string_view name_of(FieldShown shown) {
-  constexpr std::array<std::string_view, 7> kNames{"σxx", "σyy", "σxy", "σ1", "σ3", "von Mises", "displacement"};
+  constexpr std::array<std::string_view, 7> kNames{"σxx", "σyy", "σxy", "σ1", "σ3", "von Mises stress", "displacement"};
   return kNames[static_cast<std::size_t>(shown)];
 }
 
@@ -78,7 +78,7 @@ std::string caption_of(FieldShown shown, bool is_there) {
   if (shown == FieldShown::greatest)
     return fmt::format("{}, greatest principal stress in the plane, tension positive", name);
   if (shown == FieldShown::least) return fmt::format("{}, least principal stress in the plane, tension positive", name);
-  if (shown == FieldShown::von_mises) return "stress to von Mises";
+  if (shown == FieldShown::von_mises) return "von Mises stress";
   return is_displacement(shown) ? std::string(name) : fmt::format("{}, tension positive", name);
 }
 

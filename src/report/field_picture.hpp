@@ -12,7 +12,7 @@
 
 namespace keyblock::report {
 
-/// Components of the stress, its principal values in the plane, what it is to von Mises, and the length of the
+/// Components of the stress, its principal values in the plane, the von Mises stress, and the length of the
 /// displacement.
 enum class FieldShown { xx, yy, xy, greatest, least, von_mises, displacement };
 

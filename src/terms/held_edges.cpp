@@ -144,6 +144,7 @@ void HeldEdges::add_means(const Sides& sides, std::span<const ElementSide> strai
   std::vector<std::map<int, double>> values(ends.size());
   std::vector<double> weights(ends.size()), stiffness(ends.size());
   std::vector<Eigen::Vector2d> to(ends.size(), Eigen::Vector2d::Zero());
+  std::vector<Point> at(ends.size());  // where the force of a mean acts
   const auto add = [&](std::size_t hat, double weight, const ElementSide& side, const ElementShape& shape, Point x) {
     const Eigen::RowVectorXd of_functions = shape.values(x);
     const Point value = sides.prescribed.value(x, n);
@@ -152,6 +153,7 @@ void HeldEdges::add_means(const Sides& sides, std::span<const ElementSide> strai
     weights[hat] += weight;
     stiffness[hat] += weight * sides.stiffness(side);
     to[hat] += weight * Eigen::Vector2d(value.x, value.y);
+    at[hat] = at[hat] + weight * x;
   };
   for (const ElementSide& side : straight) {
     const ElementShape shape = sides.shape(side);
@@ -170,7 +172,7 @@ void HeldEdges::add_means(const Sides& sides, std::span<const ElementSide> strai
   for (std::size_t hat = 0; hat < ends.size(); ++hat) {
     HeldPoint& mean = points_.emplace_back();
     mean.part = sides.part;
-    mean.at = start + ends[hat] / all * along;
+    mean.at = (1 / weights[hat]) * at[hat];
     mean.values.resize(static_cast<Eigen::Index>(values[hat].size()));
     for (const auto& [function, value] : values[hat]) {
       mean.values(static_cast<Eigen::Index>(mean.functions.size())) = value / weights[hat];

@@ -20,8 +20,8 @@ Eigen::Matrix2d held_projector(Held held, Point normal);
 ///
 /// Where an edge cuts triangles of constant functions, u there has a kink at every side that it crosses, and held
 /// point by point it would leave the covers of those triangles no flow: what is held are means of u, weighted by hats
-/// over stretches of at least a triangle each (as multipliers on cut meshes are coarsened: Béchet, Moës & Wohlmuth
-/// 2009).
+/// over stretches of at least 0.6 of a triangle's size each, or the whole edge where it is shorter (as multipliers on
+/// cut meshes are coarsened: Béchet, Moës & Wohlmuth 2009). Their force acts at the centroid of the hat.
 class HeldEdges {
  public:
   HeldEdges(const Continuum& continuum, const CoverBasis& basis);

@@ -168,7 +168,7 @@ TEST(LookAhead, a_run_that_fails_at_once_is_the_last_line_of_check) {
   support::write_text(file, text);
   const support::ProgramRun run = support::run_keyblock({"check", file});
   EXPECT_EQ(run.exit_code, 1) << run.messages;
-  const std::string last = "keyblock: error: a run will not go, as steps made for a trial show: step 1 (time 0)";
+  const std::string last = "keyblock: error: a run of this case fails, as its trial does: step 1 (time 0)";
   EXPECT_EQ(run.messages.find('\n', run.messages.find(last)), run.messages.size() - 1) << run.messages;
   EXPECT_EQ(support::run_keyblock({"check", file, "--trial", "0"}).exit_code, 0);
 }

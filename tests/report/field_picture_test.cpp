@@ -60,7 +60,7 @@ TEST(FieldPicture, rigid_blocks_have_no_stress) {
 }
 
 // At the corners of the lower edge σxx = σxy = 0 and σyy = -4, at the upper ones σyy = 1: σ1 is 0 and 1, σ3 -4 and 0,
-// and the stress to von Mises without σzz is |σyy|. A piece has the mean of its edge and the middle's -1.5.
+// and the von Mises stress without σzz is |σyy|. A piece has the mean of its edge and the middle's -1.5.
 TEST(FieldPicture, principal_stresses_von_mises_and_displacement_may_be_shown) {
   const FieldFrame field = sheared();
   const auto shown = [&](const char* word) {
@@ -72,7 +72,7 @@ TEST(FieldPicture, principal_stresses_von_mises_and_displacement_may_be_shown) {
   EXPECT_TRUE(contains(shown("s1"), "greatest principal stress"));
   EXPECT_TRUE(contains(shown("s3"), ">σ3 [Pa]<"));
   EXPECT_TRUE(contains(shown("s3"), ">-3.17<"));
-  EXPECT_TRUE(contains(shown("von_mises"), ">von Mises [Pa]<"));
+  EXPECT_TRUE(contains(shown("von_mises"), ">von Mises stress [Pa]<"));
   EXPECT_TRUE(contains(shown("von_mises"), ">3.17<"));
   EXPECT_TRUE(contains(shown("displacement"), ">displacement [m]<"));
   EXPECT_THROW(field_of_word("szz"), std::invalid_argument);

@@ -43,6 +43,26 @@ TEST(BatchAnswers, the_last_point_of_the_last_row_is_the_answer) {
   EXPECT_EQ(answer_in(run_folder("centroids", record(0), kHistory), "legacy").of_what, "centroid of block 2");
 }
 
+// Then the table follows those that move most, under their own numbers.
+TEST(BatchAnswers, of_many_blocks_the_one_that_moves_most_is_the_answer) {
+  const std::string history =
+      "step,time [T],x4 [L],y4 [L],dx4 [L],dy4 [L],x7 [L],y7 [L],dx7 [L],dy7 [L]\n4,0.5,1,1,7,8,2,2,3,-4\n";
+  const auto answer = [&](int most) {
+    return answer_in(run_folder("many",
+                                R"({"outcome": {"end": "finished", "steps": 4, "time": 0.5},
+               "counts": {"measured_points": 0, "blocks": 12, "most_contacts": 3},
+               "extremes": {"greatest_displacement": {"value": 7, "element": )" +
+                                    std::to_string(most) + R"(},
+                            "least_principal_stress": {"value": -2, "element": 1},
+                            "greatest_principal_stress": {"value": 0.5, "element": 2}}})",
+                                history),
+                     "legacy");
+  };
+  EXPECT_EQ(answer(4).of_what, "centroid of block 4");
+  EXPECT_EQ(answer(4).dy, 8);
+  EXPECT_EQ(answer(9).of_what, "centroid of block 7");  // not followed: the last one
+}
+
 TEST(BatchAnswers, measures_of_all_elements_come_from_the_record) {
   const auto record = [](const std::string& more) {
     return R"({"outcome": {"end": "finished", "steps": 4, "time": 0.5},

@@ -84,6 +84,17 @@ TEST(HeldEdges, an_affine_motion_meets_what_a_cut_edge_is_held_to) {
   }
 }
 
+// An edge that is off by the same way everywhere is pulled evenly: as by one force in its middle.
+TEST(HeldEdges, an_even_pull_has_its_moment_about_the_middle_of_the_edge) {
+  for (const double angle : {0.0, 0.2, 0.6}) {
+    const Plate plate(angle);
+    Eigen::VectorXd d = plate.affine();
+    for (Eigen::Index i = 1; i < d.size(); i += 2) d[i] += 0.01;
+    const auto reaction = plate.held.reactions(d, 1)[0];
+    EXPECT_NEAR(reaction.moment / reaction.force.y, kWidth / 2, 1e-9 * kWidth) << angle;
+  }
+}
+
 // Held point by point a cut edge takes as many ways as it has pieces and one more: all that their covers have.
 TEST(HeldEdges, a_cut_edge_is_held_in_fewer_ways_than_it_has_pieces) {
   for (const double angle : {0.2, 0.6}) {

@@ -338,7 +338,7 @@ ExitCode check_files(const CheckOptions& options) {
   }
   if (log_errors(files, report) > 0) return ExitCode::unreadable;
   if (!report.trial || report.trial->failure.empty()) return ExitCode::ok;
-  spdlog::error("keyblock: error: a run will not go, as steps made for a trial show: {}", report.trial->failure);
+  spdlog::error("keyblock: error: a run of this case fails, as its trial does: {}", report.trial->failure);
   return ExitCode::check_failed;
 }
 

@@ -20,7 +20,7 @@ StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule
   const auto put_inverse = [is_symmetric](const UnknownBlock& of, UnknownBlock& inverse) {
     if (!is_symmetric) {
       inverse = of.partialPivLu().inverse();
-      return inverse.allFinite();
+      return inverse.allFinite() && (inverse.diagonal().array() > 0).all();
     }
     const auto put = [&](const auto& whole) {
       const auto factor = whole.llt();

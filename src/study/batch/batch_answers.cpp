@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "formats/registry.hpp"
@@ -21,19 +22,26 @@ Json read_json(const std::filesystem::path& file) {
   return Json::parse(formats::load(file.string()).text);
 }
 
-/// How many points the table follows: it has a column xi for each.
-std::size_t point_count(const formats::CsvTable& table) {
-  const auto is_abscissa = [](const std::string& heading) { return heading.starts_with("x"); };
-  return static_cast<std::size_t>(std::ranges::count_if(table.header, is_abscissa));
+/// Numbers of the points or blocks that the table follows: it has a column dxi for each.
+std::vector<int> followed(const formats::CsvTable& table) {
+  std::vector<int> numbers;
+  for (const std::string& heading : table.header)
+    if (heading.starts_with("dx")) numbers.push_back(std::atoi(heading.c_str() + 2));
+  return numbers;
 }
 
-void add_displacement(CatalogueAnswer& answer, const std::filesystem::path& file, bool has_measured_points) {
+/// Of the last point; of many blocks, which the table does not all follow, that of the block that moves most.
+void add_displacement(CatalogueAnswer& answer, const std::filesystem::path& file, const Json& counts) {
   const formats::CsvTable table = formats::read_csv(formats::load(file.string()));
-  const std::size_t points = point_count(table);
-  if (points == 0 || table.rows.empty()) return;
+  const std::vector<int> numbers = followed(table);
+  if (numbers.empty() || table.rows.empty()) return;
+  const bool has_measured_points = counts.at("measured_points") > 0;
+  const int most = answer.measures ? answer.measures->displaced_element : 0;
+  const bool follows_some = !has_measured_points && counts.value("blocks", 0) > std::ssize(numbers);
+  const int number = follows_some && std::ranges::count(numbers, most) > 0 ? most : numbers.back();
   const auto last = [&](std::string_view name) {
     const auto found =
-        std::ranges::find_if(table.header, [heading = fmt::format("{}{}", name, points)](const std::string& h) {
+        std::ranges::find_if(table.header, [heading = fmt::format("{}{}", name, number)](const std::string& h) {
           return h == heading || h.starts_with(heading + " ");
         });
     if (found == table.header.end()) throw InputError({table.name, 1, 0}, "expected displacements, found none");
@@ -41,7 +49,7 @@ void add_displacement(CatalogueAnswer& answer, const std::filesystem::path& file
   };
   answer.dx = last("dx");
   answer.dy = last("dy");
-  answer.of_what = fmt::format("{} {}", has_measured_points ? "measured point" : "centroid of block", points);
+  answer.of_what = fmt::format("{} {}", has_measured_points ? "measured point" : "centroid of block", number);
 }
 
 void add_measures(CatalogueAnswer& answer, const Json& record) {
@@ -70,7 +78,7 @@ CatalogueAnswer answer_in(const std::filesystem::path& folder, const std::string
     answer.steps = outcome.at("steps");
     answer.time = outcome.at("time");
     add_measures(answer, record);
-    add_displacement(answer, folder / "history.csv", record.at("counts").at("measured_points") > 0);
+    add_displacement(answer, folder / "history.csv", record.at("counts"));
   } catch (const Json::exception& error) {
     answer.end = fmt::format("run.json cannot be read: {}", error.what());
   } catch (const InputError&) {

@@ -91,7 +91,7 @@ class FactorSearch {
 
   Verdict made_at(double factor) {
     TrialOutcome outcome = trials_.run(factor, options_.wants_stop);
-    if (trials_.may_leave_out(outcome.restless)) {
+    if (outcome.told.verdict == Verdict::falls && trials_.may_leave_out(outcome.restless)) {
       loose_ = outcome.restless;
       outcome.told.verdict = Verdict::undecided;
     }
