@@ -143,7 +143,7 @@ TEST(HistoriesCommand, of_many_blocks_the_table_and_the_picture_have_those_that_
   const std::string picture = read_text(folder + "/out/picture.svg");
   EXPECT_TRUE(contains(picture, ">block whose curve is drawn<"));
   EXPECT_TRUE(contains(picture, ">4<") && contains(picture, ">9<") && !contains(picture, ">3<"));
-  EXPECT_TRUE(contains(read_text(folder + "/out/field.svg"), ">von Mises [Pa]<"));
+  EXPECT_TRUE(contains(read_text(folder + "/out/field.svg"), ">von Mises stress [Pa]<"));
 }
 
 // The line y = 0.5 cuts the lowest square; y = 1 lies between it and the next.
