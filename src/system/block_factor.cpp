@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <type_traits>
 
 #include "base/stop.hpp"
 #include "system/fours.hpp"
@@ -236,6 +237,23 @@ bool BlockFactor::factorise(bool is_symmetric) {
 
 void BlockFactor::solve(std::span<double> b) const {
   kernel_->solve(b);
+}
+
+// Blocks of the greatest size, as most are, have one that the compiler knows.
+BlockInverse inverse_of(const BlockFactor::Block& block, bool is_symmetric) {
+  if (!is_symmetric) {
+    BlockInverse made{block.partialPivLu().inverse()};
+    made.exists = made.inverse.allFinite() && (made.inverse.diagonal().array() > 0).all();
+    return made;
+  }
+  const auto by_cholesky = [](const auto& whole) {
+    const auto factor = whole.llt();
+    BlockInverse made{factor.solve(std::decay_t<decltype(whole)>::Identity(whole.rows(), whole.cols()))};
+    made.exists = factor.info() == Eigen::Success;
+    return made;
+  };
+  if (block.rows() != kMostBlockRows) return by_cholesky(block);
+  return by_cholesky(Eigen::Matrix<double, kMostBlockRows, kMostBlockRows>(block));
 }
 
 }  // namespace keyblock

@@ -45,4 +45,12 @@ class BlockFactor {
   std::unique_ptr<Kernel> kernel_;
 };
 
+/// Of one block. There is none where it is singular; a block said to be symmetric must be positive definite, another
+/// must answer each of its unknowns by a positive diagonal.
+struct BlockInverse {
+  BlockFactor::Block inverse;
+  bool exists = true;
+};
+BlockInverse inverse_of(const BlockFactor::Block& block, bool is_symmetric);
+
 }  // namespace keyblock

@@ -94,6 +94,7 @@ TEST(Shell, bash_completes_commands_options_and_values) {
   EXPECT_EQ(completed("run --field s"), "sxx syy sxy s1 s3\n");
   EXPECT_EQ(completed("new a"), "arch\n");
   EXPECT_EQ(completed("--qui"), "--quiet\n");
+  EXPECT_EQ(completed("--log run new a"), "arch\n");  // the name of a log is no command
 }
 
 TEST(Shell, settings_come_in_groups_those_set_first_ahead) {

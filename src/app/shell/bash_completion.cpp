@@ -1,5 +1,7 @@
 // A script of bash, written from the tables of commands and options.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/shell/bash_completion.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +15,14 @@ std::string names_of(const std::vector<DescribedOption>& options) {
   for (const DescribedOption& option : options)
     for (const std::string& name : option.names) names += (names.empty() ? "" : " ") + name;
   return names;
+}
+
+/// "--log|--color": those before a command whose value is the next word.
+std::string names_with_value(const std::vector<DescribedOption>& options) {
+  std::vector<std::string> names;
+  for (const DescribedOption& option : options)
+    if (option.takes_value) names.insert(names.end(), option.names.begin(), option.names.end());
+  return names.empty() ? "''" : fmt::format("{}", fmt::join(names, "|"));
 }
 
 /// "run,--field) words=\"sxx syy\" ;;": values that are one of a few words.
@@ -38,6 +48,7 @@ _keyblock() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} command="" word i
   local commands="{}" options="{}" words=""
   for ((i = 1; i < COMP_CWORD; ++i)); do
+    case "${{COMP_WORDS[i]}}" in {}) ((++i)); continue ;; esac
     for word in $commands; do
       if [[ $word == "${{COMP_WORDS[i]}}" ]]; then command=$word; break 2; fi
     done
@@ -74,7 +85,8 @@ std::string bash_completion(const CLI::App& program) {
     values += values_of(name, options);
     cases += fmt::format("    {}) options+=\" {}\"; words=\"{}\" ;;\n", name, names_of(options), words_of(options));
   }
-  return fmt::format(kScript, commands, names_of(described_options(program)), values, cases);
+  const std::vector<DescribedOption> own = described_options(program);
+  return fmt::format(kScript, commands, names_of(own), names_with_value(own), values, cases);
 }
 
 }  // namespace keyblock

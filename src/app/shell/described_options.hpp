@@ -19,10 +19,4 @@ struct DescribedOption {
 /// Of the program, or of one of its commands, in their order.
 std::vector<DescribedOption> described_options(const CLI::App& app);
 
-/// The whole program in roff, section 1: every command with its options and examples.
-std::string man_page(const CLI::App& program);
-
-/// A script for bash that completes commands, options, and values of options that take one of a few words.
-std::string bash_completion(const CLI::App& program);
-
 }  // namespace keyblock

@@ -1,5 +1,7 @@
 // The man page, written from the tables of commands and options, so that it says what --help says.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/shell/man_page.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

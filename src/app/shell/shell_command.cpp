@@ -5,7 +5,8 @@
 #include <memory>
 
 #include "app/command.hpp"
-#include "app/shell/described_options.hpp"
+#include "app/shell/bash_completion.hpp"
+#include "app/shell/man_page.hpp"
 
 namespace keyblock {
 

@@ -33,7 +33,7 @@ struct ContactRow {
   void add_to(UnknownsTable& sum, double force) const;
 };
 
-/// The unknowns of most blocks, all of them: products of a size that the compiler knows take a third of the
+/// The unknowns of most blocks, all of them: products of a size that the compiler knows take less than half of the
 /// instructions of those of any size.
 using AllUnknowns = Eigen::Matrix<double, kMostUnknowns, 1>;
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/block_numbers.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cstddef>
 
@@ -17,14 +15,6 @@ int answering(const UnknownBlock& flexibility) {
   int count = 0;
   while (count < flexibility.rows() && flexibility(count, count) > 0) ++count;
   return count;
-}
-
-UnknownBlock inverse_of(const UnknownBlock& flexibility, int size, bool is_symmetric) {
-  using Whole = Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>;
-  if (is_symmetric && size == kMostUnknowns) return Whole(flexibility).llt().solve(Whole::Identity());
-  const UnknownBlock part = flexibility.topLeftCorner(size, size);
-  if (!is_symmetric) return part.partialPivLu().inverse();
-  return part.llt().solve(UnknownBlock::Identity(size, size));
 }
 
 }  // namespace
@@ -45,7 +35,8 @@ BlockNumbers::BlockNumbers(const ContactRows& rows, const Flexibility& flexibili
     const ElementIndex e{static_cast<int>(i)};
     if (of(e) >= 0)
       stiffness_[static_cast<std::size_t>(of(e))] =
-          inverse_of(flexibility.blocks[e], size(of(e)), flexibility.has_symmetric_blocks);
+          inverse_of(flexibility.blocks[e].topLeftCorner(size(of(e)), size(of(e))), flexibility.has_symmetric_blocks)
+              .inverse;
   });
   for (std::size_t i = 0; i < rows.size(); i += 2) {
     const int a = numbers_[rows[i].vertex_element];

@@ -18,9 +18,8 @@ using Row = ContactRow::Row;
 // Adds factor columnᵀ across.
 void add_outer(double factor, const Row& column, const Row& across, BlockFactor::Block& sum) {
   if (sum.rows() == kMostUnknowns && sum.cols() == kMostUnknowns)
-    Eigen::Map<Eigen::Matrix<double, kMostUnknowns, kMostUnknowns>>(sum.data()).noalias() +=
-        (factor * Eigen::Map<const AllUnknowns>(column.data())) *
-        Eigen::Map<const AllUnknowns>(across.data()).transpose();
+    Eigen::Map<AllOfBlock>(sum.data()).noalias() += (factor * Eigen::Map<const AllUnknowns>(column.data())) *
+                                                    Eigen::Map<const AllUnknowns>(across.data()).transpose();
   else
     sum.noalias() += (factor * column.head(sum.rows())).transpose() * across.head(sum.cols());
 }

@@ -15,9 +15,8 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t kMostCurves = 6;  // more cannot be told apart in one chart
-constexpr std::size_t kMostColumns =
-    10;  // blocks of history.csv: four columns each, a table that can be looked through
+constexpr std::size_t kMostCurves = 6;    // more cannot be told apart in one chart
+constexpr std::size_t kMostColumns = 10;  // blocks of history.csv: with four columns each still easy to look through
 
 bool is_in(const HistoryRow& row, std::size_t point) {
   return point < row.points.size() && is_there(row.points[point]);

@@ -1,4 +1,5 @@
-// Names of units that a case may declare and that results are given in: no other list has them.
+// Names of units that a case may declare and that results are given in; how much each is stands in
+// unit_conversion.cpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -14,19 +14,11 @@ struct BlockMotion {
   const Unknowns& a;
 };
 
-/// A⁻¹, and the same with the inertia by which forces are judged.
-struct StepInverses {
-  UnknownBlock inverse;
-  UnknownBlock judging;
-  bool are_definite = true;  ///< of one that is not symmetric: A⁻¹ exists
-};
-StepInverses inverses_of(const UnknownBlock& a, const Body& body, const StepRule& rule, bool is_symmetric = true);
-
 /// Δq = free + inverse Gᵀ λ. Velocity and acceleration at the end are the known part and the rule's share of Δq.
 struct StepEquations {
   UnknownBlock matrix;  ///< A
   UnknownBlock inverse;
-  UnknownBlock judging;  ///< the same with the inertia by which forces are judged
+  UnknownBlock judging;  ///< the same with the inertia by which forces are judged, of a rule that has one
   Unknowns free;         ///< increment without contact
   Unknowns known_velocity;
   Unknowns known_acceleration;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/loop.hpp"
+#include "system/block_factor.hpp"
 
 namespace keyblock {
 
@@ -34,10 +35,10 @@ bool YieldingBlocks::linearise(const UnknownsTable& estimate, FreeStep& step) {
     const Response response = block.yield->respond(end(e, estimate), before(e));
     const UnknownBlock a = block.matrix - block.share * block.yield->lost_stiffness(response) +
                            block.yield->missing_stiffness(start_.q[e], before(e), end(e, estimate), response.after);
-    StepInverses inverses = inverses_of(a, bodies_[e], rule_, block.yield->rock.law->has_symmetric_tangent());
-    has_factor[static_cast<std::size_t>(e.value)] = inverses.are_definite ? 1 : 0;
+    BlockInverse inverse = inverse_of(a, block.yield->rock.law->has_symmetric_tangent());
+    has_factor[static_cast<std::size_t>(e.value)] = inverse.exists ? 1 : 0;
     // Forces are judged as of elastic rock: beside what flows, gaps that are far from closed would be next to nothing.
-    step.flexibility.blocks[e] = std::move(inverses.inverse);
+    step.flexibility.blocks[e] = std::move(inverse.inverse);
   });
   step.flexibility.has_symmetric_blocks = std::ranges::all_of(blocks_, [](const Block& block) {
     return block.yield == nullptr || block.yield->rock.law->has_symmetric_tangent();
