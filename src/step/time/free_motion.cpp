@@ -26,10 +26,15 @@ void FreeMotion::evaluate(const UnknownsTable& estimate) {
 }
 
 UnknownsTable FreeMotion::going_on() const {
-  const bool keeps_velocity = !is_linear() || rule_.end_acceleration.increment == 0;
-  UnknownsTable increments =
-      keeps_velocity ? plus(start_.v, -1, step_.known_velocity) : plus(start_.a, -1, step_.known_acceleration);
-  increments *= 1 / (keeps_velocity ? rate() : rule_.end_acceleration.increment);
+  if (!is_linear() || rule_.end_acceleration.increment == 0) return steady();
+  UnknownsTable increments = plus(start_.a, -1, step_.known_acceleration);
+  increments *= 1 / rule_.end_acceleration.increment;
+  return increments;
+}
+
+UnknownsTable FreeMotion::steady() const {
+  UnknownsTable increments = plus(start_.v, -1, step_.known_velocity);
+  increments *= 1 / rate();
   return increments;
 }
 

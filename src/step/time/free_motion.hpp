@@ -41,6 +41,8 @@ class FreeMotion {
   /// are blocks, whose contact forces change little from step to step, else with the velocity, as where a rule has no
   /// acceleration.
   UnknownsTable going_on() const;
+  /// Those of a motion that goes on with its velocity.
+  UnknownsTable steady() const;
   /// The end of the step. `is_found`: the increments solve the equations.
   BodiesMotion end(const UnknownsTable& increments, bool is_found) const;
   /// Whether rock may yield.

@@ -30,6 +30,7 @@ class SmoothSolve {
   SmoothMotion run() {
     do {
       settle();
+      if (!result_.converged && free_.is_linear()) settle_from_velocity();
     } while (result_.converged && contacts_.break_bonds(result_.forces));
     if (result_.residual > contacts_.problem().goal) result_.worst = worst_pair(contacts_.problem(), result_.forces);
     static_cast<BodiesMotion&>(result_) = free_.end(increments_, result_.converged);
@@ -91,6 +92,13 @@ class SmoothSolve {
                                 unsolved_ <= std::max(contacts_.problem().acceptable, tolerance_.tolerated);
     const double tolerable = free_.has_kinks() ? of_smooth_motion::kTolerableOfYield : of_smooth_motion::kTolerable;
     result_.converged = result_.converged && (change_ <= tolerable || forces_suffice);
+  }
+
+  // Blocks that an acceleration carries away: a sliver that was free of its neighbours, or the first step.
+  void settle_from_velocity() {
+    increments_ = free_.steady();
+    result_.forces = contacts_.remembered_forces();
+    settle();
   }
 
   // What changes so little would be accepted after the last round: where new tangents have not made it less several
