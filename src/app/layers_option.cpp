@@ -9,9 +9,11 @@
 namespace keyblock {
 
 CLI::Option* add_layers_option(CLI::App& options, std::string& file) {
-  return options.add_option("--layers", file,
-                            "table that says what the layers of a DXF drawing are: lines layer,part below that heading "
-                            "(`keyblock formats dxf-layers` shows one)");
+  return options
+      .add_option("--layers", file,
+                  "table that says what the layers of a DXF drawing are: lines layer,part below that heading "
+                  "(`keyblock formats dxf-layers` shows one)")
+      ->type_name("FILE");
 }
 
 void take_layers(std::vector<std::string>& files, const std::string& layers) {

@@ -23,6 +23,7 @@
 
 #include "app/command.hpp"
 #include "app/messages.hpp"
+#include "app/shell/help_format.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
@@ -115,6 +116,7 @@ int run_program(int argc, char** argv) {
   CLI::App program{
       "Keyblock: reruns the files of discontinuous deformation analysis and the numerical manifold method"};
   program.name("keyblock");
+  program.formatter(std::make_shared<HelpFormat>());
   program.set_version_flag("--version", version_words());
   program.require_subcommand(1);
   program.footer("Every command explains its options with --help, and shows examples there.");

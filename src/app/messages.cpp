@@ -72,7 +72,8 @@ void add_message_options(CLI::App& program) {
       "--verbose", [] { spdlog::set_level(spdlog::level::debug); },
       "every warning, where else one of a kind stands for all, and what takes time before the first step");
   quiet->excludes(verbose);
-  program.add_option_function<std::string>("--log", log_into, "a file to which messages are added too");
+  program.add_option_function<std::string>("--log", log_into, "a file to which messages are added too")
+      ->type_name("FILE");
 }
 
 bool shows_progress() {

@@ -32,7 +32,8 @@ std::array<CLI::Option*, 3> add_output_options(CLI::App& options, OutputOptions&
           .add_option(
               "--field", chosen.field,
               "what field.svg shows: a component of stress, a principal one (s1 the greatest, s3 the least), the "
-              "von Mises stress, or the displacement (default: the component that varies most)")
+              "von Mises stress, the displacement, or principal stresses as crosses (default: the component that "
+              "varies most)")
           ->check(CLI::IsMember(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
   return {histories, contacts, field};
 }

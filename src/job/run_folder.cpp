@@ -75,7 +75,8 @@ void write_pictures(OutputFiles& files, const RunResults& results, const Frame& 
                                                   units,
                                                   left_out,
                                                   numbers_of_curves(shown),
-                                                  numbered_words(shown)}));
+                                                  numbered_words(shown),
+                                                  results.joints}));
   if (results.ledger.rows.size() > 1)
     files.write("energy.svg", report::energy_picture(results.title + ", energy", results.ledger, units));
   files.write("field.svg", report::field_picture({at_end, field, field, end.measured_points,

@@ -46,6 +46,7 @@ struct RunResults {
   std::vector<int> marked = {};    ///< elements, from 0, at which it failed
   std::string marked_words = {};   ///< what these do
   bool follows_by_choice = false;  ///< histories.csv was written on the way
+  std::vector<std::vector<int>> joints = {};  ///< as `report::RunPicture` has them
   std::string shown = {};  ///< in field.svg, a word of `report::kFieldWords`; empty: the stress that varies most
 };
 

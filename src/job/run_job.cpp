@@ -46,6 +46,18 @@ std::string what_failed_does(const RunOutcome& outcome, Dynamics dynamics) {
   return fmt::format("{}: {}", blocks, does);
 }
 
+// By numbers of elements, loop after loop. Edges inside a body are of no joint.
+std::vector<std::vector<int>> joints_of_edges(const Model& model) {
+  std::vector<std::vector<int>> joints;
+  for (const ElementIndex e : indices(model.elements)) {
+    const auto number = static_cast<std::size_t>(model.identities.of_element(e.value).number);
+    if (number >= joints.size()) joints.resize(number + 1);
+    for (const VertexIndex v : model.elements[e].vertices())
+      joints[number].push_back(model.vertices[v].is_inner ? -1 : model.vertices[v].joint_material);
+  }
+  return joints;
+}
+
 }  // namespace
 
 RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, RunJobOptions options, Archive* saved)
@@ -199,6 +211,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                   numbers_of(record_.outcome.elements),
                   what_failed_does(record_.outcome, prepared_.scene.settings.dynamics),
                   !followed_.is_empty(),
+                  joints_of_edges(prepared_.scene.model),
                   options_.shown});
   record_.outputs = folder_.outputs();
   const std::string json =

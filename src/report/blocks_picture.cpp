@@ -19,7 +19,6 @@ constexpr double kMargin = 30;
 constexpr double kTitleHeight = 40;
 constexpr double kDrawingHeight = 640;
 constexpr double kFootHeight = 40;  // scale bar
-constexpr std::size_t kLegendLimit = 12;
 
 Box bounds(const Blocks& blocks) {
   Box box;
@@ -41,36 +40,14 @@ void draw_area(SvgPage& page, const PageMap& map, const BlockPolygon& block) {
   page.polygon(loops, {.fill = area_colour(block.material)});
 }
 
-/// Runs of edges of one joint material become one line each: fewer shapes for scenes of many blocks.
 void draw_edges(SvgPage& page, const PageMap& map, const BlockLoop& loop, double width) {
-  if (loop.size() < 2) return;
-  std::vector<Point> run{map(loop.back().position)};
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    run.push_back(map(loop[i].position));
-    const bool last = i + 1 == loop.size();
-    if (!last && loop[i + 1].joint_material == loop[i].joint_material) continue;
-    page.polyline(run, {.stroke = line_colour(loop[i].joint_material), .stroke_width = width});
-    run.assign(1, run.back());
-  }
+  std::vector<int> joints;
+  for (const BlockVertex& vertex : loop) joints.push_back(vertex.joint_material);
+  draw_joint_edges(page, map(corners(loop)), joints, width);
 }
 
 void draw_points(SvgPage& page, const PageMap& map, const std::vector<BlockPoint>& points, Mark mark) {
   for (const BlockPoint& point : points) draw_mark(page, map(point.position), mark);
-}
-
-void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers, LegendEntry::Sign sign,
-                  std::string_view word) {
-  std::size_t shown = 0;
-  for (int number : numbers) {
-    if (++shown > kLegendLimit) {
-      legend.push_back({.sign = LegendEntry::Sign::area,
-                        .colour = "#ffffff",
-                        .words = fmt::format("and {} more", numbers.size() - kLegendLimit)});
-      return;
-    }
-    const std::string_view colour = sign == LegendEntry::Sign::area ? area_colour(number) : line_colour(number);
-    legend.push_back({.sign = sign, .colour = colour, .words = fmt::format("{} {}", word, number + 1)});
-  }
 }
 
 void add_mark(std::vector<LegendEntry>& legend, const std::vector<BlockPoint>& points, Mark mark,

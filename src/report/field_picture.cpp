@@ -16,6 +16,7 @@
 #include "report/drawing/colours.hpp"
 #include "report/drawing/field_patches.hpp"
 #include "report/drawing/scene.hpp"
+#include "report/drawing/stress_crosses.hpp"
 #include "report/drawing/svg.hpp"
 #include "report/drawing/ticks.hpp"
 #include "report/page.hpp"
@@ -28,7 +29,12 @@ constexpr double kGap = 18;
 constexpr double kCaption = 24;
 constexpr double kBarWidth = 92;       // colour bar with its numbers
 constexpr double kLargestMove = 0.08;  // of the extent, in the deformed mesh
+constexpr double kBarHeight = 240;
 constexpr std::string_view kMeshColour = "#333333";
+constexpr std::string_view kPaleMeshColour = "#dddddd";
+constexpr std::string_view kContourColour = "#555555";
+constexpr double kContourWidth = 0.5;
+constexpr int kContours = 8;
 
 double value_of(const FieldCorner& corner, FieldShown shown) {
   const Stress& stress = corner.stress;
@@ -47,12 +53,15 @@ double value_of(const FieldCorner& corner, FieldShown shown) {
       return invariants_of(stress).von_mises;
     case FieldShown::displacement:
       return length(corner.displacement);
+    case FieldShown::crosses:
+      return 0;  // no value but two
   }
   return 0;
 }
 
 std::string_view name_of(FieldShown shown) {
-  constexpr std::array<std::string_view, 7> kNames{"σxx", "σyy", "σxy", "σ1", "σ3", "von Mises stress", "displacement"};
+  constexpr std::array<std::string_view, 8> kNames{
+      "σxx", "σyy", "σxy", "σ1", "σ3", "von Mises stress", "displacement", "principal stresses"};
   return kNames[static_cast<std::size_t>(shown)];
 }
 
@@ -75,9 +84,8 @@ ColourScale::Map map_of(FieldShown shown) {
 std::string caption_of(FieldShown shown, bool is_there) {
   if (!is_there) return is_displacement(shown) ? "no displacement" : "no stress";
   const std::string_view name = name_of(shown);
-  if (shown == FieldShown::greatest)
-    return fmt::format("{}, greatest principal stress in the plane, tension positive", name);
-  if (shown == FieldShown::least) return fmt::format("{}, least principal stress in the plane, tension positive", name);
+  if (shown == FieldShown::greatest) return fmt::format("{}, the greatest, tension positive", name);
+  if (shown == FieldShown::least) return fmt::format("{}, the least, tension positive", name);
   if (shown == FieldShown::von_mises) return "von Mises stress";
   return is_displacement(shown) ? std::string(name) : fmt::format("{}, tension positive", name);
 }
@@ -100,12 +108,12 @@ std::string elements_in_words(const FieldFrame& field) {
   return body_count(field) == count ? counted(count, "block") : fmt::format("mesh, {} elements", count);
 }
 
-void draw_mesh(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place, bool filled) {
+void draw_mesh(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place, bool filled,
+               std::string_view colour = kMeshColour) {
   const double width = std::min(0.8, edge_width(map.size(), field.elements.size()));
   for (const FieldElement& element : field.elements)
-    page.polygon(
-        map(loops_of(element, place)),
-        {.fill = filled ? area_colour(element.material) : "none", .stroke = kMeshColour, .stroke_width = width});
+    page.polygon(map(loops_of(element, place)),
+                 {.fill = filled ? area_colour(element.material) : "none", .stroke = colour, .stroke_width = width});
 }
 
 /// Where the three panels stand.
@@ -136,6 +144,40 @@ FieldPicture framed(FieldPicture picture) {
   for (auto i = picture.left_out.rbegin(); i != picture.left_out.rend(); ++i)
     elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(*i));
   return picture;
+}
+
+/// Where the colours, or lengths, are explained.
+struct KeyPlace {
+  Point corner;
+  double height = 0;
+};
+
+/// Crosses over a pale mesh. What the panel is called is returned.
+std::string draw_stress_crosses(SvgPage& page, const PageMap& map, const FieldPicture& picture,
+                                const CornerPlace& place, const KeyPlace& key) {
+  draw_mesh(page, map, picture.end, place, false, kPaleMeshColour);
+  const CrossScale scale = draw_crosses(page, map, picture.end, place);
+  if (scale.sample == 0) return "no stress";
+  draw_cross_legend(page, key.corner, scale, unit_of(measures::kStress, picture.units));
+  return "principal stresses in the plane";
+}
+
+std::string draw_field(SvgPage& page, const PageMap& map, const FieldPicture& picture, const CornerPlace& place,
+                       const KeyPlace& key) {
+  if (picture.shown == FieldShown::crosses) return draw_stress_crosses(page, map, picture, place, key);
+  const std::vector<Patch> patches = shown_patches(picture.end, picture.shown, place);
+  const ColourScale scale = scale_of(patches, map_of(picture.shown));
+  const bool is_there = scale.low != 0 || scale.high != 0;
+  draw_patches(page, map, patches, scale);
+  if (!is_there) return caption_of(picture.shown, false);
+  const auto value = [&](const FieldCorner& corner) { return value_of(corner, picture.shown); };
+  for (const std::vector<Point>& line :
+       contours_of(picture.end, value, place, make_axis(scale.low, scale.high, kContours).ticks))
+    page.polyline({map(line[0]), map(line[1])}, {.stroke = kContourColour, .stroke_width = kContourWidth});
+  draw_colour_bar(page, key.corner, key.height, scale,
+                  with_unit(name_of(picture.shown),
+                            is_displacement(picture.shown) ? measures::kLength : measures::kStress, picture.units));
+  return caption_of(picture.shown, true);
 }
 
 }  // namespace
@@ -182,24 +224,16 @@ std::string field_picture(const FieldPicture& whole) {
   draw_mesh(page, map(0), picture.start, as_drawn, true);
   caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
   draw_mesh(page, map(1), picture.end, deformed, true);
-  const std::vector<Patch> patches = shown_patches(picture.end, picture.shown, is_true ? deformed : as_drawn);
-  const ColourScale scale = scale_of(patches, map_of(picture.shown));
-  const bool is_there = scale.low != 0 || scale.high != 0;
-  caption(2, caption_of(picture.shown, is_there));
-  draw_patches(page, map(2), patches, scale);
-  if (body_count(whole.end) == whole.end.elements.size())
-    draw_mesh(page, map(2), picture.end, is_true ? deformed : as_drawn, false);
+  const CornerPlace place = is_true ? deformed : as_drawn;
+  const Point size = map(2).size();
+  const Point beside{panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y};
+  caption(2, draw_field(page, map(2), picture, place, {beside, std::min(size.y, kBarHeight)}));
+  if (body_count(whole.end) == whole.end.elements.size()) draw_mesh(page, map(2), picture.end, place, false);
   for (const PointFrame& point : picture.measured) {
     const Point at = is_true ? point.position : point.position - point.displacement;
     const bool is_shown = at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y;
     if (is_shown) draw_mark(page, map(2)(at), Mark::measured_point);
   }
-  const Point size = map(2).size();
-  if (is_there)
-    draw_colour_bar(page, {panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y},
-                    std::min(size.y, 240.0), scale,
-                    with_unit(name_of(picture.shown),
-                              is_displacement(picture.shown) ? measures::kLength : measures::kStress, picture.units));
   draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, map(0), picture.units);
   return page.str();
 }

@@ -13,11 +13,12 @@
 namespace keyblock::report {
 
 /// Components of the stress, its principal values in the plane, the von Mises stress, and the length of the
-/// displacement.
-enum class FieldShown { xx, yy, xy, greatest, least, von_mises, displacement };
+/// displacement; or both principal stresses with their directions, as crosses.
+enum class FieldShown { xx, yy, xy, greatest, least, von_mises, displacement, crosses };
 
 /// Words of the command line, in their order: "sxx", "s1", "von_mises".
-inline constexpr std::array<const char*, 7> kFieldWords{"sxx", "syy", "sxy", "s1", "s3", "von_mises", "displacement"};
+inline constexpr std::array<const char*, 8> kFieldWords{"sxx", "syy",       "sxy",          "s1",
+                                                        "s3",  "von_mises", "displacement", "crosses"};
 /// Throws std::invalid_argument for a word that is none.
 FieldShown field_of_word(const std::string& word);
 
@@ -36,7 +37,8 @@ struct FieldPicture {
 FieldShown most_varied(const FieldFrame& field);
 
 /// An SVG document: three panels below each other, for tall bodies beside each other. The deformed mesh is scaled to be
-/// seen; the factor is named. Colours are of mean corner values over triangles from each element's middle.
+/// seen; the factor is named. Colours are of mean corner values over triangles from each element's middle, with lines of
+/// equal value where elements of a mesh have other values at each corner.
 std::string field_picture(const FieldPicture& picture);
 
 /// The mesh alone, elements over their bodies' colours: what `keyblock cut` shows.

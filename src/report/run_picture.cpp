@@ -77,6 +77,33 @@ void draw_end(SvgPage& page, const PageMap& map, const Frame& end, double width)
     page.polygon({map(outline)}, {.stroke = "#222222", .stroke_width = kOutlineWidth});
 }
 
+/// Materials of joints; none where all edges are of one.
+std::set<int> told_apart(const RunPicture& picture) {
+  std::set<int> materials;
+  for (const std::vector<int>& of_element : picture.joints) materials.insert(of_element.begin(), of_element.end());
+  materials.erase(materials.begin(), materials.lower_bound(0));
+  return materials.size() > 1 ? materials : std::set<int>();
+}
+
+/// Elements that cracks cut since the start have other corners, and keep their plain edges.
+void draw_joints(SvgPage& page, const PageMap& map, const RunPicture& picture, double width) {
+  if (told_apart(picture).empty()) return;
+  for (const ElementFrame& element : picture.end.elements) {
+    const auto number = static_cast<std::size_t>(element.number);
+    if (number >= picture.joints.size()) continue;
+    const std::vector<int>& joints = picture.joints[number];
+    std::size_t corners = 0;
+    for (const std::vector<Point>& loop : element.loops) corners += loop.size();
+    if (corners != joints.size()) continue;
+    auto first = joints.begin();
+    for (const std::vector<Point>& loop : element.loops) {
+      const auto last = first + static_cast<std::ptrdiff_t>(loop.size());
+      draw_joint_edges(page, map(loop), {first, last}, width);
+      first = last;
+    }
+  }
+}
+
 /// Outlines of what stayed would only hide the picture.
 void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, double width) {
   const Style dashed{.stroke = kStartColour, .stroke_width = std::min(width, 1.0), .dash = width > 0.5 ? "4 3" : "2 1"};
@@ -94,6 +121,7 @@ void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, do
 void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture) {
   const double width = edge_width(map.size(), picture.end.elements.size());
   draw_end(page, map, picture.end, width);
+  draw_joints(page, map, picture, picture.end.outlines.empty() ? width : kOutlineWidth);
   draw_start(page, map, picture, width);
 }
 
@@ -149,10 +177,8 @@ std::vector<LegendEntry> make_legend(const RunPicture& picture) {
        .words = time_words("end", picture.end.time, picture.time_unit)}};
   std::set<int> materials;
   for (const ElementFrame& element : picture.end.elements) materials.insert(element.material);
-  if (materials.size() > 1)
-    for (const int m : materials)
-      legend.push_back(
-          {.sign = Sign::area, .colour = area_colour(m), .words = fmt::format("block material {}", m + 1)});
+  if (materials.size() > 1) add_numbered(legend, materials, Sign::area, "block material");
+  add_numbered(legend, told_apart(picture), Sign::line, "joint material");
   const auto add = [&legend](const std::vector<PointFrame>& points, Mark mark, std::string_view words) {
     if (!points.empty())
       legend.push_back({.sign = Sign::mark, .colour = {}, .mark = mark, .words = std::string(words)});

@@ -53,6 +53,26 @@ TEST(Shell, every_command_shows_examples) {
   }
 }
 
+// Names, what they take, sentences in lines of a terminal; none of the parser's own words for its checks.
+TEST(Shell, help_says_what_options_take_in_plain_words) {
+  for (const char* command : {"check", "cut", "joints", "run", "fos", "sif", "compare", "tradeoff", "sweep", "batch",
+                              "convert", "element", "fit", "new"}) {
+    const std::string help = run_keyblock({command, "--help"}).output;
+    for (const char* raw : {"TEXT", "ENUM", "FLOAT", "UINT", "Excludes", "Needs", "->", " in [", "{"})
+      EXPECT_FALSE(contains(help, raw)) << command << ": " << raw << "\n" << help;
+    std::istringstream lines(help.substr(0, help.find("\nExamples:")));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with(std::string(28, ' '))) {
+        EXPECT_LE(line.size(), 110U) << line;
+      }
+    }
+  }
+  const std::string run = run_keyblock({"run", "--help"}).output;
+  EXPECT_TRUE(contains(run, "\n  -o,--output FOLDER        folder for the results\n")) << run;
+  EXPECT_TRUE(contains(run, "\n  --set KEY=VALUE...        key=value: ")) << run;
+  EXPECT_TRUE(contains(run, "\n  --reduce-strength joints|rock|both\n")) << run;
+}
+
 // Neither is written by hand: what --help lists, they have.
 TEST(Shell, man_page_and_completion_name_all_commands_and_options) {
   const std::string man = run_keyblock({"shell", "man"}).output;

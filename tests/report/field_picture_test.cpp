@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
+#include "report/drawing/field_patches.hpp"
+
 namespace keyblock::report::field_picture_test {
 namespace {
 
@@ -69,13 +73,53 @@ TEST(FieldPicture, principal_stresses_von_mises_and_displacement_may_be_shown) {
     return field_picture(picture);
   };
   EXPECT_TRUE(contains(shown("s1"), ">σ1 [Pa]<"));
-  EXPECT_TRUE(contains(shown("s1"), "greatest principal stress"));
+  EXPECT_TRUE(contains(shown("s1"), "σ1, the greatest, tension positive"));
   EXPECT_TRUE(contains(shown("s3"), ">σ3 [Pa]<"));
   EXPECT_TRUE(contains(shown("s3"), ">-3.17<"));
   EXPECT_TRUE(contains(shown("von_mises"), ">von Mises stress [Pa]<"));
   EXPECT_TRUE(contains(shown("von_mises"), ">3.17<"));
   EXPECT_TRUE(contains(shown("displacement"), ">displacement [m]<"));
   EXPECT_THROW(field_of_word("szz"), std::invalid_argument);
+}
+
+// The crosses of pure shear stand at 45 degrees, as long in tension as in compression.
+TEST(FieldPicture, principal_stresses_are_shown_as_crosses) {
+  FieldFrame field = sheared();
+  field.elements[0].middle.stress = {0, 0, 3};
+  FieldPicture picture{"t", field, field, {}, field_of_word("crosses")};
+  picture.units = {"m", "kg", "s"};
+  const std::string svg = field_picture(picture);
+  for (const char* words : {"principal stresses in the plane", ">compression<", ">tension<", ">2 Pa<"})
+    EXPECT_TRUE(contains(svg, words)) << words;
+  const std::regex line("points=\"([-0-9.]+),([-0-9.]+) ([-0-9.]+),([-0-9.]+)\"[^>]*#b2182b");
+  std::smatch ends;
+  ASSERT_TRUE(std::regex_search(svg, ends, line)) << svg;
+  const auto at = [&](std::size_t i) { return std::stod(ends[i]); };
+  EXPECT_NEAR(at(3) - at(1), -(at(4) - at(2)), 0.02);  // pages run down: to the right and up
+  EXPECT_GT(at(3) - at(1), 10);
+  field.elements[0].middle.stress = {};
+  picture.end = field;
+  EXPECT_TRUE(contains(field_picture(picture), "no stress"));
+}
+
+// σyy rises from -4 to the middle's -1.5 and on to 1 in four triangles, linearly in each: a level of -2 is met below
+// the middle only, from side to side.
+TEST(FieldPatches, contours_run_through_triangles_of_linear_values) {
+  const FieldFrame field = sheared();
+  const auto yy = [](const FieldCorner& corner) { return corner.stress.yy; };
+  const auto lines = contours_of(field, yy, as_drawn, {-2.0});
+  ASSERT_EQ(lines.size(), 3U);
+  Box box;
+  for (const std::vector<Point>& line : lines) {
+    ASSERT_EQ(line.size(), 2U);
+    for (const Point end : line) {
+      box.include(end);
+      EXPECT_NEAR(end.y, 0.4, 1e-12);  // -4 + 5 y = -2
+    }
+  }
+  EXPECT_NEAR(box.low.x, 0, 1e-12);
+  EXPECT_NEAR(box.high.x, 1, 1e-12);
+  EXPECT_TRUE(contours_of(field, yy, as_drawn, {5.0}).empty());
 }
 
 // Which blocks are left out is decided for all pictures of a run.

@@ -47,6 +47,21 @@ TEST(RunPicture, start_end_and_curves_are_named) {
     EXPECT_TRUE(has(picture, words)) << words;
 }
 
+// The right edge, which arrives at the second corner's next, is of another joint.
+TEST(RunPicture, joints_of_two_materials_are_told_apart) {
+  RunPicture picture = slide();
+  picture.joints = {{0, 0, 0, 0}};
+  EXPECT_FALSE(has(run_picture(picture), "joint material"));
+  picture.joints = {{0, 0, 1, -1}};
+  const std::string svg = run_picture(picture);
+  EXPECT_TRUE(has(svg, ">joint material 1<"));
+  EXPECT_TRUE(has(svg, ">joint material 2<"));
+  EXPECT_FALSE(has(svg, "joint material 0"));
+  EXPECT_TRUE(has(svg, "stroke=\"#d55e00\""));
+  picture.joints = {{0, 1, 0}};  // cracks gave the element another corner
+  EXPECT_TRUE(is_well_formed(run_picture(picture)));
+}
+
 TEST(RunPicture, only_what_moved_has_an_outline_of_its_start) {
   RunPicture picture = slide();
   EXPECT_TRUE(has(run_picture(picture), "Z\" fill=\"none\" stroke=\"#b03060\""));

@@ -211,7 +211,7 @@ Action configure_compare(CLI::App& options) {
       ->check(CLI::IsMember(profile_names()));
   add_thread_option(options);
   options.add_flag("--all", chosen->with_slow, "run slow cases too");
-  options.add_option("--picture", chosen->picture, "write a picture of the one case given (SVG)");
+  options.add_option("--picture", chosen->picture, "write a picture of the one case given (SVG)")->type_name("FILE");
   options.add_flag("--force", chosen->force, "overwrite the picture if it exists");
   options.add_flag("--sources", chosen->with_sources, "print the reasons of the tolerances too");
   options.add_flag("--json", chosen->as_json, "print the tables as JSON");

@@ -127,7 +127,8 @@ Action configure_convert(CLI::App& app) {
   const auto options = std::make_shared<ConvertOptions>();
   app.add_option("IN", options->files, "the files of one case, in any order")->required();
   add_layers_option(app, options->layers);
-  app.add_option("-o,--output", options->output, "the file to write; where the target is two files, their common name");
+  app.add_option("-o,--output", options->output, "the file to write; where the target is two files, their common name")
+      ->type_name("FILE");
   app.add_option("--to", options->target, "format: " + target_names() + " (default: by the ending of the output)");
   app.add_flag("--strict", options->is_strict, "write nothing and exit 1 where the target cannot hold all");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist; what was there is kept as .bak");

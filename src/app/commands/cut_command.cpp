@@ -173,8 +173,10 @@ Action configure_cut(CLI::App& app) {
   app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs, DXF, or a case file")
       ->required();
   add_layers_option(app, options->layers);
-  app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file");
-  app.add_option("--svg", options->picture, "a picture to write: of the blocks, or of the mesh and its elements");
+  app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file")
+      ->type_name("FILE");
+  app.add_option("--svg", options->picture, "a picture to write: of the blocks, or of the mesh and its elements")
+      ->type_name("FILE");
   app.add_option(
          "--merging", options->merging,
          "how near crossings become one node: nearest_first, independent of the order of lines, or in_order_found, "

@@ -140,8 +140,9 @@ Action configure_element(CLI::App& app) {
   app.add_option("--steps", options->steps, "of each leg")->check(CLI::Range(1, 1000000));
   app.add_option("--size", options->size, "of the element, L: of softening by fracture_energy")
       ->check(CLI::PositiveNumber);
-  app.add_option("-o,--output", options->output, "the curve to write (CSV); without it, it is printed");
-  app.add_option("--svg", options->picture, "a picture of stress over strain to write");
+  app.add_option("-o,--output", options->output, "the curve to write (CSV); without it, it is printed")
+      ->type_name("FILE");
+  app.add_option("--svg", options->picture, "a picture of stress over strain to write")->type_name("FILE");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
   app.add_flag("--json", options->as_json, "print extremes and end as JSON");
   return [options] { return run_element(*options); };

@@ -231,9 +231,10 @@ Action configure_fit(CLI::App& app) {
                  "angle of friction in degrees, from other tests, with which the strength becomes one of mohr_coulomb")
       ->check(CLI::Range(0.0, 89.0))
       ->excludes(triaxial);
-  app.add_option("-o,--output", options->output, "measured, fitted and residual of each point to write (CSV)");
+  app.add_option("-o,--output", options->output, "measured, fitted and residual of each point to write (CSV)")
+      ->type_name("FILE");
   app.add_option("--material", options->material, "keys of a block material of a case file to write (JSON)");
-  app.add_option("--svg", options->picture, "a picture of both curves to write");
+  app.add_option("--svg", options->picture, "a picture of both curves to write")->type_name("FILE");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
   app.add_flag("--json", options->as_json, "print values, errors and residuals as JSON");
   return [options] { return run_fit(*options); };

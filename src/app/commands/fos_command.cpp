@@ -61,7 +61,8 @@ Action configure_fos(CLI::App& options) {
   add_layers_option(options, chosen->layers);
   options.add_option("--set", chosen->sets, "key=value: a setting of all trials; may be repeated")->take_all();
   add_reduction_options(options, *chosen);
-  options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg");
+  options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg")
+      ->type_name("FOLDER");
   options.add_flag("--json", chosen->as_json, "print fos.json in place of the table");
   options.add_flag("--force", chosen->force, "overwrite the files of an earlier search");
   add_thread_option(options);

@@ -150,6 +150,7 @@ Action configure_joints(CLI::App& app) {
   app.add_option(
          "-o,--output", options->output,
          "the drawing to write: DXF, a case file or DDAML if it ends in .dxf, .json or .xml, else a geometry file")
+      ->type_name("FILE")
       ->required();
   const auto add = [&](const char* name, auto& value, const char* help) {
     return app.add_option(name, value, help)->excludes(file);

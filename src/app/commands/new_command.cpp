@@ -104,7 +104,8 @@ Action configure_new(CLI::App& options) {
   options.add_option("KIND", chosen->name, fmt::format("{}", fmt::join(lines, "; ")))
       ->required()
       ->check(CLI::IsMember(template_names()));
-  options.add_option("-o,--output", chosen->file, "the case file to write, .json or .yaml (default: KIND.json)");
+  options.add_option("-o,--output", chosen->file, "the case file to write, .json or .yaml (default: KIND.json)")
+      ->type_name("FILE");
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
   options.add_flag("--json", chosen->as_json, "print the name of the file, its kind and what it is as JSON");
   return [chosen] { return write_template(*chosen); };

@@ -513,13 +513,17 @@ Action configure_run(CLI::App& options) {
                                          "preset of all choices (default: what a case file says; else legacy for files "
                                          "of the old programs, standard for own case files)")
                              ->check(CLI::IsMember(profile_names()));
-  CLI::Option* folder = options.add_option("-o,--output", chosen->folder, "folder for the results");
+  CLI::Option* folder =
+      options.add_option("-o,--output", chosen->folder, "folder for the results")->type_name("FOLDER");
   CLI::Option* sets =
       options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
+          ->type_name("KEY=VALUE")
           ->take_all();
   CLI::Option* settings_file =
-      options.add_option("--settings-file", chosen->settings_file,
-                         "name = value on each line, below --set; `profile = NAME` too, below --profile");
+      options
+          .add_option("--settings-file", chosen->settings_file,
+                      "name = value on each line, below --set; `profile = NAME` too, below --profile")
+          ->type_name("FILE");
   CLI::Option* every =
       options
           .add_option("--record-every", chosen->record_every,
@@ -542,9 +546,12 @@ Action configure_run(CLI::App& options) {
                   "seconds between checkpoints in the folder (default: 30); 0: none but at the start and where the run "
                   "is stopped")
       ->check(zero_or_above());
-  CLI::Option* resume = options.add_option(
-      "--resume", chosen->resume,
-      "folder of an interrupted run, which goes on from its checkpoint, or begins again before its first");
+  CLI::Option* resume =
+      options
+          .add_option(
+              "--resume", chosen->resume,
+              "folder of an interrupted run, which goes on from its checkpoint, or begins again before its first")
+          ->type_name("FOLDER");
   CLI::Option* reduced =
       options
           .add_option("--reduce-strength", chosen->reduction.what,

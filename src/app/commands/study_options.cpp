@@ -52,7 +52,7 @@ void add_study_options(CLI::App& options, StudyOptions& chosen) {
       ->check(CLI::Range(1, 1000));
   options.add_option("--limit", chosen.limit, "seconds of processor time a run may take (default: 60)")
       ->check(above_zero());
-  options.add_option("--picture", chosen.picture, "write a picture (SVG)");
+  options.add_option("--picture", chosen.picture, "write a picture (SVG)")->type_name("FILE");
   options.add_flag("--json", chosen.as_json, "print the table as JSON");
   options.add_flag("--force", chosen.force, "overwrite files");
 }

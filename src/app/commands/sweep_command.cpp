@@ -178,7 +178,7 @@ Action configure_sweep(CLI::App& options) {
   options.add_option("--steps", chosen->steps, "factors on the step (default: 4 2 1 0.5 0.25)")
       ->delimiter(',')
       ->check(above_zero());
-  options.add_option("--table", chosen->table, "write the map as a table (CSV)");
+  options.add_option("--table", chosen->table, "write the map as a table (CSV)")->type_name("FILE");
   return [chosen] {
     set_loop_threads(1);  // prices are processor time
     listen_for_stops();

@@ -272,8 +272,10 @@ Action configure_tradeoff(CLI::App& options) {
       "--budget", chosen->budget,
       "pick the most accurate run within this time (10s, 500ms, 2min); to find it takes several times as long");
   options.add_option("--error", chosen->error, "pick the cheapest run within this error, as 1e-3")->check(above_zero());
-  options.add_option("-o,--output", chosen->output,
-                     "file for the settings picked, for run --settings-file (default: CASE.settings)");
+  options
+      .add_option("-o,--output", chosen->output,
+                  "file for the settings picked, for run --settings-file (default: CASE.settings)")
+      ->type_name("FILE");
   return [chosen] {
     set_loop_threads(1);  // prices are processor time
     listen_for_stops();

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/shell/described_options.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <string_view>
 
 namespace keyblock {
@@ -23,20 +27,47 @@ std::vector<std::string> words_in(std::string_view type) {
   return words;
 }
 
+// "INT:INT in [1 - 256]", or a check that numbers are positive.
+std::string range_in(const std::string& type) {
+  const std::size_t open = type.find("in [");
+  if (open == std::string::npos) return type.ends_with(":POSITIVE") ? "above 0" : "";
+  std::string range = type.substr(open + 4, type.find(']', open) - open - 4);
+  const std::size_t dash = range.find(" - ");
+  return dash == std::string::npos ? range : range.substr(0, dash) + " to " + range.substr(dash + 3);
+}
+
+// The type that an option was declared with, or the name of the option where CLI11 says no more than TEXT.
+std::string value_of(const DescribedOption& option, const std::string& type) {
+  if (!option.words.empty()) return fmt::format("{}", fmt::join(option.words, "|"));
+  const std::string kind = type.substr(0, type.find_first_of(":="));
+  if (kind == "INT" || kind == "UINT") return "N";
+  if (kind == "FLOAT") return "NUMBER";
+  if (kind != "TEXT" || option.names.empty()) return kind;
+  std::string name = option.names.back().substr(option.names.back().find_first_not_of('-'));
+  std::ranges::transform(name, name.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c; });
+  return name;
+}
+
 }  // namespace
 
+DescribedOption described(const CLI::Option& option) {
+  DescribedOption found;
+  for (const std::string& name : option.get_snames()) found.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) found.names.push_back("--" + name);
+  if (found.names.empty()) found.placeholder = option.get_name(true);
+  found.description = option.get_description();
+  found.takes_value = option.get_items_expected_max() > 0;
+  const std::string type = option.get_type_name();
+  found.words = words_in(type);
+  found.range = range_in(type);
+  if (found.takes_value) found.value = value_of(found, type);
+  return found;
+}
+
 std::vector<DescribedOption> described_options(const CLI::App& app) {
-  std::vector<DescribedOption> described;
-  for (const CLI::Option* option : app.get_options()) {
-    DescribedOption& found = described.emplace_back();
-    for (const std::string& name : option->get_snames()) found.names.push_back("-" + name);
-    for (const std::string& name : option->get_lnames()) found.names.push_back("--" + name);
-    if (found.names.empty()) found.placeholder = option->get_name(true);
-    found.description = option->get_description();
-    found.takes_value = option->get_items_expected_max() > 0;
-    found.words = words_in(option->get_type_name());
-  }
-  return described;
+  std::vector<DescribedOption> all;
+  for (const CLI::Option* option : app.get_options()) all.push_back(described(*option));
+  return all;
 }
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// The options of a command as they are declared, for whatever describes them elsewhere: man page and completion.
+// The options of a command as they are declared, for whatever describes them: --help, man page and completion.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,11 @@ struct DescribedOption {
   std::string description;
   bool takes_value = false;
   std::vector<std::string> words = {};  ///< that it may take, where only these are taken
+  std::string value;                    ///< what stands for it in a line of help: "joints|rock|both", "N", "FOLDER"
+  std::string range;                    ///< of a number, "1 to 256"; empty where none is asked
 };
+
+DescribedOption described(const CLI::Option& option);
 
 /// Of the program, or of one of its commands, in their order.
 std::vector<DescribedOption> described_options(const CLI::App& app);

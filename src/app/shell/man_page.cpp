@@ -30,8 +30,8 @@ std::string escaped(std::string_view text) {
 std::string entry(const DescribedOption& option) {
   const std::string name = option.names.empty() ? option.placeholder : fmt::format("{}", fmt::join(option.names, ", "));
   const std::string value = option.names.empty() || !option.takes_value ? ""
-                            : option.words.empty()                      ? " \\fIvalue\\fR"
-                                                   : " " + escaped(fmt::format("{}", fmt::join(option.words, "|")));
+                            : option.words.empty() ? fmt::format(" \\fI{}\\fR", escaped(option.value))
+                                                   : " " + escaped(option.value);
   return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", escaped(name), value, escaped(option.description));
 }
 

@@ -28,6 +28,21 @@ bool is_uniform(const FieldElement& element) {
   });
 }
 
+bool is_one_piece(const FieldElement& element) {
+  return element.loops.size() > 1 || is_uniform(element);
+}
+
+/// Where the value over a triangle is `level`: from edge to edge; empty where it is nowhere.
+std::vector<Point> contour_in(const std::array<std::pair<Point, double>, 3>& corners, double level) {
+  std::vector<Point> ends;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& [a, low] = corners[i];
+    const auto& [b, high] = corners[(i + 1) % 3];
+    if ((low < level) != (high < level)) ends.push_back(a + (level - low) / (high - low) * (b - a));
+  }
+  return ends;
+}
+
 /// The values that all patches lie between but for those of an extreme share of the area at either end.
 std::pair<double, double> ends_by_area(const std::vector<Patch>& patches) {
   std::vector<std::pair<double, double>> values;  // with areas
@@ -67,7 +82,7 @@ std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value,
   std::vector<Patch> patches;
   for (const FieldElement& element : field.elements) {
     const double middle = value(element.middle);
-    if (element.loops.size() > 1 || is_uniform(element)) {
+    if (is_one_piece(element)) {
       patches.push_back({loops_of(element, place), middle});
       continue;
     }
@@ -79,6 +94,23 @@ std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value,
     }
   }
   return patches;
+}
+
+std::vector<std::vector<Point>> contours_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place,
+                                            const std::vector<double>& levels) {
+  std::vector<std::vector<Point>> lines;
+  for (const FieldElement& element : field.elements) {
+    if (is_one_piece(element)) continue;
+    const auto& loop = element.loops.front();
+    const auto with_value = [&](const FieldCorner& corner) { return std::pair{place(corner), value(corner)}; };
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      for (const double level : levels) {
+        std::vector<Point> line = contour_in(
+            {with_value(element.middle), with_value(loop[i]), with_value(loop[(i + 1) % loop.size()])}, level);
+        if (line.size() == 2) lines.push_back(std::move(line));
+      }
+  }
+  return lines;
 }
 
 std::string ColourScale::colour(double value) const {

@@ -42,6 +42,11 @@ struct Patch {
 
 std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place);
 
+/// Lines of equal value over the triangles of `patches_of`, in which it is linear; none in elements that are one piece.
+/// They end at elements' edges where neighbours disagree.
+std::vector<std::vector<Point>> contours_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place,
+                                            const std::vector<double>& levels);
+
 /// Colours of the values from `low` to `high`.
 struct ColourScale {
   enum class Map {

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/drawing/colours.hpp"
 #include "report/drawing/ticks.hpp"
 
 namespace keyblock::report {
 namespace {
 
+constexpr std::size_t kLegendLimit = 12;
 constexpr double kRow = 20;
 constexpr double kSignWidth = 26;
 constexpr double kEntryGap = 18;
@@ -69,7 +71,7 @@ void draw_sign(SvgPage& page, Point left, const LegendEntry& entry) {
       draw_mark(page, entry.mark == Mark::fixed_point ? middle - Point{0, 5} : middle, entry.mark);
       break;
     case LegendEntry::Sign::number:
-      page.text(middle + Point{0, 4}, "12",
+      page.text(middle + Point{0, 4}, "1",
                 {.size = kTextSize, .anchor = Anchor::middle, .fill = entry.colour, .bold = true});
       break;
   }
@@ -129,6 +131,33 @@ void draw_legend(SvgPage& page, Point corner, double width, const std::vector<Le
     const Point left = corner + places[i] + Point{0, kRow / 2};
     draw_sign(page, left, entries[i]);
     page.text(left + Point{kSignWidth, 4}, entries[i].words, {.size = kTextSize});
+  }
+}
+
+void draw_joint_edges(SvgPage& page, const std::vector<Point>& corners, const std::vector<int>& joints, double width) {
+  if (corners.size() < 2) return;
+  std::vector<Point> run{corners.back()};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    run.push_back(corners[i]);
+    const bool is_last = i + 1 == corners.size();
+    if (!is_last && joints[i + 1] == joints[i]) continue;
+    if (joints[i] >= 0) page.polyline(run, {.stroke = line_colour(joints[i]), .stroke_width = width});
+    run.assign(1, run.back());
+  }
+}
+
+void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers, LegendEntry::Sign sign,
+                  std::string_view word) {
+  std::size_t shown = 0;
+  for (int number : numbers) {
+    if (++shown > kLegendLimit) {
+      legend.push_back({.sign = LegendEntry::Sign::area,
+                        .colour = "#ffffff",
+                        .words = fmt::format("and {} more", numbers.size() - kLegendLimit)});
+      return;
+    }
+    const std::string_view colour = sign == LegendEntry::Sign::area ? area_colour(number) : line_colour(number);
+    legend.push_back({.sign = sign, .colour = colour, .words = fmt::format("{} {}", word, number + 1)});
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,10 @@ void draw_bolt(SvgPage& page, Point from, Point to);
 
 /// Width of block edges: one page unit for few blocks, finer where they crowd.
 double edge_width(Point page_size, std::size_t block_count);
+
+/// Draws the edges of a loop in the colours of their joint materials: `joints[i]` of the edge that arrives at corner i,
+/// below 0 none. Runs of one material become one line each: fewer shapes for scenes of many blocks.
+void draw_joint_edges(SvgPage& page, const std::vector<Point>& corners, const std::vector<int>& joints, double width);
 
 /// Where a block lies. `stays`: it is shown wherever it is.
 struct PlacedBlock {
@@ -47,6 +52,11 @@ struct LegendEntry {
   Mark mark = Mark::fixed_point;
   std::string words;
 };
+
+/// Adds "block material 1", …: of many numbers the first twelve, and how many more there are. Areas and lines have the
+/// colours of their number.
+void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers, LegendEntry::Sign sign,
+                  std::string_view word);
 
 /// Height that the entries take when set in rows of `width`.
 double legend_height(const std::vector<LegendEntry>& entries, double width);

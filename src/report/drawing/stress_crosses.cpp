@@ -1,0 +1,103 @@
+// One cross in each square of a grid on the page; see stress_crosses.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/stress_crosses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "report/drawing/ticks.hpp"
+#include "result/extremes.hpp"
+
+namespace keyblock::report {
+namespace {
+
+constexpr double kSquare = 20;       // page units: crosses stand no nearer to each other
+constexpr double kLeastLength = 20;  // page units, of the longest line; longer where few crosses have much room
+constexpr double kMostLength = 44;
+constexpr double kOfRoom = 0.8;
+constexpr double kShown = 0.98;  // share of the crosses that are drawn as long as they should be
+constexpr double kLineWidth = 1.1;
+constexpr std::string_view kCompressionColour = "#2166ac";
+constexpr std::string_view kTensionColour = "#b2182b";
+
+struct Cross {
+  Point middle;  ///< on the page
+  std::pair<double, double> stresses;
+  double angle = 0;  ///< of the second, the greater one, from the x axis to the left, rad
+};
+
+std::string_view colour_of(double stress) {
+  return stress > 0 ? kTensionColour : kCompressionColour;
+}
+
+double greatest(const Cross& cross) {
+  return std::max(std::abs(cross.stresses.first), std::abs(cross.stresses.second));
+}
+
+/// tan 2θ = 2 σxy / (σxx - σyy) (Mohr 1882).
+std::vector<Cross> crosses_of(const PageMap& map, const FieldFrame& field, const CornerPlace& place) {
+  std::vector<Cross> crosses;
+  std::set<std::pair<long, long>> taken;
+  for (const FieldElement& element : field.elements) {
+    const Point middle = map(place(element.middle));
+    const Stress& s = element.middle.stress;
+    if (!std::isfinite(middle.x) || !std::isfinite(middle.y)) continue;
+    if (!taken.emplace(std::lround(middle.x / kSquare), std::lround(middle.y / kSquare)).second) continue;
+    crosses.push_back({middle, principal(s), std::atan2(2 * s.xy, s.xx - s.yy) / 2});
+  }
+  return crosses;
+}
+
+/// That all but the longest few do not exceed.
+double common_stress(const std::vector<Cross>& crosses) {
+  std::vector<double> amounts;
+  for (const Cross& cross : crosses) amounts.push_back(greatest(cross));
+  if (amounts.empty()) return 0;
+  const auto at = static_cast<std::ptrdiff_t>(kShown * static_cast<double>(amounts.size() - 1));
+  std::ranges::nth_element(amounts, amounts.begin() + at);
+  return std::isfinite(amounts[static_cast<std::size_t>(at)]) ? amounts[static_cast<std::size_t>(at)] : 0;
+}
+
+double longest_of(const PageMap& map, std::size_t crosses) {
+  const double room = std::sqrt(map.size().x * map.size().y / static_cast<double>(crosses));
+  return std::clamp(kOfRoom * room, kLeastLength, kMostLength);
+}
+
+}  // namespace
+
+CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place) {
+  const std::vector<Cross> crosses = crosses_of(map, field, place);
+  const double most = common_stress(crosses);
+  if (!(most > 0)) return {};
+  const double longest = longest_of(map, crosses.size());
+  for (const Cross& cross : crosses)
+    for (const auto& [stress, angle] :
+         {std::pair{cross.stresses.second, cross.angle}, {cross.stresses.first, cross.angle + M_PI / 2}}) {
+      const double length = longest * std::min(1.0, std::abs(stress) / most);
+      const Point half{length / 2 * std::cos(angle), -length / 2 * std::sin(angle)};
+      page.line(cross.middle - half, cross.middle + half, {.stroke = colour_of(stress), .stroke_width = kLineWidth});
+    }
+  const double sample = round_down(most);
+  return {sample, longest * sample / most};
+}
+
+void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, std::string_view unit) {
+  double y = corner.y;
+  for (const auto& [colour, words] : {std::pair{kCompressionColour, "compression"}, {kTensionColour, "tension"}}) {
+    page.line({corner.x, y}, {corner.x + kLeastLength, y}, {.stroke = colour, .stroke_width = 2});
+    page.text({corner.x + kLeastLength + 6, y + 4}, words, {.size = 11});
+    y += 18;
+  }
+  y += 10;
+  page.line({corner.x, y}, {corner.x + scale.length, y}, {.stroke = "#222222", .stroke_width = kLineWidth});
+  page.text({corner.x + std::max(kLeastLength, scale.length) + 6, y + 4},
+            fmt::format("{:g}{}{}", scale.sample, unit.empty() ? "" : " ", unit), {.size = 11});
+}
+
+}  // namespace keyblock::report

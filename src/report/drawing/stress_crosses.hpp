@@ -1,0 +1,24 @@
+// Principal stresses as crosses: directions and amounts at once, where colours show one value.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "report/drawing/field_patches.hpp"
+
+namespace keyblock::report {
+
+/// How long a stress is drawn.
+struct CrossScale {
+  double sample = 0;  ///< a round stress; 0 where there is none
+  double length = 0;  ///< of its line, page units
+};
+
+/// A cross at the middle of elements, one in each small square of the page: lines along the principal stresses in the
+/// plane, as long as these, one colour for compression and one for tension. The few longest are cut.
+CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place);
+
+/// Both colours, and a line of the sample's length with its value, below `corner`.
+void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, std::string_view unit);
+
+}  // namespace keyblock::report
