@@ -32,7 +32,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 18> kCommands{{
+constexpr std::array<Command, 19> kCommands{{
     {"new", "writes a commented case to begin one's own from: slope, arch, beam, tunnel or block", configure_new,
      "keyblock new slope\nkeyblock new arch -o my_arch.json"},
     {"check", "says what files are, what they hold, what is odd about them, and what a run costs", configure_check,
@@ -45,6 +45,8 @@ constexpr std::array<Command, 18> kCommands{{
      "keyblock run old.geo old.ana -o out\nkeyblock run old.geo old.ana --both -o out\n"
      "keyblock run slope.json -o out --set motion=static\n"
      "keyblock run slope.json -o out --history crest=point:12,20 --history line:0,5,30,5\nkeyblock run --resume out"},
+    {"plot", "draws another quantity, or another step, of a run that is over", configure_plot,
+     "keyblock plot out --field s1\nkeyblock plot out --field crosses --step 200 -o crosses.svg"},
     {"fos", "divides the strength of joints or rock until a case no longer stands", configure_fos,
      "keyblock fos slope.json -o out\nkeyblock fos slope.json --reduce joints --to-within 0.005"},
     {"sif", "stress intensity factors and J of the crack tips of a case", configure_sif,

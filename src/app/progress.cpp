@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -49,7 +50,9 @@ ProgressLine::ProgressLine(int step_count, int steps_done, std::string cheaper)
       on_terminal_(isatty(STDERR_FILENO) == 1),
       started_(Clock::now()),
       shown_(started_),
-      first_(started_),
+      earlier_{steps_done, started_},
+      later_(earlier_),
+      forecast_from_(started_),
       stepped_(started_),
       step_(steps_done) {
   forget_headway();
@@ -74,15 +77,23 @@ std::string ProgressLine::words_of_waiting(Clock::time_point now) const {
   return words + fmt::format(", {} left", time_in_words(left));
 }
 
-// The first step may have come after a long search for the start.
-double ProgressLine::seconds_a_step(Clock::time_point now) const {
+// The first step may have come after a long search for the start, and those that follow it may be the hardest: the cost
+// of a step is that of the latter half to three quarters of all that were made.
+void ProgressLine::mark(Clock::time_point now) {
   const int made = step_ - steps_done_;
-  return made < 2 ? seconds(now - started_) : seconds(now - first_) / (made - 1);
+  if (made == 1) later_ = {step_, now};
+  if (made < 2 * (later_.step - steps_done_)) return;
+  earlier_ = later_;
+  later_ = {step_, now};
+}
+
+double ProgressLine::seconds_a_step(Clock::time_point now) const {
+  return seconds(now - earlier_.time) / std::max(1, step_ - earlier_.step);
 }
 
 void ProgressLine::forecast(Clock::time_point now) {
   const int made = step_ - steps_done_;
-  if (is_forecast_ || made < 2 || (made < kForecastSteps && seconds(now - first_) < kForecastSeconds)) return;
+  if (is_forecast_ || made < 2 || (made < kForecastSteps && seconds(now - forecast_from_) < kForecastSeconds)) return;
   is_forecast_ = true;
   if (seconds_left(now) < kLongRun) return;
   keyblock::show(fmt::format(
@@ -110,7 +121,8 @@ void ProgressLine::show(const StepReport& report) {
   const Clock::time_point now = Clock::now();
   stepped_ = now;
   step_ = report.step;
-  if (step_ == steps_done_ + 1) first_ = now;
+  if (step_ == steps_done_ + 1) forecast_from_ = now;
+  mark(now);
   forecast(now);
   forget_headway();
   const bool last = report.step == step_count_;

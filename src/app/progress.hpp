@@ -33,9 +33,16 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// When a step was made.
+  struct Mark {
+    int step = 0;
+    Clock::time_point time;
+  };
+
   void tell_of_waiting();
   std::string words_of_waiting(Clock::time_point now) const;
   void forecast(Clock::time_point now);
+  void mark(Clock::time_point now);
   double seconds_a_step(Clock::time_point now) const;
   double seconds_left(Clock::time_point now) const { return seconds_a_step(now) * (step_count_ - step_); }
 
@@ -45,9 +52,11 @@ class ProgressLine {
   bool on_terminal_;
   Clock::time_point started_;
   Clock::time_point shown_;
-  Clock::time_point first_;    ///< when the first step was made, before which the start was found
-  Clock::time_point stepped_;  ///< when the last step was made
-  int step_;                   ///< the last that was made
+  Mark earlier_;  ///< at most half of the steps, at least a quarter: what came before may be a hard start
+  Mark later_;
+  Clock::time_point forecast_from_;  ///< when the first step was made
+  Clock::time_point stepped_;        ///< when the last step was made
+  int step_;                         ///< the last that was made
   bool line_open_ = false;
   bool is_forecast_ = false;
   std::mutex mutex_;

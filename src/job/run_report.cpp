@@ -294,6 +294,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps, record.units)}};
   json["is_static"] = record.is_static;
+  json["is_linear"] = prepared.scene.is_untouched;
   if (record.units != Units{}) json["units"] = json_of(record.units);
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (record.plastic) json["plastic"] = json_of(*record.plastic);

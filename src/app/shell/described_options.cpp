@@ -39,7 +39,7 @@ std::string range_in(const std::string& type) {
 // The type that an option was declared with, or the name of the option where CLI11 says no more than TEXT.
 std::string value_of(const DescribedOption& option, const std::string& type) {
   if (!option.words.empty()) return fmt::format("{}", fmt::join(option.words, "|"));
-  const std::string kind = type.substr(0, type.find_first_of(":="));
+  const std::string kind = type.substr(0, type.find(':'));
   if (kind == "INT" || kind == "UINT") return "N";
   if (kind == "FLOAT") return "NUMBER";
   if (kind != "TEXT" || option.names.empty()) return kind;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <string_view>
 
 #include "base/error.hpp"
@@ -50,6 +51,19 @@ bool is_frame(const fs::directory_entry& entry) {
 }
 
 }  // namespace
+
+std::map<int, fs::path> frames_in(const fs::path& folder) {
+  std::map<int, fs::path> frames;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / kFrameFolder, error)) {
+    if (part_number(entry.path()) != 0 || !is_frame(entry)) continue;
+    const std::string stem = entry.path().stem().string();
+    int step = 0;
+    if (std::from_chars(stem.data(), stem.data() + stem.size(), step).ec == std::errc())
+      frames.emplace(step, entry.path());
+  }
+  return frames;
+}
 
 void FrameFiles::write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units) {
   const auto& [blocks, points, lines, cracks] = kParts;

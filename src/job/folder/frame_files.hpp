@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@
 namespace keyblock {
 
 inline constexpr const char* kFrameFolder = "frames";
+
+/// Of a run's folder the files of the bodies, by their steps.
+std::map<int, std::filesystem::path> frames_in(const std::filesystem::path& folder);
 
 /// What a run has written of them, in order.
 class FrameFiles {
