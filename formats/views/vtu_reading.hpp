@@ -1,5 +1,5 @@
-// Frames read back from the .vtu files that a run left, to draw them anew. Not a general reader of VTK: arrays are ASCII
-// and named as `vtu` names them.
+// Frames read back from the .vtu files that a run left, to draw them anew. Not a general reader of VTK: arrays are
+// ASCII and named as `vtu` names them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -41,8 +41,8 @@ Action configure_tradeoff(CLI::App& options);  ///< tradeoff_command.cpp
 Action configure_sweep(CLI::App& options);     ///< sweep_command.cpp
 Action configure_batch(CLI::App& options);     ///< batch_command.cpp
 Action configure_convert(CLI::App& options);   ///< convert_command.cpp
-Action configure_element(CLI::App& options);   ///< element_command.cpp
-Action configure_fit(CLI::App& options);       ///< fit_command.cpp
+Action configure_element(CLI::App& options);   ///< rock/element_command.cpp
+Action configure_fit(CLI::App& options);       ///< rock/fit_command.cpp
 Action configure_sif(CLI::App& options);       ///< sif_command.cpp
 Action configure_formats(CLI::App& options);   ///< formats_command.cpp
 Action configure_shell(CLI::App& options);     ///< shell/shell_command.cpp

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/help_format.hpp"
 #include "app/messages.hpp"
-#include "app/shell/help_format.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"

@@ -40,8 +40,8 @@ std::vector<std::size_t> left_out_of(const FieldFrame& start, const FieldFrame& 
 FieldShown most_varied(const FieldFrame& field);
 
 /// An SVG document: three panels below each other, for tall bodies beside each other. The deformed mesh is scaled to be
-/// seen; the factor is named. Colours are of mean corner values over triangles from each element's middle, with lines of
-/// equal value where elements of a mesh have other values at each corner.
+/// seen; the factor is named. Colours are of mean corner values over triangles from each element's middle, with lines
+/// of equal value where elements of a mesh have other values at each corner.
 std::string field_picture(const FieldPicture& picture);
 
 /// The mesh alone, elements over their bodies' colours: what `keyblock cut` shows.

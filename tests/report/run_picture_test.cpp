@@ -125,7 +125,7 @@ TEST(RunPicture, small_blocks_far_away_are_left_out_and_counted) {
   measured.end.measured_points = {{{0.05, -20}, {}, 40}};
   EXPECT_FALSE(leaves_out(measured));
   RunPicture large = picture;
-  large.end.elements.back().area = 1;
+  large.end.elements.back().area = 3;  // of 43
   EXPECT_FALSE(leaves_out(large));
   RunPicture of_few = picture;
   of_few.end.elements.erase(of_few.end.elements.begin(), of_few.end.elements.begin() + 31);

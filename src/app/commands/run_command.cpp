@@ -501,6 +501,23 @@ ExitCode run_files(const RunOptions& options) {
   return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr).code;
 }
 
+struct SettingsOptions {
+  CLI::Option* sets;
+  CLI::Option* file;
+};
+
+SettingsOptions add_settings_options(CLI::App& options, RunOptions& chosen) {
+  CLI::Option* sets =
+      options.add_option("--set", chosen.sets, "key=value: one setting on top of the profile; may be repeated")
+          ->type_name("KEY=VALUE")
+          ->take_all();
+  CLI::Option* file = options
+                          .add_option("--settings-file", chosen.settings_file,
+                                      "name = value on each line, below --set; `profile = NAME` too, below --profile")
+                          ->type_name("FILE");
+  return {sets, file};
+}
+
 }  // namespace
 
 Action configure_run(CLI::App& options) {
@@ -515,15 +532,7 @@ Action configure_run(CLI::App& options) {
                              ->check(CLI::IsMember(profile_names()));
   CLI::Option* folder =
       options.add_option("-o,--output", chosen->folder, "folder for the results")->type_name("FOLDER");
-  CLI::Option* sets =
-      options.add_option("--set", chosen->sets, "key=value: one setting on top of the profile; may be repeated")
-          ->type_name("KEY=VALUE")
-          ->take_all();
-  CLI::Option* settings_file =
-      options
-          .add_option("--settings-file", chosen->settings_file,
-                      "name = value on each line, below --set; `profile = NAME` too, below --profile")
-          ->type_name("FILE");
+  const auto [sets, settings_file] = add_settings_options(options, *chosen);
   CLI::Option* every =
       options
           .add_option("--record-every", chosen->record_every,

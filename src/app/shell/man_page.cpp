@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/shell/described_options.hpp"
+#include "app/described_options.hpp"
 
 namespace keyblock {
 namespace {

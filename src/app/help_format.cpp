@@ -1,13 +1,13 @@
 // One option, one entry: name and value on the left, the sentence on the right.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/shell/help_format.hpp"
+#include "app/help_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <sstream>
 
-#include "app/shell/described_options.hpp"
+#include "app/described_options.hpp"
 
 namespace keyblock {
 namespace {

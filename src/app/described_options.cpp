@@ -1,6 +1,6 @@
 // Takes options out of CLI11's own tables; see described_options.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/shell/described_options.hpp"
+#include "app/described_options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
