@@ -18,7 +18,7 @@ set(may_read_files app study job formats)   # the rooms that may include formats
 set(inner_problem . units joints)
 set(inner_cut lines bodies mesh,covers)
 set(inner_model tips . scene setup)
-set(inner_formats format knowledge tables text shi,dxf,case_file,views berkeley .)
+set(inner_formats format knowledge tables text xml shi,dxf,case_file,views berkeley .)
 set(inner_contact find rows solve)
 set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages growth . follow)

@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include "formats/berkeley/ddaml_analysis.hpp"
-#include "formats/berkeley/ddaml_document.hpp"
 #include "formats/berkeley/ddaml_geometry.hpp"
+#include "formats/berkeley/ddaml_ignored.hpp"
 #include "formats/berkeley/ddaml_text.hpp"
+#include "formats/xml/xml_document.hpp"
 
 namespace keyblock::formats {
 namespace {

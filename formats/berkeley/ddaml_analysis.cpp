@@ -9,6 +9,7 @@
 #include <cctype>
 #include <set>
 
+#include "formats/berkeley/ddaml_ignored.hpp"
 #include "formats/text/decimal_comma.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/tokens.hpp"

@@ -24,7 +24,7 @@
 // Mintimestep, Writevertices and MinReflineFactor say nothing a rerun needs and are passed over in silence.
 #pragma once
 
-#include "formats/berkeley/ddaml_document.hpp"
+#include "formats/xml/xml_document.hpp"
 
 namespace keyblock::formats {
 

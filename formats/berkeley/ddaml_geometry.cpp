@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "formats/berkeley/ddaml_ignored.hpp"
 #include "formats/text/decimal_comma.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/tokens.hpp"

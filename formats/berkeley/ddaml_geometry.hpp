@@ -13,7 +13,7 @@
 // Lists may be absent, repeated and in any order. Seismic points and pipe flow are skipped with a warning.
 #pragma once
 
-#include "formats/berkeley/ddaml_document.hpp"
+#include "formats/xml/xml_document.hpp"
 
 namespace keyblock::formats {
 

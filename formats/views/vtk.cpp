@@ -93,15 +93,9 @@ void append_polygons(std::string& text, const std::vector<Chain>& chains) {
   text += "</DataArray>\n</Cells>\n";
 }
 
-/// In the plane, of the greatest principal stress: tan 2θ = 2 σxy / (σxx − σyy) (Mohr 1882).
-Point principal_axis(const Stress& stress) {
-  const double angle = std::atan2(2 * stress.xy, stress.xx - stress.yy) / 2;
-  return {std::cos(angle), std::sin(angle)};
-}
-
 std::string axis_text(const Stress& stress) {
-  const Point axis = principal_axis(stress);
-  return fmt::format("{:.9f} {:.9f} 0", axis.x, axis.y);
+  const double angle = principal_angle(stress);
+  return fmt::format("{:.9f} {:.9f} 0", std::cos(angle), std::sin(angle));
 }
 
 int fixed_points_of(const Frame& frame, std::size_t element) {

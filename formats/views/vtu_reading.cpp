@@ -1,152 +1,212 @@
-// pugixml finds the arrays; their numbers are split here.
+// Arrays of the one piece; chains that walk to holes and back become loops again.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtu_reading.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
-#include <pugixml.hpp>
 #include <string_view>
 
-#include "formats/text/numbers.hpp"
 #include "formats/text/tokens.hpp"
+#include "formats/xml/xml_document.hpp"
 #include "geometry/polygon.hpp"
 
 namespace keyblock::formats {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+using Corners = std::vector<FieldCorner>;
 
-class VtuReader {
+bool is_same(const FieldCorner& a, const FieldCorner& b) {
+  return a.position == b.position && a.displacement == b.displacement;
+}
+
+/// What `vtu` joined: from a corner to one of a hole, round the hole, and back to both. The shortest such walk has no
+/// other within it.
+struct Walk {
+  std::size_t first = 0;  ///< the corner that it leaves
+  std::size_t last = 0;   ///< the same, when it is back
+};
+
+std::optional<Walk> shortest_walk(const Corners& chain) {
+  constexpr std::size_t kLeast = 5;  // to three corners, and back to the first of them
+  std::optional<Walk> found;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    for (std::size_t j = i + kLeast; j < chain.size() && (!found || j - i < found->last - found->first); ++j)
+      if (is_same(chain[i], chain[j]) && is_same(chain[i + 1], chain[j - 1])) found = Walk{i, j};
+  return found;
+}
+
+std::vector<Corners> loops_of_chain(Corners chain) {
+  std::vector<Corners> holes;
+  while (const auto walk = shortest_walk(chain)) {
+    const auto at = [&](std::size_t i) { return chain.begin() + static_cast<std::ptrdiff_t>(i); };
+    holes.emplace_back(at(walk->first + 1), at(walk->last - 1));
+    chain.erase(at(walk->first + 1), at(walk->last + 1));
+  }
+  std::vector<Corners> loops{std::move(chain)};
+  loops.insert(loops.end(), holes.rbegin(), holes.rend());
+  return loops;
+}
+
+Point middle_of(const std::vector<Corners>& loops) {
+  Point sum;
+  double whole = 0;
+  for (const Corners& loop : loops) {
+    std::vector<Point> drawn;
+    for (const FieldCorner& corner : loop) drawn.push_back(corner.position);
+    if (loops.size() == 1) return centroid(drawn);
+    const double part = area(drawn);  // of holes below 0
+    sum = sum + part * centroid(drawn);
+    whole += part;
+  }
+  return whole == 0 ? loops[0][0].position : (1 / whole) * sum;
+}
+
+/// The numbers of an array, which know their places.
+class VtuArray {
  public:
-  explicit VtuReader(const Source& source) : source_(source) {}
+  VtuArray(const Element& element, std::string_view name) : name_(name), tokens_(element.tokens()) {
+    if (const auto junk = tokens_.junk())
+      throw InputError(tokens_.place_of(tokens_.numbers.size()),
+                       fmt::format("expected a finite number in the array {}, found {}", name, in_quotes(*junk)));
+    place_ = element.place();
+  }
 
-  FieldFrame read() {
-    const auto result = document_.load_buffer(source_.text.data(), source_.text.size());
-    if (!result) refuse(result.offset, "well-formed XML", result.description());
-    piece_ = document_.child("VTKFile").child("UnstructuredGrid").child("Piece");
-    if (!piece_) throw InputError({source_.name}, "expected a frame that a run wrote (.vtu), found another file");
-    read_arrays();
-    FieldFrame field;
-    const pugi::xml_node times = document_.child("VTKFile").child("UnstructuredGrid").child("FieldData");
-    field.time = numbers(array_of(times, "TimeValue"), 1)[0];
-    field.is_of_blocks = !bodies_;
-    const std::vector<double> ends = numbers(array_of(piece_.child("Cells"), "offsets"));
-    std::size_t first = 0;
-    for (std::size_t e = 0; e < ends.size(); ++e) {
-      const std::size_t last = index(ends[e], order_.size() + 1, "offsets");
-      if (last <= first) refuse_array("offsets", "offsets that rise");
-      field.elements.push_back(element(e, first, last));
-      first = last;
-    }
-    return field;
+  std::size_t size() const { return tokens_.numbers.size(); }
+  double operator[](std::size_t i) const { return tokens_.numbers[i]; }
+
+  /// Throws InputError unless it has so many.
+  VtuArray&& of(std::size_t count) && {
+    if (size() != count)
+      throw InputError(place_, fmt::format("expected {} numbers in the array {}, found {}", count, name_, size()));
+    return std::move(*this);
+  }
+  /// A whole number from `least` to `most`.
+  int whole(std::size_t i, int least, int most) const {
+    const double value = tokens_.numbers[i];
+    if (!is_whole(value) || value < least || value > most)
+      throw InputError(tokens_.place_of(i),
+                       fmt::format("expected a whole number from {} to {} in the array {}, found {}", least, most,
+                                   name_, in_quotes(tokens_.word(i))));
+    return static_cast<int>(value);
   }
 
  private:
-  [[noreturn]] void refuse(std::ptrdiff_t offset, std::string_view expected, std::string_view found) const {
-    const TextMap map(source_.name, source_.text);
-    throw InputError(map.place(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0))),
-                     fmt::format("expected {}, found {}", expected, found));
-  }
-  [[noreturn]] void refuse_array(std::string_view name, std::string_view expected) const {
-    throw InputError({source_.name}, fmt::format("expected {} in the array {}, found others", expected, name));
+  std::string name_;
+  Tokens tokens_;
+  Place place_;
+};
+
+std::optional<Element> child_of(const Element& parent, std::string_view name) {
+  for (const Element& child : parent.children())
+    if (child.name() == name) return child;
+  return std::nullopt;
+}
+
+class VtuReader {
+ public:
+  explicit VtuReader(const Source& source) : document_(source) {}
+
+  VtuFrame read() {
+    const Element grid = inner(document_.root(), "UnstructuredGrid");
+    const Element piece = inner(grid, "Piece");
+    VtuFrame frame;
+    frame.field.time = array(inner(grid, "FieldData"), "TimeValue").of(1)[0];
+    read_points(piece);
+    read_cells(piece, frame);
+    return frame;
   }
 
+ private:
+  static constexpr int kMost = std::numeric_limits<int>::max();
+
+  static Element inner(const Element& parent, std::string_view name) {
+    if (const auto found = child_of(parent, name)) return *found;
+    throw InputError(parent.place(), fmt::format("expected {} of a frame that a run wrote (.vtu), found none", name));
+  }
   // "stress_xx [Pa]" is found by "stress_xx".
-  static std::optional<pugi::xml_node> array_in(const pugi::xml_node parent, std::string_view name) {
-    for (const pugi::xml_node array : parent.children("DataArray")) {
-      const std::string_view title = array.attribute("Name").value();
-      if (title.substr(0, title.find(" [")) == name) return array;
+  static std::optional<VtuArray> array_in(const Element& parent, std::string_view name) {
+    for (const Element& child : parent.children()) {
+      const auto title = child.attribute("Name");
+      if (title && title->value.substr(0, title->value.find(" [")) == name) return VtuArray(child, name);
     }
     return std::nullopt;
   }
-  pugi::xml_node array_of(const pugi::xml_node parent, std::string_view name) const {
-    if (const auto found = array_in(parent, name)) return *found;
-    refuse(parent ? parent.offset_debug() : 0, fmt::format("the array {}", name), "none");
-  }
-
-  // `count`: how many are wanted; none where any number is good.
-  std::vector<double> numbers(const pugi::xml_node array, std::optional<std::size_t> count = std::nullopt) const {
-    std::vector<double> values;
-    std::string_view text = array.text().get();
-    while (true) {
-      text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-      if (text.empty()) break;
-      const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
-      const std::optional<double> value = parse_real(word);
-      if (!value) refuse(array.offset_debug(), "finite numbers in the array", in_quotes(word));
-      values.push_back(*value);
-      text.remove_prefix(word.size());
-    }
-    if (count && values.size() != *count)
-      refuse(array.offset_debug(), fmt::format("{} numbers in the array", *count), fmt::format("{}", values.size()));
-    return values;
-  }
-  std::size_t index(double value, std::size_t end, std::string_view name) const {
-    if (!(value >= 0 && value < static_cast<double>(end)) || !is_whole(value)) refuse_array(name, "numbers of others");
-    return static_cast<std::size_t>(value);
+  static VtuArray array(const Element& parent, std::string_view name) {
+    if (auto found = array_in(parent, name)) return std::move(*found);
+    throw InputError(parent.place(), fmt::format("expected the array {}, found none", name));
   }
 
   struct Stresses {
-    std::vector<double> xx, yy, xy, zz;
+    Stresses(const Element& parent, std::size_t count)
+        : xx(array(parent, "stress_xx").of(count)),
+          yy(array(parent, "stress_yy").of(count)),
+          xy(array(parent, "stress_xy").of(count)),
+          zz(array(parent, "stress_zz").of(count)) {}
     Stress at(std::size_t i) const { return {xx[i], yy[i], xy[i], zz[i]}; }
+    VtuArray xx, yy, xy, zz;
   };
-  Stresses stresses(const pugi::xml_node parent, std::size_t count) const {
-    const auto part = [&](std::string_view name) { return numbers(array_of(parent, name), count); };
-    return {part("stress_xx"), part("stress_yy"), part("stress_xy"), part("stress_zz")};
-  }
 
-  void read_arrays() {
-    const pugi::xml_node points = piece_.child("PointData"), cells = piece_.child("CellData");
-    positions_ = numbers(array_of(piece_.child("Points"), "Points"));
-    displacements_ = numbers(array_of(points, "displacement"), positions_.size());
-    const std::size_t corners = positions_.size() / 3;
-    for (const double number : numbers(array_of(piece_.child("Cells"), "connectivity")))
-      order_.push_back(index(number, corners, "connectivity"));
-    materials_ = numbers(array_of(cells, "material"));
-    const std::size_t elements = materials_.size();
-    moves_ = numbers(array_of(cells, "displacement"), 3 * elements);
-    in_middles_ = stresses(cells, elements);
-    if (const auto bodies = array_in(cells, "body")) {
-      bodies_ = numbers(*bodies, elements);
-      at_corners_ = stresses(points, corners);
+  void read_points(const Element& piece) {
+    const VtuArray places = array(inner(piece, "Points"), "Points");
+    const Element data = inner(piece, "PointData");
+    const VtuArray moves = array(data, "displacement").of(places.size());
+    std::optional<Stresses> stresses;
+    if (array_in(data, "stress_xx")) stresses.emplace(data, places.size() / 3);
+    has_stress_ = stresses.has_value();
+    for (std::size_t p = 0; p < places.size() / 3; ++p) {
+      const Point moved{moves[3 * p], moves[3 * p + 1]};
+      corners_.push_back(
+          {Point{places[3 * p], places[3 * p + 1]} - moved, moved, stresses ? stresses->at(p) : Stress{}});
     }
   }
 
-  FieldElement element(std::size_t e, std::size_t first, std::size_t last) const {
-    if (e >= materials_.size()) refuse_array("offsets", "as many numbers as cells");
-    FieldElement element;
-    element.body = bodies_ ? static_cast<int>((*bodies_)[e]) - 1 : static_cast<int>(e);
-    element.material = static_cast<int>(materials_[e]) - 1;
-    std::vector<Point> drawn;
-    auto& loop = element.loops.emplace_back();
-    for (std::size_t i = first; i < last; ++i) {
-      const std::size_t p = order_[i];
-      const Point moved{displacements_[3 * p], displacements_[3 * p + 1]};
-      const Point at = Point{positions_[3 * p], positions_[3 * p + 1]} - moved;
-      loop.push_back({at, moved, bodies_ ? at_corners_.at(p) : in_middles_.at(e)});
-      drawn.push_back(at);
+  void read_cells(const Element& piece, VtuFrame& frame) const {
+    const Element cells = inner(piece, "Cells"), data = inner(piece, "CellData");
+    const VtuArray order = array(cells, "connectivity");
+    const VtuArray ends = array(cells, "offsets");
+    const std::size_t count = ends.size();
+    const VtuArray numbers = array(data, "block").of(count), materials = array(data, "material").of(count);
+    const VtuArray moves = array(data, "displacement").of(3 * count);
+    const Stresses stresses(data, count);
+    const std::optional<VtuArray> bodies = array_in(data, "body");
+    if (bodies) VtuArray(*bodies).of(count);
+    frame.field.is_of_blocks = !bodies;
+    int first = 0;
+    for (std::size_t e = 0; e < count; ++e) {
+      const int last = ends.whole(e, first + 1, static_cast<int>(std::min<std::size_t>(order.size(), kMost)));
+      FieldElement& element = frame.field.elements.emplace_back();
+      element.body = bodies ? bodies->whole(e, 1, kMost) - 1 : static_cast<int>(e);
+      element.material = materials.whole(e, 1, kMost) - 1;
+      element.loops = loops_of_chain(chain(order, first, last));
+      element.middle = {middle_of(element.loops), {moves[3 * e], moves[3 * e + 1]}, stresses.at(e)};
+      if (!has_stress_)
+        for (Corners& loop : element.loops)
+          for (FieldCorner& corner : loop) corner.stress = element.middle.stress;
+      frame.numbers.push_back(numbers.whole(e, 1, kMost) - 1);
+      first = last;
     }
-    element.middle = {centroid(drawn), {moves_[3 * e], moves_[3 * e + 1]}, in_middles_.at(e)};
-    return element;
   }
 
-  const Source& source_;
-  pugi::xml_document document_;
-  pugi::xml_node piece_;
-  std::vector<double> positions_;  ///< three a corner, where it is now
-  std::vector<double> displacements_;
-  std::vector<std::size_t> order_;  ///< corners of one element after another
-  std::vector<double> materials_;   ///< one a cell, as are those below
-  std::vector<double> moves_;
-  std::optional<std::vector<double>> bodies_;
-  Stresses in_middles_;
-  Stresses at_corners_;  ///< where bodies consist of elements
+  Corners chain(const VtuArray& order, int first, int last) const {
+    Corners chain;
+    for (int i = first; i < last; ++i)
+      chain.push_back(corners_.at(static_cast<std::size_t>(
+          order.whole(static_cast<std::size_t>(i), 0, static_cast<int>(corners_.size()) - 1))));
+    return chain;
+  }
+
+  Document document_;
+  Corners corners_;          ///< of all elements
+  bool has_stress_ = false;  ///< of their own; else they have that of their element
 };
 
 }  // namespace
 
-FieldFrame read_vtu(const Source& source) {
+VtuFrame read_vtu(const Source& source) {
   return VtuReader(source).read();
 }
 

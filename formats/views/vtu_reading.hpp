@@ -3,13 +3,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "formats/format.hpp"
 #include "result/field_frame.hpp"
 
 namespace keyblock::formats {
 
-/// Elements with displacement and stress at corners and middle; the stress of a block is that of all its corners. Holes
-/// are part of one closed chain, as the file has them. Plastic states and cracks are left there. Throws InputError.
-FieldFrame read_vtu(const Source& source);
+struct VtuFrame {
+  FieldFrame field;          ///< without its step, which the file does not tell
+  std::vector<int> numbers;  ///< of the elements for the whole run, from 0
+};
+
+/// Elements with displacement and stress at corners and middle; the stress of a block is that of all its corners.
+/// Plastic states and cracks are left in the file. Throws InputError.
+VtuFrame read_vtu(const Source& source);
 
 }  // namespace keyblock::formats

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -50,8 +49,6 @@ ProgressLine::ProgressLine(int step_count, int steps_done, std::string cheaper)
       on_terminal_(isatty(STDERR_FILENO) == 1),
       started_(Clock::now()),
       shown_(started_),
-      earlier_{steps_done, started_},
-      later_(earlier_),
       forecast_from_(started_),
       stepped_(started_),
       step_(steps_done) {
@@ -77,28 +74,14 @@ std::string ProgressLine::words_of_waiting(Clock::time_point now) const {
   return words + fmt::format(", {} left", time_in_words(left));
 }
 
-// The first step may have come after a long search for the start, and those that follow it may be the hardest: the cost
-// of a step is that of the latter half to three quarters of all that were made.
-void ProgressLine::mark(Clock::time_point now) {
-  const int made = step_ - steps_done_;
-  if (made == 1) later_ = {step_, now};
-  if (made < 2 * (later_.step - steps_done_)) return;
-  earlier_ = later_;
-  later_ = {step_, now};
-}
-
-double ProgressLine::seconds_a_step(Clock::time_point now) const {
-  return seconds(now - earlier_.time) / std::max(1, step_ - earlier_.step);
-}
-
 void ProgressLine::forecast(Clock::time_point now) {
   const int made = step_ - steps_done_;
   if (is_forecast_ || made < 2 || (made < kForecastSteps && seconds(now - forecast_from_) < kForecastSeconds)) return;
   is_forecast_ = true;
-  if (seconds_left(now) < kLongRun) return;
+  if (seconds_left() < kLongRun) return;
   keyblock::show(fmt::format(
       "{}forecast after {} steps: {:.2g} s a step, about {} for the {} that are left{}\n", line_open_ ? "\r\x1b[K" : "",
-      made, seconds_a_step(now), time_in_words(seconds_left(now)), step_count_ - step_,
+      made, pace_.seconds_a_step(), time_in_words(seconds_left()), step_count_ - step_,
       cheaper_.empty() ? "" : "; contact springs are stiff for the step: " + cheaper_ + " makes steps cheaper"));
   line_open_ = false;
 }
@@ -122,7 +105,7 @@ void ProgressLine::show(const StepReport& report) {
   stepped_ = now;
   step_ = report.step;
   if (step_ == steps_done_ + 1) forecast_from_ = now;
-  mark(now);
+  pace_.made(step_ - steps_done_, seconds(now - started_));
   forecast(now);
   forget_headway();
   const bool last = report.step == step_count_;
@@ -130,7 +113,7 @@ void ProgressLine::show(const StepReport& report) {
   shown_ = now;
   keyblock::show(fmt::format("{}step {} of {}  time {:.6g}  dt {:.4g}  passes {}  {} left{}",
                              on_terminal_ ? "\r\x1b[K" : "", report.step, step_count_, report.time, report.dt,
-                             report.passes, time_in_words(seconds_left(now)), on_terminal_ ? "" : "\n"));
+                             report.passes, time_in_words(seconds_left()), on_terminal_ ? "" : "\n"));
   line_open_ = on_terminal_;
 }
 

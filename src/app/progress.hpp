@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "app/step_pace.hpp"
 #include "result/step_report.hpp"
 
 namespace keyblock {
@@ -33,18 +34,10 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// When a step was made.
-  struct Mark {
-    int step = 0;
-    Clock::time_point time;
-  };
-
   void tell_of_waiting();
   std::string words_of_waiting(Clock::time_point now) const;
   void forecast(Clock::time_point now);
-  void mark(Clock::time_point now);
-  double seconds_a_step(Clock::time_point now) const;
-  double seconds_left(Clock::time_point now) const { return seconds_a_step(now) * (step_count_ - step_); }
+  double seconds_left() const { return pace_.seconds_a_step() * (step_count_ - step_); }
 
   int step_count_;
   int steps_done_;
@@ -52,8 +45,7 @@ class ProgressLine {
   bool on_terminal_;
   Clock::time_point started_;
   Clock::time_point shown_;
-  Mark earlier_;  ///< at most half of the steps, at least a quarter: what came before may be a hard start
-  Mark later_;
+  StepPace pace_;
   Clock::time_point forecast_from_;  ///< when the first step was made
   Clock::time_point stepped_;        ///< when the last step was made
   int step_;                         ///< the last that was made

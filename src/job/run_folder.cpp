@@ -12,6 +12,7 @@
 #include "formats/text/csv.hpp"
 #include "formats/text/tips_csv.hpp"
 #include "job/curves/most_moved.hpp"
+#include "job/run_heading.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
 #include "report/energy_picture.hpp"
@@ -60,8 +61,7 @@ void write_pictures(OutputFiles& files, const RunResults& results, const Frame& 
                     const std::vector<std::size_t>& left_out, const Units& units) {
   const FieldFrame& field = results.field;
   const History& history = results.tables.history;
-  const std::string at_end =
-      fmt::format("{}, time {:g}{}{}", results.title, field.time, units.time.empty() ? "" : " ", units.time);
+  const std::string at_end = title_at(results.title, field.time, units);
   const Shown shown{history, start, field, numbers_of(end, left_out)};
   files.write("picture.svg", report::run_picture({results.title,
                                                   start,
@@ -219,7 +219,7 @@ void RunFolder::write_tables(const RunTables& tables, const std::vector<int>& hi
     files_.write(formats::kPointsTable.file, formats::points_csv(tables.history, units_));
 }
 
-void RunFolder::finish(const RunResults& results) {
+std::vector<int> RunFolder::finish(const RunResults& results) {
   const History& history = results.tables.history;
   files_.forget_names();
   write_list_of_frames();
@@ -239,7 +239,11 @@ void RunFolder::finish(const RunResults& results) {
                  report::crack_picture({results.title + ", cracks", frames_.front(), history, results.field, units_}));
   }
   if (!results.field.cracks.empty()) files_.write("cracks.dxf", dxf_of(results.field.cracks, units_));
-  if (trace_ == Trace::no) return;
+  if (trace_ == Trace::yes) write_traces(results);
+  return hidden;
+}
+
+void RunFolder::write_traces(const RunResults& results) {
   files_.write(formats::kTraceOfSteps.file, formats::steps_csv(results.steps, units_));
   if (std::ranges::any_of(results.steps, [](const StepReport& step) { return !step.residuals.empty(); }))
     files_.write(formats::kTraceOfRounds.file, formats::rounds_csv(results.steps));

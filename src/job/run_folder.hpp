@@ -99,10 +99,11 @@ class RunFolder {
   /// ledger, points.csv where points are measured.
   void write_tables(const RunTables& tables, const std::vector<int>& hidden = {});
 
-  /// All tables, fields.pvd, picture.svg, field.svg; energy.svg if there is a
-  /// ledger, plastic.svg where rock may yield, reactions.svg where load steps of such rock drive an edge and, for a
-  /// trace, steps.csv, blocks.csv and, where there are rounds of Newton's method, rounds.csv.
-  void finish(const RunResults& results);
+  /// All tables, fields.pvd, picture.svg, field.svg; energy.svg if there is a ledger, plastic.svg where rock may yield,
+  /// reactions.svg where load steps of such rock drive an edge and, for a trace, steps.csv, blocks.csv and, where there
+  /// are rounds of Newton's method, rounds.csv. Returns the numbers, from 0, of the elements that the pictures leave
+  /// out.
+  std::vector<int> finish(const RunResults& results);
 
   /// run.json, last: where it stands, everything else does.
   void write_record(const std::string& json);
@@ -116,6 +117,7 @@ class RunFolder {
   const std::vector<std::string>& outputs() const { return files_.names(); }
 
  private:
+  void write_traces(const RunResults& results);
   void write_list_of_frames();
   void flush_frames();
   void flush_histories();

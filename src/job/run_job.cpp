@@ -112,6 +112,7 @@ void RunJob::open() {
     describe_told(*saved_, folder_, history_, record_, watch_);
     saved_->group("stepper", [&] { stepper_ = restored_stepper(prepared_.scene, *saved_); });
     stepping_ = stepper_.get();
+    joints_of_edges_ = joints_of_edges(stepper_->model());
   }
   folder_.drop_what_followed(stepper_ ? stepper_->state().step : -1);
 }
@@ -163,7 +164,9 @@ Observer RunJob::observer(const RunListener& listener) {
           [&](const FieldFrame& field) { field_ = field; },
           [&](const ContactFrames& contacts) {
             contacts_ = contacts;
-            joints_.name(contacts_, stepping_ != nullptr ? stepping_->model() : prepared_.scene.model);
+            const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;
+            joints_.name(contacts_, model);
+            joints_of_edges_ = joints_of_edges(model);
           },
           [&](const Stepper& stepper) { follow(stepper); }};
 }
@@ -202,17 +205,17 @@ void RunJob::judge() {
 std::string RunJob::finish(const std::string& title, double seconds) {
   record_.timings.run = seconds;
   judge();
-  folder_.finish({title,
-                  tables(record_.outcome.ledger_scope),
-                  record_.traced,
-                  {record_.outcome.ledger_scope, record_.ledger.rows()},
-                  record_.outcome.field,
-                  !prepared_.scene.is_untouched,
-                  numbers_of(record_.outcome.elements),
-                  what_failed_does(record_.outcome, prepared_.scene.settings.dynamics),
-                  !followed_.is_empty(),
-                  joints_of_edges(prepared_.scene.model),
-                  options_.shown});
+  record_.left_out = folder_.finish({title,
+                                     tables(record_.outcome.ledger_scope),
+                                     record_.traced,
+                                     {record_.outcome.ledger_scope, record_.ledger.rows()},
+                                     record_.outcome.field,
+                                     !prepared_.scene.is_untouched,
+                                     numbers_of(record_.outcome.elements),
+                                     what_failed_does(record_.outcome, prepared_.scene.settings.dynamics),
+                                     !followed_.is_empty(),
+                                     joints_of_edges_,
+                                     options_.shown});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -78,9 +78,10 @@ class RunJob {
   History history_;
   CheckpointClock clock_;
   std::chrono::steady_clock::time_point tables_due_;
-  std::unique_ptr<Stepper> stepper_;  ///< restored; none of a run that begins
-  FieldFrame field_;                  ///< of the frame that comes next
-  ContactFrames contacts_;            ///< likewise
+  std::unique_ptr<Stepper> stepper_;               ///< restored; none of a run that begins
+  FieldFrame field_;                               ///< of the frame that comes next
+  ContactFrames contacts_;                         ///< likewise
+  std::vector<std::vector<int>> joints_of_edges_;  ///< of the last frame, as `report::RunPicture` has them
   bool stops_ = false;
 };
 

@@ -294,7 +294,11 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps, record.units)}};
   json["is_static"] = record.is_static;
-  json["is_linear"] = prepared.scene.is_untouched;
+  json["is_of_motion"] = !prepared.scene.is_untouched;
+  if (!record.left_out.empty()) {
+    json["left_out"] = Json::array();
+    for (const int number : record.left_out) json["left_out"].push_back(number + 1);
+  }
   if (record.units != Units{}) json["units"] = json_of(record.units);
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (record.plastic) json["plastic"] = json_of(*record.plastic);

@@ -58,6 +58,7 @@ struct RunRecord {
   Warnings warnings;
   Warnings doubts;  ///< why a run that came to its end is not trusted; among `warnings` too
   int record_every = 1;
+  std::vector<int> left_out = {};    ///< numbers, from 0, of elements that the pictures leave out
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 

@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "base/counted.hpp"
-#include "geometry/polygon.hpp"
 #include "material/stress_invariants.hpp"
 #include "problem/units/measure.hpp"
 #include "report/drawing/colours.hpp"
@@ -188,17 +187,6 @@ FieldShown field_of_word(const std::string& word) {
   if (found == kFieldWords.end())
     throw std::invalid_argument(fmt::format("there is no field \"{}\", only {}", word, fmt::join(kFieldWords, ", ")));
   return static_cast<FieldShown>(found - kFieldWords.begin());
-}
-
-std::vector<std::size_t> left_out_of(const FieldFrame& start, const FieldFrame& end) {
-  if (body_count(end) != end.elements.size()) return {};
-  std::vector<PlacedBlock> blocks;
-  for (const FieldElement& element : end.elements) {
-    double size = 0;
-    for (const std::vector<Point>& loop : loops_of(element, as_moved)) size += area(loop);  // of holes below 0
-    blocks.push_back({as_moved(element.middle), size, false});
-  }
-  return far_small_blocks(bounds(start, as_drawn), blocks);
 }
 
 FieldShown most_varied(const FieldFrame& field) {

@@ -33,9 +33,6 @@ struct FieldPicture {
   std::vector<std::size_t> left_out = {};  ///< elements of the end, in their order, that the picture leaves out
 };
 
-/// Of the end the elements that every picture leaves out (`far_small_blocks`); none of bodies of many elements.
-std::vector<std::size_t> left_out_of(const FieldFrame& start, const FieldFrame& end);
-
 /// The component of the stress that varies most.
 FieldShown most_varied(const FieldFrame& field);
 

@@ -85,7 +85,6 @@ std::set<int> told_apart(const RunPicture& picture) {
   return materials.size() > 1 ? materials : std::set<int>();
 }
 
-/// Elements that cracks cut since the start have other corners, and keep their plain edges.
 void draw_joints(SvgPage& page, const PageMap& map, const RunPicture& picture, double width) {
   if (told_apart(picture).empty()) return;
   for (const ElementFrame& element : picture.end.elements) {

@@ -30,8 +30,8 @@ struct RunPicture {
   std::vector<std::size_t> left_out = {};  ///< elements of the end, in their order, that the picture leaves out
   std::vector<NumberedPlace> numbers = {};  ///< of what the curves are of
   std::string numbered_words = {};          ///< what they number, for the legend: "block whose curve is drawn"
-  /// Joint material of the edge that arrives at each corner of an element, loop after loop, by the element's number;
-  /// below 0: of none. Drawn in colours where there is more than one.
+  /// At the end the joint material of the edge that arrives at each corner of an element, loop after loop, by the
+  /// element's number; below 0: of none. Drawn in colours where there is more than one.
   std::vector<std::vector<int>> joints = {};
 };
 

@@ -33,6 +33,10 @@ std::pair<double, double> principal(const Stress& stress) {
   return {mean - radius, mean + radius};
 }
 
+double principal_angle(const Stress& stress) {
+  return std::atan2(2 * stress.xy, stress.xx - stress.yy) / 2;
+}
+
 Extremes extremes_of(const Frame& start, const Frame& end) {
   Extremes found;
   const ElementsByNumber before(start);

@@ -12,6 +12,10 @@ namespace keyblock {
 /// The least and the greatest principal stress, tension positive.
 std::pair<double, double> principal(const Stress& stress);
 
+/// Of the greatest principal stress in the plane, from the x axis to the left, rad: tan 2θ = 2 σxy / (σxx − σyy) (Mohr
+/// 1882).
+double principal_angle(const Stress& stress);
+
 struct Extremes {
   double displacement = 0;     ///< greatest of a vertex
   int displaced_element = 0;   ///< whose vertex that is, its number from 0

@@ -91,12 +91,18 @@ TEST(FieldPicture, principal_stresses_are_shown_as_crosses) {
   const std::string svg = field_picture(picture);
   for (const char* words : {"principal stresses in the plane", ">compression<", ">tension<", ">2 Pa<"})
     EXPECT_TRUE(contains(svg, words)) << words;
-  const std::regex line("points=\"([-0-9.]+),([-0-9.]+) ([-0-9.]+),([-0-9.]+)\"[^>]*#b2182b");
-  std::smatch ends;
-  ASSERT_TRUE(std::regex_search(svg, ends, line)) << svg;
-  const auto at = [&](std::size_t i) { return std::stod(ends[i]); };
-  EXPECT_NEAR(at(3) - at(1), -(at(4) - at(2)), 0.02);  // pages run down: to the right and up
-  EXPECT_GT(at(3) - at(1), 10);
+  const auto line_of = [&](const std::string& colour) {
+    const std::regex line("points=\"([-0-9.]+),([-0-9.]+) ([-0-9.]+),([-0-9.]+)\"[^>]*" + colour);
+    std::smatch ends;
+    EXPECT_TRUE(std::regex_search(svg, ends, line)) << svg;
+    const auto at = [&](std::size_t i) { return std::stod(ends[i]); };
+    return Point{at(3) - at(1), -(at(4) - at(2))};  // pages run down
+  };
+  const Point tension = line_of("#b2182b"), compression = line_of("#2166ac");
+  EXPECT_NEAR(tension.x, tension.y, 0.02) << "to the right and up";
+  EXPECT_NEAR(compression.x, -compression.y, 0.02);
+  EXPECT_NEAR(length(tension), length(compression), 0.02);
+  EXPECT_GT(length(tension), 10);
   field.elements[0].middle.stress = {};
   picture.end = field;
   EXPECT_TRUE(contains(field_picture(picture), "no stress"));

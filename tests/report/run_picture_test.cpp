@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <limits>
 #include <pugixml.hpp>
+#include <regex>
+#include <string>
+#include <vector>
 
 namespace keyblock::report::run_picture_test {
 namespace {
@@ -47,19 +50,30 @@ TEST(RunPicture, start_end_and_curves_are_named) {
     EXPECT_TRUE(has(picture, words)) << words;
 }
 
-// The right edge, which arrives at the second corner's next, is of another joint.
+// Corners of the square: lower left, lower right, upper right, upper left. The edge that arrives at the third is the
+// right one, of joint material 2; that which arrives at the fourth, the upper one, is of none.
 TEST(RunPicture, joints_of_two_materials_are_told_apart) {
   RunPicture picture = slide();
+  picture.curves.clear();
   picture.joints = {{0, 0, 0, 0}};
   EXPECT_FALSE(has(run_picture(picture), "joint material"));
+  const auto edges = [](const std::string& svg, const std::string& colour) {
+    const std::regex edge("<polyline[^>]*points=\"([0-9.]+),([0-9.]+) ([0-9.]+),([0-9.]+)\"[^>]*stroke=\"" + colour);
+    return std::vector<std::smatch>(std::sregex_iterator(svg.begin(), svg.end(), edge), std::sregex_iterator());
+  };
+  const std::string plain = run_picture(picture);
   picture.joints = {{0, 0, 1, -1}};
   const std::string svg = run_picture(picture);
   EXPECT_TRUE(has(svg, ">joint material 1<"));
   EXPECT_TRUE(has(svg, ">joint material 2<"));
   EXPECT_FALSE(has(svg, "joint material 0"));
-  EXPECT_TRUE(has(svg, "stroke=\"#d55e00\""));
-  picture.joints = {{0, 1, 0}};  // cracks gave the element another corner
-  EXPECT_TRUE(is_well_formed(run_picture(picture)));
+  const std::vector<std::smatch> coloured = edges(svg, "#d55e00");
+  ASSERT_EQ(coloured.size(), 2U) << "the line of the legend and the edge";
+  const std::smatch& edge = coloured[1];
+  EXPECT_EQ(edge[1], edge[3]) << "upright";
+  EXPECT_GT(std::abs(std::stod(edge[2]) - std::stod(edge[4])), 50);
+  picture.joints = {{0, 0, -1, -1}};
+  EXPECT_TRUE(edges(run_picture(picture), "#d55e00").empty());
 }
 
 TEST(RunPicture, only_what_moved_has_an_outline_of_its_start) {

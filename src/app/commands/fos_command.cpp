@@ -59,7 +59,9 @@ Action configure_fos(CLI::App& options) {
       .add_option("--profile", chosen->profile, "preset of all choices (default: standard, or what a case file says)")
       ->check(CLI::IsMember(profile_names()));
   add_layers_option(options, chosen->layers);
-  options.add_option("--set", chosen->sets, "key=value: a setting of all trials; may be repeated")->take_all();
+  options.add_option("--set", chosen->sets, "key=value: a setting of all trials; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
   add_reduction_options(options, *chosen);
   options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg")
       ->type_name("FOLDER");

@@ -89,8 +89,8 @@ ExitCode write_template(const NewOptions& options) {
   write_output(file, is_yaml ? YamlOfTemplate(found->text).text() : std::string(found->text),
                overwrite_if(options.force));
   if (options.as_json)
-    fmt::print("{}\n",
-               nlohmann::ordered_json({{"file", file}, {"kind", options.name}, {"about", found->about}}).dump());
+    fmt::print("{}\n", nlohmann::ordered_json({{"file", file}, {"kind", options.name}, {"about", found->about}})
+                           .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   spdlog::info("{}: {}; keyblock check {} looks at it, keyblock run {} -o out runs it", file, found->about, file, file);
   return ExitCode::ok;
 }

@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -19,7 +20,7 @@
 #include "formats/views/vtu_reading.hpp"
 #include "job/files.hpp"
 #include "job/folder/frame_files.hpp"
-#include "job/folder/output_files.hpp"
+#include "job/run_heading.hpp"
 #include "report/field_picture.hpp"
 
 namespace keyblock {
@@ -37,41 +38,32 @@ struct PlotOptions {
   bool as_json = false;
 };
 
-/// What the record of a run says of its pictures; a run that was killed has none.
-struct RunHeading {
-  std::string title;
-  Units units;
-  bool is_of_motion = true;
-};
-
-RunHeading heading_of(const fs::path& folder) {
-  RunHeading heading{fs::absolute(folder).lexically_normal().filename().string(), {}, true};
-  const fs::path file = folder / kRecord;
-  if (!fs::is_regular_file(file)) return heading;
-  const Json record = Json::parse(formats::load(file.string()).text, nullptr, false);
-  if (!record.is_object()) throw InputError({file.string()}, "expected the record of a run (JSON), found another file");
-  const auto text = [](const Json& of, const char* key) {
-    return of.is_object() && of.contains(key) && of[key].is_string() ? of[key].get<std::string>() : std::string();
-  };
-  const Json inputs = record.value("inputs", Json::array());
-  if (inputs.is_array() && !inputs.empty())
-    heading.title =
-        fmt::format("{}, profile {}", fs::path(text(inputs[0], "file")).stem().string(), text(record, "profile"));
-  const Json units = record.value("units", Json::object());
-  heading.units = {text(units, "length"), text(units, "mass"), text(units, "time")};
-  heading.is_of_motion = !(record.contains("is_linear") && record["is_linear"] == true);
-  return heading;
-}
-
 fs::path frame_at(const std::map<int, fs::path>& frames, const PlotOptions& options) {
   if (!options.step) return frames.rbegin()->second;
   const auto found = frames.find(*options.step);
   if (found != frames.end()) return found->second;
-  const auto after = frames.lower_bound(*options.step);
-  const int nearest = after == frames.end() ? frames.rbegin()->first : after->first;
-  throw UsageError(fmt::format("--step: {} has no frame of step {}, only {}, from {} to {}; the next is {}",
-                               options.folder, *options.step, frames.size(), frames.begin()->first,
-                               frames.rbegin()->first, nearest));
+  const auto nearest = std::ranges::min_element(
+      frames, {}, [&](const auto& frame) { return std::abs(static_cast<double>(frame.first) - *options.step); });
+  throw UsageError(fmt::format(
+      "--step: there is no frame of step {} in {}; of the {} there are, of steps {} to {}, that "
+      "of step {} is the nearest",
+      *options.step, options.folder, frames.size(), frames.begin()->first, frames.rbegin()->first, nearest->first));
+}
+
+/// Where they lie among those of the frame.
+std::vector<std::size_t> places_of(const std::vector<int>& numbers, const formats::VtuFrame& frame) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < frame.numbers.size(); ++i)
+    if (std::ranges::find(numbers, frame.numbers[i]) != numbers.end()) places.push_back(i);
+  return places;
+}
+
+/// What a picture may not take the place of: the frames, the record and the tables.
+std::vector<fs::path> kept_files(const fs::path& folder) {
+  std::vector<fs::path> kept;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().extension() != ".svg") kept.push_back(entry.path());
+  return kept;
 }
 
 std::string default_name(const PlotOptions& options) {
@@ -86,27 +78,28 @@ ExitCode plot(const PlotOptions& options) {
     throw InputError({options.folder},
                      fmt::format("expected the folder of a run, with {}/*.vtu, found none", kFrameFolder));
   const std::string file = options.file.empty() ? default_name(options) : options.file;
-  require_writable({file}, {}, overwrite_if(options.force));
+  require_writable({file}, kept_files(options.folder), overwrite_if(options.force));
   const RunHeading heading = heading_of(options.folder);
-  const FieldFrame start = formats::read_vtu(formats::load(frames.begin()->second.string()));
   const fs::path shown = frame_at(frames, options);
-  const FieldFrame end = formats::read_vtu(formats::load(shown.string()));
-  const std::string& unit = heading.units.time;
-  const std::string title = fmt::format("{}, time {:g}{}{}", heading.title, end.time, unit.empty() ? "" : " ", unit);
-  const report::FieldShown field =
-      options.field.empty() ? report::most_varied(end) : report::field_of_word(options.field);
-  write_output(
-      file,
-      report::field_picture(
-          {title, start, end, {}, field, heading.is_of_motion, heading.units, report::left_out_of(start, end)}),
-      overwrite_if(options.force));
+  const formats::VtuFrame frame = formats::read_vtu(formats::load(shown.string()));
+  const FieldFrame& field = frame.field;
+  const report::FieldShown quantity =
+      options.field.empty() ? report::most_varied(field) : report::field_of_word(options.field);
+  const std::string word = report::kFieldWords.at(static_cast<std::size_t>(quantity));
+  write_output(file,
+               report::field_picture({title_at(heading.title, field.time, heading.units),
+                                      field,
+                                      field,
+                                      {},
+                                      quantity,
+                                      heading.is_of_motion,
+                                      heading.units,
+                                      places_of(heading.left_out, frame)}),
+               overwrite_if(options.force));
   if (options.as_json)
-    fmt::print("{}\n", Json({{"file", file},
-                             {"frame", shown.string()},
-                             {"field", report::kFieldWords.at(static_cast<std::size_t>(field))},
-                             {"time", end.time}})
-                           .dump());
-  spdlog::info("{}: {}, time {:g}", file, report::kFieldWords.at(static_cast<std::size_t>(field)), end.time);
+    fmt::print("{}\n", Json({{"file", file}, {"frame", shown.string()}, {"field", word}, {"time", field.time}})
+                           .dump(-1, ' ', false, Json::error_handler_t::replace));
+  spdlog::info("{}: {}, time {:g}", file, word, field.time);
   return ExitCode::ok;
 }
 

@@ -22,6 +22,7 @@
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "geometry/box.hpp"
+#include "job/run_heading.hpp"
 #include "job/run_job.hpp"
 #include "run/cover_settings.hpp"
 #include "run/follow/history_option.hpp"
@@ -336,8 +337,7 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   record.warnings = joined(joined(loaded.warnings, prepared.warnings), look_ahead(loaded.problem, prepared));
   record.timings.prepare = watch.lap();
   const std::size_t told = record.warnings.size();
-  const std::string title =
-      fmt::format("{}, profile {}", std::filesystem::path(options.files.front()).stem().string(), record.profile);
+  const std::string title = title_of(options.files.front(), record.profile);
   RunRequest request = request_of(options, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
   for (const std::string& file : options.files) require_not_below(file, options.folder);

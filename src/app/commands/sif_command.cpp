@@ -184,7 +184,9 @@ Action configure_sif(CLI::App& app) {
   app.add_option("case", options->paths, "one case folder (legacy_cases/…), or the files of a case")->required();
   app.add_option("--profile", options->profile, "preset of all choices (default: standard, or what a case file says)")
       ->check(CLI::IsMember(profile_names()));
-  app.add_option("--set", options->sets, "key=value: a setting of the run; may be repeated")->take_all();
+  app.add_option("--set", options->sets, "key=value: a setting of the run; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
   app.add_flag("--json", options->as_json, "print JSON in place of the table");
   return [options] { return print_intensity(*options); };
 }

@@ -39,7 +39,9 @@ void add_study_options(CLI::App& options, StudyOptions& chosen) {
   options.add_option("case", chosen.paths, "one case folder (legacy_cases/…), or the files of a case")->required();
   options.add_option("--profile", chosen.profile, "preset that runs vary (default: standard)")
       ->check(CLI::IsMember(profile_names()));
-  options.add_option("--set", chosen.sets, "key=value: a setting of all runs; may be repeated")->take_all();
+  options.add_option("--set", chosen.sets, "key=value: a setting of all runs; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
   options
       .add_option(
           "--against", chosen.against,

@@ -32,7 +32,8 @@ std::string entry(const DescribedOption& option) {
   const std::string value = option.names.empty() || !option.takes_value ? ""
                             : option.words.empty() ? fmt::format(" \\fI{}\\fR", escaped(option.value))
                                                    : " " + escaped(option.value);
-  return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", escaped(name), value, escaped(option.description));
+  return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", escaped(name), value,
+                     escaped(option.description + (option.range.empty() ? "" : " [" + option.range + "]")));
 }
 
 std::string options_of(const CLI::App& app) {

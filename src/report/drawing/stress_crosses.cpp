@@ -1,4 +1,4 @@
-// One cross in each square of a grid on the page; see stress_crosses.hpp.
+// Crosses that keep their distance on the page; see stress_crosses.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/stress_crosses.hpp"
 
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -40,16 +40,25 @@ double greatest(const Cross& cross) {
   return std::max(std::abs(cross.stresses.first), std::abs(cross.stresses.second));
 }
 
-/// tan 2θ = 2 σxy / (σxx - σyy) (Mohr 1882).
+/// Of elements in their order, each that has room.
 std::vector<Cross> crosses_of(const PageMap& map, const FieldFrame& field, const CornerPlace& place) {
   std::vector<Cross> crosses;
-  std::set<std::pair<long, long>> taken;
+  std::map<std::pair<long, long>, std::vector<Point>> taken;  // by squares as large as the distance that is kept
+  const auto has_room = [&](Point at, long column, long row) {
+    for (long c = column - 1; c <= column + 1; ++c)
+      for (long r = row - 1; r <= row + 1; ++r)
+        if (const auto found = taken.find({c, r}); found != taken.end())
+          for (const Point other : found->second)
+            if (distance(at, other) < kSquare) return false;
+    return true;
+  };
   for (const FieldElement& element : field.elements) {
     const Point middle = map(place(element.middle));
-    const Stress& s = element.middle.stress;
     if (!std::isfinite(middle.x) || !std::isfinite(middle.y)) continue;
-    if (!taken.emplace(std::lround(middle.x / kSquare), std::lround(middle.y / kSquare)).second) continue;
-    crosses.push_back({middle, principal(s), std::atan2(2 * s.xy, s.xx - s.yy) / 2});
+    const long column = std::lround(middle.x / kSquare), row = std::lround(middle.y / kSquare);
+    if (!has_room(middle, column, row)) continue;
+    taken[{column, row}].push_back(middle);
+    crosses.push_back({middle, principal(element.middle.stress), principal_angle(element.middle.stress)});
   }
   return crosses;
 }
@@ -84,7 +93,8 @@ CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& fie
       page.line(cross.middle - half, cross.middle + half, {.stroke = colour_of(stress), .stroke_width = kLineWidth});
     }
   const double sample = round_down(most);
-  return {sample, longest * sample / most};
+  const bool are_cut = std::ranges::any_of(crosses, [&](const Cross& cross) { return greatest(cross) > most; });
+  return {sample, longest * sample / most, are_cut};
 }
 
 void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, std::string_view unit) {
@@ -98,6 +108,7 @@ void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, std
   page.line({corner.x, y}, {corner.x + scale.length, y}, {.stroke = "#222222", .stroke_width = kLineWidth});
   page.text({corner.x + std::max(kLeastLength, scale.length) + 6, y + 4},
             fmt::format("{:g}{}{}", scale.sample, unit.empty() ? "" : " ", unit), {.size = 11});
+  if (scale.are_cut) page.text({corner.x, y + 22}, "longest are cut", {.size = 11});
 }
 
 }  // namespace keyblock::report

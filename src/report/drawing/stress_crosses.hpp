@@ -10,12 +10,14 @@ namespace keyblock::report {
 
 /// How long a stress is drawn.
 struct CrossScale {
-  double sample = 0;  ///< a round stress; 0 where there is none
-  double length = 0;  ///< of its line, page units
+  double sample = 0;     ///< a round stress; 0 where there is none
+  double length = 0;     ///< of its line, page units
+  bool are_cut = false;  ///< the longest few are drawn shorter
 };
 
-/// A cross at the middle of elements, one in each small square of the page: lines along the principal stresses in the
-/// plane, as long as these, one colour for compression and one for tension. The few longest are cut.
+/// Crosses at the middles of elements, none so near to another that they would cover each other: lines along the
+/// principal stresses in the plane, as long as these, one colour for compression and one for tension. The few longest
+/// are cut.
 CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place);
 
 /// Both colours, and a line of the sample's length with its value, below `corner`.

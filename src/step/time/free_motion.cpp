@@ -26,7 +26,7 @@ void FreeMotion::evaluate(const UnknownsTable& estimate) {
 }
 
 UnknownsTable FreeMotion::going_on() const {
-  if (!is_linear() || rule_.end_acceleration.increment == 0) return steady();
+  if (!goes_on_with_acceleration()) return steady();
   UnknownsTable increments = plus(start_.a, -1, step_.known_acceleration);
   increments *= 1 / rule_.end_acceleration.increment;
   return increments;

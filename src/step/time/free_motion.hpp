@@ -41,6 +41,7 @@ class FreeMotion {
   /// are blocks, whose contact forces change little from step to step, else with the velocity, as where a rule has no
   /// acceleration.
   UnknownsTable going_on() const;
+  bool goes_on_with_acceleration() const { return is_linear() && rule_.end_acceleration.increment != 0; }
   /// Those of a motion that goes on with its velocity.
   UnknownsTable steady() const;
   /// The end of the step. `is_found`: the increments solve the equations.

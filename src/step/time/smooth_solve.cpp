@@ -23,6 +23,7 @@ class SmoothSolve {
       : tolerance_(tolerance),
         free_(scene, start, loads, rule, dt),
         contacts_(scene, start, touches, tolerance, time, dt, rule, free_) {
+    starts_otherwise_ = free_.is_linear() && (before != nullptr || free_.goes_on_with_acceleration());
     increments_ = is_linear() ? free_.increments() : before ? plus(before->q, -1, start.q) : free_.going_on();
     result_.forces = before ? contacts_.forces_of(*before) : contacts_.remembered_forces();
   }
@@ -30,7 +31,7 @@ class SmoothSolve {
   SmoothMotion run() {
     do {
       settle();
-      if (!result_.converged && free_.is_linear()) settle_from_velocity();
+      if (!result_.converged && starts_otherwise_) settle_from_velocity();
     } while (result_.converged && contacts_.break_bonds(result_.forces));
     if (result_.residual > contacts_.problem().goal) result_.worst = worst_pair(contacts_.problem(), result_.forces);
     static_cast<BodiesMotion&>(result_) = free_.end(increments_, result_.converged);
@@ -155,9 +156,10 @@ class SmoothSolve {
   double change_ = 0;   ///< by the last round
   double before_ = 0;   ///< by the one before it
   bool is_new_tangent_ = false;
-  int stalls_ = 0;            ///< rounds of tolerable changes that a new tangent made no less
-  double unsolved_ = 0;       ///< by the forces of the round before in the gaps of this one
-  UnknownsTable linearised_;  ///< increments about which rows and matrix were made
+  bool starts_otherwise_ = false;  ///< than from the velocity
+  int stalls_ = 0;                 ///< rounds of tolerable changes that a new tangent made no less
+  double unsolved_ = 0;            ///< by the forces of the round before in the gaps of this one
+  UnknownsTable linearised_;       ///< increments about which rows and matrix were made
   SmoothMotion result_;
 };
 

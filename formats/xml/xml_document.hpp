@@ -50,9 +50,6 @@ class Element {
   const DocumentText* text_;
 };
 
-/// The warning that an element is skipped; it is named after what is skipped where that is known.
-Warning ignored(const Element& element);
-
 /// A well-formed XML text. No document type definition is loaded, no entity expanded.
 class Document {
  public:

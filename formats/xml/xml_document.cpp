@@ -1,11 +1,10 @@
 // Parsing in place, so that every name and value pugixml hands out is an offset into the text.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/berkeley/ddaml_document.hpp"
+#include "formats/xml/xml_document.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 
 #include "formats/text/decimal_comma.hpp"
@@ -48,7 +47,7 @@ std::size_t most_bytes(std::string_view text) {
 void refuse_tags_only(const Source& source) {
   constexpr std::size_t kMostBytesAByte = 12, kAtLeast = 1 << 16;
   if (most_bytes(source.text) > kMostBytesAByte * source.text.size() + kAtLeast)
-    throw InputError({source.name}, "expected a DDAML file with values, found almost nothing but tags");
+    throw InputError({source.name}, "expected an XML file with values, found almost nothing but tags");
 }
 
 /// pugixml takes them; XML has each attribute of an element once.
@@ -141,19 +140,6 @@ Tokens Element::attribute_tokens(std::string_view name) const {
   Tokens tokens{text_->map, text_->buffer, Syntax::xml, offset + found->value.size()};
   add_words(tokens, offset, found->value.size());
   return tokens;
-}
-
-Warning ignored(const Element& element) {
-  static constexpr std::array<std::array<std::string_view, 2>, 5> kNames{
-      {{"Seismicpointlist", "seismic_points_ignored"},
-       {"Timehistory", "time_history_ignored"},
-       {"Pipeflow", "pipe_flow_ignored"},
-       {"Fluids", "pipe_flow_ignored"},
-       {"PipeFlow", "pipe_flow_ignored"}}};
-  std::string name = "unknown_element";
-  for (const auto& [element_name, warning_name] : kNames)
-    if (element.name() == element_name) name = warning_name;
-  return {name, element.place(), fmt::format("{} is ignored", element.name())};
 }
 
 }  // namespace keyblock::formats

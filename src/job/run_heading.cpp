@@ -1,0 +1,57 @@
+// Reads what run_report.cpp wrote.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/run_heading.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "base/file_bytes.hpp"
+#include "job/folder/output_files.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Json& member(const Json& of, const char* key) {
+  static const Json kNone;
+  const auto found = of.is_object() ? of.find(key) : of.end();
+  return found == of.end() ? kNone : *found;
+}
+
+std::string text(const Json& of, const char* key) {
+  const Json& found = member(of, key);
+  return found.is_string() ? found.get<std::string>() : std::string();
+}
+
+}  // namespace
+
+std::string title_of(const std::filesystem::path& file, const std::string& profile) {
+  return fmt::format("{}, profile {}", file.stem().string(), profile);
+}
+
+std::string title_at(const std::string& title, double time, const Units& units) {
+  return fmt::format("{}, time {:g}{}{}", title, time, units.time.empty() ? "" : " ", units.time);
+}
+
+RunHeading heading_of(const std::filesystem::path& folder) {
+  RunHeading heading{std::filesystem::absolute(folder / ".").lexically_normal().parent_path().filename().string()};
+  const std::filesystem::path file = folder / kRecord;
+  if (!std::filesystem::is_regular_file(file)) return heading;
+  const Json record = Json::parse(file_bytes(file.string()), nullptr, false);
+  if (!record.is_object()) throw InputError({file.string()}, "expected the record of a run (JSON), found another file");
+  const Json& inputs = member(record, "inputs");
+  const std::string first = inputs.is_array() && !inputs.empty() ? text(inputs[0], "file") : std::string();
+  const std::string profile = text(record, "profile");
+  if (!first.empty() && !profile.empty()) heading.title = title_of(first, profile);
+  const Json& units = member(record, "units");
+  heading.units = {text(units, "length"), text(units, "mass"), text(units, "time")};
+  heading.is_of_motion = member(record, "is_of_motion") != false;
+  for (const Json& number : member(record, "left_out"))
+    if (number.is_number_integer()) heading.left_out.push_back(number.get<int>() - 1);
+  return heading;
+}
+
+}  // namespace keyblock
