@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "material/strength.hpp"
 #include "model/continuum.hpp"
@@ -24,15 +26,38 @@ const char* named_law(const BlockMaterial& material) {
   return material.strength ? "strength" : "crack_closure";
 }
 
-void require_size(const BlockMaterial& material, double largest) {
+// Rounded down, so that what is named is allowed.
+std::string four_digits_below(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
+  return fmt::format("{:.4g}", unit * std::floor(value / unit));
+}
+
+// The largest part of a material in which softening goes on at once: `size`, √area, is what counts, `side` what a mesh
+// is asked for.
+void require_size(const BlockMaterial& material, const char* what, double side, double size) {
   // What unloads a point that softens: with cracks the modulus of open ones, which give back more.
   const double modulus = material.crack_closure ? material.crack_closure->initial_modulus : material.youngs_modulus;
   const double allowed = largest_size(*material.strength, modulus);
-  if (largest >= allowed)
+  if (size >= allowed)
     throw InputError(material.place,
-                     fmt::format("strength: expected points of a size below {:.4g}, where softening by this "
-                                 "fracture_energy does not snap back, found {:.4g}",
-                                 allowed, largest));
+                     fmt::format("expected {} below {}, where softening of the strength by this fracture_energy does "
+                                 "not snap back, found {:.4g}",
+                                 what, four_digits_below(allowed * side / size), side));
+}
+
+double longest_side(const Manifold& manifold, int element) {
+  const std::array<Point, 3> corners = manifold.triangle(manifold.elements[static_cast<std::size_t>(element)]);
+  double longest = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    longest = std::max(longest, length(corners[(k + 1) % corners.size()] - corners[k]));
+  return longest;
+}
+
+void require_sizes(const Continuum& continuum) {
+  const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
+  for (std::size_t i = 0; i < continuum.materials.size(); ++i)
+    if (const auto [size, element] = yield.greatest(i); continuum.materials[i].strength && size > 0)
+      require_size(continuum.materials[i], "triangles with a side", longest_side(continuum.manifold, element), size);
 }
 
 Warnings look_at_covers(const Continuum& continuum, const Place& place) {
@@ -47,9 +72,7 @@ Warnings look_at_covers(const Continuum& continuum, const Place& place) {
          "derived functions lock where rock flows without change of volume: limit loads come out 10 to 20 % "
          "too high; constant ones (the default) do not"});
   if (std::ranges::none_of(continuum.materials, softens_by_energy)) return warnings;
-  const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
-  for (std::size_t i = 0; i < continuum.materials.size(); ++i)
-    if (continuum.materials[i].strength) require_size(continuum.materials[i], yield.greatest_size(i));
+  require_sizes(continuum);
   return warnings;
 }
 
@@ -65,8 +88,9 @@ void look_at_blocks(const Model& model, const Settings& settings) {
                        fmt::format("expected basis affine of blocks whose material has a {}, found rigid: what does "
                                    "not strain bears any stress",
                                    named_law(material)));
-    if (softens_by_energy(material))
-      require_size(material, std::sqrt(keyblock::place(model, start, e, settings).moments.area));
+    if (!softens_by_energy(material)) continue;
+    const double size = std::sqrt(keyblock::place(model, start, e, settings).moments.area);
+    require_size(material, "blocks with a √area", size, size);
   }
 }
 
