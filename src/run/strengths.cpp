@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "material/strength.hpp"
 #include "model/continuum.hpp"
+#include "model/material_choices.hpp"
 #include "model/state.hpp"
 #include "terms/yield/cover_yield.hpp"
 
@@ -60,12 +62,38 @@ void require_sizes(const Continuum& continuum) {
       require_size(continuum.materials[i], "triangles with a side", longest_side(continuum.manifold, element), size);
 }
 
-Warnings look_at_covers(const Continuum& continuum, const Place& place) {
+// Gradients averaged over covers do not see what alternates from row to row: on a lattice of equilateral triangles three
+// of the four places where the symbol of the mean gradient is none, Σ a sin(k · a) = 0. Such motion has stiffness only
+// from its slow change over the body (tests/terms/cover_yield_test.cpp counts it).
+Warning soft_patterns(const Continuum& continuum, const Place& place) {
+  std::set<int> covers;
+  for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e) {
+    const std::array<int, 3>& own = continuum.manifold.elements[e].covers;
+    if (continuum.material(static_cast<int>(e)).is_nonlinear()) covers.insert(own.begin(), own.end());
+  }
+  return {"soft_patterns", place,
+          fmt::format("in time rock that may yield has soft patterns: its gradients are averaged over {} covers, and "
+                      "motion that alternates from cover to cover is hardly seen. About three in four of its {} "
+                      "vibrations are such patterns, and swing too slowly: the slow smooth motion and the energy are "
+                      "right, velocities of single points after a blow are not. Give rock that stays elastic no "
+                      "strength",
+                      covers.size(), 2 * covers.size())};
+}
+
+Warnings look_at_covers(const Scene& scene, const Place& place) {
+  const Continuum& continuum = *scene.model.continuum;
   Warnings warnings;
-  const bool yields = std::ranges::any_of(continuum.manifold.body_materials, [&](int material) {
-    return continuum.materials[static_cast<std::size_t>(material)].strength != nullptr;
-  });
-  if (!yields) return warnings;
+  const auto has_body = [&](const auto& holds) {
+    return std::ranges::any_of(continuum.manifold.body_materials, [&](int material) {
+      return holds(continuum.materials[static_cast<std::size_t>(material)]);
+    });
+  };
+  const bool is_in_time = !scene.is_untouched && !is_static(scene.settings, scene.model) &&
+                          scene.settings.standard.motion == MotionRule::dynamic;
+  if (is_in_time && continuum.functions == CoverFunctions::constant &&
+      has_body([](const BlockMaterial& material) { return material.is_nonlinear(); }))
+    warnings.push_back(soft_patterns(continuum, place));
+  if (!has_body([](const BlockMaterial& material) { return material.strength != nullptr; })) return warnings;
   if (continuum.functions == CoverFunctions::derived)
     warnings.push_back(
         {"functions_lock", place,
@@ -108,7 +136,7 @@ void require_readable_strengths(const Problem& problem, const Settings& settings
 
 Warnings look_at_strengths(const Scene& scene, const Place& place) {
   if (!scene.is_untouched) look_at_blocks(scene.model, scene.settings);
-  return scene.model.continuum ? look_at_covers(*scene.model.continuum, place) : Warnings();
+  return scene.model.continuum ? look_at_covers(scene, place) : Warnings();
 }
 
 }  // namespace keyblock
