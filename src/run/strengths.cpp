@@ -62,9 +62,9 @@ void require_sizes(const Continuum& continuum) {
       require_size(continuum.materials[i], "triangles with a side", longest_side(continuum.manifold, element), size);
 }
 
-// Gradients averaged over covers do not see what alternates from row to row: on a lattice of equilateral triangles three
-// of the four places where the symbol of the mean gradient is none, Σ a sin(k · a) = 0. Such motion has stiffness only
-// from its slow change over the body (tests/terms/cover_yield_test.cpp counts it).
+// Gradients averaged over covers do not see what alternates from row to row: on a lattice of equilateral triangles
+// their symbol, Σ a sin(k · a) over the six neighbours a, is none for three such patterns besides for rigid motion.
+// They have stiffness only from their slow change over the body (tests/terms/cover_yield_test.cpp counts them).
 Warning soft_patterns(const Continuum& continuum, const Place& place) {
   std::set<int> covers;
   for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e) {
