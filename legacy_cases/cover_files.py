@@ -22,6 +22,20 @@ def arc(radius, start, end, chords=64):
     return points
 
 
+def about_tunnel(finer=False):
+    """A mesh about a quarter of a hole of radius 1, graded to far beyond where rock flows: rings of radius, side, parts of a quarter. The elastic
+    ring counts as much as the wall: what it gives is what flow about the hole grows from."""
+    rings = ((1, 0.05, 24), (1.5, 0.08, 24), (2.2, 0.13, 24), (3.5, 0.22, 18), (6, 0.4, 16), (11, 0.8, 12)) if finer else (
+        (1, 0.07, 12), (1.5, 0.1, 12), (2.2, 0.18, 12), (3.5, 0.3, 12), (6, 0.55, 12), (11, 1.1, 8))
+    return {'kind': 'unstructured', 'placement': 'aligned', 'side': 4,
+            'refined': [(radius * x, radius * y, side) for radius, side, parts in rings for x, y in arc(1, 0, 90, parts)]}
+
+
+def about_edge_of_footing():
+    """Where a mesh is refined about the edge at (1, 0) of a footing, and where the soil is sheared below and beside it."""
+    return [(1, 0, 0.012)] + [(x, y, 0.05) for x in (0.5, 0.9, 1.3, 1.7, 2.1) for y in (-0.2, -0.55)]
+
+
 def case_text(corners, covers, young, poisson, measured, plane_strain=False, density=1, steps=(1, 1), settings=None, velocity=None, strength=None):
     """One body of one weightless material, `steps` (count, size) of load; in time where `settings` are those of the run. `velocity`: that of the
     start, of the centroid, and the rate of rotation. `strength`: of rock that may yield."""

@@ -200,14 +200,13 @@ void check(const Analysis& analysis) {
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
   for (const BlockMaterial& material : analysis.block_materials) {
     if (material.toughness && material.toughness->cohesion && !material.toughness->mode_2)
-      throw InputError(material.place, "toughness: expected a mode_2 beside the cohesion, found none");
+      throw InputError(material.place, "expected a mode_2 of toughness beside its cohesion, found none");
     if (!material.is_nonlinear()) continue;
     if (material.strength)
-      if (const std::string why = why_unusable(*material.strength); !why.empty())
-        throw InputError(material.place, "strength: " + why);
+      if (const std::string why = why_unusable(*material.strength); !why.empty()) throw InputError(material.place, why);
     if (material.crack_closure)
       if (const std::string why = why_unusable(*material.crack_closure, material.youngs_modulus); !why.empty())
-        throw InputError(material.place, "crack_closure: " + why);
+        throw InputError(material.place, why);
     if (!kPoissonPlaneStrain.holds(material.poissons_ratio))
       throw InputError(
           material.place,

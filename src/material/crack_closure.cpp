@@ -85,10 +85,10 @@ CrackedResponse cracked_response(const CrackedElasticity& rock, const Eigen::Vec
 
 std::string why_unusable(const CrackClosure& closure, double youngs_modulus) {
   if (!(closure.initial_modulus > 0 && closure.initial_modulus < youngs_modulus))
-    return fmt::format("initial_modulus: expected a number above 0 and below youngs_modulus {}, found {}",
+    return fmt::format("expected initial_modulus of crack_closure: above 0 and below youngs_modulus {}, found {}",
                        youngs_modulus, closure.initial_modulus);
   if (!(closure.closure_strain > 0 && std::isfinite(closure.closure_strain)))
-    return fmt::format("closure_strain: expected a number above 0, found {}", closure.closure_strain);
+    return fmt::format("expected closure_strain of crack_closure: greater than 0, found {}", closure.closure_strain);
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "material/principal_return.hpp"
 
@@ -23,7 +24,8 @@ bool has_friction(const Strength& strength) {
   return strength.surface == YieldSurface::mohr_coulomb || strength.surface == YieldSurface::drucker_prager;
 }
 
-std::string why_not(const Strength& strength, const StrengthValues& values) {
+// `where`: the object of a case that holds the values.
+std::string why_not(const Strength& strength, const StrengthValues& values, const char* where) {
   struct Named {
     const char* name;
     double value;
@@ -31,17 +33,18 @@ std::string why_not(const Strength& strength, const StrengthValues& values) {
   for (const Named& n : {Named{"cohesion", values.cohesion}, Named{"yield_stress", values.yield_stress},
                          Named{"tensile_strength", values.tensile_strength.value_or(0)}})
     if (!(n.value >= 0 && std::isfinite(n.value)))
-      return fmt::format("{}: expected a number of at least 0, found {}", n.name, n.value);
+      return fmt::format("expected {} of {}: 0 or more, found {}", n.name, where, n.value);
   for (const Named& n : {Named{"friction_deg", values.friction_deg}, Named{"dilation_deg", values.dilation_deg}})
     if (!(n.value >= 0 && n.value < 90))
-      return fmt::format("{}: expected at least 0 and less than 90 degrees, found {}", n.name, n.value);
+      return fmt::format("expected {} of {}: at least 0 and below 90 degrees, found {}", n.name, where, n.value);
   if (strength.surface == YieldSurface::von_mises && values.yield_stress == 0)
-    return "yield_stress: expected a number above 0, found 0";
+    return fmt::format("expected yield_stress of {}: greater than 0, found 0", where);
   if (!has_friction(strength) && (values.friction_deg != 0 || values.dilation_deg != 0))
-    return "friction_deg and dilation_deg: expected none with this surface";
+    return fmt::format("expected no friction_deg and dilation_deg of {} with this surface, found {} and {}", where,
+                       values.friction_deg, values.dilation_deg);
   const bool needs_cohesion = strength.surface != YieldSurface::von_mises && values.friction_deg == 0;
   if (needs_cohesion && values.cohesion == 0)
-    return "cohesion: expected a number above 0 where there is no friction, found 0";
+    return fmt::format("expected cohesion of {}: greater than 0 where there is no friction, found 0", where);
   return {};
 }
 
@@ -84,22 +87,22 @@ double largest_size(const Strength& strength, double modulus) {
 }
 
 std::string why_unusable(const Strength& strength) {
-  if (std::string why = why_not(strength, strength.values); !why.empty()) return why;
+  if (std::string why = why_not(strength, strength.values, "strength"); !why.empty()) return why;
   if (!strength.change) return {};
   const StrengthChange& change = *strength.change;
   // Strength may fall to nothing.
   StrengthValues last = change.values;
   last.cohesion = last.cohesion == 0 ? strength.values.cohesion : last.cohesion;
   last.yield_stress = last.yield_stress == 0 ? strength.values.yield_stress : last.yield_stress;
-  if (std::string why = why_not(strength, last); !why.empty()) return "after: " + why;
+  if (std::string why = why_not(strength, last, "after"); !why.empty()) return why;
   const auto is_above = [](double value) { return value > 0 && std::isfinite(value); };
   if (is_above(change.plastic_strain) == is_above(change.fracture_energy))
-    return fmt::format("after: expected one of plastic_strain and fracture_energy above 0, found {}",
+    return fmt::format("expected one of plastic_strain and fracture_energy of after above 0, found {}",
                        is_above(change.plastic_strain) ? "both" : "neither");
   if (change.values.tensile_strength.has_value() != strength.values.tensile_strength.has_value())
-    return "after: expected a tensile_strength beside `after` too, found one in `after` alone";
+    return "expected a tensile_strength of strength as of after, found one of after alone";
   if (change.fracture_energy > 0 && !(largest_size(strength, 1) < kInfinite))
-    return "after: expected a lower compressive strength where a fracture_energy is given, found none";
+    return "expected a lower compressive strength by after, which has a fracture_energy, found none";
   return {};
 }
 
@@ -111,7 +114,9 @@ std::vector<std::string> doubts_of(const Strength& strength) {
                                    values.dilation_deg, values.friction_deg, when));
   };
   look(strength.values, "");
-  if (strength.change) look(strength.change->values, " after the change");
+  const auto angles = [](const StrengthValues& values) { return std::pair(values.friction_deg, values.dilation_deg); };
+  if (strength.change && angles(strength.change->values) != angles(strength.values))
+    look(strength.change->values, " after the change");
   if (strength.change && strength.change->plastic_strain > 0 &&
       compressive_strength(strength, strength.change->values) < compressive_strength(strength, strength.values))
     doubts.emplace_back(

@@ -22,7 +22,7 @@ double strain_of_change(const Strength& strength, double size);
 /// infinity where no energy is given. `modulus`: E by which the point unloads, the least on the way.
 double largest_size(const Strength& strength, double modulus);
 
-/// Empty, or why no run can be made of it: "cohesion: expected a number of at least 0, found -2".
+/// Empty, or why no run can be made of it: "expected cohesion of strength: 0 or more, found -2".
 std::string why_unusable(const Strength& strength);
 
 /// What a user should know of a usable one: dilation above friction, softening that depends on the mesh.

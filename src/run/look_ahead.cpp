@@ -13,6 +13,7 @@
 #include "base/counted.hpp"
 #include "base/union_find.hpp"
 #include "geometry/polygon.hpp"
+#include "material/strength.hpp"
 #include "problem/units/unit_conversion.hpp"
 #include "step/scene/enforcement.hpp"
 
@@ -308,6 +309,25 @@ std::string implausible(const Plausible& bounds, double value, const Units& unit
       units.time.empty() ? "" : ", " + units.time, bounds.least, bounds.most);
 }
 
+/// Empty, or why an angle cannot be meant in degrees.
+std::string in_radians(double degrees) {
+  if (!(degrees > 0 && degrees < std::numbers::pi / 2)) return {};
+  return fmt::format(
+      "a friction angle of {:.4g} degrees would be {:.3g} degrees, were it in radians: angles of friction are in "
+      "degrees",
+      degrees, degrees / kDegree);
+}
+
+/// Empty, or why a strength and the modulus cannot be of one unit: of rock it is a hundredth of the modulus or less.
+std::string above_modulus(const BlockMaterial& material) {
+  const double strength = compressive_strength(*material.strength, material.strength->values);
+  if (!(strength > material.youngs_modulus)) return {};
+  return fmt::format(
+      "a strength of {:.4g} under uniaxial compression is above youngs_modulus {:.4g}: nothing reaches it, unless one "
+      "of them is in another unit",
+      strength, material.youngs_modulus);
+}
+
 Warnings contradictions(const Problem& problem, const Settings& settings) {
   Warnings found;
   const auto put = [&](const std::string& sentence, const Place& place) {
@@ -317,17 +337,16 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
   for (const BlockMaterial& material : problem.analysis->block_materials) {
     put(implausible(kModulus, material.youngs_modulus, problem.units), material.place);
     put(implausible(kMassDensity, material.density, problem.units), material.place);
+    if (!material.strength) continue;
+    put(above_modulus(material), material.place);
+    put(in_radians(material.strength->values.friction_deg), material.place);
   }
   if (settings.gravity.y > 0)
     put(fmt::format("gravity points upward, {:.4g} along y: a positive `gravity` of a file points downward",
                     settings.gravity.y),
         problem.analysis->place);
   for (const JointMaterial& joint : problem.analysis->joint_materials)
-    if (joint.friction_angle_deg > 0 && joint.friction_angle_deg < std::numbers::pi / 2)
-      put(fmt::format("a friction angle of {:.4g} degrees would be {:.3g} degrees, were it in radians: angles of "
-                      "friction are in degrees",
-                      joint.friction_angle_deg, joint.friction_angle_deg / kDegree),
-          joint.place);
+    put(in_radians(joint.friction_angle_deg), joint.place);
   return found;
 }
 

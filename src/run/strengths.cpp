@@ -5,10 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "material/strength.hpp"
 #include "model/continuum.hpp"
+#include "model/material_choices.hpp"
 #include "model/state.hpp"
 #include "terms/yield/cover_yield.hpp"
 
@@ -24,32 +28,79 @@ const char* named_law(const BlockMaterial& material) {
   return material.strength ? "strength" : "crack_closure";
 }
 
-void require_size(const BlockMaterial& material, double largest) {
+// Rounded down, so that what is named is allowed.
+std::string four_digits_below(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
+  return fmt::format("{:.4g}", unit * std::floor(value / unit));
+}
+
+// The largest part of a material in which softening goes on at once: `size`, √area, is what counts, `side` what a mesh
+// is asked for.
+void require_size(const BlockMaterial& material, const char* what, double side, double size) {
   // What unloads a point that softens: with cracks the modulus of open ones, which give back more.
   const double modulus = material.crack_closure ? material.crack_closure->initial_modulus : material.youngs_modulus;
   const double allowed = largest_size(*material.strength, modulus);
-  if (largest >= allowed)
+  if (size >= allowed)
     throw InputError(material.place,
-                     fmt::format("strength: expected points of a size below {:.4g}, where softening by this "
-                                 "fracture_energy does not snap back, found {:.4g}",
-                                 allowed, largest));
+                     fmt::format("expected {} below {}, where softening of the strength by this fracture_energy does "
+                                 "not snap back, found {:.4g}",
+                                 what, four_digits_below(allowed * side / size), side));
 }
 
-Warnings look_at_covers(const Continuum& continuum, const Place& place) {
+double longest_side(const Manifold& manifold, int element) {
+  const std::array<Point, 3> corners = manifold.triangle(manifold.elements[static_cast<std::size_t>(element)]);
+  double longest = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    longest = std::max(longest, length(corners[(k + 1) % corners.size()] - corners[k]));
+  return longest;
+}
+
+void require_sizes(const Continuum& continuum) {
+  const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
+  for (std::size_t i = 0; i < continuum.materials.size(); ++i)
+    if (const auto [size, element] = yield.greatest(i); continuum.materials[i].strength && size > 0)
+      require_size(continuum.materials[i], "triangles with a side", longest_side(continuum.manifold, element), size);
+}
+
+// Gradients averaged over covers do not see what alternates from row to row: on a lattice of equilateral triangles
+// their symbol, Σ a sin(k · a) over the six neighbours a, is none for three such patterns besides for rigid motion.
+// They have stiffness only from their slow change over the body (tests/terms/cover_yield_test.cpp counts them).
+Warning soft_patterns(const Continuum& continuum, const Place& place) {
+  std::set<int> covers;
+  for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e) {
+    const std::array<int, 3>& own = continuum.manifold.elements[e].covers;
+    if (continuum.material(static_cast<int>(e)).is_nonlinear()) covers.insert(own.begin(), own.end());
+  }
+  return {"soft_patterns", place,
+          fmt::format("in time rock that may yield has soft patterns: its gradients are averaged over {} covers, and "
+                      "motion that alternates from cover to cover is hardly seen. About three in four of its {} "
+                      "vibrations are such patterns, and swing too slowly: the slow smooth motion and the energy are "
+                      "right, velocities of single points after a blow are not. Give rock that stays elastic no "
+                      "strength",
+                      covers.size(), 2 * covers.size())};
+}
+
+Warnings look_at_covers(const Scene& scene, const Place& place) {
+  const Continuum& continuum = *scene.model.continuum;
   Warnings warnings;
-  const bool yields = std::ranges::any_of(continuum.manifold.body_materials, [&](int material) {
-    return continuum.materials[static_cast<std::size_t>(material)].strength != nullptr;
-  });
-  if (!yields) return warnings;
+  const auto has_body = [&](const auto& holds) {
+    return std::ranges::any_of(continuum.manifold.body_materials, [&](int material) {
+      return holds(continuum.materials[static_cast<std::size_t>(material)]);
+    });
+  };
+  const bool is_in_time = !scene.is_untouched && !is_static(scene.settings, scene.model) &&
+                          scene.settings.standard.motion == MotionRule::dynamic;
+  if (is_in_time && continuum.functions == CoverFunctions::constant &&
+      has_body([](const BlockMaterial& material) { return material.is_nonlinear(); }))
+    warnings.push_back(soft_patterns(continuum, place));
+  if (!has_body([](const BlockMaterial& material) { return material.strength != nullptr; })) return warnings;
   if (continuum.functions == CoverFunctions::derived)
     warnings.push_back(
         {"functions_lock", place,
          "derived functions lock where rock flows without change of volume: limit loads come out 10 to 20 % "
          "too high; constant ones (the default) do not"});
   if (std::ranges::none_of(continuum.materials, softens_by_energy)) return warnings;
-  const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
-  for (std::size_t i = 0; i < continuum.materials.size(); ++i)
-    if (continuum.materials[i].strength) require_size(continuum.materials[i], yield.greatest_size(i));
+  require_sizes(continuum);
   return warnings;
 }
 
@@ -65,8 +116,9 @@ void look_at_blocks(const Model& model, const Settings& settings) {
                        fmt::format("expected basis affine of blocks whose material has a {}, found rigid: what does "
                                    "not strain bears any stress",
                                    named_law(material)));
-    if (softens_by_energy(material))
-      require_size(material, std::sqrt(keyblock::place(model, start, e, settings).moments.area));
+    if (!softens_by_energy(material)) continue;
+    const double size = std::sqrt(keyblock::place(model, start, e, settings).moments.area);
+    require_size(material, "blocks with a √area", size, size);
   }
 }
 
@@ -84,7 +136,7 @@ void require_readable_strengths(const Problem& problem, const Settings& settings
 
 Warnings look_at_strengths(const Scene& scene, const Place& place) {
   if (!scene.is_untouched) look_at_blocks(scene.model, scene.settings);
-  return scene.model.continuum ? look_at_covers(*scene.model.continuum, place) : Warnings();
+  return scene.model.continuum ? look_at_covers(scene, place) : Warnings();
 }
 
 }  // namespace keyblock

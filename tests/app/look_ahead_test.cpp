@@ -143,6 +143,22 @@ TEST(LookAhead, gravity_upward_and_friction_in_radians_are_told) {
   EXPECT_TRUE(contains(said(check_of(text, {"--trial", "0"}), "units_contradict"), "would be 30 degrees"));
 }
 
+TEST(LookAhead, strength_above_the_modulus_and_its_friction_in_radians_are_told) {
+  const auto with = [](const std::string& strength) {
+    std::string text = case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}));
+    const std::string modulus = R"("youngs_modulus": 2e10)";
+    return text.insert(text.find(modulus), R"("strength": )" + strength + ", ");
+  };
+  EXPECT_EQ(said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 30})"), {"--trial", "0"}), "units_contradict"), "");
+  // 2 c tan 60°.
+  EXPECT_TRUE(
+      contains(said(check_of(with(R"({"cohesion": 1e10, "friction_deg": 30})"), {"--trial", "0"}), "units_contradict"),
+               "a strength of 3.464e+10 under uniaxial compression is above youngs_modulus 2e+10"));
+  EXPECT_TRUE(contains(
+      said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 0.5236})"), {"--trial", "0"}), "units_contradict"),
+      "would be 30 degrees"));
+}
+
 TEST(LookAhead, a_run_says_it_too_before_its_first_step) {
   const std::string folder = support::fresh_folder("run_looks_ahead");
   support::write_text(folder + "/case.json", case_text(blocks({kFloor, rectangle(4, 2, 6, 4)})));

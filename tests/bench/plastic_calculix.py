@@ -3,7 +3,8 @@
 """What a round of Newton's method costs where rock flows, over one of CalculiX (Debian package calculix-ccx) on the same triangles and under the same
 law: Cook's membrane under plane strain, von Mises with linear hardening (benchmark pla-11). CalculiX 2.20 has no surface of Mohr and Coulomb.
 
-A round is the difference of two runs of different length over their rounds, each the least of three, both programs on one thread. Keyblock takes
+A round is the difference of two runs of different length over their rounds, each the least of three, both programs on one thread and in processor
+time. Keyblock takes
 large strain and averages over covers, CalculiX small strain (*STATIC without NLGEOM) and triangles of constant strain, which it makes wedges of.
 Skipped where `ccx` is not installed. Times alone mean nothing on another machine."""
 import argparse
@@ -11,15 +12,14 @@ import json
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
-import time
 import xml.etree.ElementTree as xml
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "legacy_cases"))
 from cover_files import case_text  # noqa: E402
+from processor_time import timed  # noqa: E402
 
 REPEATS = 3
 STEPS = 10  # of the whole load, 1.5 over the edge of 16
@@ -46,13 +46,13 @@ def by_keyblock(program, side, steps, folder):
     file = folder / "in.json"
     file.write_text(cook(side, steps))
     out = folder / ("out_%d" % steps)
-    done = subprocess.run([program, "run", str(file), "--threads", "1", "-o", str(out), "--force"], capture_output=True, text=True)
+    done, seconds = timed([program, "run", str(file), "--threads", "1", "-o", str(out), "--force"])
     if done.returncode not in (0, 1):
         raise RuntimeError(done.stderr)
     report = json.loads((out / "run.json").read_text())
     lines = (out / "history.csv").read_text().splitlines()
     corner = float(lines[-1].split(",")[[name.split(" [")[0] for name in lines[0].split(",")].index("dy1")])
-    return report["seconds"]["run"], report["counts"]["passes"], report["counts"]["unknowns"], corner
+    return seconds, report["counts"]["passes"], report["counts"]["unknowns"], corner
 
 
 def without_straight_corners(places):
@@ -96,9 +96,7 @@ def input_of(nodes, triangles, steps):
 
 def by_calculix(nodes, triangles, steps, folder):
     (folder / "cook.inp").write_text(input_of(nodes, triangles, steps))
-    began = time.monotonic()
-    done = subprocess.run(["ccx", "cook"], cwd=folder, env=dict(os.environ, OMP_NUM_THREADS="1"), capture_output=True, text=True)
-    seconds = time.monotonic() - began
+    done, seconds = timed(["ccx", "cook"], cwd=folder, env=dict(os.environ, OMP_NUM_THREADS="1"))
     increments = [line.split() for line in (folder / "cook.sta").read_text().splitlines() if line.split() and line.split()[0].isdigit()]
     if done.returncode or len(increments) != steps:
         raise RuntimeError("ccx made %d of %d increments:\n%s" % (len(increments), steps, done.stdout[-2000:]))

@@ -467,10 +467,11 @@ TEST(YieldLaw, a_plate_yields_at_its_uniaxial_strength) {
 
 TEST(Strength, what_cannot_be_is_refused) {
   EXPECT_EQ(why_unusable(mohr_coulomb(30, 0, 2)), "");
-  EXPECT_NE(why_unusable(mohr_coulomb(30, 0, -2)).find("cohesion: expected a number of at least 0, found -2"),
+  EXPECT_NE(why_unusable(mohr_coulomb(30, 0, -2)).find("expected cohesion of strength: 0 or more, found -2"),
             std::string::npos);
-  EXPECT_NE(why_unusable(mohr_coulomb(90, 0, 2)).find("friction_deg: expected at least 0 and less than 90"),
-            std::string::npos);
+  EXPECT_NE(
+      why_unusable(mohr_coulomb(90, 0, 2)).find("expected friction_deg of strength: at least 0 and below 90 degrees"),
+      std::string::npos);
   EXPECT_NE(why_unusable(von_mises(0)).find("yield_stress"), std::string::npos);
   Strength both = von_mises(10);
   both.change = StrengthChange{.values = both.values, .plastic_strain = 0.1, .fracture_energy = 1};
@@ -478,13 +479,18 @@ TEST(Strength, what_cannot_be_is_refused) {
   Strength tresca;
   tresca.surface = YieldSurface::tresca;
   tresca.values.yield_stress = 5;  // which it does not read
-  EXPECT_NE(why_unusable(tresca).find("cohesion: expected a number above 0"), std::string::npos);
-  EXPECT_NE(why_unusable(Strength{}).find("cohesion: expected a number above 0"), std::string::npos);
+  EXPECT_NE(why_unusable(tresca).find("expected cohesion of strength: greater than 0"), std::string::npos);
+  EXPECT_NE(why_unusable(Strength{}).find("expected cohesion of strength: greater than 0"), std::string::npos);
   Strength weaker = mohr_coulomb(20, 20, 2);
   weaker.change = StrengthChange{.values = weaker.values, .plastic_strain = 0.1};
   weaker.change->values.friction_deg = 5;
   EXPECT_NE(doubts_of(weaker).front().find("above friction_deg 5 after the change"), std::string::npos);
   EXPECT_EQ(doubts_of(mohr_coulomb(20, 30, 2)).size(), 1U);
+  // Angles that a change leaves as they are give no second doubt.
+  Strength looser = mohr_coulomb(20, 30, 2);
+  looser.change = StrengthChange{.values = looser.values, .fracture_energy = 1};
+  looser.change->values.cohesion = 1;
+  EXPECT_EQ(doubts_of(looser).size(), 1U);
 }
 
 TEST(Strength, snap_back_is_bounded_by_the_energy) {

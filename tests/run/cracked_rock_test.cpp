@@ -88,7 +88,7 @@ TEST(CrackedRock, what_cannot_be_run_is_refused) {
       << rigid.messages;
   const Done stiff = run_of("stiff", square("", R"({"initial_modulus": 40000, "closure_strain": 5e-4})"));
   EXPECT_EQ(stiff.exit_code, 3);
-  EXPECT_NE(stiff.messages.find("initial_modulus: expected a number above 0 and below youngs_modulus 30000"),
+  EXPECT_NE(stiff.messages.find("expected initial_modulus of crack_closure: above 0 and below youngs_modulus 30000"),
             std::string::npos)
       << stiff.messages;
 }

@@ -98,6 +98,15 @@ TEST(YieldingMotion, plates_press_rock_that_flows_without_dilation_in_few_system
   }
 }
 
+TEST(YieldingMotion, what_swings_too_slowly_is_told_before_the_run) {
+  const std::string strength = R"(, "strength": {"cohesion": 2e6, "friction_deg": 30})";
+  const Done done = run_of("soft", falling_column(strength, 5e-4, 2));
+  EXPECT_NE(done.messages.find("About three in four of its"), std::string::npos) << done.messages;
+  EXPECT_NE(done.messages.find("[soft_patterns]"), std::string::npos) << done.messages;
+  const Done elastic = run_of("not_soft", falling_column("", 5e-4, 2));
+  EXPECT_EQ(elastic.messages.find("soft_patterns"), std::string::npos) << elastic.messages;
+}
+
 // Friction at the end of a step that turns the velocity over would push: 3 % of the energy came from nothing so.
 TEST(YieldingMotion, a_column_on_covers_that_hits_a_floor_makes_no_energy) {
   for (const auto& [dt, steps] : {std::pair{5e-4, 100}, {1e-4, 400}}) {

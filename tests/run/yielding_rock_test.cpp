@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,30 @@ Done run_of(const std::string& name, const std::string& text, const std::vector<
   Done done{run.exit_code, run.messages, {}, folder};
   if (run.exit_code != 3) done.forces = nlohmann::json::parse(read_text(folder + "/out/run.json"))["forces"];
   return done;
+}
+
+std::string without_covers(std::string text) {
+  const std::size_t covers = text.find("\"covers\"");
+  return text.erase(covers, text.find("\"analysis\"") - covers);
+}
+
+/// On a regular mesh.
+std::string regular(std::string text, const std::string& side) {
+  const std::string mesh = R"("kind": "unstructured", "placement": "aligned", "side": 0.35)";
+  return text.replace(text.find(mesh), mesh.size(), R"("side": )" + side);
+}
+
+/// One error with its place, and not a file.
+void expect_refused(const Done& done, const std::string& error) {
+  EXPECT_EQ(done.exit_code, 3) << done.messages;
+  EXPECT_NE(done.messages.find(error), std::string::npos) << done.messages;
+  const std::size_t first = done.messages.find(": error: expected ");
+  ASSERT_NE(first, std::string::npos) << done.messages;
+  EXPECT_TRUE(std::regex_search(done.messages.substr(0, first), std::regex("in\\.json:[0-9]+:[0-9]+$")))
+      << done.messages;
+  EXPECT_EQ(done.messages.find("error: ", first + 3), std::string::npos) << done.messages;
+  EXPECT_NE(done.messages.find(", found ", first), std::string::npos) << done.messages;
+  EXPECT_FALSE(std::filesystem::exists(done.folder + "/out")) << done.messages;
 }
 
 const std::string kPressed = R"(, {"along": [[0, 1], [1, 1]], "held": "y", "y": -0.01})";
@@ -114,9 +140,7 @@ TEST(YieldingRock, what_an_excavation_leaves_without_support_is_named) {
 }
 
 TEST(YieldingRock, a_strength_that_no_run_reads_is_refused) {
-  std::string block = square("", "", kCoulomb);
-  const std::size_t covers = block.find("\"covers\"");
-  block.erase(covers, block.find("\"analysis\"") - covers);
+  const std::string block = without_covers(square("", "", kCoulomb));
   const Done done = run_of("block", block, {"--profile", "legacy"});
   EXPECT_EQ(done.exit_code, 3);
   EXPECT_NE(done.messages.find("expected a strength in a run of profile standard"), std::string::npos) << done.messages;
@@ -126,18 +150,76 @@ TEST(YieldingRock, a_strength_that_no_run_reads_is_refused) {
       << rigid.messages;
 }
 
-TEST(YieldingRock, softening_too_steep_for_the_mesh_is_refused_with_the_size_allowed) {
-  const Done done = run_of("steep", square(kPressed, "",
-                                           R"({"surface": "von_mises", "yield_stress": 20, "after": {"yield_stress": 1,
-                             "fracture_energy": 0.001}})"));
-  EXPECT_EQ(done.exit_code, 3);
-  EXPECT_NE(done.messages.find("expected points of a size below 0.0554"), std::string::npos) << done.messages;
-  // 2 E G_f / Δf² by the modulus of open cracks, a quarter.
-  const std::string rock = R"({"surface": "von_mises", "yield_stress": 20, "after": {"yield_stress": 1,
-    "fracture_energy": 0.001}}, "crack_closure": {"initial_modulus": 2500, "closure_strain": 1e-4})";
-  const Done cracked = run_of("steep_cracked", square(kPressed, "", rock));
-  EXPECT_EQ(cracked.exit_code, 3);
-  EXPECT_NE(cracked.messages.find("expected points of a size below 0.01385"), std::string::npos) << cracked.messages;
+// In a regular mesh of equilateral triangles a cover within has a third of six of them, 0.866 of its side squared. The
+// size allowed is 2 E G_f / Δf², 0.2216; with cracks by their modulus while they are open, a quarter.
+TEST(YieldingRock, softening_too_steep_for_the_mesh_is_refused_with_the_side_allowed) {
+  const std::string strength = R"({"surface": "von_mises", "yield_stress": 20, "after": {"yield_stress": 1,
+    "fracture_energy": 0.004}})";
+  const Done done = run_of("steep", regular(square(kPressed, "", strength), "0.3"));
+  expect_refused(done,
+                 "expected triangles with a side below 0.2381, where softening of the strength by this "
+                 "fracture_energy does not snap back, found 0.3");
+  expect_refused(run_of("steep_bordering", regular(square(kPressed, "", strength), "0.2383")), "below 0.238");
+  EXPECT_NE(run_of("steep_no_more", regular(square(kPressed, "", strength), "0.2381")).exit_code, 3);
+  const std::string rock = strength + R"(, "crack_closure": {"initial_modulus": 2500, "closure_strain": 1e-4})";
+  expect_refused(run_of("steep_cracked", regular(square(kPressed, "", rock), "0.3")), "a side below 0.05953");
+}
+
+TEST(YieldingRock, softening_too_steep_for_a_block_is_refused) {
+  const Done done = run_of("steep_block", without_covers(square("", "", R"({"surface": "von_mises", "yield_stress": 20,
+    "after": {"yield_stress": 1, "fracture_energy": 0.001}})")));
+  expect_refused(done,
+                 "expected blocks with a √area below 0.0554, where softening of the strength by this "
+                 "fracture_energy does not snap back, found 1");
+}
+
+TEST(YieldingRock, bad_strengths_are_one_error_and_leave_nothing) {
+  for (const auto& [strength, error] :
+       {std::pair{R"({"cohesion": -1, "friction_deg": 20})",
+                  "error: expected cohesion of strength: 0 or more, found -1"},
+        {R"({"cohesion": 1, "tensile_strength": -2})", "tensile_strength of strength: 0 or more, found -2"},
+        {R"({"surface": "von_mises", "yield_stress": -20})", "yield_stress of strength: 0 or more, found -20"},
+        {R"({"surface": "von_mises"})", "error: expected yield_stress of strength: greater than 0, found 0"},
+        {R"({"friction_deg": 0})", "error: expected cohesion of strength: greater than 0 where there is no friction"},
+        {R"({"surface": "tresca", "cohesion": 1, "friction_deg": 5})",
+         "error: expected no friction_deg and dilation_deg of strength with this surface, found 5 and 0"},
+        {R"({"cohesion": 1, "friction_deg": 90})",
+         "error: expected friction_deg of strength: at least 0 and below 90 degrees, found 90"},
+        {R"({"cohesion": 1, "friction_deg": 30, "dilation_deg": 90})",
+         "dilation_deg of strength: at least 0 and below"},
+        {R"({"cohesion": 1, "after": {"friction_deg": 95, "plastic_strain": 0.1}})",
+         "error: expected friction_deg of after: at least 0 and below 90 degrees, found 95"},
+        {R"({"cohesion": 1, "after": {"cohesion": 0.5, "plastic_strain": 0.1, "fracture_energy": 1}})",
+         "error: expected one of plastic_strain and fracture_energy of after above 0, found both"},
+        {R"({"cohesion": 1, "after": {"cohesion": 2, "fracture_energy": 1}})",
+         "error: expected a lower compressive strength by after, which has a fracture_energy, found none"}})
+    expect_refused(run_of("bad", square(kPressed, "", strength)), error);
+}
+
+TEST(YieldingRock, units_that_contradict_one_another_are_one_error_and_leave_nothing) {
+  const auto in_units = [](const std::string& units, const std::string& cohesion) {
+    std::string text = square(kPressed, "", R"({"cohesion": )" + cohesion + "}");
+    return text.insert(1, R"("units": {)" + units + "}, ");
+  };
+  const std::string kilonewton = R"("length": "m", "force": "kN", "time": "s")";
+  for (const auto& [text, error] :
+       {std::pair{in_units(kilonewton + R"(, "mass": "kg")", "10"),
+                  "error: expected one of mass, force and stress in units: the others follow from it, found \"kN\""},
+        {in_units(kilonewton + R"(, "stress": "MPa")", "10"), "expected one of mass, force and stress in units"},
+        {in_units(R"("length": "kg", "mass": "m", "time": "s")", "10"), "error: expected length of units: one of m"},
+        {in_units(kilonewton, R"("10 kN")"), "error: expected cohesion: a number, or a stress"},
+        {in_units(kilonewton, R"("-10 kPa")"), "error: expected cohesion of strength: 0 or more, found \"-10 kPa\""}})
+    expect_refused(run_of("units", text), error);
+}
+
+TEST(YieldingRock, dilation_above_friction_is_warned_of_once) {
+  const Done done =
+      run_of("loose", square(kPressed, "", R"({"cohesion": 10, "friction_deg": 20, "dilation_deg": 25})"));
+  EXPECT_EQ(done.exit_code, 0);
+  const std::string warning = "warning: dilation_deg 25 is above friction_deg 20: flow then makes energy [strength]";
+  const std::size_t first = done.messages.find(warning);
+  ASSERT_NE(first, std::string::npos) << done.messages;
+  EXPECT_EQ(done.messages.find(warning, first + 1), std::string::npos) << done.messages;
 }
 
 }  // namespace keyblock::yielding_rock_test

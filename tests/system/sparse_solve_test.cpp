@@ -6,7 +6,11 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <filesystem>
 #include <vector>
+
+#include "base/loop.hpp"
+#include "system/sparse_factor.hpp"
 
 namespace keyblock::sparse_solve_test {
 namespace {
@@ -56,6 +60,31 @@ TEST(SparseSolve, what_is_not_positive_definite_is_refused) {
   block(2, 2) = 0.5;
   EXPECT_THROW(solve(system_of(block), Definiteness::definite), NotPositiveDefinite);
   EXPECT_THROW(solve(system_of(Eigen::Matrix4d::Zero()), Definiteness::definite), NotPositiveDefinite);
+}
+
+// CHOLMOD would take four at fronts of this size, however many a run is to have.
+TEST(SparseSolve, a_run_of_one_thread_has_no_other_while_it_factorises) {
+  const std::filesystem::path tasks = "/proc/self/task";
+  if (!std::filesystem::exists(tasks)) GTEST_SKIP() << "threads are not listed here";
+  const auto count = [&] {
+    return std::distance(std::filesystem::directory_iterator(tasks), std::filesystem::directory_iterator());
+  };
+  constexpr int kSide = 80;  // of a grid of springs, each node held a little
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    entries.emplace_back(i, i, 4.01);
+    if (i % kSide + 1 < kSide) entries.emplace_back(i + 1, i, -1);
+    if (i + kSide < kSide * kSide) entries.emplace_back(i + kSide, i, -1);
+  }
+  Eigen::SparseMatrix<double> lower(kSide * kSide, kSide * kSide);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  const int wanted = loop_threads();
+  set_loop_threads(1);
+  const auto before = count();
+  SparseFactor factor(lower, Definiteness::definite);
+  factor.factorise(lower);
+  EXPECT_EQ(count(), before);
+  set_loop_threads(wanted);
 }
 
 // Springs between the functions only: all may move together, which a load without resultant does not.

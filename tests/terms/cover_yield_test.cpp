@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "geometry/polygon.hpp"
 #include "geometry/quadrature.hpp"
@@ -71,6 +73,33 @@ Continuum cracked(CoverFunctions functions, Plane plane, const Stress& initial) 
   continuum.materials[0].strength = nullptr;
   continuum.materials[0].crack_closure = CrackClosure{3e5, 1e-3};
   return continuum;
+}
+
+/// Of a free unit square, ascending, in rad / time; the first three are of rigid motion.
+Eigen::VectorXd frequencies(CoverFunctions functions, double h, double angle_deg) {
+  Continuum continuum;
+  MeshSetting mesh{h};
+  mesh.angle = angle_deg * std::numbers::pi / 180;
+  if (angle_deg == 0) mesh.through = {0, 0};
+  continuum.manifold = cut_body({rectangle_corners({0, 0}, {1, 1})}, mesh);
+  continuum.materials = {elastic_material(1, 0.3)};
+  continuum.materials[0].density = 1;
+  if (functions == CoverFunctions::constant)
+    continuum.materials[0].strength = std::make_shared<const Strength>(friction(1e6, 30, 30));
+  continuum.functions = functions;
+  continuum.plane = Plane::strain;
+  const ElasticBodies bodies(continuum);
+  const Eigen::Index n = bodies.unknown_count();
+  const YieldStates start = bodies.yield.start();
+  Eigen::MatrixXd stiffness(n, n), mass(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, j), small = 1e-6 * unit;
+    stiffness.col(j) = (bodies.force(small, start) - bodies.force(-small, start)) / 2e-6;
+    mass.col(j) = bodies.mass.times(unit);
+  }
+  stiffness = (stiffness + stiffness.transpose().eval()) / 2;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solved(stiffness, mass, Eigen::EigenvaluesOnly);
+  return solved.eigenvalues().cwiseMax(0).cwiseSqrt();
 }
 
 Eigen::VectorXd scattered(Eigen::Index count, double size, double seed) {
@@ -406,6 +435,33 @@ TEST(CoverYield, an_element_yields_where_half_of_its_weight_does) {
   plate.yield.add_totals(states, totals);
   EXPECT_EQ(totals.yielded_fraction(), 1);
   EXPECT_EQ(totals.yielding, 0);
+}
+
+// A free unit square of E 1 and density 1: what its covers hold without effort is rigid, and what they hold with too
+// little is counted. The smooth vibrations come right as h².
+TEST(CoverYield, soft_patterns_cost_energy_and_are_three_in_four_of_the_slow_vibrations) {
+  double coarse = 0;
+  for (const double h : {0.125, 0.0884}) {  // √2 apart
+    for (const double angle : {0.0, 10.0}) {
+      const Eigen::VectorXd averaged = frequencies(CoverFunctions::constant, h, angle);
+      const Eigen::VectorXd derived = frequencies(CoverFunctions::derived, h, angle);
+      EXPECT_LT(averaged(2), 1e-3) << "three rigid motions";
+      EXPECT_GT(averaged(3), 1) << "and no other without stiffness";
+      const auto below = [](const Eigen::VectorXd& all, double most) {
+        return std::ranges::count_if(all, [&](double omega) { return omega < most; }) - 3;
+      };
+      const auto share = static_cast<double>(below(averaged, 6)) / static_cast<double>(below(derived, 6));
+      EXPECT_GT(share, 2.5);
+      EXPECT_LT(share, 4.5);
+      double worst = 0;
+      for (Eigen::Index mode = 3; mode < 7; ++mode) worst = std::max(worst, 1 - averaged(mode) / derived(mode));
+      EXPECT_LT(worst, 0.035);
+      if (h == 0.125 && angle == 0) coarse = worst;
+      if (h != 0.125 && angle == 0) {
+        EXPECT_NEAR(worst / coarse, 0.5, 0.1);
+      }
+    }
+  }
 }
 
 TEST(CoverYield, rock_without_a_strength_is_left_to_its_elasticity) {

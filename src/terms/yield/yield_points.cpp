@@ -200,11 +200,12 @@ std::vector<YieldPoints::Share> YieldPoints::shares(int element, Point at_start)
   return shares;
 }
 
-double YieldPoints::greatest_size(std::size_t material) const {
-  double area = 0;
+YieldPoints::Greatest YieldPoints::greatest(std::size_t material) const {
+  Greatest found;
   for (const YieldPoint& point : points_)
-    if (point.law == material) area = std::max(area, point.rock.area);
-  return std::sqrt(area);
+    if (const double size = std::sqrt(point.rock.area); point.law == material && size > found.size)
+      found = {size, point.element};
+  return found;
 }
 
 }  // namespace keyblock
