@@ -111,7 +111,7 @@ class RunFolder {
   const Frame& first_frame() const { return frames_.front(); }
   const Frame& last_frame() const { return frames_.back(); }
   /// Of the last frame against the first.
-  Extremes extremes() const { return extremes_of(frames_.front(), frames_.back()); }
+  Extremes extremes(const FieldFrame& end) const { return extremes_of(frames_.front(), frames_.back(), end); }
 
   /// Names of what was written, in order.
   const std::vector<std::string>& outputs() const { return files_.names(); }

@@ -190,7 +190,7 @@ bool RunJob::run(const RunListener& listener) {
 void RunJob::judge() {
   const Place& place = options_.place;
   record_.warnings = joined(record_.warnings, watch_.warnings(place));
-  record_.extremes = folder_.extremes();
+  record_.extremes = folder_.extremes(record_.outcome.field);
   record_.plastic = plastic_extremes_of(folder_.last_frame());
   record_.reactions = reaction_curves(history_);
   record_.warnings = joined(record_.warnings, remarks_on_outputs());

@@ -25,6 +25,13 @@ double greatest_displacement(const ElementFrame* start, const ElementFrame& afte
   return greatest;
 }
 
+double greatest_displacement(const FieldElement& element) {
+  double greatest = 0;
+  for (const auto& loop : element.loops)
+    for (const FieldCorner& corner : loop) greatest = std::max(greatest, length(corner.displacement));
+  return greatest;
+}
+
 }  // namespace
 
 std::pair<double, double> principal(const Stress& stress) {
@@ -37,13 +44,15 @@ double principal_angle(const Stress& stress) {
   return std::atan2(2 * stress.xy, stress.xx - stress.yy) / 2;
 }
 
-Extremes extremes_of(const Frame& start, const Frame& end) {
+Extremes extremes_of(const Frame& start, const Frame& end, const FieldFrame& field) {
   Extremes found;
+  const bool is_from_drawing = field.elements.size() == end.elements.size();
   const ElementsByNumber before(start);
   for (std::size_t e = 0; e < end.elements.size(); ++e) {
     const int index = number_of(end, e);
     const ElementFrame* first = before.find(index);
-    const double displacement = greatest_displacement(first, end.elements[e]);
+    const double displacement =
+        is_from_drawing ? greatest_displacement(field.elements[e]) : greatest_displacement(first, end.elements[e]);
     const auto [least, greatest] = principal(end.elements[e].stress);
     if (displacement > found.displacement) {
       found.displacement = displacement;

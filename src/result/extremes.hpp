@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "result/field_frame.hpp"
 #include "result/frame.hpp"
 
 namespace keyblock {
@@ -17,7 +18,7 @@ std::pair<double, double> principal(const Stress& stress);
 double principal_angle(const Stress& stress);
 
 struct Extremes {
-  double displacement = 0;     ///< greatest of a vertex
+  double displacement = 0;     ///< greatest of a corner
   int displaced_element = 0;   ///< whose vertex that is, its number from 0
   double least_stress = 0;     ///< principal, tension positive, of the mean stresses of elements
   int compressed_element = 0;  ///< number from 0
@@ -39,7 +40,9 @@ struct PlasticExtremes {
 std::optional<PlasticExtremes> plastic_extremes_of(const Frame& end);
 
 /// Of the instant `end` of a run that began with `start`; elements are known by their numbers. Without any, all zero
-/// and the share of area 1.
-Extremes extremes_of(const Frame& start, const Frame& end);
+/// and the share of area 1. `field`: the same instant within the elements, whose displacements count from where these
+/// were drawn, as histories and pictures do; without elements they count from `start`, to which a start in equilibrium
+/// has moved them.
+Extremes extremes_of(const Frame& start, const Frame& end, const FieldFrame& field = {});
 
 }  // namespace keyblock

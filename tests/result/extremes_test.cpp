@@ -47,6 +47,17 @@ TEST(Extremes, name_the_elements_that_moved_and_bore_most) {
   EXPECT_DOUBLE_EQ(extremes_of(start, end).displacement, 6);
 }
 
+// A start in equilibrium had moved the square by 3 before the first frame, the run by 4 across.
+TEST(Extremes, displacements_count_from_the_drawing_where_the_field_tells_them) {
+  const Frame start = frame_of({triangle({3, 0}, {})});
+  const Frame end = frame_of({triangle({3, 4}, {})});
+  FieldFrame field;
+  field.elements.resize(1);
+  field.elements[0].loops = {{{{0, 0}, {3, 4}, {}}, {{1, 0}, {3, 4}, {}}, {{0, 1}, {3, 3}, {}}}};
+  EXPECT_DOUBLE_EQ(extremes_of(start, end, field).displacement, 5);
+  EXPECT_DOUBLE_EQ(extremes_of(start, end).displacement, 4);
+}
+
 TEST(Extremes, pressure_on_all_sides_has_no_tension) {
   const Frame end = frame_of({triangle({0, 0}, {-2, -3, 0})});
   EXPECT_EQ(extremes_of(end, end).greatest_stress, -2);

@@ -15,6 +15,7 @@
 namespace keyblock::report {
 namespace {
 
+constexpr double kRoundOff = 1e-9;  // of the range of a scale: what is beyond it by less is not
 constexpr double kExtreme = 0.005;  // share of patches, or of their area, beyond either end of the colours
 
 using Stops = std::array<std::array<double, 3>, 5>;
@@ -128,8 +129,9 @@ std::string ColourScale::colour(double value) const {
   return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
 }
 
-ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map) {
-  if (patches.empty()) return {};
+namespace {
+
+ColourScale ends_of(const std::vector<Patch>& patches, ColourScale::Map map) {
   if (map == ColourScale::Map::rising) {
     std::vector<Patch> risen;
     std::ranges::copy_if(patches, std::back_inserter(risen), [](const Patch& patch) { return patch.value > 0; });
@@ -152,6 +154,18 @@ ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map) {
   return scale;
 }
 
+}  // namespace
+
+ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map) {
+  if (patches.empty()) return {};
+  ColourScale scale = ends_of(patches, map);
+  const double round_off = kRoundOff * (scale.high - scale.low);
+  const auto [least, most] = std::ranges::minmax(patches, {}, &Patch::value);
+  scale.has_below = least.value < scale.low - round_off;
+  scale.has_above = most.value > scale.high + round_off;
+  return scale;
+}
+
 void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& patches, const ColourScale& scale,
                   double seam) {
   for (const Patch& patch : patches) {
@@ -167,9 +181,11 @@ void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourSca
     const std::string colour = scale.colour(std::lerp(scale.high, scale.low, share));
     page.rectangle({corner.x, corner.y + height * i / kSteps}, 14, height / kSteps + 0.4, {.fill = colour});
   }
-  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const std::string_view beyond = share == 0 && scale.has_above ? "≥ " : share == 1 && scale.has_below ? "≤ " : "";
     page.text({corner.x + 20, corner.y + share * height + 4},
-              fmt::format("{:.3g}", std::lerp(scale.high, scale.low, share)), {.size = 11});
+              fmt::format("{}{:.3g}", beyond, std::lerp(scale.high, scale.low, share)), {.size = 11});
+  }
   page.text({corner.x, corner.y - 8}, name, {.size = 12, .bold = true});
 }
 

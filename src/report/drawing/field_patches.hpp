@@ -57,6 +57,8 @@ struct ColourScale {
   double low = 0;
   double high = 1;
   Map map = Map::diverging;
+  bool has_below = false;  ///< values beyond an end have its colour
+  bool has_above = false;
 
   std::string colour(double value) const;
 };

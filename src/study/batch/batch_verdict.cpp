@@ -11,12 +11,21 @@
 namespace keyblock::study {
 namespace {
 
+// Times nearer than this share end together; runs whose steps are cut end earlier.
+constexpr double kSameEnd = 0.01;
+
 using report::CatalogueAnswer;
 using report::CatalogueVerdict;
 
 std::string place_of(const CatalogueAnswer& answer) {
   return fmt::format("{:.4g} in {} (element {})", answer.measures->displacement, answer.profile,
                      answer.measures->displaced_element);
+}
+
+/// Empty where they are the same.
+std::string of_their_ends(const CatalogueAnswer& one, const CatalogueAnswer& other) {
+  if (std::abs(one.time - other.time) <= kSameEnd * std::max(one.time, other.time)) return {};
+  return fmt::format("; {} ends at time {:.4g}, {} at {:.4g}", one.profile, one.time, other.profile, other.time);
 }
 
 /// Empty where the two agree.
@@ -26,13 +35,13 @@ std::string how_they_differ(const CatalogueAnswer& one, const CatalogueAnswer& o
   if (!(larger > 0)) return {};
   const double anywhere = std::abs(one.measures->displacement - other.measures->displacement) / larger;
   if (anywhere > kAgreement)
-    return fmt::format("greatest displacement {} and {}: {:.0f} % apart", place_of(one), place_of(other),
-                       100 * anywhere);
+    return fmt::format("greatest displacement {} and {}: {:.0f} % apart{}", place_of(one), place_of(other),
+                       100 * anywhere, of_their_ends(one, other));
   if (one.of_what.empty() || one.of_what != other.of_what) return {};
   const double apart = std::hypot(one.dx - other.dx, one.dy - other.dy);
   if (apart <= kAgreement * larger) return {};
-  return fmt::format("{} ends {:.4g} apart in {} and {}: {:.0f} % of the greatest displacement", one.of_what, apart,
-                     one.profile, other.profile, 100 * apart / larger);
+  return fmt::format("{} ends {:.4g} apart in {} and {}: {:.0f} % of the greatest displacement{}", one.of_what, apart,
+                     one.profile, other.profile, 100 * apart / larger, of_their_ends(one, other));
 }
 
 }  // namespace

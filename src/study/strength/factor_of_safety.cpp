@@ -20,6 +20,10 @@ constexpr double kDown = 0.8;
 constexpr double kFarthest = 16;  // times the first factor, or its part
 // Of half the scene's extent: displacements below it are none, as those of rigid blocks are.
 constexpr double kNoDisplacement = 1e-5;
+// Of the same: what has come so far has slid, and stands where it lies; a reference for the knee is sought below. Where a
+// weaker reduction moves nearly as far it is softness, not slip.
+constexpr double kSlid = 0.01;
+constexpr double kAsFar = 0.95;
 
 using Trials = std::map<double, TrialOutcome>;  // by factor
 
@@ -47,8 +51,9 @@ class FactorSearch {
  private:
   SearchEnd search() {
     Verdict verdict = made_at(first_);
+    if (verdict == Verdict::stands) verdict = seek_reference();
     double factor = first_;
-    if (verdict == Verdict::falls && options_.from) return SearchEnd::falls;
+    if (verdict == Verdict::falls && options_.from && !bracket_of(verdict_).stands) return SearchEnd::falls;
     while (verdict == Verdict::stands && factor < most_)
       verdict = made_at(factor = std::min(most_, options_.to && options_.from ? most_ : factor * kUp));
     if (verdict == Verdict::stands) return SearchEnd::stands;
@@ -63,6 +68,19 @@ class FactorSearch {
     }
     if (bracket_of(balance_).is_closed()) bisect(balance_);
     return SearchEnd::bracketed;
+  }
+
+  /// Goes down while the first trial, though in equilibrium, is one of a case that has slid before it found that.
+  Verdict seek_reference() {
+    const double far = kSlid * trials_.prepared().scene.model.scale;
+    double displacement = made_.at(first_).told.displacement;
+    for (double factor = first_ * kDown; displacement > far && factor > first_ / kFarthest; factor *= kDown) {
+      if (made_at(factor) != Verdict::stands) break;
+      const double now = made_.at(factor).told.displacement;
+      if (now > kAsFar * displacement) break;
+      displacement = now;
+    }
+    return made_.at(first_).told.verdict;
   }
 
   using Sign = std::function<Verdict(const StrengthTrial&)>;
