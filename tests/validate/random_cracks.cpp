@@ -1,7 +1,8 @@
 // A thousand scenes with random cracks: all are cut, solved at rest and carried in flight. Prints what is left of area,
 // balance and momentum; fails where a scene fails, area is off by 1e-12, the residual or momentum by 1e-10, or a domain
 // about a tip is refused and does not say why. `free`: the cracks cut off a piece that nothing holds, and statics say
-// so; `unfit`: linear covers are refused in flight, a piece being too thin for their mass. Angular momentum over steps and energy are printed beside it.
+// so; `unfit`: linear covers are refused in flight, a piece being too thin for their mass. Angular momentum over steps
+// and energy are printed beside it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_cracks.hpp"
 
