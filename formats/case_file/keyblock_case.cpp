@@ -126,7 +126,8 @@ constexpr double kMostSnapping = 0.1;
 
 void check(const MeshPlan& mesh, const Place& covers) {
   const Place& place = mesh.place.line > 0 ? mesh.place : covers;
-  if ((mesh.half_rows > 0) == (mesh.side > 0))
+  const bool may_be_of_a_file = mesh.tip_side > 0 || !mesh.refined.empty();
+  if ((mesh.half_rows > 0) == (mesh.side > 0) && (mesh.side > 0 || !may_be_of_a_file))
     throw InputError(place, fmt::format("expected a mesh with one of half_rows and side, found {}",
                                         mesh.side > 0 ? "both" : "none above 0"));
   if (mesh.kind == MeshKind::unstructured && mesh.half_rows > 0)

@@ -137,7 +137,7 @@ Geometry on_covers(const Problem& problem, const Settings& settings, const Place
     CoverModel made = cover_model(problem, settings);
     geometry.cut.warnings = std::move(made.warnings);
     geometry.model = std::move(made.model);
-  } else if (const auto* cover = std::get_if<Cover>(&problem.geometry)) {
+  } else if (const auto* cover = std::get_if<Cover>(&problem.geometry); cover != nullptr && !problem.covers) {
     geometry.model = by_old_rules(*cover, *problem.analysis, settings);
   } else {
     throw InputError(place, "expected profile standard for bodies on covers, found legacy");

@@ -2,8 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_inertia.hpp"
 
+#include "geometry/polygon.hpp"
+
 namespace keyblock {
 namespace {
+
+constexpr double kSmallPiece = 0.01;  // of its triangle
+
+Eigen::MatrixXd mass_by_points(const Continuum& continuum, int element, const ElementShape& shape) {
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(shape.function_count(), shape.function_count());
+  for (const AreaPoint& point : area_rule(continuum.manifold, element, shape, 2 * shape.degree)) {
+    const Eigen::RowVectorXd values = shape.values(point.at);
+    mass += point.weight * values.transpose() * values;
+  }
+  return continuum.material(element).density * mass;
+}
 
 Eigen::VectorXd moments_of(const Continuum& continuum, int element, const ElementShape& shape, int degree) {
   const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(element)]);
@@ -11,6 +24,13 @@ Eigen::VectorXd moments_of(const Continuum& continuum, int element, const Elemen
 }
 
 }  // namespace
+
+bool is_small_piece(const Manifold& manifold, int element) {
+  const ManifoldElement& piece = manifold.elements[static_cast<std::size_t>(element)];
+  double covered = 0;
+  for (const std::vector<Point>& loop : manifold.polygon(piece)) covered += area(loop);
+  return covered < kSmallPiece * area(manifold.triangle(piece));
+}
 
 Eigen::MatrixXd monomial_mass(int degree, const Eigen::VectorXd& moments, double density) {
   const std::vector<Exponents> list = exponents(degree);
@@ -31,10 +51,16 @@ Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& mom
 }
 
 void add_cover_mass(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {
+  // Those of linear and quadratic covers are not: where a piece is too thin for them the mass says so, and the scene is
+  // refused. They would move by forces that no mass answers.
+  const bool are_independent =
+      continuum.functions == CoverFunctions::constant || continuum.functions == CoverFunctions::derived;
   for (int e = 0; e < basis.element_count(); ++e) {
     const ElementShape shape = basis.shape(e);
-    const Eigen::VectorXd moments = moments_of(continuum, e, shape, 2 * shape.degree);
-    const Eigen::MatrixXd mass = cover_mass(shape, moments, continuum.material(e).density);
+    const Eigen::MatrixXd mass =
+        are_independent && is_small_piece(continuum.manifold, e)
+            ? mass_by_points(continuum, e, shape)
+            : cover_mass(shape, moments_of(continuum, e, shape, 2 * shape.degree), continuum.material(e).density);
     Eigen::MatrixXd both = Eigen::MatrixXd::Zero(2 * mass.rows(), 2 * mass.cols());
     for (Eigen::Index a = 0; a < mass.rows(); ++a) {
       for (Eigen::Index b = 0; b < mass.cols(); ++b) both(2 * a, 2 * b) = both(2 * a + 1, 2 * b + 1) = mass(a, b);

@@ -14,6 +14,10 @@ Eigen::MatrixXd monomial_mass(int degree, const Eigen::VectorXd& moments, double
 /// frame, to twice its degree. Exact for any polygon.
 Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& moments, double density);
 
+/// Whether an element is so small in its triangle that a function may be, too: then its products are the round-off of
+/// moments about the middle of the triangle, and no longer positive. Summed over points they are.
+bool is_small_piece(const Manifold& manifold, int element);
+
 /// A += M: ½ vᵀ M v is the kinetic energy at any configuration, for x = X + Σ N_a d_a is linear in d.
 void add_cover_mass(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_stiffness.hpp"
 
+#include "terms/cover_inertia.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -50,7 +52,7 @@ Eigen::MatrixXd stiffness_of(const GradientProducts& products, const Eigen::Matr
   return stiffness;
 }
 
-/// By points: of functions that are no polynomials.
+/// By points: of functions that are no polynomials, and of pieces too small for moments.
 GradientProducts products_at_points(const Manifold& manifold, int element, const ElementShape& shape) {
   const Eigen::Index n = shape.function_count();
   GradientProducts sum{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
@@ -77,7 +79,7 @@ Eigen::MatrixXd cover_stiffness(const ElementShape& shape, const Eigen::VectorXd
 void add_cover_stiffness(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {
   for (int e = 0; e < basis.element_count(); ++e) {
     const ElementShape shape = basis.shape(e);
-    if (shape.tip != nullptr) {
+    if (shape.tip != nullptr || is_small_piece(continuum.manifold, e)) {
       const GradientProducts products = products_at_points(continuum.manifold, e, shape);
       system.add_matrix(shape.functions, stiffness_of(products, continuum.modulus(e)));
       continue;

@@ -36,8 +36,10 @@ std::vector<int> neighbours_of(const Manifold& manifold, const ManifoldElement& 
   return found;
 }
 
-/// Whether the element's triangle holds a tip, or has one on its edge: no polynomial goes on from there.
-bool is_at_tip(const Manifold& manifold, int element) {
+/// Whether the element has near-tip functions and its triangle holds a tip, or has one on its edge: no polynomial goes
+/// on from there.
+bool is_at_tip(const Manifold& manifold, const CoverBasis& basis, int element) {
+  if (basis.shape(element).tip == nullptr) return false;
   const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[static_cast<std::size_t>(element)]);
   return std::any_of(manifold.tips.begin(), manifold.tips.end(),
                      [&](const CrackTip& tip) { return side(triangle, tip.at) != Side::outside; });
@@ -55,7 +57,7 @@ std::vector<GhostPair> ghost_pairs(const Manifold& manifold, const CoverBasis& b
       const bool is_counted = cut[static_cast<std::size_t>(e)] != 0 || cut[static_cast<std::size_t>(other)] != 0;
       const int beyond = manifold.elements[static_cast<std::size_t>(other)].triangle;
       if (other < e || !is_counted || beyond == element.triangle) continue;
-      if (basis.has_tip_functions() && (is_at_tip(manifold, e) || is_at_tip(manifold, other))) continue;
+      if (is_at_tip(manifold, basis, e) || is_at_tip(manifold, basis, other)) continue;
       std::vector<int> functions(basis.shape(e).functions.begin(), basis.shape(e).functions.end());
       const auto of_other = basis.shape(other).functions;
       functions.insert(functions.end(), of_other.begin(), of_other.end());

@@ -257,7 +257,58 @@ class FromCover {
   std::vector<std::pair<int, int>> merged_;  // slots at both ends of bridges: the first is the corner of the second
 };
 
+/// Pieces by their ends; one whose reverse is there already is its other side.
+class GraphOfBodies {
+ public:
+  explicit GraphOfBodies(const Manifold& manifold) : manifold_(manifold) { graph_.materials = manifold.body_materials; }
+
+  BodyGraph run() {
+    for (const ManifoldElement& element : manifold_.elements) {
+      add(element.body, element.outer);
+      for (const SlotRange& hole : manifold_.holes_of(element)) add(element.body, hole);
+    }
+    return std::move(graph_);
+  }
+
+ private:
+  void add(int body, const SlotRange& range) {
+    const std::span<const ElementCorner> loop = manifold_.loop(range);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (loop[i].neighbour < 0)
+        add_piece(body, node_at(loop[i].position), node_at(loop[(i + 1) % loop.size()].position),
+                  loop[i].joint_material);
+  }
+
+  void add_piece(int body, int from, int to, int joint_material) {
+    const auto other = pieces_.find({to, from});
+    if (other == pieces_.end()) {
+      pieces_.emplace(std::pair(from, to), graph_.pieces.size());
+      graph_.pieces.push_back({from, to, false, body, -1, joint_material});
+      return;
+    }
+    BodyPiece& piece = graph_.pieces[other->second];
+    piece.is_slit = piece.left == body;
+    piece.right = body;
+    if (piece.is_slit) piece.left = piece.right = -1;
+  }
+
+  int node_at(Point p) {
+    const auto [at, is_new] = nodes_.try_emplace({p.x, p.y}, static_cast<int>(graph_.nodes.size()));
+    if (is_new) graph_.nodes.push_back(p);
+    return at->second;
+  }
+
+  const Manifold& manifold_;
+  BodyGraph graph_;
+  std::map<std::pair<double, double>, int> nodes_;
+  std::map<std::pair<int, int>, std::size_t> pieces_;
+};
+
 }  // namespace
+
+BodyGraph body_graph_of(const Manifold& manifold) {
+  return GraphOfBodies(manifold).run();
+}
 
 Manifold manifold_of(const Cover& cover) {
   return FromCover(cover).run();

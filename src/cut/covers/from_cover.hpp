@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cut/bodies/body_graph.hpp"
 #include "problem/cover.hpp"
 #include "problem/manifold.hpp"
 
@@ -15,6 +16,10 @@ namespace keyblock {
 /// hole again. Throws InputError where an edge is neither, a loop leaves the edges of elements, or a triangle is not
 /// counter-clockwise.
 Manifold manifold_of(const Cover& cover);
+
+/// The outlines of the bodies, with the joints that end inside them as slits, in pieces from corner to corner of the
+/// elements: what cuts another mesh as the old one was cut.
+BodyGraph body_graph_of(const Manifold& manifold);
 
 /// The points of the file.
 ElementPoints points_of(const Cover& cover);

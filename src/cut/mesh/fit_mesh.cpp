@@ -28,6 +28,9 @@ void require_fewer(double triangles, double side) {
 TriangleMesh regular(const MeshPlan& plan, const Box& box) {
   const bool is_aligned = plan.placement == MeshPlacement::aligned;
   const int rows = std::max(plan.half_rows, 1);
+  if (plan.half_rows <= 0 && !(plan.side > 0))
+    throw std::invalid_argument(
+        "expected a mesh with one of half_rows and side beside a drawing or blocks, found none");
   RegularMesh mesh = is_aligned ? aligned_mesh(box, rows, plan.shape) : centred_mesh(box, rows, plan.shape);
   if (plan.half_rows == 0) {
     const double high = mesh.dy / mesh.dx;
@@ -97,6 +100,15 @@ TriangleMesh unstructured(const MeshPlan& plan, const BodyGraph& graph, const Bo
   return unstructured_mesh(box, size, along);
 }
 
+FittedMesh with_nodes_at_lines(TriangleMesh mesh, const MeshPlan& plan, const BodyGraph& graph,
+                               std::span<const Point> tips) {
+  FittedMesh fitted{std::move(mesh)};
+  if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box_of(graph)));
+  // Else meshes stay as they are.
+  if (plan.tip_side > 0 || plan.tip_functions.are_asked()) place_nodes(fitted.mesh, tips);
+  return fitted;
+}
+
 }  // namespace
 
 Box box_of(const BodyGraph& graph) {
@@ -111,13 +123,13 @@ Box box_of(const BodyGraph& graph) {
 
 FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph, std::span<const Point> tips) {
   const Box box = box_of(graph);
-  FittedMesh fitted;
-  fitted.mesh = plan.kind == MeshKind::regular ? bisected(regular(plan, box), plan, refined_points(plan, box, tips))
-                                               : unstructured(plan, graph, box, tips);
-  if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box));
-  // Else meshes stay as they are.
-  if (plan.tip_side > 0 || plan.tip_functions.are_asked()) place_nodes(fitted.mesh, tips);
-  return fitted;
+  if (plan.kind == MeshKind::regular) return refitted_mesh(regular(plan, box), plan, graph, tips);
+  return with_nodes_at_lines(unstructured(plan, graph, box, tips), plan, graph, tips);
+}
+
+FittedMesh refitted_mesh(TriangleMesh mesh, const MeshPlan& plan, const BodyGraph& graph, std::span<const Point> tips) {
+  mesh = bisected(std::move(mesh), plan, refined_points(plan, box_of(graph), tips));
+  return with_nodes_at_lines(std::move(mesh), plan, graph, tips);
 }
 
 }  // namespace keyblock

@@ -26,4 +26,8 @@ Box box_of(const BodyGraph& graph);
 /// where a length of the plan is none, or the mesh would be too large.
 FittedMesh fitted_mesh(const MeshPlan& plan, const BodyGraph& graph, std::span<const Point> tips = {});
 
+/// The same of a mesh that is there already, as in a cover file: refined where the plan says, by its own triangles.
+FittedMesh refitted_mesh(TriangleMesh mesh, const MeshPlan& plan, const BodyGraph& graph,
+                         std::span<const Point> tips = {});
+
 }  // namespace keyblock

@@ -18,11 +18,14 @@ namespace {
 
 constexpr double kSidesOfRadius = 3;   // K of fra-01 within 0.3 % with sides of a/5; 2 sides: 0.9 %
 constexpr double kSidesOfPatch = 1.5;  // beyond R; without them 1.8 %
-constexpr double kAhead = 1e-6;        // of a side: where straight ahead begins
-constexpr double kSameAngle = 1e-6;    // rad; where θ is torn it differs by a turn
-constexpr double kDependent = 1e-12;   // of the greatest eigenvalue: such a combination says nothing
-constexpr double kRound = 1 + 1e-9;    // of R: nodes on its circle belong to it
-constexpr int kPlainDegree = 8;        // of quadrature, far from the tip
+// Of R: a tip with another line or tip nearer than this has a field of its own only where hardly an element sees it.
+// 1e-7 away the functions of two tips differ by no more than round-off, and residuals of 1e-9 are left.
+constexpr double kLeastRoom = 0.003;
+constexpr double kAhead = 1e-6;       // of a side: where straight ahead begins
+constexpr double kSameAngle = 1e-6;   // rad; where θ is torn it differs by a turn
+constexpr double kDependent = 1e-12;  // of the greatest eigenvalue: such a combination says nothing
+constexpr double kRound = 1 + 1e-9;   // of R: nodes on its circle belong to it
+constexpr int kPlainDegree = 8;       // of quadrature, far from the tip
 
 double size_of(const std::array<Point, 3>& t) {
   return std::sqrt(2 / std::sqrt(3.0) * cross(t[1] - t[0], t[2] - t[0]));
@@ -82,6 +85,7 @@ void TipEnrichment::add_tip(int tip, const TipFunctionPlan& plan) {
   if (at_tip.empty()) return;
   const double side = side_at(at_tip);
   const double radius = kRound * (plan.radius > 0 ? plan.radius : kSidesOfRadius * side);
+  if (manifold_.tips[static_cast<std::size_t>(tip)].room < kLeastRoom * radius) return;
   const auto node_distance = [&](int cover) {
     const int node = manifold_.covers[static_cast<std::size_t>(cover)].node;
     return distance(manifold_.mesh.nodes[static_cast<std::size_t>(node)], axes.at);

@@ -91,7 +91,7 @@ CutResult blocks_of(const Problem& problem, const Settings& settings) {
 
 CoverModel cover_model(const Problem& problem, const Settings& settings) {
   if (const auto* cover = std::get_if<Cover>(&problem.geometry))
-    return of_cover_file(*cover, *problem.analysis, settings);
+    return problem.covers ? all_on_covers(problem, settings) : of_cover_file(*cover, *problem.analysis, settings);
   if (problem.covers->mesh.materials.empty()) return all_on_covers(problem, settings);
   // Joints that end inside blocks are pruned, as they are in blocks.
   CutResult cut = blocks_of(problem, settings);

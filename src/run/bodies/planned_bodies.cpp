@@ -8,13 +8,14 @@
 #include "cut/bodies/cracks.hpp"
 #include "cut/bodies/excavate.hpp"
 #include "cut/covers/cut_cover.hpp"
+#include "cut/covers/from_cover.hpp"
 #include "cut/covers/join_manifolds.hpp"
 #include "cut/mesh/fit_mesh.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr const char* kNoBodies = "expected a drawing or blocks beside covers, found neither";
+constexpr const char* kNoBodies = "expected a drawing, blocks or a cover file beside covers, found neither";
 
 /// All bodies in one graph, only to lay the mesh over them: pieces may lie on one another.
 BodyGraph together(const std::vector<BodyGraph>& graphs) {
@@ -31,6 +32,28 @@ BodyGraph together(const std::vector<BodyGraph>& graphs) {
   return all;
 }
 
+void require_no_mesh(const MeshPlan& mesh, const Place& covers) {
+  if (mesh.half_rows > 0 || mesh.side > 0 || mesh.kind != MeshKind::regular || !mesh.materials.empty())
+    throw InputError(
+        mesh.place.line > 0 ? mesh.place : covers,
+        "expected only tip_side, refined, tip_functions and snap_ratio of a mesh beside a cover file, which "
+        "has one, found a mesh of its own");
+}
+
+/// The points of a cover file, by bodies.
+Blocks points_by_bodies(const Cover& cover, const Manifold& manifold) {
+  Blocks blocks;
+  blocks.place = cover.place;
+  const auto add = [&](const std::vector<CoverPoint>& from, std::vector<BlockPoint>& to) {
+    for (const CoverPoint& point : from)
+      to.push_back({point.position, manifold.elements[static_cast<std::size_t>(point.element)].body, point.place});
+  };
+  add(cover.fixed_points, blocks.fixed_points);
+  add(cover.loading_points, blocks.loading_points);
+  add(cover.measured_points, blocks.measured_points);
+  return blocks;
+}
+
 // The last kink is one increment behind a tip, and its domain has to lie between them.
 constexpr double kSidesOfIncrement = 16;
 
@@ -44,6 +67,10 @@ double tip_side_of(const CoverPlan& plan) {
 bool bodies_touch(const Problem& problem) {
   if (!problem.covers->cracks.empty()) return true;
   if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->blocks.size() > 1;
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry)) {
+    const BodyGraph graph = body_graph_of(manifold_of(*cover));
+    return graph.materials.size() > 1 || std::ranges::any_of(graph.pieces, &BodyPiece::is_slit);
+  }
   const auto* drawing = std::get_if<Drawing>(&problem.geometry);
   if (drawing == nullptr) throw InputError(problem.covers->place, kNoBodies);
   const BodyGraph graph = cut_bodies(*drawing).graph;
@@ -51,6 +78,7 @@ bool bodies_touch(const Problem& problem) {
 }
 
 PlannedBodies::PlannedBodies(const Problem& problem) : problem_(problem) {
+  std::optional<TriangleMesh> given;
   if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) {
     BodyCut cut = cut_bodies(*drawing);
     blocks_ = std::move(cut.blocks.blocks);
@@ -59,6 +87,12 @@ PlannedBodies::PlannedBodies(const Problem& problem) : problem_(problem) {
   } else if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) {
     for (const BlockPolygon& block : blocks->blocks) graphs_.push_back(graph_of(block));
     blocks_ = *blocks;
+  } else if (const auto* cover = std::get_if<Cover>(&problem.geometry)) {
+    require_no_mesh(problem.covers->mesh, problem.covers->place);
+    Manifold manifold = manifold_of(*cover);
+    blocks_ = points_by_bodies(*cover, manifold);
+    graphs_.push_back(body_graph_of(manifold));
+    given = std::move(manifold.mesh);
   } else {
     throw InputError(problem.covers->place, kNoBodies);
   }
@@ -70,7 +104,8 @@ PlannedBodies::PlannedBodies(const Problem& problem) : problem_(problem) {
   try {
     MeshPlan plan = problem.covers->mesh;
     plan.tip_side = tip_side_of(*problem.covers);
-    mesh_ = fitted_mesh(plan, together(graphs_), tips).mesh;
+    const BodyGraph all = together(graphs_);
+    mesh_ = given ? refitted_mesh(std::move(*given), plan, all, tips).mesh : fitted_mesh(plan, all, tips).mesh;
   } catch (const std::invalid_argument& error) {
     const Place& mesh = problem.covers->mesh.place;
     throw InputError(mesh.line > 0 ? mesh : problem.covers->place, error.what());
@@ -82,10 +117,25 @@ bool PlannedBodies::changes_at(int step) const {
 }
 
 Manifold PlannedBodies::at(int step) const {
+  try {
+    return cut_at(step);
+  } catch (const std::invalid_argument&) {
+    if (!std::holds_alternative<Cover>(problem_.geometry)) throw;
+    throw InputError(
+        problem_.covers->place,
+        "expected a cover file whose triangles hold all of its bodies, found some of them beside these, as "
+        "the old cutter leaves small pieces: cut its drawing anew");
+  }
+}
+
+Manifold PlannedBodies::cut_at(int step) const {
   std::vector<Region> regions;
   for (const ExcavationPlan& excavation : problem_.covers->excavations)
     if (excavation.step <= step) regions.push_back({excavation.outline, excavation.joint_material});
   if (!regions.empty()) {
+    if (std::holds_alternative<Cover>(problem_.geometry))
+      throw InputError(problem_.covers->excavations.front().place,
+                       "expected excavations of a drawing or of blocks, found them of a cover file");
     const auto* blocks = std::get_if<Blocks>(&problem_.geometry);
     const Drawing drawing = blocks != nullptr ? lines_of(*blocks) : std::get<Drawing>(problem_.geometry);
     BodyGraph left = excavated(drawing, regions, NodeMerging::nearest_first, blocks);

@@ -13,8 +13,8 @@ namespace keyblock {
 
 class PlannedBodies {
  public:
-  /// `problem` has a drawing or blocks, an analysis and covers; views it. Throws InputError where it has not, or where
-  /// the mesh cannot be.
+  /// `problem` has a drawing, blocks or a cover file, an analysis and covers; views it. Throws InputError where it has
+  /// not, or where the mesh cannot be. The mesh of a cover file is its own, bisected where the plan says.
   explicit PlannedBodies(const Problem& problem);
 
   /// The bodies at a load step; at 0 whole. Throws InputError where nothing is left.
@@ -28,6 +28,8 @@ class PlannedBodies {
   const Warnings& warnings() const { return warnings_; }
 
  private:
+  Manifold cut_at(int step) const;
+
   const Problem& problem_;
   std::vector<BodyGraph> graphs_;  ///< of the whole bodies: one for a drawing, one a block
   TriangleMesh mesh_;

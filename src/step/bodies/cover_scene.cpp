@@ -58,14 +58,23 @@ class StepAnswer : public SharedFlexibility {
   const Functions& functions_;
 };
 
+PartFactors mass_factors(const ElasticBodies& bodies) {
+  const auto factors = [&](Definiteness definiteness) {
+    PartFactors made(bodies.mass, bodies.rigid.functions(), definiteness);
+    made.factorise(bodies.mass);
+    return made;
+  };
+  try {
+    return factors(definiteness_of(bodies.continuum.functions));
+  } catch (const NotPositiveDefinite&) {  // of covers on thin pieces alone, where functions are nearly one
+    return factors(Definiteness::semidefinite);
+  }
+}
+
 class MassAnswer : public SharedFlexibility {
  public:
   MassAnswer(const ElasticBodies& bodies)
-      : functions_(bodies.rigid.functions()),
-        factors_(bodies.mass, functions_, definiteness_of(bodies.continuum.functions)),
-        size_(bodies.unknown_count()) {
-    factors_.factorise(bodies.mass);
-  }
+      : functions_(bodies.rigid.functions()), factors_(mass_factors(bodies)), size_(bodies.unknown_count()) {}
   Eigen::Index size() const override { return size_; }
   Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
     return by_body(functions_, forces,
