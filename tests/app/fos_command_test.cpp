@@ -87,6 +87,30 @@ TEST(FosCommand, what_is_not_small_is_not_left_out) {
   EXPECT_EQ(found["left_out"], Json::array());
 }
 
+// The body on a circle slides by 0.17 of its height until its toe stops it, and is in equilibrium there: at factors that
+// are told to stand it has not, wherever the search begins.
+TEST(FosCommand, a_case_that_has_slid_does_not_stand) {
+  const std::string circle = KEYBLOCK_SOURCE_DIR "/legacy_cases/circle_slope/circle_slope";
+  double factor = 0;
+  for (const char* from : {"1", "0.1"}) {
+    std::vector<std::string> words{"fos", circle + ".geo", circle + ".ana", "--json"};
+    if (from != std::string("1")) words.insert(words.end(), {"--from", from});
+    const ProgramRun run = run_keyblock(words);
+    EXPECT_EQ(run.exit_code, 1) << "below 1: " << run.messages;
+    const Json found = Json::parse(run.output);
+    for (const Json& trial : found["trials"])
+      if (trial["verdict"] == "stands") {
+        EXPECT_LT(trial["largest_displacement"], 0.01) << from << ": " << trial;
+      }
+    ASSERT_TRUE(found["bracket"]["stands"].is_number()) << found;
+    const double stands = found["bracket"]["stands"];
+    if (factor > 0) {
+      EXPECT_NEAR(stands, factor, 0.02);
+    }
+    factor = stands;
+  }
+}
+
 TEST(FosCommand, brackets_a_block_on_a_plane) {
   const ProgramRun run = run_keyblock({"fos", kBlock, "--json", "--to-within", "1e-3"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;

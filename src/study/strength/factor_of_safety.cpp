@@ -20,10 +20,11 @@ constexpr double kDown = 0.8;
 constexpr double kFarthest = 16;  // times the first factor, or its part
 // Of half the scene's extent: displacements below it are none, as those of rigid blocks are.
 constexpr double kNoDisplacement = 1e-5;
-// Of the same: what has come so far has slid, and stands where it lies; a reference for the knee is sought below. Where a
-// weaker reduction moves nearly as far it is softness, not slip.
+// Of the same: what has come so far has slid, and stands where it lies; a reference for the knee is sought below. Where
+// trials down to a share of the factor come nearly as far it is softness, not slip.
 constexpr double kSlid = 0.01;
 constexpr double kAsFar = 0.95;
+constexpr double kWeakest = 0.45;
 
 using Trials = std::map<double, TrialOutcome>;  // by factor
 
@@ -51,7 +52,7 @@ class FactorSearch {
  private:
   SearchEnd search() {
     Verdict verdict = made_at(first_);
-    if (verdict == Verdict::stands) verdict = seek_reference();
+    if (verdict == Verdict::stands) verdict = seek_reference(first_);
     double factor = first_;
     if (verdict == Verdict::falls && options_.from && !bracket_of(verdict_).stands) return SearchEnd::falls;
     while (verdict == Verdict::stands && factor < most_)
@@ -59,6 +60,7 @@ class FactorSearch {
     if (verdict == Verdict::stands) return SearchEnd::stands;
     while (verdict == Verdict::falls && !bracket_of(verdict_).stands && factor > first_ / kFarthest)
       verdict = made_at(factor *= kDown);
+    if (verdict == Verdict::stands) verdict = seek_reference(factor);
     if (verdict == Verdict::falls && !bracket_of(verdict_).stands) return SearchEnd::falls;
     if (verdict == Verdict::undecided || !bisect(verdict_)) return SearchEnd::undecided;
     // What is past the knee may stand well beyond it.
@@ -70,17 +72,18 @@ class FactorSearch {
     return SearchEnd::bracketed;
   }
 
-  /// Goes down while the first trial, though in equilibrium, is one of a case that has slid before it found that.
-  Verdict seek_reference() {
+  /// Goes down while the trial at `first`, though in equilibrium, is one of a case that slid before it found that. What
+  /// that trial is then.
+  Verdict seek_reference(double first) {
     const double far = kSlid * trials_.prepared().scene.model.scale;
-    double displacement = made_.at(first_).told.displacement;
-    for (double factor = first_ * kDown; displacement > far && factor > first_ / kFarthest; factor *= kDown) {
+    double displacement = made_.at(first).told.displacement;
+    for (double factor = first * kDown; displacement > far && factor > first_ / kFarthest; factor *= kDown) {
       if (made_at(factor) != Verdict::stands) break;
       const double now = made_.at(factor).told.displacement;
-      if (now > kAsFar * displacement) break;
+      if (now > kAsFar * displacement && factor < kWeakest * first) break;
       displacement = now;
     }
-    return made_.at(first_).told.verdict;
+    return made_.at(first).told.verdict;
   }
 
   using Sign = std::function<Verdict(const StrengthTrial&)>;
