@@ -87,8 +87,8 @@ TEST(FosCommand, what_is_not_small_is_not_left_out) {
   EXPECT_EQ(found["left_out"], Json::array());
 }
 
-// The body on a circle slides by 0.17 of its height until its toe stops it, and is in equilibrium there: at factors that
-// are told to stand it has not, wherever the search begins.
+// The body on a circle slides by 0.17 of its height until its toe stops it, and is in equilibrium there: at factors
+// that are told to stand it has not, wherever the search begins.
 TEST(FosCommand, a_case_that_has_slid_does_not_stand) {
   const std::string circle = KEYBLOCK_SOURCE_DIR "/legacy_cases/circle_slope/circle_slope";
   double factor = 0;

@@ -67,11 +67,11 @@ struct FactorOfSafety {
   bool is_safe() const { return end == SearchEnd::bracketed && *bracket.stands >= 1; }
 };
 
-/// Begins at `from`, or 1. Where that stands only after it has slid by a hundredth of half the scene's extent, smaller
-/// factors are tried for what the knee is measured by. Then it goes up by quarters, or down by fifths, to the first that ends differently, and bisects.
-/// Where the knee and the loss of equilibrium lie apart, the bracket of equilibrium is closed too. Where there is no
-/// equilibrium for loose blocks alone (`kLooseArea`, `kLooseInAll`), the search begins anew without them.
-/// Throws as the trials.
+/// Begins at `from`, or 1. Where a trial stands only after a slide of a hundredth of half the scene's extent, smaller
+/// factors are tried for what the knee is measured by. The search goes up by quarters, or down by fifths, to the first
+/// that ends differently, and bisects. Where the knee and the loss of equilibrium lie apart, the bracket of equilibrium
+/// is closed too. Where there is no equilibrium for loose blocks alone (`kLooseArea`, `kLooseInAll`), the search begins
+/// anew without them. Throws as the trials.
 FactorOfSafety factor_of_safety(const StrengthTrials& trials, const SearchOptions& options);
 
 }  // namespace keyblock::study
