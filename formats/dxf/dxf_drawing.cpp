@@ -93,10 +93,11 @@ class DrawingMaker {
     for (const UnknownLayer& layer : unknown) {
       while (taken.contains(index)) ++index;
       layers_[layer.name] = {DxfRole::joint, index, false};
-      result_.warnings.push_back({"dxf_layer_as_joints", layer.first,
-                                  fmt::format("layer {} names no part of a drawing; its lines and curves, {} in "
-                                              "number, are joints of joint material {}",
-                                              in_quotes(layer.name), layer.entities, index + 1)});
+      result_.warnings.push_back(
+          {"dxf_layer_as_joints", layer.first,
+           fmt::format("layer {} names no part of a drawing; its lines and curves, {} in "
+                       "number, are joints of joint material {}{}",
+                       in_quotes(layer.name), layer.entities, index + 1, hint_for_layer(layer.name))});
       ++index;
     }
   }

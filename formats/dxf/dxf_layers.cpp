@@ -7,6 +7,10 @@
 #include <cctype>
 #include <charconv>
 #include <limits>
+#include <string>
+#include <vector>
+
+#include "base/nearest.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -63,6 +67,18 @@ std::optional<DxfLayer> layer_of(std::string_view name) {
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error != std::errc{} || number == std::numeric_limits<int>::min()) return DxfLayer{word->role, 0, true};
   return DxfLayer{word->role, number - 1, false};
+}
+
+std::string hint_for_layer(std::string_view name) {
+  std::string letters;
+  for (const char c : name) {
+    if (std::isalpha(static_cast<unsigned char>(c)) == 0) break;
+    letters += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  std::vector<std::string> known{"OUTLINE"};
+  for (const Word& word : kWords) known.emplace_back(word.text);
+  const std::string found = nearest(letters, known);
+  return found == "OUTLINE" ? nearest_words("BOUNDARY", {"BOUNDARY"}) : nearest_words(letters, known);
 }
 
 bool holds_points_only(DxfRole role) {

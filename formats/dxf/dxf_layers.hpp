@@ -14,6 +14,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace keyblock::formats {
@@ -29,6 +30,10 @@ struct DxfLayer {
 
 /// Nothing where the name begins with no word of the table.
 std::optional<DxfLayer> layer_of(std::string_view name);
+
+/// For a name that begins with no word of the table: `; did you mean "BOUNDARY"?`, or nothing. An outline, as the table
+/// of layers calls it, is a boundary.
+std::string hint_for_layer(std::string_view name);
 
 /// Whether entities of the role are points and not lines.
 bool holds_points_only(DxfRole role);

@@ -103,7 +103,7 @@ class Blocky {
 
  private:
   std::string named(std::size_t block) const {
-    return fmt::format("block {} at {}, area {:.3g} ({:.2g} % of the mean)", block + 1, at(shapes_[block].centroid),
+    return fmt::format("block {} at {}, area {:.3g} ({:.3g} % of the mean)", block + 1, at(shapes_[block].centroid),
                        shapes_[block].area, 100 * shapes_[block].area / mean_);
   }
 

@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace keyblock {
@@ -62,6 +63,9 @@ ValueText<int> whole(int least) {
   return {[](int value) { return fmt::format("{}", value); },
           [least, expected](const std::string& name, const std::string& text) {
             const std::optional<int> value = parse<int>(text);
+            const bool is_too_large = !value && parse<double>(text).value_or(0) > std::numeric_limits<int>::max();
+            if (is_too_large)
+              refuse_value(name, fmt::format("{}, and at most {}", expected, std::numeric_limits<int>::max()), text);
             if (!value || *value < least) refuse_value(name, expected, text);
             return *value;
           },

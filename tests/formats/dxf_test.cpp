@@ -191,6 +191,15 @@ TEST(Dxf, layers_without_a_known_word_are_joints_with_the_first_numbers_not_yet_
   EXPECT_NE(sentence(reading, "dxf_layer_as_joints").find("joint material 3"), std::string::npos);
 }
 
+TEST(Dxf, a_layer_that_is_nearly_a_word_is_told_which) {
+  const auto told = [](const char* layer) { return sentence(read_entities(line(layer)), "dxf_layer_as_joints"); };
+  for (const char* layer : {"OUTLINE", "Boundry", "bondary 2"})
+    EXPECT_NE(told(layer).find("did you mean \"BOUNDARY\"?"), std::string::npos) << told(layer);
+  EXPECT_NE(told("JONT_1 bedding").find("did you mean \"JOINT\"?"), std::string::npos) << told("JONT_1 bedding");
+  for (const char* layer : {"faults", "Bedding", "0"})
+    EXPECT_EQ(told(layer).find("did you mean"), std::string::npos) << told(layer);
+}
+
 // The convention of the old Windows program (findings of legacy, defect F).
 TEST(Dxf, the_number_of_a_layer_stands_at_its_end_or_right_behind_its_word) {
   const Reading reading = read_entities(line("JOINT_3 bedding") + line("joints bedding 4") + line("JOINT5") +

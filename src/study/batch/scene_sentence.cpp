@@ -44,16 +44,24 @@ std::string range_of(const std::vector<Material>& materials, Value value) {
   return low == high ? fmt::format("{:g}", low) : fmt::format("{:g} to {:g}", low, high);
 }
 
+// Unit weights of old files, or the gravity of a case on its densities.
+std::string weight_of(const Analysis& analysis) {
+  const auto& all = analysis.block_materials;
+  if (std::ranges::any_of(all, [](const BlockMaterial& m) { return m.unit_weight != 0; }))
+    return fmt::format("; weight {}", range_of(all, [](const BlockMaterial& m) { return m.unit_weight; }));
+  const bool has_mass = std::ranges::any_of(all, [](const BlockMaterial& m) { return m.density != 0; });
+  if (analysis.gravity.value_or(0) == 0 || !has_mass) return "; no weight";
+  return fmt::format("; density {} under gravity of {:g}",
+                     range_of(all, [](const BlockMaterial& m) { return m.density; }), *analysis.gravity);
+}
+
 std::string materials_of(const Analysis& analysis) {
   std::string text;
   if (const auto& all = analysis.block_materials; !all.empty()) {
     text += fmt::format("; E {}, Poisson's ratio {}",
                         range_of(all, [](const BlockMaterial& m) { return m.youngs_modulus; }),
                         range_of(all, [](const BlockMaterial& m) { return m.poissons_ratio; }));
-    const auto weighs = [](const BlockMaterial& m) { return m.unit_weight != 0; };
-    text += std::ranges::any_of(all, weighs)
-                ? fmt::format("; weight {}", range_of(all, [](const BlockMaterial& m) { return m.unit_weight; }))
-                : "; no weight";
+    text += weight_of(analysis);
     const auto is_pushed = [](const BlockMaterial& m) { return m.horizontal_force != 0; };
     if (std::ranges::any_of(all, is_pushed))
       text += fmt::format(", horizontal body force {}",
