@@ -20,6 +20,7 @@
 namespace keyblock {
 namespace {
 
+constexpr double kLeastStrength = 1e-7;  // of the modulus
 constexpr double kSmall = 0.01;          // of the mean area: a sliver
 constexpr double kNarrow = 0.02;         // mean width over length: a sliver
 constexpr double kSlender = 5;           // length over mean width of a block that ought to bend
@@ -309,7 +310,7 @@ std::string implausible(const Plausible& bounds, double value, const Units& unit
       units.time.empty() ? "" : ", " + units.time, bounds.least, bounds.most);
 }
 
-/// Empty, or why an angle cannot be meant in degrees.
+/// Empty, or why an angle of friction cannot be meant in degrees.
 std::string in_radians(double degrees) {
   if (!(degrees > 0 && degrees < std::numbers::pi / 2)) return {};
   return fmt::format(
@@ -318,9 +319,21 @@ std::string in_radians(double degrees) {
       degrees, degrees / kDegree);
 }
 
-/// Empty, or why a strength and the modulus cannot be of one unit: of rock it is a hundredth of the modulus or less.
-std::string above_modulus(const BlockMaterial& material) {
+/// The same of both angles of friction of a strength: rock softens to little friction, but not to a degree.
+std::string in_radians(const Strength& strength) {
+  if (std::string why = in_radians(strength.values.friction_deg); !why.empty()) return why;
+  return strength.change ? in_radians(strength.change->values.friction_deg) : std::string();
+}
+
+/// Empty, or why a strength and the modulus cannot be of one unit: of rock and soil it is a hundredth to a
+/// ten-thousandth of the modulus, of weightless benchmarks a millionth.
+std::string beside_modulus(const BlockMaterial& material) {
   const double strength = compressive_strength(*material.strength, material.strength->values);
+  if (strength > 0 && strength < kLeastStrength * material.youngs_modulus)
+    return fmt::format(
+        "a strength of {:.4g} under uniaxial compression is {:.1g} of youngs_modulus {:.4g}: nothing bears so little, "
+        "unless one of them is in another unit",
+        strength, strength / material.youngs_modulus, material.youngs_modulus);
   if (!(strength > material.youngs_modulus)) return {};
   return fmt::format(
       "a strength of {:.4g} under uniaxial compression is above youngs_modulus {:.4g}: nothing reaches it, unless one "
@@ -338,8 +351,8 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
     put(implausible(kModulus, material.youngs_modulus, problem.units), material.place);
     put(implausible(kMassDensity, material.density, problem.units), material.place);
     if (!material.strength) continue;
-    put(above_modulus(material), material.place);
-    put(in_radians(material.strength->values.friction_deg), material.place);
+    put(beside_modulus(material), material.place);
+    put(in_radians(*material.strength), material.place);
   }
   if (settings.gravity.y > 0)
     put(fmt::format("gravity points upward, {:.4g} along y: a positive `gravity` of a file points downward",

@@ -324,7 +324,9 @@ Warnings warnings_of_strengths(const Scene& first, const Place& place) {
   Warnings warnings;
   for (const Scene* scene : scenes_of(first))
     for (const Warning& found : look_at_strengths(*scene, place))
-      if (std::ranges::none_of(warnings, [&](const Warning& said) { return said.name == found.name; }))
+      if (std::ranges::none_of(warnings, [&](const Warning& said) {
+            return said.name == found.name && said.sentence == found.sentence;
+          }))
         warnings.push_back(found);
   return warnings;
 }

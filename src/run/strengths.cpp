@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -31,12 +32,12 @@ const char* named_law(const BlockMaterial& material) {
 // Rounded down, so that what is named is allowed.
 std::string four_digits_below(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
-  return fmt::format("{:.4g}", unit * std::floor(value / unit));
+  return fmt::format("{:.4g}", std::isnormal(unit) ? unit * std::floor(value / unit) : value);
 }
 
 // The largest part of a material in which softening goes on at once: `size`, √area, is what counts, `side` what a mesh
-// is asked for.
-void require_size(const BlockMaterial& material, const char* what, double side, double size) {
+// is asked for, at least `ratio` of it.
+void require_size(const BlockMaterial& material, const char* what, double side, double size, double ratio) {
   // What unloads a point that softens: with cracks the modulus of open ones, which give back more.
   const double modulus = material.crack_closure ? material.crack_closure->initial_modulus : material.youngs_modulus;
   const double allowed = largest_size(*material.strength, modulus);
@@ -44,7 +45,7 @@ void require_size(const BlockMaterial& material, const char* what, double side, 
     throw InputError(material.place,
                      fmt::format("expected {} below {}, where softening of the strength by this fracture_energy does "
                                  "not snap back, found {:.4g}",
-                                 what, four_digits_below(allowed * side / size), side));
+                                 what, four_digits_below(allowed * ratio), side));
 }
 
 double longest_side(const Manifold& manifold, int element) {
@@ -55,11 +56,21 @@ double longest_side(const Manifold& manifold, int element) {
   return longest;
 }
 
+// Interior points of a regular mesh are alike; of others some are large for their sides, and a finer mesh has such too.
 void require_sizes(const Continuum& continuum) {
   const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
-  for (std::size_t i = 0; i < continuum.materials.size(); ++i)
-    if (const auto [size, element] = yield.greatest(i); continuum.materials[i].strength && size > 0)
-      require_size(continuum.materials[i], "triangles with a side", longest_side(continuum.manifold, element), size);
+  for (std::size_t i = 0; i < continuum.materials.size(); ++i) {
+    if (!continuum.materials[i].strength) continue;
+    double side = 0, size = 0, ratio = std::numeric_limits<double>::infinity();
+    for (const YieldPoints::Extent& point : yield.extents(i)) {
+      const double longest = longest_side(continuum.manifold, point.element);
+      ratio = std::min(ratio, longest / point.size);
+      if (point.size <= size) continue;
+      size = point.size;
+      side = longest;
+    }
+    if (size > 0) require_size(continuum.materials[i], "triangles with a side", side, size, ratio);
+  }
 }
 
 // Gradients averaged over covers do not see what alternates from row to row: on a lattice of equilateral triangles
@@ -75,8 +86,8 @@ Warning soft_patterns(const Continuum& continuum, const Place& place) {
           fmt::format("in time rock that may yield has soft patterns: its gradients are averaged over {} covers, and "
                       "motion that alternates from cover to cover is hardly seen. About three in four of its {} "
                       "vibrations are such patterns, and swing too slowly: the slow smooth motion and the energy are "
-                      "right, velocities of single points after a blow are not. Give rock that stays elastic no "
-                      "strength",
+                      "right, velocities of single points after a blow are not. Without a strength and cracks in "
+                      "any material on covers functions are derived, and have none",
                       covers.size(), 2 * covers.size())};
 }
 
@@ -118,7 +129,7 @@ void look_at_blocks(const Model& model, const Settings& settings) {
                                    named_law(material)));
     if (!softens_by_energy(material)) continue;
     const double size = std::sqrt(keyblock::place(model, start, e, settings).moments.area);
-    require_size(material, "blocks with a √area", size, size);
+    require_size(material, "blocks with a √area", size, size, 1);
   }
 }
 

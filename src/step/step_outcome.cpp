@@ -81,8 +81,15 @@ StepFailure failure_of(const StandardScene& scene, const Motion& motion, const S
                          scene.model.number_of(scene.model.vertices[touch.vertex].element),
                          scene.model.number_of(scene.model.vertices[touch.start].element));
   }
-  return {fmt::format("step {} (time {}): contact forces do not settle, residual {:.3g} of the largest load{}{}",
-                      state.step + 1, state.time, step.residual, names.empty() ? "" : "; undecided contacts: ",
+  const bool of_contact = step.end == RoundsEnd::no_contact_forces || !step.touches.empty();
+  const std::string why =
+      of_contact ? fmt::format("contact forces do not settle, residual {:.3g} of the largest load", step.residual)
+                 : fmt::format(
+                       "no motion is found that balances the step, in which nothing touches: {}; try a shorter "
+                       "time_step",
+                       in_words(step.end));
+  return {fmt::format("step {} (time {}): {}{}{}", state.step + 1, state.time, why,
+                      names.empty() ? "" : "; undecided contacts: ",
                       named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names),
           step.undecided, FailureKind::undecided, step.solves, yields};
 }

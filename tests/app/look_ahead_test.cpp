@@ -157,6 +157,9 @@ TEST(LookAhead, strength_above_the_modulus_and_its_friction_in_radians_are_told)
   EXPECT_TRUE(contains(
       said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 0.5236})"), {"--trial", "0"}), "units_contradict"),
       "would be 30 degrees"));
+  // 2 c tan 45° in megapascals, beside a modulus in pascals.
+  EXPECT_TRUE(contains(said(check_of(with(R"({"cohesion": 5})"), {"--trial", "0"}), "units_contradict"),
+                       "a strength of 10 under uniaxial compression is 5e-10 of youngs_modulus 2e+10"));
 }
 
 TEST(LookAhead, a_run_says_it_too_before_its_first_step) {

@@ -15,15 +15,12 @@
 namespace keyblock::plot_command_test {
 namespace {
 
+using support::contains;
 using support::fresh_folder;
 using support::ProgramRun;
 using support::read_text;
 using support::run_keyblock;
 using support::write_text;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Without marks of measured points, which are not in the frames.
 std::string without_marks(const std::string& picture) {

@@ -73,6 +73,22 @@ std::string falling_column(const std::string& strength, double dt, int steps) {
 
 }  // namespace
 
+// A beam of rock that flows under its weight in one step of a second: nothing touches, and no contact is blamed.
+TEST(YieldingMotion, a_step_too_long_for_the_flow_says_so) {
+  const std::string folder = fresh_folder("yielding_motion_too_long");
+  ASSERT_EQ(run_keyblock({"new", "beam", "-o", folder + "/beam.json"}).exit_code, 0);
+  std::string text = read_text(folder + "/beam.json");
+  const std::string rock = R"("like": "sandstone")";
+  text.insert(text.find(rock) + rock.size(),
+              R"(, "strength": {"cohesion": 1e6, "friction_deg": 20, "dilation_deg": 30})");
+  write_text(folder + "/beam.json", text);
+  const auto run = run_keyblock({"run", folder + "/beam.json", "-o", folder + "/out", "--set", "motion=dynamic"});
+  EXPECT_EQ(run.exit_code, 4) << run.messages;
+  EXPECT_NE(run.messages.find("no motion is found that balances the step, in which nothing touches: too many rounds"),
+            std::string::npos)
+      << run.messages;
+}
+
 // The symmetric part of a tangent whose flow is not normal has no factor at rest but with much inertia: it took 556
 // systems a step on covers and 21 on a block.
 TEST(YieldingMotion, plates_press_rock_that_flows_without_dilation_in_few_systems) {

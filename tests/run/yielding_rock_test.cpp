@@ -165,6 +165,32 @@ TEST(YieldingRock, softening_too_steep_for_the_mesh_is_refused_with_the_side_all
   expect_refused(run_of("steep_cracked", regular(square(kPressed, "", rock), "0.3")), "a side below 0.05953");
 }
 
+// Of an unstructured mesh too the side that is named runs.
+TEST(YieldingRock, the_side_allowed_of_an_unstructured_mesh_is_allowed) {
+  const std::string strength = R"({"surface": "von_mises", "yield_stress": 20, "after": {"yield_stress": 1,
+    "fracture_energy": 0.004}})";
+  const auto with_side = [&](const std::string& side) {
+    std::string text = square(kPressed, "", strength);
+    return text.replace(text.find("0.35}"), 4, side);
+  };
+  const Done refused = run_of("steep_free", with_side("0.3"));
+  EXPECT_EQ(refused.exit_code, 3);
+  std::smatch said;
+  ASSERT_TRUE(std::regex_search(refused.messages, said, std::regex("a side below ([0-9.]+),"))) << refused.messages;
+  EXPECT_LT(std::stod(said[1]), 0.3);
+  EXPECT_NE(run_of("steep_free_no_more", with_side(said[1])).exit_code, 3);
+}
+
+// Energies near the smallest numbers: the side allowed is one, not "nan".
+TEST(YieldingRock, a_fracture_energy_of_nearly_nothing_names_a_number) {
+  const Done done = run_of("steep_nothing", regular(square(kPressed, "", R"({"surface": "von_mises",
+    "yield_stress": 20, "after": {"yield_stress": 1, "fracture_energy": 1e-320}})"),
+                                                    "0.3"));
+  EXPECT_EQ(done.exit_code, 3);
+  EXPECT_NE(done.messages.find("expected triangles with a side below "), std::string::npos) << done.messages;
+  EXPECT_EQ(done.messages.find("nan"), std::string::npos) << done.messages;
+}
+
 TEST(YieldingRock, softening_too_steep_for_a_block_is_refused) {
   const Done done = run_of("steep_block", without_covers(square("", "", R"({"surface": "von_mises", "yield_stress": 20,
     "after": {"yield_stress": 1, "fracture_energy": 0.001}})")));

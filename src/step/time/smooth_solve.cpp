@@ -87,7 +87,8 @@ class SmoothSolve {
     before_ = change_;
     stalls_ = 0;
     PartsByChange search;
-    if (newton(*this, search, most_rounds()) == RoundsEnd::no_factor) return;
+    result_.end = newton(*this, search, most_rounds());
+    if (result_.end == RoundsEnd::no_factor) return;
     // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
     const bool forces_suffice = free_.is_linear() && std::isfinite(change_) &&
                                 unsolved_ <= std::max(contacts_.problem().acceptable, tolerance_.tolerated);

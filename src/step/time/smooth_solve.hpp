@@ -8,6 +8,7 @@
 #include "contact/rows/gap.hpp"
 #include "contact/solve/frictional_problem.hpp"
 #include "step/bodies/integrator.hpp"
+#include "step/newton/newton.hpp"
 #include "step/scene/contact_laws.hpp"
 
 namespace keyblock {
@@ -38,6 +39,7 @@ struct SmoothMotion : BodiesMotion {
   int solves = 0;  ///< linear systems factorised
   int sweeps = 0;  ///< of the fall-back
   bool converged = false;
+  RoundsEnd end = RoundsEnd::open;     ///< how the rounds ended, where it has not converged
   bool is_tolerated = false;           ///< converged by what is tolerated alone
   std::vector<std::size_t> undecided;  ///< touches that would not settle
   std::optional<std::size_t> worst;    ///< touch that holds the residual up, where the goal was not reached

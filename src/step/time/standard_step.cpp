@@ -76,6 +76,7 @@ class Attempt {
     step_.residual = scales_.force > 0 ? smooth_.residual / scales_.force : 0;
     if (smooth_.worst && *smooth_.worst < parts_.smooth.size()) step_.worst = parts_.smooth[*smooth_.worst];
     step_.converged = smooth_.converged;
+    step_.end = smooth_.end;
     if (!step_.converged) return std::move(step_);
     if (!smooth_.is_tolerated) step_.undecided.clear();
     const Touches closed = closed_touches();

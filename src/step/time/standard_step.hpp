@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "step/newton/newton.hpp"
 #include "step/time/ledger.hpp"
 
 namespace keyblock {
@@ -20,10 +21,11 @@ struct StandardStep {
   double residual = 0;
   std::optional<Touch> worst;  ///< contact that holds the residual up, where one is known
   bool converged = true;
-  Touches touches;                     ///< all that were reckoned with
-  std::vector<std::size_t> undecided;  ///< of the touches: those that went round in a cycle
-  std::string failure;                 ///< why it was given up otherwise; empty if it was not
-  std::vector<ElementIndex> moving;    ///< at rest: it was given up because these move away
+  RoundsEnd end = RoundsEnd::no_contact_forces;  ///< how its rounds ended, where it has not converged
+  Touches touches;                               ///< all that were reckoned with
+  std::vector<std::size_t> undecided;            ///< of the touches: those that went round in a cycle
+  std::string failure;                           ///< why it was given up otherwise; empty if it was not
+  std::vector<ElementIndex> moving;              ///< at rest: it was given up because these move away
   std::vector<ElementIndex> restless;  ///< at rest: it was given up because these do not come to rest where they are
 };
 

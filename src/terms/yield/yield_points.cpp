@@ -200,11 +200,10 @@ std::vector<YieldPoints::Share> YieldPoints::shares(int element, Point at_start)
   return shares;
 }
 
-YieldPoints::Greatest YieldPoints::greatest(std::size_t material) const {
-  Greatest found;
+std::vector<YieldPoints::Extent> YieldPoints::extents(std::size_t material) const {
+  std::vector<Extent> found;
   for (const YieldPoint& point : points_)
-    if (const double size = std::sqrt(point.rock.area); point.law == material && size > found.size)
-      found = {size, point.element};
+    if (point.law == material) found.push_back({std::sqrt(point.rock.area), point.element});
   return found;
 }
 

@@ -57,12 +57,12 @@ class YieldPoints {
   /// The areas of all points that may yield.
   void add_totals(const YieldStates& states, PlasticTotals& totals) const;
 
-  /// The largest point of a material: √area, and an element it belongs to; 0: it has none.
-  struct Greatest {
+  /// Of every point of a material √area, and an element it belongs to.
+  struct Extent {
     double size = 0;
     int element = 0;
   };
-  Greatest greatest(std::size_t material) const;
+  std::vector<Extent> extents(std::size_t material) const;
 
  protected:
   struct YieldPoint {
