@@ -26,6 +26,9 @@ inline constexpr Demand kWhole{[](double v) { return v >= 0 && is_whole(v); }, "
 
 inline constexpr Demand kHalfRows{[](double v) { return v >= 0 && v <= 1000 && is_whole(v); },
                                   "a whole number from 0 to 1000"};
+inline constexpr Demand kMeshError{[](double v) { return v >= 0 && v < 1; }, "a number from 0 to below 1"};
+inline constexpr Demand kMostUnknowns{[](double v) { return v >= 1 && v <= 4e6 && is_whole(v); },
+                                      "a whole number from 1 to 4000000"};
 inline constexpr Demand kStageSteps{[](double v) { return v >= 0 && v <= 1e9 && is_whole(v); },
                                     "a whole number from 0 to 1000000000"};
 inline constexpr Demand kStep{[](double v) { return is_whole(v); }, "a whole number"};
@@ -354,6 +357,8 @@ void describe(F& f, In<F, MeshPlan>& mesh) {
   f.optional_real("through_x", mesh.through_x, kAny);
   f.optional_real("through_y", mesh.through_y, kAny);
   f.rows("refined", mesh.refined);
+  f.real("error", mesh.error, kMeshError);
+  f.integer("most_unknowns", mesh.most_unknowns, kMostUnknowns);
   f.real("tip_side", mesh.tip_side, kNotNegative);
   f.word("tip_functions", mesh.tip_functions.kind, kTipFunctions);
   f.real("tip_radius", mesh.tip_functions.radius, kNotNegative);

@@ -100,6 +100,10 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"through_y", "a node of a regular mesh stands there, L; absent: as placement says"},
     {"refined", "points of an unstructured mesh near which its sides are shorter"},
     {"refined.side", "the longest at the point, L"},
+    {"mesh.error",
+     "the mesh is refined until its stresses are estimated to be off by at most this share of the energy norm, of the "
+     "bodies alone at rest; 0: it is not"},
+    {"most_unknowns", "of a mesh that is refined by its error: the largest one"},
     {"tip_side",
      "longest side of triangles at the tips of cracks and of joints that end inside, growing by half of the distance, "
      "L; 0: as elsewhere"},

@@ -33,6 +33,7 @@ constexpr auto kFields = std::to_array<FieldMeasure>({
     {"through_x", measures::kLength},
     {"through_y", measures::kLength},
     {"angle", measures::kDegrees},
+    {"error", measures::kNumber},
     {"snap_ratio", measures::kNumber},
     {"tractions.x", measures::kStress},
     {"tractions.y", measures::kStress},

@@ -126,7 +126,7 @@ constexpr double kMostSnapping = 0.1;
 
 void check(const MeshPlan& mesh, const Place& covers) {
   const Place& place = mesh.place.line > 0 ? mesh.place : covers;
-  const bool may_be_of_a_file = mesh.tip_side > 0 || !mesh.refined.empty();
+  const bool may_be_of_a_file = mesh.tip_side > 0 || mesh.error > 0 || !mesh.refined.empty();
   if ((mesh.half_rows > 0) == (mesh.side > 0) && (mesh.side > 0 || !may_be_of_a_file))
     throw InputError(place, fmt::format("expected a mesh with one of half_rows and side, found {}",
                                         mesh.side > 0 ? "both" : "none above 0"));
@@ -179,6 +179,11 @@ void check(const std::vector<Stage>& stages) {
     if (stage.steps == 0 && stage.duration == 0)
       throw InputError(stage.place, "expected steps or a duration of each stage, found neither");
     if (stage.mesh) check(*stage.mesh, stage.place);
+    if (stage.mesh && stage.mesh->error > 0)
+      throw InputError(
+          stage.mesh->place.line > 0 ? stage.mesh->place : stage.place,
+          "expected a mesh of a stage as it is said, found an error that it is to reach: covers.mesh alone "
+          "is refined by it");
     for (const StageExcavation& part : stage.excavations)
       require_points(part.outline, kFewestCorners, "about what is dug out", part.place);
     for (const StageMaterial& part : stage.block_materials)

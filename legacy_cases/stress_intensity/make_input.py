@@ -24,11 +24,11 @@ SOURCE = {'01': 'Tada, Paris & Irwin 1973; value of an independent finite-elemen
           '07': 'Srawley 1976; independent finite-element value', '11': 'Atkinson, Smelser & Sanchez 1982; independent finite-element value'}
 
 
-def write(name, corners, cracks, side, covers, values, about, source, young=YOUNG, poisson=POISSON, tip=None, tolerance=0.007, reason=ASKED, absolute=None, joint=None, side_with_functions=None, functions=True, initial=None):
+def write(name, corners, cracks, side, covers, values, about, source, young=YOUNG, poisson=POISSON, tip=None, tolerance=0.007, reason=ASKED, absolute=None, joint=None, side_with_functions=None, functions=True, initial=None, error=None):
     """`values`: quantity, tip, value; each is to be met within `tolerance` of the greatest of them. The same with near-tip functions on longer sides
     in the case `name`_functions, each within its own share, or that of the greatest where it is 0; not where faces touch, or without `functions`."""
     length = max(math.dist(a[0], a[-1]) for a in cracks)
-    mesh = dict(free_mesh(side), tip_side=tip or length / FINEST)
+    mesh = dict(free_mesh(side), error=error) if error else dict(free_mesh(side), tip_side=tip or length / FINEST)
     parts = {'contact': 'ignored', 'mesh': mesh, 'cracks': [{'along': a} for a in cracks]}
     parts.update(covers)
     size = max(abs(v[2]) for v in values)
@@ -56,6 +56,13 @@ def pulled(corners, low, high, stress=1):
 def edge_crack(ratio, factor):
     write('edge_crack_%02d' % round(10 * ratio), rectangle(0, -1, 1, 1), [[[0, 0], [ratio, 0]]], 0.1, pulled(None, (0, -1), (1, 1)),
           [('K_I', 1, factor * math.sqrt(math.pi * ratio)), ('K_II', 1, 0)], 'edge crack a/W %g in a plate in tension (fra-01)' % ratio, SOURCE['01'])
+
+
+def edge_crack_by_error(ratio, factor):
+    write('edge_crack_%02d_by_error' % round(10 * ratio), rectangle(0, -1, 1, 1), [[[0, 0], [ratio, 0]]], 0.1, pulled(None, (0, -1), (1, 1)),
+          [('K_I', 1, factor * math.sqrt(math.pi * ratio)), ('K_II', 1, 0)],
+          'edge crack a/W %g in a plate in tension (fra-01), mesh refined until stresses are estimated to be off by 2 %%' % ratio, SOURCE['01'],
+          functions=False, error=0.02)
 
 
 def centre_crack(ratio, factor):
@@ -171,6 +178,7 @@ def step_wave():
 if __name__ == '__main__':
     edge_crack(0.2, 1.3674042788)
     edge_crack(0.5, 2.82357144135)
+    edge_crack_by_error(0.5, 2.82357144135)
     centre_crack(0.5, 1.18723493805)
     inclined_crack(30, 0.752427563926, 0.433737607479)
     inclined_crack(75, 0.0672039743276, 0.250418524439)

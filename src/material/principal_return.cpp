@@ -210,22 +210,22 @@ Principal<T> land(const Corner& corner, const Principal<T>& trial, const Planes<
   return {p.tension, corner.count == 2 ? p.tension : s[1], s[2]};
 }
 
-bool is_ordered(const Principal<double>& s) {
-  return s[0] >= s[1] && s[1] >= s[2];
-}
-
 Corner shear_corner(const Principal<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
   const Principal<double> plane = land(kPlane, trial, p, d);
-  if (is_ordered(plane)) return kPlane;
+  // Two that are equal stay so: where the plane is hardly reached, rounding would choose which of them alone gives way.
+  const double equal = kRounding * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
+  const bool upper = plane[0] < plane[1] || trial[0] - trial[1] <= equal;
+  const bool lower = plane[1] < plane[2] || trial[1] - trial[2] <= equal;
+  if (!upper && !lower) return kPlane;
   const auto holds = [&](const Corner& edge) {
     const Principal<double> s = land(edge, trial, p, d);
     return !p.has_apex() || s[0] >= s[2];
   };
-  if (plane[0] < plane[1] && holds(kUpperEdge)) {
-    const bool also_lower = plane[1] < plane[2] && (multipliers(kUpperEdge, trial, p, d).head<2>().array() < 0).any();
+  if (upper && holds(kUpperEdge)) {
+    const bool also_lower = lower && (multipliers(kUpperEdge, trial, p, d).head<2>().array() < 0).any();
     if (!also_lower) return kUpperEdge;
   }
-  if (plane[1] < plane[2] && holds(kLowerEdge)) return kLowerEdge;
+  if (lower && holds(kLowerEdge)) return kLowerEdge;
   return kApex;
 }
 

@@ -78,8 +78,12 @@ struct MeshPlan {
   std::optional<double> through_x;  ///< where a node of a regular mesh stands; else the placement decides
   std::optional<double> through_y;
   std::vector<RefinedPoint> refined;
-  double tip_side = 0;  ///< at the tips of cracks; 0: as elsewhere
+  double error = 0;  ///< the share of the energy norm that stresses may be off by; 0: the mesh is as it is said
+  int most_unknowns = 50000;  ///< of meshes that are refined until they reach it
+  double tip_side = 0;        ///< at the tips of cracks; 0: as elsewhere
   TipFunctionPlan tip_functions = {};
+  bool has_nodes_at_tips =
+      false;              ///< whether or not tips have a side or functions: no key of a file, of meshes by error
   double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale are moved onto them
   std::vector<MeshedMaterial>
       materials;  ///< of the blocks that are given covers, the others stay blocks; none: all are

@@ -64,8 +64,15 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
     plan.mesh.angle_deg = number_of(name, "degrees", value);
     return;
   }
+  if (name == "mesh.error") {
+    constexpr const char* kExpected = "a share from 0 to below 1";
+    plan.mesh.error = number_of(name, kExpected, value);
+    if (!(plan.mesh.error >= 0 && plan.mesh.error < 1)) refuse_setting(name, kExpected, value);
+    return;
+  }
   throw std::invalid_argument(fmt::format(
-      "there is no setting \"{}\" of bodies on covers, only functions, contact, mesh.side, mesh.half_rows, mesh.angle",
+      "there is no setting \"{}\" of bodies on covers, only functions, contact, mesh.side, mesh.half_rows, mesh.angle, "
+      "mesh.error",
       name));
 }
 

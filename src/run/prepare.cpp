@@ -20,6 +20,7 @@
 #include "run/bodies/cover_plan_parts.hpp"
 #include "run/bodies/linear_case.hpp"
 #include "run/growth/growth_of.hpp"
+#include "run/mesh/mesh_by_error.hpp"
 #include "run/stages/chain.hpp"
 #include "run/stages/cover_stages.hpp"
 #include "run/stages/mixed_stages.hpp"
@@ -333,7 +334,9 @@ Warnings warnings_of_strengths(const Scene& first, const Place& place) {
 
 }  // namespace
 
-Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
+namespace {
+
+Prepared prepared_as_it_is(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
   if (!problem.analysis)
@@ -361,6 +364,21 @@ Prepared prepare(const Problem& problem, const std::string& profile, const std::
           std::move(cut.snaps),      std::move(warnings),
           std::move(needs),          std::move(scene),
           std::move(cut.joint_lines)};
+}
+
+}  // namespace
+
+Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
+  if (!has_mesh_by_error(problem) || !problem.analysis) return prepared_as_it_is(problem, profile, overrides);
+  const MeshByError found = mesh_by_error(problem, [&](const Problem& still, const std::vector<Override>& more) {
+    std::vector<Override> all = overrides;
+    all.insert(all.end(), more.begin(), more.end());
+    return prepared_as_it_is(still, profile, all).scene;
+  });
+  Prepared prepared = prepared_as_it_is(found.problem, profile, overrides);
+  prepared.requirements.basis += "; " + found.sentence();
+  prepared.warnings = joined(std::move(prepared.warnings), found.warnings);
+  return prepared;
 }
 
 }  // namespace keyblock

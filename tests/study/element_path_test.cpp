@@ -99,6 +99,19 @@ TEST(ElementPath, triaxial_strength) {
   }
 }
 
+// Equal pressures on two sides leave two equal strains. With these constants an increment of axial strain alone only
+// just reaches the edge, k λ = λ + 2G (at 30 degrees and a ratio of 0.25): rounding chose a plane. κ of the strain
+// (1, ½, ½) less the elastic one, of flow without dilation.
+TEST(ElementPath, equal_pressures_leave_equal_strains) {
+  for (const int steps : {10, 30, 100, 1000}) {
+    const ElementCurve curve = drive(rock(30, 0, 1), named_path(NamedPath::triaxial, {-0.02}, 5), steps, 1);
+    const ElementPoint& end = curve.points.back();
+    EXPECT_NEAR(end.strain(0), end.strain(3), 1e-13) << steps;
+    const double elastic = (2 * std::sqrt(3.0) + 10) / 1000;
+    EXPECT_NEAR(end.state.kappa, 0.02 - elastic, 1e-9) << steps;
+  }
+}
+
 // 2c of half the shear stress: under simple shear Tresca yields at c.
 TEST(ElementPath, shear_yields_at_the_cohesion) {
   const ElementCurve curve = drive(rock(0, 0, 2), named_path(NamedPath::shear, {0.02}, 0), 10, 1);

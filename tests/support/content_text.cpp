@@ -75,6 +75,7 @@ class Lister {
     line("mesh {} {} {:a} {} {:a} {} {} {} {:a}", static_cast<int>(m.kind), m.half_rows, m.side,
          static_cast<int>(m.shape), m.angle_deg, static_cast<int>(m.placement), text(m.through_x), text(m.through_y),
          m.snap_ratio);
+    if (m.error > 0) line("error {:a} {}", m.error, m.most_unknowns);
     if (m.tip_side > 0) line("at tips {:a}", m.tip_side);
     if (m.tip_functions.are_asked()) line("functions at tips {:a}", m.tip_functions.radius);
     for (const auto& meshed : m.materials) line("meshed {}", meshed.material);

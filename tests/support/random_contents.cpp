@@ -329,6 +329,10 @@ MeshPlan mesh(Dice& dice) {
     return RefinedPoint{at, positive_real(one)};
   });
   if (dice.happens(0.5)) plan.tip_side = positive_real(dice);
+  if (dice.happens(0.3)) {
+    plan.error = dice.between(1e-9, 0.99);
+    plan.most_unknowns = 1 + dice.below(4000000);
+  }
   if (dice.happens(0.2)) {
     plan.tip_functions.kind = TipFunctions::williams;
     if (dice.happens(0.5)) plan.tip_functions.radius = positive_real(dice);
@@ -374,8 +378,11 @@ CoverPlan covers(Dice& dice) {
   });
   plan.cracks = some(dice, 2, [](Dice& one) { return CrackPlan{polygon(one), {}, 0}; });
   if (dice.happens(0.3))
-    plan.growth = GrowthPlan{static_cast<GrowthCriterion>(dice.below(3)), static_cast<GrowthLoads>(dice.below(3)),
-                             positive_real(dice), dice.happens(0.5), {}};
+    plan.growth = GrowthPlan{static_cast<GrowthCriterion>(dice.below(3)),
+                             static_cast<GrowthLoads>(dice.below(3)),
+                             positive_real(dice),
+                             dice.happens(0.5),
+                             {}};
   return plan;
 }
 
@@ -426,7 +433,11 @@ Stage stage(Dice& dice) {
     return StageForce{at, any_point(one), {}};
   });
   s.removes_forces = dice.happens(0.5);
-  if (dice.happens(0.3)) s.mesh = mesh(dice);
+  if (dice.happens(0.3)) {
+    s.mesh = mesh(dice);
+    s.mesh->error = 0;  // refused in a stage
+    s.mesh->most_unknowns = MeshPlan().most_unknowns;
+  }
   if (dice.happens(0.3)) s.profile = "draft";
   if (dice.happens(0.3)) s.settings = {{"gravity.x", "1"}, {"odd \"name\"", "5"}};
   return s;

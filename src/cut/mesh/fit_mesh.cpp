@@ -17,7 +17,6 @@ namespace keyblock {
 namespace {
 
 constexpr double kLeastSide = 1e-12;  // of the farthest coordinate: some thousand of its last digits
-constexpr double kTipGrowth = 0.5;    // of sides per length from a tip: a quarter costs twice the triangles
 
 void require_fewer(double triangles, double side) {
   if (!(triangles <= kMostTriangles))
@@ -76,7 +75,7 @@ std::vector<RefinedPoint> refined_points(const MeshPlan& plan, const Box& box, s
 TriangleMesh bisected(TriangleMesh mesh, const MeshPlan& plan, std::vector<RefinedPoint> refined) {
   if (refined.empty()) return mesh;
   const double angle = plan.angle_deg * std::numbers::pi / 180;
-  bisect(mesh, {std::numeric_limits<double>::infinity(), std::move(refined), kTipGrowth},
+  bisect(mesh, {std::numeric_limits<double>::infinity(), std::move(refined), kMeshGrowth},
          {std::cos(angle), std::sin(angle)});
   return mesh;
 }
@@ -105,7 +104,7 @@ FittedMesh with_nodes_at_lines(TriangleMesh mesh, const MeshPlan& plan, const Bo
   FittedMesh fitted{std::move(mesh)};
   if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box_of(graph)));
   // Else meshes stay as they are.
-  if (plan.tip_side > 0 || plan.tip_functions.are_asked()) place_nodes(fitted.mesh, tips);
+  if (plan.has_nodes_at_tips || plan.tip_side > 0 || plan.tip_functions.are_asked()) place_nodes(fitted.mesh, tips);
   return fitted;
 }
 

@@ -13,6 +13,9 @@ namespace keyblock {
 
 inline constexpr int kMostHalfRows = 1000;  ///< of a regular mesh: some four million triangles
 
+/// Of sides per length from a refined point or tip of a bisected mesh: a quarter costs twice the triangles.
+inline constexpr double kMeshGrowth = 0.5;
+
 struct FittedMesh {
   TriangleMesh mesh;
   int snapped = 0;  ///< nodes moved onto lines

@@ -36,7 +36,7 @@ void require_no_mesh(const MeshPlan& mesh, const Place& covers) {
   if (mesh.half_rows > 0 || mesh.side > 0 || mesh.kind != MeshKind::regular || !mesh.materials.empty())
     throw InputError(
         mesh.place.line > 0 ? mesh.place : covers,
-        "expected only tip_side, refined, tip_functions and snap_ratio of a mesh beside a cover file, which "
+        "expected only tip_side, refined, error, tip_functions and snap_ratio of a mesh beside a cover file, which "
         "has one, found a mesh of its own");
 }
 
