@@ -204,7 +204,9 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
 
 /// What a batch with limits asks of a process a job: the journal of a batch of that job alone.
 ExitCode print_row(const BatchOptions& options) {
-  const auto depth = options.is_check ? study::CheckDepth::plan : study::CheckDepth::scene;
+  const auto depth = options.is_check ? study::CheckDepth::plan
+                     : options.is_run ? study::CheckDepth::outlook
+                                      : study::CheckDepth::scene;
   study::BatchJob job;
   job.files = options.row_files;
   const CatalogueRow row = study::check_job(options.root, job, {}, depth, options.profile);
