@@ -336,7 +336,6 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
   record.warnings = joined(joined(loaded.warnings, prepared.warnings), look_ahead(loaded.problem, prepared));
   record.timings.prepare = watch.lap();
-  const std::size_t told = record.warnings.size();
   const std::string title = title_of(options.files.front(), record.profile);
   RunRequest request = request_of(options, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
@@ -346,6 +345,7 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
               options.checkpoint_every, loaded.problem.analysis->place, loaded.problem.outputs, options.outputs.field},
              saved);
   listen_for_stops();  // from here on something is left that a stop should leave whole
+  const std::size_t told = job.record().warnings.size();
   job.open();
   ProgressLine progress(prepared.scene.settings.step_count, job.steps_before().value_or(0), softer_springs(prepared));
   print_start(prepared, job, saved != nullptr);
