@@ -108,9 +108,9 @@ TEST(HistoriesCommand, a_case_file_asks_for_them_too) {
   EXPECT_NEAR(last.at("line -1 2 to 2 2 force_y").first / kWeight, 1, 1e-6);
 }
 
-// The lowest block, 1, and the highest, 2, never meet, the line passes above all, and the left side of the outline has nothing
-// beside it. All of it is zeros.
-TEST(HistoriesCommand, what_bears_nothing_is_told_by_name_at_the_end_and_distant_blocks_at_the_start) {
+// The lowest block, 1, and the highest, 2, never meet, the line passes above all, and the left side of the outline has
+// nothing beside it. All of it is zeros.
+TEST(HistoriesCommand, what_bears_nothing_is_told_by_name_at_the_end) {
   const std::string folder = case_in("histories_of_nothing");
   const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--history", "far=contact:1,2",
                                  "--history", "contact:1,3", "--history", "joint:4", "--history", "joint:5",

@@ -265,9 +265,12 @@ ExitCode run_batch(const BatchOptions& options) {
 Action configure_batch(CLI::App& app) {
   const auto options = std::make_shared<BatchOptions>();
   app.add_option("DIR", options->root, "the folder of the archive")->required();
-  app.add_option("-o,--output", options->folder, "folder for catalogue.csv, .json and .html, journal.jsonl and results")
+  app.add_option("-o,--output", options->folder,
+                 "folder for catalogue.csv, .json and .html, journal.jsonl and results (required)")
       ->type_name("FOLDER");
-  app.add_flag("--check", options->is_check, "read every case and say what it holds and what is wrong with it");
+  app.add_flag("--check", options->is_check,
+               "read every case and say what it holds and what is wrong with it (one of --check, --run and --convert "
+               "is required)");
   app.add_flag("--run", options->is_run, "run every case under the profiles legacy and standard, and compare them");
   app.add_option("--convert", options->format, "convert every case to this format, as `keyblock convert --to`");
   app.add_option("--profile", options->profile, "only this preset of all choices")

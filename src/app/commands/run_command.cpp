@@ -13,12 +13,12 @@
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/commands/both_profiles.hpp"
-#include "app/commands/strength_reduction.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
 #include "app/output_options.hpp"
 #include "app/progress.hpp"
 #include "app/stop_request.hpp"
+#include "app/strength/strength_reduction.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "geometry/box.hpp"
@@ -531,7 +531,10 @@ Action configure_run(CLI::App& options) {
                                          "of the old programs, standard for own case files)")
                              ->check(CLI::IsMember(profile_names()));
   CLI::Option* folder =
-      options.add_option("-o,--output", chosen->folder, "folder for the results")->type_name("FOLDER");
+      options
+          .add_option("-o,--output", chosen->folder,
+                      "folder for the results (required, but not with --resume, --reduce-strength and --settings)")
+          ->type_name("FOLDER");
   const auto [sets, settings_file] = add_settings_options(options, *chosen);
   CLI::Option* every =
       options
