@@ -13,6 +13,7 @@
 
 #include "base/counted.hpp"
 #include "base/printable.hpp"
+#include "base/words/plain_number.hpp"
 #include "geometry/box.hpp"
 #include "geometry/segment.hpp"
 #include "model/continuum.hpp"
@@ -210,8 +211,8 @@ int point_at(const Scene& first, const HistoryPlan& plan) {
   const std::vector<CarriedPoint>& points = first.model.measured_points;
   for (std::size_t i = points.size(); i-- > 0;)
     if (points[i].start == *plan.point) return first.model.identities.of_measured_point(i);
-  throw InputError(plan.place, fmt::format("expected the point of a history within a block, found {:g}, {:g} in none",
-                                           plan.point->x, plan.point->y));
+  throw InputError(plan.place, fmt::format("expected the point of a history within a block, found {}, {} in none",
+                                           plain(plan.point->x, 6), plain(plan.point->y, 6)));
 }
 
 void require_block(const Scene& first, int number, const HistoryPlan& plan) {
@@ -337,9 +338,9 @@ Warnings Followed::of_distant_pairs() const {
     const BlockPair& pair = *one.plan.contact;
     warnings.push_back(
         {"history_of_distant_blocks", one.plan.place,
-         fmt::format("history \"contact {}\": blocks {} and {} are {:.4g} apart before any load, farther than the "
+         fmt::format("history \"contact {}\": blocks {} and {} are {} apart before any load, farther than the "
                      "smaller of them is large; its forces are 0 until they meet",
-                     one.name, pair.first + 1, pair.second + 1, one.apart)});
+                     one.name, pair.first + 1, pair.second + 1, plain(one.apart))});
   }
   return warnings;
 }
@@ -351,9 +352,9 @@ Warnings Followed::of_nothing() const {
     if (one.has_borne || !one.has_rows || plan.point || plan.block) continue;
     std::string how_near;
     if (one.nearest >= 0)
-      how_near = fmt::format("; the least gap is {:.4g}", one.nearest);
+      how_near = fmt::format("; the least gap is {}", plain(one.nearest));
     else if (one.apart >= 0)
-      how_near = fmt::format("; before any load they are {:.4g} apart", one.apart);
+      how_near = fmt::format("; before any load they are {} apart", plain(one.apart));
     warnings.push_back({"history_of_nothing", plan.place,
                         fmt::format("history \"{} {}\": {} in any of its rows, so that its forces are 0{}",
                                     word_of(plan), one.name, what_bore_nothing(plan), how_near)});
