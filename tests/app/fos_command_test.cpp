@@ -235,4 +235,22 @@ TEST(FosCommand, columns_that_topple_keep_to_their_recursion) {
   EXPECT_NEAR(Json::parse(run.output)["factor_of_safety"].get<double>(), exact, 0.05 * exact);
 }
 
+// A jointed slope takes longer than a millisecond: its first trial is given up, and nothing is said to be known.
+TEST(FosCommand, a_trial_beyond_its_limit_is_given_up_and_the_bracket_told_as_it_is_known) {
+  const std::string folder = fresh_folder("fos_limit");
+  ASSERT_EQ(run_keyblock({"new", "slope", "-o", folder + "/slope.json"}).exit_code, 0);
+  const ProgramRun run = run_keyblock({"fos", folder + "/slope.json", "--trial-limit", "0.001", "--json"});
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  const Json found = Json::parse(run.output);
+  EXPECT_EQ(found["end"], "undecided");
+  EXPECT_TRUE(found["factor_of_safety"].is_null());
+  EXPECT_TRUE(found["bracket"]["stands"].is_null());
+  ASSERT_EQ(found["trials"].size(), 1U);
+  EXPECT_EQ(found["trials"][0]["verdict"], "undecided");
+  EXPECT_EQ(found["trials"][0]["why"], "given up after 0.001 s (--trial-limit)");
+  const std::string note = found["notes"].back();
+  EXPECT_EQ(note.substr(0, 28), "statics does not decide at 1") << note;
+  EXPECT_TRUE(note.ends_with("nothing is known")) << note;
+}
+
 }  // namespace keyblock::fos_command_test
