@@ -235,6 +235,18 @@ TEST(FosCommand, columns_that_topple_keep_to_their_recursion) {
   EXPECT_NEAR(Json::parse(run.output)["factor_of_safety"].get<double>(), exact, 0.05 * exact);
 }
 
+// `run` does not take it away, but says what it is; of a large square it has nothing to say.
+TEST(FosCommand, statics_of_a_run_says_where_a_sliver_alone_falls) {
+  for (const auto& [size, is_told] : {std::pair{0.02, true}, std::pair{2.0, false}}) {
+    const std::string file = written("sliver", square_above_a_block(size));
+    const ProgramRun run = run_keyblock(
+        {"run", file, "-o", std::filesystem::path(file).replace_filename("out").string(), "--set", "motion=static"});
+    EXPECT_EQ(run.exit_code, 4) << run.messages;
+    const bool is_there = run.messages.find("block 1 is a sliver, below 1 % of the mean area") != std::string::npos;
+    EXPECT_EQ(is_there, is_told) << run.messages;
+  }
+}
+
 // A jointed slope takes longer than a millisecond: its first trial is given up, and nothing is said to be known.
 TEST(FosCommand, a_trial_beyond_its_limit_is_given_up_and_the_bracket_told_as_it_is_known) {
   const std::string folder = fresh_folder("fos_limit");

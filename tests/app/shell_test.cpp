@@ -44,6 +44,10 @@ TEST(Shell, slips_are_told_the_nearest_name) {
                        "there is no option --out; did you mean --output?"));
   const ProgramRun setting = run_keyblock(slide_into(fresh_folder("slip") + "/out", {"--set", "motoin=static"}));
   EXPECT_TRUE(contains(setting.messages, "did you mean \"motion\"?")) << setting.messages;
+  const ProgramRun value = run_keyblock(slide_into(fresh_folder("slip") + "/out", {"--set", "friction_angle=30"}));
+  EXPECT_EQ(value.exit_code, 2);
+  EXPECT_TRUE(contains(value.messages, "there is no setting \"friction_angle\"; it is a value of joint_materials in"))
+      << value.messages;
   const std::string folder = fresh_folder("slip_key");
   write_text(folder + "/a.json", R"({"keyblock": 1, "analyssi": {}})");
   EXPECT_TRUE(contains(run_keyblock({"check", folder + "/a.json"}).messages, "did you mean \"analysis\"?"));

@@ -22,6 +22,7 @@
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "geometry/box.hpp"
+#include "geometry/polygon.hpp"
 #include "job/run_heading.hpp"
 #include "job/run_job.hpp"
 #include "run/cover_settings.hpp"
@@ -34,6 +35,7 @@
 #include "settings/settings_table.hpp"
 #include "study/cases/case_file.hpp"
 #include "study/cases/named_files.hpp"
+#include "study/strength/strength_trial.hpp"
 
 namespace keyblock {
 namespace {
@@ -119,6 +121,26 @@ std::string what_they_do(const std::vector<std::string>& options) {
     if (std::ranges::any_of(options, [&](const std::string& option) { return option.find(part) != std::string::npos; }))
       words += fmt::format("{}{}", words.empty() ? "" : ", ", what);
   return words;
+}
+
+// Statics says nothing of a scene from which a sliver falls.
+void print_sliver_hint(const Prepared& prepared, const RunOutcome& outcome) {
+  const std::vector<BlockPolygon>& blocks = prepared.blocks.blocks;
+  if (!is_of_the_scene(outcome.failure) || outcome.numbers.empty() || !outcome.scenes.empty()) return;
+  const double most = study::kLooseArea * prepared.scene.model.mean_area;
+  const auto is_sliver = [&](int number) {
+    const auto at = static_cast<std::size_t>(number) - 1;
+    return at < blocks.size() && area(points_of(blocks[at].outer)) < most;
+  };
+  if (!std::ranges::all_of(outcome.numbers, is_sliver)) return;
+  const bool is_one = outcome.numbers.size() == 1;
+  spdlog::info(
+      "block{} {} {}, below {:g} % of the mean area, and nothing else was found to move: taken out of the drawing, or "
+      "lost in the rest by a larger edge_node_ratio, {} no equilibrium of the others; `keyblock fos` leaves such "
+      "blocks "
+      "out by itself",
+      is_one ? "" : "s", fmt::join(outcome.numbers, ", "), is_one ? "is a sliver" : "are slivers",
+      100 * study::kLooseArea, is_one ? "it hides" : "they hide");
 }
 
 // What to try where a run failed.
@@ -216,6 +238,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
   if (record.outcome.end == RunEnd::failed) {
     spdlog::error("keyblock: error: {}", record.outcome.reason);
+    print_sliver_hint(prepared, record.outcome);
     print_hint(prepared.scene.settings, record.outcome);
   }
   if (record.outcome.end == RunEnd::stopped) spdlog::warn("{}; {}", stopped_how(), how_to_go_on(folder));
