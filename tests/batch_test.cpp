@@ -159,6 +159,8 @@ TEST(Batch, no_equilibrium_is_a_verdict_of_its_own_and_warnings_are_those_of_the
     EXPECT_EQ(run.exit_code, std::string(task) == "--run" ? 1 : 0) << run.messages;
     const bool is_told = run.messages.find("1 without equilibrium (50 %)") != std::string::npos;
     EXPECT_EQ(is_told, run.exit_code == 1) << run.messages;
+    EXPECT_NE(run.messages.find("; 2 with warnings;"), std::string::npos)
+        << "also of what then fails: " << run.messages;
   }
   const auto checked = jobs_in(root / "out/--check");
   const auto made = jobs_in(root / "out/--run");

@@ -255,7 +255,8 @@ ExitCode run_batch(const BatchOptions& options) {
   const std::vector<CatalogueRow> rows = rows_of(archive, journal);
   write_catalogue(plan, rows);
   spdlog::info("{}, {}; {} with warnings; catalogue in {}", counted(archive.files.size(), "file"),
-               report::summary_of(rows), std::ranges::count(rows, "warnings", &CatalogueRow::outcome), options.folder);
+               report::summary_of(rows),
+               std::ranges::count_if(rows, [](const CatalogueRow& row) { return row.warnings > 0; }), options.folder);
   if (options.as_json) fmt::print("{}\n", study::catalogue_json(rows));
   return std::ranges::count(rows, "failed", &CatalogueRow::outcome) == 0 ? ExitCode::ok : ExitCode::check_failed;
 }
