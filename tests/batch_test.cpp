@@ -43,8 +43,9 @@ bool contains(const std::string& text, const std::string& part) {
 /// Copies the two files of a case of ours.
 void copy_case(const std::string& name, const fs::path& folder) {
   fs::create_directories(folder);
-  for (const char* ending : {".geo", ".ana"})
-    fs::copy_file(kCases + name + ending, folder / (fs::path(name).filename().string() + ending));
+  for (const char* ending : {".geo", ".blk", ".ana"})
+    if (fs::exists(kCases + name + ending))
+      fs::copy_file(kCases + name + ending, folder / (fs::path(name).filename().string() + ending));
 }
 
 }  // namespace
@@ -138,6 +139,40 @@ TEST(Batch, a_run_compares_the_old_rules_with_the_new_and_both_with_what_is_expe
   EXPECT_NEAR(job["difference"].get<double>(), 0.0018, 1e-4);  // friction of the old program lags a step behind
   for (const char* file : {"legacy/run.json", "standard/run.json", "legacy.log", "standard.log"})
     EXPECT_TRUE(fs::exists(root / "out/jobs/a30_p20/a30_p20.geo" / file)) << file;
+}
+
+// A block that slides, asked for equilibrium; a bar that cannot bend, of which both tasks warn.
+TEST(Batch, no_equilibrium_is_a_verdict_of_its_own_and_warnings_are_those_of_the_check) {
+  const fs::path root = fresh_folder("batch_mechanism");
+  fs::create_directories(root / "in");
+  const std::string slides = R"({"keyblock": 2, "run": {"set": {"motion": "static"}},
+    "blocks": {"blocks": [{"material": 1, "outer": [[0, 0, 1], [10, 0, 1], [0, 5.7735, 1]]},
+                          {"material": 1, "outer": [[4.80385, 3, 1], [5.30385, 3.86603, 1], [3.5718, 4.86603, 1],
+                                                    [3.0718, 4, 1]]}],
+               "fixed_points": [[1, 1, 1], [8, 0.5, 1]]},
+    "analysis": {"step_count": 5, "time_step": 0.01, "block_materials": [{"density": 2000, "youngs_modulus": 1e9}],
+                 "joint_materials": [{"friction_angle_deg": 20}]}})";
+  write_text(root / "in/slides.json", slides);
+  copy_case("toppling_column/a20_r050/a20_r050", root / "in/bar");
+  for (const char* task : {"--check", "--run"}) {
+    const ProgramRun run = run_keyblock({"batch", root / "in", task, "-o", root / "out" / task});
+    EXPECT_EQ(run.exit_code, std::string(task) == "--run" ? 1 : 0) << run.messages;
+    const bool is_told = run.messages.find("1 without equilibrium (50 %)") != std::string::npos;
+    EXPECT_EQ(is_told, run.exit_code == 1) << run.messages;
+    EXPECT_NE(run.messages.find("; 2 with warnings;"), std::string::npos)
+        << "also of what then fails: " << run.messages;
+  }
+  const auto checked = jobs_in(root / "out/--check");
+  const auto made = jobs_in(root / "out/--run");
+  ASSERT_EQ(made.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(checked[i]["warnings"], made[i]["warnings"]) << made[i];
+  EXPECT_EQ(made[0]["warnings"], 1);
+  EXPECT_NE(made[0]["message"].get<std::string>().find("[block_cannot_bend]"), std::string::npos) << made[0];
+  EXPECT_EQ(made[1]["verdict"], "no equilibrium");
+  EXPECT_EQ(made[1]["outcome"], "failed");
+  EXPECT_EQ(made[1]["answers"][1]["failure"], "no_equilibrium");
+  EXPECT_NE(made[1]["why"].get<std::string>().find("block 2 accelerates (at 4.188, 3.933;"), std::string::npos)
+      << made[1]["why"];
 }
 
 TEST(Batch, a_job_beyond_its_limits_fails_alone) {

@@ -141,11 +141,13 @@ class JsonReader {
     // 406: a number that no double holds.
     const bool is_number = error.id == 406;
     const std::string found = at == text_.size() ? "the end of the file" : "\"" + clipped(text_.substr(at)) + "\"";
+    const bool is_hash = last.ends_with('#');
     throw InputError(
         into_.map_.place(at),
         fmt::format(
-            "expected {}, found {}", is_number ? "a number of double precision" : "sound JSON",
-            is_number || last.empty() || at == text_.size() ? found : "\"" + clipped(without_line_ends(last)) + "\""));
+            "expected {}, found {}{}", is_number ? "a number of double precision" : "sound JSON",
+            is_number || last.empty() || at == text_.size() ? found : "\"" + clipped(without_line_ends(last)) + "\"",
+            is_hash ? "; comments begin with // in JSON, with # in YAML" : ""));
   }
 
  private:

@@ -13,6 +13,7 @@
 #include "formats/text/tokens.hpp"
 #include "formats/xml/xml_document.hpp"
 #include "geometry/polygon.hpp"
+#include "problem/units/unit_conversion.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -117,6 +118,7 @@ class VtuReader {
     frame.field.time = array(inner(grid, "FieldData"), "TimeValue").of(1)[0];
     read_points(piece);
     read_cells(piece, frame);
+    frame.units = units_in(inner(piece, "CellData"));
     return frame;
   }
 
@@ -138,6 +140,26 @@ class VtuReader {
   static VtuArray array(const Element& parent, std::string_view name) {
     if (auto found = array_in(parent, name)) return std::move(*found);
     throw InputError(parent.place(), fmt::format("expected the array {}, found none", name));
+  }
+
+  /// "Pa" of "stress_xx [Pa]".
+  static std::string unit_in(const Element& parent, std::string_view name) {
+    for (const Element& child : parent.children()) {
+      const auto title = child.attribute("Name");
+      const std::string start = fmt::format("{} [", name);
+      if (title && title->value.starts_with(start) && title->value.ends_with("]"))
+        return std::string(title->value.substr(start.size(), title->value.size() - start.size() - 1));
+    }
+    return {};
+  }
+  static Units units_in(const Element& data) {
+    Units units;
+    units.length = unit_in(data, "displacement");
+    const std::string velocity = unit_in(data, "velocity");
+    if (velocity.starts_with(units.length + "/")) units.time = velocity.substr(units.length.size() + 1);
+    const std::string stress = unit_in(data, "stress_xx");
+    if (!stress.empty()) units.mass = mass_of_stress(stress, units.length, units.time);
+    return units;
   }
 
   struct Stresses {

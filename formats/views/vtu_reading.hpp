@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/format.hpp"
+#include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 
 namespace keyblock::formats {
@@ -13,6 +14,7 @@ namespace keyblock::formats {
 struct VtuFrame {
   FieldFrame field;          ///< without its step, which the file does not tell
   std::vector<int> numbers;  ///< of the elements for the whole run, from 0
+  Units units = {};          ///< by what the arrays are called: "stress_xx [Pa]"; empty where they name none
 };
 
 /// Elements with displacement and stress at corners and middle; the stress of a block is that of all its corners.

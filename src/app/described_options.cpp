@@ -64,6 +64,17 @@ DescribedOption described(const CLI::Option& option) {
   return found;
 }
 
+std::string sentence_of(const CLI::Option& option) {
+  const DescribedOption of_it = described(option);
+  std::string text = of_it.description;
+  if (!of_it.range.empty()) text += fmt::format(" [{}]", of_it.range);
+  if (const std::string value = option.get_default_str(); !value.empty())
+    text += fmt::format(" (default: {})", value.starts_with('[') ? value.substr(1, value.size() - 2) : value);
+  if (option.get_required() && !of_it.names.empty()) text += " (required)";
+  for (const CLI::Option* needed : option.get_needs()) text += fmt::format(" (with {})", needed->get_name());
+  return text;
+}
+
 std::vector<DescribedOption> described_options(const CLI::App& app) {
   std::vector<DescribedOption> all;
   for (const CLI::Option* option : app.get_options()) all.push_back(described(*option));

@@ -20,6 +20,10 @@ struct DescribedOption {
 
 DescribedOption described(const CLI::Option& option);
 
+/// All that is said of an option: its description, the range and the default of its value, whether it is required, and
+/// what it goes with.
+std::string sentence_of(const CLI::Option& option);
+
 /// Of the program, or of one of its commands, in their order.
 std::vector<DescribedOption> described_options(const CLI::App& app);
 

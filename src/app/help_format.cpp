@@ -23,16 +23,6 @@ std::string left_side(const CLI::Option& option, const DescribedOption& describe
   return left + (is_many ? "..." : "");
 }
 
-std::string sentence(const CLI::Option& option, const DescribedOption& described) {
-  std::string text = described.description;
-  if (!described.range.empty()) text += fmt::format(" [{}]", described.range);
-  if (const std::string value = option.get_default_str(); !value.empty())
-    text += fmt::format(" (default: {})", value.starts_with('[') ? value.substr(1, value.size() - 2) : value);
-  if (option.get_required() && !described.names.empty()) text += " (required)";
-  for (const CLI::Option* needed : option.get_needs()) text += fmt::format(" (with {})", needed->get_name());
-  return text;
-}
-
 }  // namespace
 
 std::string HelpFormat::make_option(const CLI::Option* option, bool /*is_positional*/) const {
@@ -48,7 +38,7 @@ std::string HelpFormat::make_option(const CLI::Option* option, bool /*is_positio
   else
     entry += std::string(kSentenceColumn - column, ' ');
   column = kSentenceColumn;
-  std::istringstream words(sentence(*option, of_it));
+  std::istringstream words(sentence_of(*option));
   for (std::string word; words >> word;) {
     if (column > kSentenceColumn && column + 1 + word.size() > kLineWidth) break_line();
     if (column > kSentenceColumn) word.insert(0, " ");

@@ -89,6 +89,14 @@ bool has_memory_limit() {
   return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
+// An option of which the name is the beginning, "--out", or the nearest; empty where there is none.
+std::string meant_by(const std::string& name, const std::vector<std::string>& known) {
+  constexpr std::size_t kLeast = 4;  // with the hyphens
+  const auto begins = [&](const std::string& option) { return name.size() >= kLeast && option.starts_with(name); };
+  const auto found = std::ranges::find_if(known, begins);
+  return found == known.end() ? nearest(name, known) : *found;
+}
+
 // CLI11 names what it did not expect, and no more.
 void suggest_option(const CLI::App& program, const std::vector<std::string>& arguments) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
@@ -99,7 +107,7 @@ void suggest_option(const CLI::App& program, const std::vector<std::string>& arg
   for (const std::string& argument : arguments) {
     const std::string name = argument.substr(0, argument.find('='));
     if (!name.starts_with("--") || std::ranges::find(known, name) != known.end()) continue;
-    if (const std::string found = nearest(name, known); !found.empty())
+    if (const std::string found = meant_by(name, known); !found.empty())
       spdlog::error("keyblock: there is no option {}; did you mean {}?", name, found);
   }
 }

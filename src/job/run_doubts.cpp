@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/words/plain_number.hpp"
 #include "geometry/shared_area.hpp"
 #include "material/elastic.hpp"
 
@@ -141,17 +142,16 @@ void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last,
     if (!tip.has_room && !tip.goes_on && tip.toughness > 0) {
       judgement.doubts.push_back(
           {"tip_without_room", place,
-           fmt::format(
-               "tip {} at {:.4g}, {:.4g} has no factors: no domain of elements about it is free of other lines, "
-               "and whether it would go on is not known; a smaller tip_side gives it room",
-               number_of(tip), tip.at.x, tip.at.y)});
+           fmt::format("tip {} at {}, {} has no factors: no domain of elements about it is free of other lines, "
+                       "and whether it would go on is not known; a smaller tip_side gives it room",
+                       number_of(tip), plain(tip.at.x), plain(tip.at.y))});
       return;
     }
     if (is_at_rest && tip.goes_on) {
       judgement.doubts.push_back({"tips_still_go_on", place,
-                                  fmt::format("tip {} at {:.4g}, {:.4g} would go on under the loads of the last step: "
+                                  fmt::format("tip {} at {}, {} would go on under the loads of the last step: "
                                               "at rest a step sees one increment, and more steps are needed",
-                                              number_of(tip), tip.at.x, tip.at.y)});
+                                              number_of(tip), plain(tip.at.x), plain(tip.at.y))});
       return;
     }
   }

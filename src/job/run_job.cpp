@@ -77,6 +77,7 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
   record_.steps = StepRows(stride);
   record_.ledger = LedgerRows(stride);
   choose_outputs();
+  record_.warnings = joined(record_.warnings, followed_.of_distant_pairs());
 }
 
 void RunJob::choose_outputs() {
@@ -109,7 +110,7 @@ Warnings RunJob::remarks_on_outputs() const {
 void RunJob::open() {
   if (saved_ == nullptr) return folder_.begin(bytes_before_steps(request_));
   if (holds_steps(*saved_)) {
-    describe_told(*saved_, folder_, history_, record_, watch_);
+    describe_told(*saved_, folder_, history_, record_, watch_, followed_);
     saved_->group("stepper", [&] { stepper_ = restored_stepper(prepared_.scene, *saved_); });
     stepping_ = stepper_.get();
     joints_of_edges_ = joints_of_edges(stepper_->model());
@@ -123,7 +124,7 @@ std::optional<int> RunJob::steps_before() const {
 
 void RunJob::write_checkpoint(Stepper& stepper) {
   if (!stops_ && !clock_.is_due()) return;
-  folder_.write_checkpoint(saved_bytes(request_, folder_, history_, record_, watch_, stepper));
+  folder_.write_checkpoint(saved_bytes(request_, folder_, history_, record_, watch_, followed_, stepper));
   clock_.written();
 }
 
@@ -194,6 +195,7 @@ void RunJob::judge() {
   record_.plastic = plastic_extremes_of(folder_.last_frame());
   record_.reactions = reaction_curves(history_);
   record_.warnings = joined(record_.warnings, remarks_on_outputs());
+  record_.warnings = joined(record_.warnings, followed_.of_nothing());
   record_.warnings = joined(record_.warnings, outcome_warnings(prepared_, record_.outcome, place));
   record_.is_static = watch_.is_static();
   const Judgement judgement = judged(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);

@@ -34,6 +34,19 @@ const char* word_for(RunEnd end) {
   return "";
 }
 
+const char* word_for(FailureKind kind) {
+  switch (kind) {
+    case FailureKind::undecided:
+      return "undecided";
+    case FailureKind::no_equilibrium:
+    case FailureKind::accelerates:
+      return "no_equilibrium";
+    case FailureKind::cracks:
+      return "cracks";
+  }
+  return "";
+}
+
 Json all_settings_json(const Settings& settings) {
   Json all = Json::object();
   for (const SettingText& setting : list(settings)) {
@@ -104,6 +117,7 @@ Json outcome_json(const RunRecord& record, const Settings& settings) {
   Json json = {{"end", word_for(outcome.end)}, {"steps", outcome.steps}, {"time", outcome.time}};
   if (outcome.end == RunEnd::failed) {
     json["reason"] = outcome.reason;
+    json["failure"] = word_for(outcome.failure);
     json["contacts"] = contacts;
     json["blocks"] = Json::array();
     for (const int number : outcome.numbers) json["blocks"].push_back(number);

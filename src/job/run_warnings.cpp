@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/words/plain_number.hpp"
 #include "model/material_choices.hpp"
 #include "result/describe.hpp"
 
@@ -48,9 +49,9 @@ std::vector<std::string> start_complaints(const StartReport& start) {
 /// Where forces are most out of balance, and among how many contacts.
 std::string worst_contact(const StepReport& step) {
   if (step.residual_element == 0) return {};
-  return fmt::format(", where block {} touches block {} at {:.4g}, {:.4g} ({} contacts in all, {} closed)",
-                     step.residual_element, step.residual_other, step.residual_at.x, step.residual_at.y, step.contacts,
-                     step.closed);
+  return fmt::format(", where block {} touches block {} at {}, {} ({} contacts in all, {} closed)",
+                     step.residual_element, step.residual_other, plain(step.residual_at.x), plain(step.residual_at.y),
+                     step.contacts, step.closed);
 }
 
 /// What the steps of a run are held against.
@@ -106,9 +107,9 @@ std::vector<StepKind> kinds_by_length(const StepLimits& l) {
        [l](const StepReport& s) { return l.searches_pairs && s.displacement_ratio * l.allowed > l.block_size; },
        [l](const StepReport& s, int concerned, int steps) {
          return fmt::format(
-             "step {}: a block moves {:.3g}, further than blocks are wide ({:.3g}), as in {} of {} steps: it may have "
+             "step {}: a block moves {}, further than blocks are wide ({}), as in {} of {} steps: it may have "
              "passed through others unseen: look whether it did",
-             s.step, s.displacement_ratio * l.allowed, l.block_size, concerned, steps);
+             s.step, plain(s.displacement_ratio * l.allowed, 3), plain(l.block_size, 3), concerned, steps);
        }},
       {"step_above_limit", [l](const StepReport& s) { return !l.constant && s.dt > l.longest_step; },
        [l](const StepReport& s, int, int) {

@@ -48,7 +48,8 @@ std::string this_program() {
   return fmt::format("{}, SHA-256 {}", KEYBLOCK_VERSION, sha256(formats::load("/proc/self/exe").text));
 }
 
-void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch) {
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
+                   Followed& followed) {
   archive.group("records", [&] {
     archive.list("history", history.rows, [&](HistoryRow& row) { describe(archive, row); });
     const auto describe_step = [&](StepReport& report) { describe(archive, report); };
@@ -56,6 +57,7 @@ void describe_told(Archive& archive, RunFolder& folder, History& history, RunRec
     archive.group("steps", [&] { record.steps.describe(archive, describe_step); });
     archive.list("traced", record.traced, describe_step);
     archive.group("watch", [&] { watch.describe(archive); });
+    followed.describe(archive);
     archive.group("ledger_sums", [&] { describe(archive, record.ledger_sums); });
     archive.group("ledger", [&] { record.ledger.describe(archive, [&](LedgerRow& row) { describe(archive, row); }); });
   });
@@ -73,10 +75,10 @@ bool holds_steps(const Archive& saved) {
 }
 
 std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
-                        Stepper& stepper) {
+                        Followed& followed, Stepper& stepper) {
   Archive archive;
   archive.group("request", [&] { describe(archive, request); });
-  describe_told(archive, folder, history, record, watch);
+  describe_told(archive, folder, history, record, watch, followed);
   archive.group("stepper", [&] { stepper.save(archive); });
   return checkpoint_bytes(archive);
 }

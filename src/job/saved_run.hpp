@@ -12,6 +12,7 @@
 #include "job/run_report.hpp"
 #include "job/run_warnings.hpp"
 #include "result/history.hpp"
+#include "run/follow/followed.hpp"
 
 namespace keyblock {
 
@@ -38,8 +39,10 @@ void describe(Archive& archive, RunRequest& request);
 /// Version and SHA-256 of the program that runs: another build may lay out its state otherwise, or round otherwise.
 std::string this_program();
 
-/// What the run has told: rows of history, steps and ledger, sums of them, warnings of steps, and its frames.
-void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch);
+/// What the run has told: rows of history, steps and ledger, sums of them, warnings of steps, what is followed, and its
+/// frames.
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
+                   Followed& followed);
 
 /// What a run leaves at its start: the group request alone. Resumed from it, the run begins again.
 std::string bytes_before_steps(RunRequest& request);
@@ -49,7 +52,7 @@ bool holds_steps(const Archive& saved);
 
 /// The whole checkpoint: groups request, records, folder, stepper.
 std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
-                        Stepper& stepper);
+                        Followed& followed, Stepper& stepper);
 
 /// Says when the next checkpoint is due: every so many seconds, or only when the run is stopped.
 class CheckpointClock {

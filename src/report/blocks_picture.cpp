@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/scene.hpp"
 #include "report/drawing/svg.hpp"
@@ -92,9 +93,20 @@ void draw_scene(SvgPage& page, const PageMap& map, const Blocks& blocks) {
   draw_points(page, map, blocks.measured_points, Mark::measured_point);
 }
 
+/// How many are too small for it.
+std::size_t number_blocks(SvgPage& page, const PageMap& map, const Blocks& blocks) {
+  std::vector<NumberedBlock> numbered;
+  for (const BlockPolygon& block : blocks.blocks) {
+    NumberedBlock& out = numbered.emplace_back(static_cast<int>(numbered.size()) + 1);
+    out.loops.push_back(map(corners(block.outer)));
+    for (const BlockLoop& hole : block.holes) out.loops.push_back(map(corners(hole)));
+  }
+  return draw_block_numbers(page, numbered);
+}
+
 }  // namespace
 
-std::string blocks_picture(const Blocks& blocks, const Units& units) {
+std::string blocks_picture(const Blocks& blocks, const Units& units, Numbers numbers) {
   const double room = kPageWidth - 2 * kMargin;
   const Box box = bounds(blocks);
   Point corner{kMargin, kTitleHeight};
@@ -104,10 +116,14 @@ std::string blocks_picture(const Blocks& blocks, const Units& units) {
   const std::vector<LegendEntry> legend = make_legend(blocks);
   const double foot = kTitleHeight + size.y + 30;  // room for marks at the lower edge
   SvgPage page(kPageWidth, foot + kFootHeight + legend_height(legend, room));
-  page.text({kMargin, 26}, fmt::format("{} block{}", blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s"),
+  std::size_t without = 0;
+  if (!box.empty()) {
+    draw_scene(page, map, blocks);
+    if (numbers == Numbers::all) without = number_blocks(page, map, blocks);
+  }
+  page.text({kMargin, 26}, counted(blocks.blocks.size(), "block") + without_number_in_words(without),
             {.size = 16, .bold = true});
   if (box.empty()) return page.str();
-  draw_scene(page, map, blocks);
   draw_scale_bar(page, {kMargin, foot}, room, map, units);
   draw_legend(page, {kMargin, foot + 14}, room, legend);
   return page.str();

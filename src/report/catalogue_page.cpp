@@ -22,7 +22,7 @@ td.number { text-align: right; font-variant-numeric: tabular-nums }
 svg { display: block }
 img { display: block; width: 160px; border: 1px solid #ddd }
 tr.failed td.verdict { color: #b03060; font-weight: bold }
-tr.differs td.verdict { color: #a06000; font-weight: bold }
+tr.differs td.verdict, tr.no-equilibrium td.verdict { color: #a06000; font-weight: bold }
 tr.ran td.verdict { color: #206030 }
 tr.listed { color: #777 }
 )";
@@ -106,15 +106,20 @@ std::string pictures_cell(const CatalogueRow& row) {
   return text;
 }
 
+std::string class_of(std::string verdict) {
+  std::ranges::replace(verdict, ' ', '-');
+  return verdict;
+}
+
 std::string row_of(const CatalogueRow& row) {
   return fmt::format(
-      "<tr class=\"{0}\"><td>{1}</td><td>{2}</td><td class=\"verdict\">{3}</td><td>{4}</td>{5}<td>{6}</td>"
-      "<td>{7}</td><td>{8}</td>{9}{10}{11}<td class=\"outcome\">{12}</td><td>{13}</td>{14}"
-      "<td class=\"number\">{15}</td></tr>\n",
-      row.verdict.word, pictures_cell(row), escape_xml(row.name), row.verdict.word, escape_xml(row.verdict.why),
-      files_cell(row), escape_xml(row.formats()), escape_xml(row.paired_by), escape_xml(row.scene),
-      number_cell(row.blocks), number_cell(row.elements), number_cell(row.steps), row.outcome, escape_xml(row.message),
-      answers_cell(row), row.difference ? fmt::format("{:.6g}", *row.difference) : "");
+      "<tr class=\"{15}\"><td>{0}</td><td>{1}</td><td class=\"verdict\">{2}</td><td>{3}</td>{4}<td>{5}</td>"
+      "<td>{6}</td><td>{7}</td>{8}{9}{10}<td class=\"outcome\">{11}</td><td>{12}</td>{13}"
+      "<td class=\"number\">{14}</td></tr>\n",
+      pictures_cell(row), escape_xml(row.name), row.verdict.word, escape_xml(row.verdict.why), files_cell(row),
+      escape_xml(row.formats()), escape_xml(row.paired_by), escape_xml(row.scene), number_cell(row.blocks),
+      number_cell(row.elements), number_cell(row.steps), row.outcome, escape_xml(row.message), answers_cell(row),
+      row.difference ? fmt::format("{:.6g}", *row.difference) : "", class_of(row.verdict.word));
 }
 
 }  // namespace
@@ -152,7 +157,10 @@ std::string summary_of(const std::vector<CatalogueRow>& rows) {
   std::string text = fmt::format("{} job{}", rows.size(), rows.size() == 1 ? "" : "s");
   for (const auto& [word, count] : counts)
     text += fmt::format("{} {} {} ({:.0f} %)", text.find(':') == std::string::npos ? ":" : ",", count,
-                        word == "differs" && count > 1 ? "differ" : word, 100.0 * count / double(rows.size()));
+                        word == "no equilibrium"         ? "without equilibrium"
+                        : word == "differs" && count > 1 ? "differ"
+                                                         : word,
+                        100.0 * count / double(rows.size()));
   return text;
 }
 

@@ -42,6 +42,8 @@ struct CatalogueAnswer {
   double dy = 0;
   std::optional<CatalogueMeasures> measures;
   std::string doubt = {};  ///< why a run that came to its end is not trusted; empty where it is
+  /// Why it ended before, as `outcome.failure` of run.json: "no_equilibrium", "undecided", …; empty where not known.
+  std::string failure = {};
 };
 
 struct CatalogueRow {
@@ -68,7 +70,7 @@ struct CatalogueRow {
 /// A displacement as text: its components and its length.
 std::string text_of(const CatalogueAnswer& answer);
 
-/// "26 jobs: 9 ran (35 %), 4 differ (15 %), 13 read (50 %)".
+/// "26 jobs: 8 ran (31 %), 4 differ (15 %), 1 without equilibrium (4 %), 13 read (50 %)".
 std::string summary_of(const std::vector<CatalogueRow>& rows);
 
 /// One HTML document, which shows the pictures of runs that stand where `outputs` say, links to them and to their

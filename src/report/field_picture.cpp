@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/counted.hpp"
@@ -74,11 +75,8 @@ bool is_amount(FieldShown shown) {
   return shown == FieldShown::von_mises || is_displacement(shown);
 }
 
-// A principal stress is of one sign in most rock: white is then none, not the middle.
 ColourScale::Map map_of(FieldShown shown) {
-  if (is_amount(shown)) return ColourScale::Map::rising;
-  const bool is_principal = shown == FieldShown::greatest || shown == FieldShown::least;
-  return is_principal ? ColourScale::Map::about_zero : ColourScale::Map::diverging;
+  return is_amount(shown) ? ColourScale::Map::rising : ColourScale::Map::about_zero;
 }
 
 std::string caption_of(FieldShown shown, bool is_there) {
@@ -141,9 +139,20 @@ Panels place_panels(const Box& box) {
 /// Without what the pictures of the run leave out.
 FieldPicture framed(FieldPicture picture) {
   std::vector<FieldElement>& elements = picture.end.elements;
-  for (auto i = picture.left_out.rbegin(); i != picture.left_out.rend(); ++i)
+  for (auto i = picture.left_out.rbegin(); i != picture.left_out.rend(); ++i) {
     elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(*i));
+    if (!picture.numbers.empty()) picture.numbers.erase(picture.numbers.begin() + static_cast<std::ptrdiff_t>(*i));
+  }
   return picture;
+}
+
+/// What the caption of the panel says of elements too small for their number.
+std::string number_elements(SvgPage& page, const PageMap& map, const FieldFrame& field, const std::vector<int>& numbers,
+                            const CornerPlace& place) {
+  std::vector<NumberedBlock> numbered;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbered.push_back({numbers[i], map(loops_of(field.elements[i], place))});
+  return without_number_in_words(draw_block_numbers(page, numbered));
 }
 
 /// Where the colours, or lengths, are explained.
@@ -193,9 +202,9 @@ FieldShown most_varied(const FieldFrame& field) {
   FieldShown most = FieldShown::xx;
   double widest = -1;
   for (const FieldShown shown : {FieldShown::xx, FieldShown::yy, FieldShown::xy}) {
-    const ColourScale scale = scale_of(shown_patches(field, shown));
-    if (!(scale.high - scale.low > widest * (1 + 1e-9))) continue;
-    widest = scale.high - scale.low;
+    const double width = range_of(shown_patches(field, shown));
+    if (!(width > widest * (1 + 1e-9))) continue;
+    widest = width;
     most = shown;
   }
   return most;
@@ -220,10 +229,11 @@ std::string field_picture(const FieldPicture& whole) {
   const auto caption = [&](std::size_t k, const std::string& words) {
     page.text(panels.corners[k] - Point{0, 8}, words, {.size = 13});
   };
-  caption(0, elements_in_words(picture.start));
   draw_mesh(page, map(0), picture.start, as_drawn, true);
-  caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
+  caption(0, elements_in_words(picture.start) + number_elements(page, map(0), picture.start, whole.numbers, as_drawn));
   draw_mesh(page, map(1), picture.end, deformed, true);
+  number_elements(page, map(1), picture.end, picture.numbers, deformed);
+  caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
   const CornerPlace place = is_true ? deformed : as_drawn;
   const Point size = map(2).size();
   const Point beside{panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y};
@@ -238,13 +248,15 @@ std::string field_picture(const FieldPicture& whole) {
   return page.str();
 }
 
-std::string mesh_picture(const std::string& title, const FieldFrame& mesh, const Units& units) {
+std::string mesh_picture(const std::string& title, const FieldFrame& mesh, const Units& units, Numbers numbers) {
   const Box box = bounds(mesh, as_drawn);
   const PageMap map(box, {kMargin, kTitleHeight}, {kRoom, 640});
   SvgPage page(kPageWidth, kTitleHeight + map.size().y + 60);
-  page.text({kMargin, 28}, title, {.size = 17, .bold = true});
+  std::vector<int> all(numbers == Numbers::all ? mesh.elements.size() : 0);
+  std::iota(all.begin(), all.end(), 1);
+  if (!box.empty()) draw_mesh(page, map, mesh, as_drawn, true);
+  page.text({kMargin, 28}, title + number_elements(page, map, mesh, all, as_drawn), {.size = 17, .bold = true});
   if (box.empty()) return page.str();
-  draw_mesh(page, map, mesh, as_drawn, true);
   draw_scale_bar(page, {kMargin, kTitleHeight + map.size().y + 26}, kRoom, map, units);
   return page.str();
 }

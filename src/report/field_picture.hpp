@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "problem/run_choices.hpp"
+#include "report/drawing/block_numbers.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 
@@ -31,6 +32,8 @@ struct FieldPicture {
   bool is_of_motion = false;  ///< displacements may be large: never drawn smaller, and true ones carry the stress
   Units units = {};
   std::vector<std::size_t> left_out = {};  ///< elements of the end, in their order, that the picture leaves out
+  /// Of the elements of start and end, which are then the same, from 1: written into them. Empty: none are.
+  std::vector<int> numbers = {};
 };
 
 /// The component of the stress that varies most.
@@ -42,6 +45,7 @@ FieldShown most_varied(const FieldFrame& field);
 std::string field_picture(const FieldPicture& picture);
 
 /// The mesh alone, elements over their bodies' colours: what `keyblock cut` shows.
-std::string mesh_picture(const std::string& title, const FieldFrame& mesh, const Units& units = {});
+std::string mesh_picture(const std::string& title, const FieldFrame& mesh, const Units& units = {},
+                         Numbers numbers = Numbers::none);
 
 }  // namespace keyblock::report

@@ -12,6 +12,7 @@
 
 #include "base/counted.hpp"
 #include "base/union_find.hpp"
+#include "base/words/plain_number.hpp"
 #include "geometry/polygon.hpp"
 #include "material/strength.hpp"
 #include "problem/units/unit_conversion.hpp"
@@ -46,7 +47,7 @@ Shape shape_of(const std::vector<Point>& points) {
 }
 
 std::string at(const Point& p) {
-  return fmt::format("{:.4g}, {:.4g}", p.x, p.y);
+  return fmt::format("{}, {}", plain(p.x), plain(p.y));
 }
 
 /// The blocks of a scene as cut, and who touches whom.
@@ -104,8 +105,8 @@ class Blocky {
 
  private:
   std::string named(std::size_t block) const {
-    return fmt::format("block {} at {}, area {:.3g} ({:.3g} % of the mean)", block + 1, at(shapes_[block].centroid),
-                       shapes_[block].area, 100 * shapes_[block].area / mean_);
+    return fmt::format("block {} at {}, area {} ({:.3g} % of the mean)", block + 1, at(shapes_[block].centroid),
+                       plain(shapes_[block].area, 3), 100 * shapes_[block].area / mean_);
   }
 
   std::string slivers() const {
@@ -118,11 +119,11 @@ class Blocky {
         *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].width() / shapes_[i].length; });
     return fmt::format(
         "{} of {} {} below {:g} % of the mean area or narrower than {:g} % of their length: the smallest is "
-        "{}; the thinnest is block {} at {}, {:.3g} wide and {:.3g} long. Slivers fail to come to rest and need "
+        "{}; the thinnest is block {} at {}, {} wide and {} long. Slivers fail to come to rest and need "
         "small steps",
         counted(found.size(), "block"), shapes_.size(), found.size() == 1 ? "is a sliver," : "are slivers,",
         100 * kSmall, 100 * kNarrow, named(smallest), thinnest + 1, at(shapes_[thinnest].centroid),
-        shapes_[thinnest].width(), shapes_[thinnest].length);
+        plain(shapes_[thinnest].width(), 3), plain(shapes_[thinnest].length, 3));
   }
 
   // By the parity of crossings of a level ray with the boundary lines.
@@ -262,10 +263,10 @@ class Blocky {
     if (found.empty()) return {};
     const Shape& first = shapes_[found.front()];
     return fmt::format(
-        "{} slender, the first is block {} at {}, {:.3g} long and {:.3g} wide: the strain of a block is the same all "
+        "{} slender, the first is block {} at {}, {} long and {} wide: the strain of a block is the same all "
         "over it, so that it cannot bend; a section `covers` of a case file, or cuts across it, lets it",
         found.size() == 1 ? "1 block is" : fmt::format("{} blocks are", found.size()), found.front() + 1,
-        at(first.centroid), first.length, first.width());
+        at(first.centroid), plain(first.length, 3), plain(first.width(), 3));
   }
 
   std::string stiff_springs() const {
@@ -390,8 +391,8 @@ std::string smallest_block(const Blocks& blocks) {
     sum += shapes.back().area;
   }
   const auto smallest = std::ranges::min_element(shapes, {}, &Shape::area);
-  return fmt::format("smallest block: {} at {}, area {:.3g}, {:.3g} % of the mean", smallest - shapes.begin() + 1,
-                     at(smallest->centroid), smallest->area,
+  return fmt::format("smallest block: {} at {}, area {}, {:.3g} % of the mean", smallest - shapes.begin() + 1,
+                     at(smallest->centroid), plain(smallest->area, 3),
                      100 * smallest->area * static_cast<double>(shapes.size()) / sum);
 }
 

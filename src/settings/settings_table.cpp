@@ -381,11 +381,29 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kOtherWor
                                                                                     {"statics", "motion"},
                                                                                     {"init", "start"}}};
 
+// What users look for among the settings, and where it stands.
+std::string where_it_is(std::string_view name) {
+  constexpr std::array<std::string_view, 9> kOfJoints{
+      "friction_angle_deg", "friction_angle", "friction", "phi", "cohesion",
+      "tensile_strength",   "tension",        "c",        "fric"};
+  constexpr std::array<std::string_view, 8> kOfBlocks{"youngs_modulus", "young",       "modulus",  "poissons_ratio",
+                                                      "density",        "unit_weight", "strength", "dilation_deg"};
+  if (std::ranges::find(kOfJoints, name) != kOfJoints.end())
+    return "; it is a value of joint_materials in the case file, or of the analysis file; joint_strength_factor scales "
+           "friction, cohesion and tensile strength of all joints";
+  if (std::ranges::find(kOfBlocks, name) != kOfBlocks.end())
+    return "; it is a value of block_materials in the case file, or of the analysis file";
+  if (name == "gravity") return "; it is a value of the case file, in the section analysis";
+  return {};
+}
+
 std::string no_such_setting(const std::string& name) {
   std::vector<std::string> names;
   for (const SettingRow& row : table()) names.push_back(row.name);
   const auto other =
       std::ranges::find(kOtherWords, std::string_view(name), [](const auto& pair) { return pair.first; });
+  if (const std::string where = where_it_is(name); !where.empty())
+    return fmt::format("there is no setting \"{}\"{}", name, where);
   return fmt::format(
       "there is no setting \"{}\"{} (`keyblock run --settings` lists them)", name,
       other != kOtherWords.end() ? fmt::format("; did you mean \"{}\"?", other->second) : nearest_words(name, names));

@@ -46,6 +46,16 @@ class CutCommand : public testing::Test {
 
 }  // namespace
 
+TEST_F(CutCommand, numbers_stand_in_the_picture_where_asked_for) {
+  ASSERT_EQ(run("squares.geo --svg numbered.svg --numbers"), 0) << text("err");
+  ASSERT_EQ(run("squares.geo --svg plain.svg"), 0) << text("err");
+  for (const char* number : {">1<", ">2<"}) {
+    EXPECT_NE(text("numbered.svg").find(number), std::string::npos) << number;
+    EXPECT_EQ(text("plain.svg").find(number), std::string::npos) << number;
+  }
+  EXPECT_NE(run("squares.geo --numbers"), 0) << "of no picture";
+}
+
 TEST_F(CutCommand, writes_a_block_file_that_reads_back) {
   ASSERT_EQ(run("squares.geo -o squares.blk --svg squares.svg"), 0) << text("err");
   const formats::Case cut = formats::load_case({(folder_ / "squares.blk").string()});

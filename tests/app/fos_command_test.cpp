@@ -235,4 +235,34 @@ TEST(FosCommand, columns_that_topple_keep_to_their_recursion) {
   EXPECT_NEAR(Json::parse(run.output)["factor_of_safety"].get<double>(), exact, 0.05 * exact);
 }
 
+// `run` does not take it away, but says what it is; of a large square it has nothing to say.
+TEST(FosCommand, statics_of_a_run_says_where_a_sliver_alone_falls) {
+  for (const auto& [size, is_told] : {std::pair{0.02, true}, std::pair{2.0, false}}) {
+    const std::string file = written("sliver", square_above_a_block(size));
+    const ProgramRun run = run_keyblock(
+        {"run", file, "-o", std::filesystem::path(file).replace_filename("out").string(), "--set", "motion=static"});
+    EXPECT_EQ(run.exit_code, 4) << run.messages;
+    const bool is_there = run.messages.find("block 1 is a sliver, below 1 % of the mean area") != std::string::npos;
+    EXPECT_EQ(is_there, is_told) << run.messages;
+  }
+}
+
+// A jointed slope takes longer than a millisecond: its first trial is given up, and nothing is said to be known.
+TEST(FosCommand, a_trial_beyond_its_limit_is_given_up_and_the_bracket_told_as_it_is_known) {
+  const std::string folder = fresh_folder("fos_limit");
+  ASSERT_EQ(run_keyblock({"new", "slope", "-o", folder + "/slope.json"}).exit_code, 0);
+  const ProgramRun run = run_keyblock({"fos", folder + "/slope.json", "--trial-limit", "0.001", "--json"});
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  const Json found = Json::parse(run.output);
+  EXPECT_EQ(found["end"], "undecided");
+  EXPECT_TRUE(found["factor_of_safety"].is_null());
+  EXPECT_TRUE(found["bracket"]["stands"].is_null());
+  ASSERT_EQ(found["trials"].size(), 1U);
+  EXPECT_EQ(found["trials"][0]["verdict"], "undecided");
+  EXPECT_EQ(found["trials"][0]["why"], "given up after 0.001 s (--trial-limit)");
+  const std::string note = found["notes"].back();
+  EXPECT_EQ(note.substr(0, 28), "statics does not decide at 1") << note;
+  EXPECT_TRUE(note.ends_with("nothing is known")) << note;
+}
+
 }  // namespace keyblock::fos_command_test

@@ -108,6 +108,48 @@ TEST(HistoriesCommand, a_case_file_asks_for_them_too) {
   EXPECT_NEAR(last.at("line -1 2 to 2 2 force_y").first / kWeight, 1, 1e-6);
 }
 
+// The lowest block, 1, and the highest, 2, never meet, the line passes above all, and the left side of the outline has
+// nothing beside it. All of it is zeros.
+TEST(HistoriesCommand, what_bears_nothing_is_told_by_name_at_the_end) {
+  const std::string folder = case_in("histories_of_nothing");
+  const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--history", "far=contact:1,2",
+                                 "--history", "contact:1,3", "--history", "joint:4", "--history", "joint:5",
+                                 "--history", "line:-1,9,2,9", "--history", "block:3", "--history", "point:0.5,2.5"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_TRUE(contains(run.messages,
+                       "history \"contact far\": no contact of blocks 1 and 2 is closed in any of its "
+                       "rows, so that its forces are 0"))
+      << run.messages;
+  EXPECT_TRUE(contains(run.messages, "before any load they are 1 apart")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "history \"joint 4\": no contact along joint 4 of the drawing is closed"));
+  EXPECT_TRUE(contains(run.messages, "history \"line -1 9 to 2 9\": no closed contact and no bolt crosses the line"));
+  const auto record = nlohmann::json::parse(read_text(folder + "/out/run.json"));
+  int told = 0;
+  for (const auto& warning : record["warnings"]) {
+    EXPECT_NE(warning["name"], "history_of_distant_blocks") << "a metre apart, and larger than that";
+    if (warning["name"] == "history_of_nothing") told = warning["count"];
+  }
+  EXPECT_EQ(told, 3) << "what bears something, and what is of no contact, is passed over: " << run.messages;
+}
+
+TEST(HistoriesCommand, blocks_far_apart_are_told_before_the_first_step_and_by_check) {
+  const std::string folder = fresh_folder("histories_distant");
+  std::string text = column(R"(, "outputs": {"histories": [{"contact": [1, 2]}, {"contact": [1, 3]},
+      {"contact": [1, 4]}, {"contact": [2, 3]}, {"contact": [2, 4]}, {"contact": [3, 4]}]})");
+  const std::string high = "[1, 3, 0, 3, 1]";
+  ASSERT_TRUE(contains(text, high));
+  text.replace(text.find(high), high.size(), "[1, 3, 0, 3, 1], [0, 2.7, 1, 2.7, 1]");
+  write_text(folder + "/case.json", text);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"check", folder + "/case.json"},
+        std::vector<std::string>{"run", folder + "/case.json", "-o", folder + "/out"}}) {
+    const auto run = run_keyblock(arguments);
+    const std::string all = run.output + run.messages;
+    EXPECT_TRUE(contains(all, "are 1.7 apart before any load, farther than the smaller of them is large")) << all;
+    EXPECT_TRUE(contains(all, "[history_of_distant_blocks]\n")) << "of one pair alone, not \"2 times\": " << all;
+  }
+}
+
 TEST(HistoriesCommand, without_a_choice_the_table_has_what_moves_most) {
   const std::string folder = case_in("histories_none");
   ASSERT_EQ(run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"}).exit_code, 0);

@@ -150,4 +150,44 @@ TEST(PlotCommand, what_is_no_run_or_no_frame_is_an_error_at_its_place) {
   EXPECT_TRUE(contains(refused(far), "in the array connectivity"));
 }
 
+TEST(PlotCommand, a_picture_is_svg_and_another_ending_is_refused) {
+  const std::string out = run_of("slope", "sxx");
+  const ProgramRun plot = run_keyblock({"plot", out, "-o", out + "/x.png"});
+  EXPECT_EQ(plot.exit_code, 2);
+  EXPECT_TRUE(contains(plot.messages, "expected a name that ends in .svg, found " + out + "/x.png; write " + out +
+                                          "/x.svg, then rsvg-convert -f png "))
+      << plot.messages;
+  EXPECT_FALSE(std::filesystem::exists(out + "/x.png"));
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"cut", "a.geo", "--svg", "a.pdf"},
+                                                {"sweep", out, "--picture", "a.png"},
+                                                {"fit", "a.csv", "--svg", "a.jpg"},
+                                                {"cut", "a.geo", "-o", "a.svg"},
+                                                {"fit", "a.csv", "-o", "a.PNG"}}) {
+    const ProgramRun run = run_keyblock(words);
+    EXPECT_EQ(run.exit_code, 2) << run.messages;
+    EXPECT_FALSE(std::filesystem::exists(words.back()));
+  }
+}
+
+// A run that was killed has no record: its frames name the units.
+TEST(PlotCommand, a_run_without_a_record_has_the_units_of_its_frames) {
+  const std::string out = run_of("slope", "s3");
+  ASSERT_TRUE(contains(read_text(out + "/field.svg"), ">σ3 [Pa]<"));
+  std::filesystem::remove(out + "/run.json");
+  ASSERT_EQ(run_keyblock({"plot", out, "--field", "s3", "-o", out + "/killed.svg"}).exit_code, 0);
+  const std::string picture = read_text(out + "/killed.svg");
+  EXPECT_TRUE(contains(picture, ">σ3 [Pa]<")) << "the unit of stress";
+  EXPECT_TRUE(contains(picture, " m<")) << "that of the scale bar";
+  EXPECT_TRUE(contains(picture, " s<")) << "and that of the title's time";
+}
+
+TEST(PlotCommand, numbers_of_blocks_are_those_of_the_tables) {
+  const std::string out = run_of("far", "s1", with_a_small_block_that_falls());
+  ASSERT_EQ(run_keyblock({"plot", out, "--field", "s1", "--numbers", "-o", out + "/n.svg"}).exit_code, 0);
+  const std::string picture = read_text(out + "/n.svg");
+  EXPECT_TRUE(contains(picture, ">42 blocks; 1 is too small for its number<")) << "42, which fell";
+  for (const char* number : {">2<", ">41<"}) EXPECT_TRUE(contains(picture, number)) << number;
+  EXPECT_FALSE(contains(picture, ">42<"));
+}
+
 }  // namespace keyblock::plot_command_test

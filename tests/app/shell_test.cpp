@@ -1,5 +1,6 @@
 // The shell: what a slip of the hand is told, what goes to which stream, and messages that say what to do.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -39,8 +40,14 @@ TEST(Shell, slips_are_told_the_nearest_name) {
   const ProgramRun option = run_keyblock({"run", "a.json", "--outptu", "x"});
   EXPECT_EQ(option.exit_code, 2);
   EXPECT_TRUE(contains(option.messages, "there is no option --outptu; did you mean --output?")) << option.messages;
+  EXPECT_TRUE(contains(run_keyblock({"run", "a.json", "--out", "x"}).messages,
+                       "there is no option --out; did you mean --output?"));
   const ProgramRun setting = run_keyblock(slide_into(fresh_folder("slip") + "/out", {"--set", "motoin=static"}));
   EXPECT_TRUE(contains(setting.messages, "did you mean \"motion\"?")) << setting.messages;
+  const ProgramRun value = run_keyblock(slide_into(fresh_folder("slip") + "/out", {"--set", "friction_angle=30"}));
+  EXPECT_EQ(value.exit_code, 2);
+  EXPECT_TRUE(contains(value.messages, "there is no setting \"friction_angle\"; it is a value of joint_materials in"))
+      << value.messages;
   const std::string folder = fresh_folder("slip_key");
   write_text(folder + "/a.json", R"({"keyblock": 1, "analyssi": {}})");
   EXPECT_TRUE(contains(run_keyblock({"check", folder + "/a.json"}).messages, "did you mean \"analysis\"?"));
@@ -69,9 +76,24 @@ TEST(Shell, help_says_what_options_take_in_plain_words) {
     }
   }
   const std::string run = run_keyblock({"run", "--help"}).output;
-  EXPECT_TRUE(contains(run, "\n  -o,--output FOLDER        folder for the results\n")) << run;
+  EXPECT_TRUE(contains(run, "\n  -o,--output FOLDER        folder for the results (required, but not with --resume,"))
+      << run;
   EXPECT_TRUE(contains(run, "\n  --set KEY=VALUE...        key=value: ")) << run;
   EXPECT_TRUE(contains(run, "\n  --reduce-strength joints|rock|both\n")) << run;
+}
+
+// A block that slides, in coordinates of a survey.
+TEST(Shell, places_are_told_without_powers_of_ten) {
+  const std::string folder = fresh_folder("survey");
+  write_text(folder + "/a.json", R"({"keyblock": 2, "blocks": {"blocks": [
+      {"outer": [[12470, 50310, 1], [12480, 50310, 1], [12470, 50315.7735, 1]]},
+      {"outer": [[12474.80385, 50313, 1], [12475.30385, 50313.86603, 1], [12473.5718, 50314.86603, 1],
+                 [12473.0718, 50314, 1]]}], "fixed_points": [[12471, 50311, 1], [12478, 50310.5, 1]]},
+    "analysis": {"step_count": 5, "time_step": 0.01, "block_materials": [{"density": 2000, "youngs_modulus": 1e9}],
+                 "joint_materials": [{"friction_angle_deg": 20}]}})");
+  const ProgramRun run = run_keyblock({"run", folder + "/a.json", "-o", folder + "/out", "--set", "motion=static"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_TRUE(contains(run.messages, "block 2 accelerates (at 12474, 50314; area 2,")) << run.messages;
 }
 
 // Neither is written by hand: what --help lists, they have.
@@ -98,6 +120,20 @@ TEST(Shell, man_page_and_completion_name_all_commands_and_options) {
     has_begun = has_begun || line == "Subcommands:";
   }
   EXPECT_GE(commands, 19);
+}
+
+TEST(Shell, help_says_what_is_required_and_the_man_page_has_its_defaults_and_all_exit_codes) {
+  const std::string man = run_keyblock({"shell", "man"}).output;
+  // What --help says in brackets, in one line with the hyphens of roff.
+  for (const char* words :
+       {"files, in MiB, are named, not read (default: 64)", "that has room for it (with \\-\\-svg)",
+        "else a geometry file (required)", "jobs at a time (default: as many as cores) [1 to 1024]"})
+    EXPECT_TRUE(contains(man, words)) << words;
+  for (const char* code : {"0", "1", "2", "3", "4", "5", "130", "128 + n"})
+    EXPECT_TRUE(contains(man, fmt::format("\\fB{}\\fR\n", code))) << code;
+  EXPECT_TRUE(contains(run_keyblock({"batch", "--help"}).output, "(required)"));
+  EXPECT_TRUE(contains(run_keyblock({"run", "--help"}).output, "folder for the results (required, but not with"));
+  EXPECT_FALSE(contains(run_keyblock({"joints", "--help"}).output, ".hpp"));
 }
 
 TEST(Shell, bash_completes_commands_options_and_values) {

@@ -100,17 +100,17 @@ TEST(OutputFiles, a_link_is_followed_if_told_to_and_stays) {
 TEST(OutputFiles, two_outputs_of_one_name_are_refused_before_anything_is_written) {
   const std::string folder = fresh_folder("two");
   fs::create_directory(folder + "/below");
-  for (const std::string& picture : {folder + "/x.blk", folder + "/below/../x.blk"}) {
-    const auto run = cut_to(folder + "/x.blk", {"--svg", picture});
+  for (const std::string& picture : {folder + "/x", folder + "/below/../x"}) {
+    const auto run = cut_to(folder + "/x", {"--svg", picture});
     EXPECT_EQ(run.exit_code, 2) << picture;
     EXPECT_TRUE(contains(run.messages, "is named for two outputs")) << run.messages;
   }
   const std::string slide = kCases + "sliding_block/a30_p20";
-  EXPECT_EQ(run_keyblock({"sweep", slide, "--table", folder + "/x.blk", "--picture", folder + "/x.blk"}).exit_code, 2);
-  EXPECT_EQ(run_keyblock({"tradeoff", slide, "--error", "1", "-o", folder + "/x.blk", "--picture", folder + "/x.blk"})
+  EXPECT_EQ(run_keyblock({"sweep", slide, "--table", folder + "/x", "--picture", folder + "/x"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"tradeoff", slide, "--error", "1", "-o", folder + "/x", "--picture", folder + "/x"})
                 .exit_code,
             2);
-  EXPECT_FALSE(fs::exists(folder + "/x.blk"));
+  EXPECT_FALSE(fs::exists(folder + "/x"));
 }
 
 TEST(OutputFiles, a_picture_of_a_comparison_is_not_overwritten_unless_told_to) {

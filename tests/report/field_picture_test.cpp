@@ -34,7 +34,50 @@ TEST(FieldPicture, it_names_elements_scale_and_stress) {
   EXPECT_TRUE(contains(svg, "1 block"));
   EXPECT_TRUE(contains(svg, "displacement × 10"));  // 0.08 of the extent √2, rounded down to 1, 2 or 5
   EXPECT_TRUE(contains(svg, "σyy"));
-  EXPECT_TRUE(contains(svg, ">3.17<"));  // mean of two corners of -4 and the middle; white stands for no stress
+  EXPECT_TRUE(contains(svg, ">-3.17<"));  // mean of two corners of -4 and the middle; white stands for no stress
+  EXPECT_TRUE(contains(svg, ">0.167<"));  // of the upper corners and the middle: no tension beyond it is on the bar
+}
+
+// All compressive, but of a wide range: white is no stress, blue the greatest pressure, and nothing on the bar is red.
+// Far from 0 the colours are of what is between, pale to strong.
+TEST(FieldPicture, a_stress_of_one_sign_has_one_side_of_the_colours) {
+  const auto scale = [](std::vector<double> values) {
+    std::vector<Patch> patches;
+    for (const double value : values) patches.push_back({{{{0, 0}, {1, 0}, {0, 1}}}, value});
+    return scale_of(patches);
+  };
+  const std::string white = "#f7f7f7", blue = "#2166ac", red = "#b2182b";
+  const ColourScale wide = scale({-8, -3, -1});
+  EXPECT_EQ(wide.high, 0);
+  EXPECT_EQ(wide.colour(-8), blue);
+  EXPECT_EQ(wide.colour(0), white);
+  const ColourScale narrow = scale({-10.1, -10, -9.9});
+  EXPECT_EQ(narrow.high, -9.9) << "0 is far away, and would leave no colours to tell the values apart";
+  EXPECT_EQ(narrow.colour(-10.1), blue);
+  EXPECT_NE(narrow.colour(-9.9), white) << "there is stress";
+  EXPECT_NE(narrow.colour(-9.9), narrow.colour(-10));
+  EXPECT_EQ(scale({9.9, 10, 10.1}).colour(10.1), red);
+  FieldFrame field = sheared();
+  for (FieldCorner& corner : field.elements[0].loops[0]) corner.stress.yy -= 2;  // -6 to -1
+  field.elements[0].middle.stress.yy = -3.5;
+  const std::string svg = field_picture({"t", field, field, {}, FieldShown::yy});
+  EXPECT_FALSE(contains(svg, red));
+  EXPECT_FALSE(contains(svg, "#f4a582")) << "pale red";
+  EXPECT_TRUE(contains(svg, ">0<")) << "the bar ends at no stress";
+}
+
+TEST(FieldPicture, elements_bear_their_numbers_at_both_places) {
+  const FieldFrame field = sheared();
+  FieldPicture picture{"t", field, field, {}, FieldShown::yy};
+  const auto count = [](const std::string& svg, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = svg.find(part); at != std::string::npos; at = svg.find(part, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(field_picture(picture), ">417<"), 0U);
+  picture.numbers = {417};
+  EXPECT_EQ(count(field_picture(picture), ">417<"), 2U) << "as drawn and displaced";
+  EXPECT_EQ(count(mesh_picture("t", field, {}, Numbers::all), ">1<"), 1U);
 }
 
 TEST(FieldPicture, a_field_at_rest_is_drawn_as_it_is) {

@@ -23,7 +23,7 @@ report::CatalogueRow full_row() {
       {"legacy", "finished", 10, 0.5, "measured point 1", 3, 4, report::CatalogueMeasures{7, -2, 0.5, 12, true, 0.125}},
       {"standard", "finished", 10, 0.5, "measured point 1", 3, 4,
        report::CatalogueMeasures{8, -3, 0.25, 0, true, std::nullopt}},
-      {"draft", "no result", 0, 0, "", 0, 0, std::nullopt}};
+      {"draft", "no result", 0, 0, "", 0, 0, std::nullopt, "", "no_equilibrium"}};
   row.scene = "static, 10 steps of 0.05";
   row.difference = 0.25;
   row.expected = "legacy: hold";

@@ -64,4 +64,24 @@ TEST(BatchVerdict, what_never_ran_is_not_said_to_have_run) {
   EXPECT_EQ(verdict_of(row, BatchAim::run).why, "standard: exit code 4");
 }
 
+// Statics of a mechanism has an answer, and it is none that a program failed to give.
+TEST(BatchVerdict, a_mechanism_under_statics_has_no_equilibrium_and_did_not_fail) {
+  report::CatalogueRow row = ran(2, 1.9, 0, 0);
+  row.outcome = "failed";
+  row.message = "standard: exit code 4: keyblock: error: step 1";
+  report::CatalogueAnswer& standard = row.answers.back();
+  standard.end = "failed: step 1 (time 0): no equilibrium: block 2 accelerates (at 4, 3; area 2)";
+  standard.failure = "no_equilibrium";
+  const auto verdict = verdict_of(row, BatchAim::run);
+  EXPECT_EQ(verdict.word, "no equilibrium");
+  EXPECT_EQ(verdict.why,
+            "legacy: came to its end, 10 steps; standard: step 1 (time 0): no equilibrium: block 2 accelerates "
+            "(at 4, 3; area 2)");
+  row.answers.front().end = "stopped at the limit of 1 s of processor time";
+  EXPECT_EQ(verdict_of(row, BatchAim::run).word, "failed") << "the other profile failed for something else";
+  row.answers.front().end = "finished";
+  standard.failure = "undecided";
+  EXPECT_EQ(verdict_of(row, BatchAim::run).word, "failed");
+}
+
 }  // namespace keyblock::study::batch_verdict_test

@@ -204,7 +204,9 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
 
 /// What a batch with limits asks of a process a job: the journal of a batch of that job alone.
 ExitCode print_row(const BatchOptions& options) {
-  const auto depth = options.is_check ? study::CheckDepth::plan : study::CheckDepth::scene;
+  const auto depth = options.is_check ? study::CheckDepth::plan
+                     : options.is_run ? study::CheckDepth::outlook
+                                      : study::CheckDepth::scene;
   study::BatchJob job;
   job.files = options.row_files;
   const CatalogueRow row = study::check_job(options.root, job, {}, depth, options.profile);
@@ -253,7 +255,8 @@ ExitCode run_batch(const BatchOptions& options) {
   const std::vector<CatalogueRow> rows = rows_of(archive, journal);
   write_catalogue(plan, rows);
   spdlog::info("{}, {}; {} with warnings; catalogue in {}", counted(archive.files.size(), "file"),
-               report::summary_of(rows), std::ranges::count(rows, "warnings", &CatalogueRow::outcome), options.folder);
+               report::summary_of(rows),
+               std::ranges::count_if(rows, [](const CatalogueRow& row) { return row.warnings > 0; }), options.folder);
   if (options.as_json) fmt::print("{}\n", study::catalogue_json(rows));
   return std::ranges::count(rows, "failed", &CatalogueRow::outcome) == 0 ? ExitCode::ok : ExitCode::check_failed;
 }
@@ -263,9 +266,12 @@ ExitCode run_batch(const BatchOptions& options) {
 Action configure_batch(CLI::App& app) {
   const auto options = std::make_shared<BatchOptions>();
   app.add_option("DIR", options->root, "the folder of the archive")->required();
-  app.add_option("-o,--output", options->folder, "folder for catalogue.csv, .json and .html, journal.jsonl and results")
+  app.add_option("-o,--output", options->folder,
+                 "folder for catalogue.csv, .json and .html, journal.jsonl and results (required)")
       ->type_name("FOLDER");
-  app.add_flag("--check", options->is_check, "read every case and say what it holds and what is wrong with it");
+  app.add_flag("--check", options->is_check,
+               "read every case and say what it holds and what is wrong with it (one of --check, --run and --convert "
+               "is required)");
   app.add_flag("--run", options->is_run, "run every case under the profiles legacy and standard, and compare them");
   app.add_option("--convert", options->format, "convert every case to this format, as `keyblock convert --to`");
   app.add_option("--profile", options->profile, "only this preset of all choices")

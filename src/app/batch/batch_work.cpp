@@ -138,10 +138,21 @@ void run_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& ro
   row.expected = compare_with_expected(plan, job, folder);
 }
 
+study::CheckDepth depth_of(BatchTask task) {
+  switch (task) {
+    case BatchTask::check:
+      return study::CheckDepth::plan;
+    case BatchTask::run:
+      return study::CheckDepth::outlook;
+    case BatchTask::convert:
+      return study::CheckDepth::scene;
+  }
+  return study::CheckDepth::scene;
+}
+
 CatalogueRow check_here(const BatchPlan& plan, const study::BatchJob& job,
                         const std::vector<report::CatalogueFile>& files) {
-  const auto depth = plan.task == BatchTask::check ? study::CheckDepth::plan : study::CheckDepth::scene;
-  return study::check_job(plan.root, job, files, depth, plan.profile);
+  return study::check_job(plan.root, job, files, depth_of(plan.task), plan.profile);
 }
 
 /// The same in a process of its own, `batch --row`, which prints a journal of this job alone.
@@ -151,6 +162,7 @@ CatalogueRow check_in_child(const BatchPlan& plan, const study::BatchJob& job,
   fs::create_directories(folder);
   std::vector<std::string> arguments{"batch", plan.root.string()};
   if (plan.task == BatchTask::check) arguments.emplace_back("--check");
+  if (plan.task == BatchTask::run) arguments.emplace_back("--run");
   if (!plan.profile.empty()) arguments.insert(arguments.end(), {"--profile", plan.profile});
   arguments.emplace_back("--row");
   arguments.insert(arguments.end(), job.files.begin(), job.files.end());

@@ -233,11 +233,11 @@ void try_steps(CaseReport& report, const Scene& scene, double seconds, const Pla
     report.warnings.push_back({"first_steps_fail", place, "a run fails: " + report.trial->failure});
 }
 
-/// Throws InputError for a history of what is not there, as a run would.
-void require_followed(const Problem& problem, const Prepared& prepared) {
+/// What a run says of its histories before the first step. Throws InputError for one of what is not there, as it would.
+Warnings look_at_histories(const Problem& problem, const Prepared& prepared) {
   require_choice(problem.outputs);
   const DrawnJoints joints(prepared.scene.model, prepared.joint_lines);
-  const Followed followed(problem.outputs.histories, prepared.scene, joints, problem.units);
+  return Followed(problem.outputs.histories, prepared.scene, joints, problem.units).of_distant_pairs();
 }
 
 CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile, double trial_seconds) {
@@ -255,9 +255,10 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     report.profile = chosen_profile(checked.problem, profile, {});
     const Problem problem = with_followed_points(study::with_named_files(checked.problem, {}, {}));
     const Prepared prepared = prepare(problem, report.profile.name, {});
-    require_followed(problem, prepared);
+    const Warnings of_histories = look_at_histories(problem, prepared);
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.warnings = joined(std::move(report.warnings), look_ahead(checked.problem, prepared));
+    report.warnings = joined(std::move(report.warnings), of_histories);
     report.plan = prepared.requirements;
     report.stages = stages_of(prepared.scene);
     report.smallest_block = smallest_block(prepared.blocks);

@@ -10,6 +10,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/compare_table.hpp"
+#include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
@@ -173,6 +174,7 @@ ExitCode compare(const CompareOptions& options) {
     throw UsageError(fmt::format("--picture: expected one case with expected values, found {}", with_values));
   std::vector<std::filesystem::path> inputs;
   for (const study::CaseFolder& folder : folders) inputs.emplace_back(folder.folder);
+  require_picture_name("--picture", options.picture);
   require_writable({options.picture}, inputs, overwrite_if(options.force));
   // Slow cases alone were asked for by name.
   const bool only_slow = std::ranges::all_of(folders, [](const study::CaseFolder& f) { return is_slow(f); });

@@ -13,6 +13,7 @@
 #include "app/command.hpp"
 #include "app/commands/mesh_options.hpp"
 #include "app/layers_option.hpp"
+#include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "cut/bodies/cut_blocks.hpp"
@@ -36,6 +37,7 @@ struct CutOptions {
   std::string drawing;
   std::string output;
   std::string picture;
+  bool numbers = false;  ///< in the picture
   NodeMerging merging = NodeMerging::nearest_first;
   NearPieces near_pieces = NearPieces::led_through;
   MeshOptions mesh;
@@ -119,7 +121,7 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
     write_output(options.picture,
                  report::mesh_picture(
                      fmt::format("{} elements on {} physical covers", manifold.elements.size(), manifold.covers.size()),
-                     field_of(manifold)),
+                     field_of(manifold), {}, options.numbers ? report::Numbers::all : report::Numbers::none),
                  overwrite_if(options.may_overwrite));
   counts["elements"] = manifold.elements.size();
   counts["covers"] = manifold.covers.size();
@@ -131,6 +133,8 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
 ExitCode cut_file(const CutOptions& options) {
   const bool has_mesh = is_asked_for(options.mesh);
   if (options.absorbs && !has_mesh) throw UsageError("--absorb requires --mesh or --mesh-side");
+  require_picture_name("--svg", options.picture);
+  require_no_picture_name("-o", options.output, "--svg");
   require_writable({options.output, options.picture}, {options.drawing}, overwrite_if(options.may_overwrite));
   std::vector<std::string> inputs{options.drawing};
   take_layers(inputs, options.layers);
@@ -150,7 +154,9 @@ ExitCode cut_file(const CutOptions& options) {
                  overwrite_if(options.may_overwrite));
   }
   if (!options.picture.empty() && !has_mesh)
-    write_output(options.picture, report::blocks_picture(cut.blocks, loaded.problem.units),
+    write_output(options.picture,
+                 report::blocks_picture(cut.blocks, loaded.problem.units,
+                                        options.numbers ? report::Numbers::all : report::Numbers::none),
                  overwrite_if(options.may_overwrite));
   if (options.as_json) {
     fmt::print("{}\n", counts.dump(2, ' ', false, Json::error_handler_t::replace));
@@ -175,8 +181,12 @@ Action configure_cut(CLI::App& app) {
   add_layers_option(app, options->layers);
   app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file")
       ->type_name("FILE");
-  app.add_option("--svg", options->picture, "a picture to write: of the blocks, or of the mesh and its elements")
-      ->type_name("FILE");
+  CLI::Option* picture =
+      app.add_option("--svg", options->picture, "a picture to write: of the blocks, or of the mesh and its elements")
+          ->type_name("FILE");
+  app.add_flag("--numbers", options->numbers,
+               "write into the picture the number of every block, or element, that has room for it")
+      ->needs(picture);
   app.add_option(
          "--merging", options->merging,
          "how near crossings become one node: nearest_first, independent of the order of lines, or in_order_found, "

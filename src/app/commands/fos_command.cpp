@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "app/command.hpp"
-#include "app/commands/strength_reduction.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
+#include "app/strength/strength_reduction.hpp"
 #include "base/error.hpp"
 #include "run/settings_of.hpp"
 #include "settings/profile.hpp"

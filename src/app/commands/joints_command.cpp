@@ -146,7 +146,9 @@ ExitCode make_joints(const JointsOptions& options) {
 Action configure_joints(CLI::App& app) {
   auto options = std::make_shared<JointsOptions>();
   auto* file =
-      app.add_option("SPEC", options->specification, "JSON file that says it all (formats/case_file/joint_spec.hpp)");
+      app.add_option("SPEC", options->specification,
+                     "JSON file in place of the options: rectangle or slope, sets, tunnels, fixed, measured, seed, "
+                     "boundary_joint, edge_node_ratio, with the keys that the options below have (docs/slope.json)");
   app.add_option(
          "-o,--output", options->output,
          "the drawing to write: DXF, a case file or DDAML if it ends in .dxf, .json or .xml, else a geometry file")
@@ -163,8 +165,9 @@ Action configure_joints(CLI::App& app) {
   add("--tunnel", options->tunnels, "shape=circle|d|horseshoe,width=4,height=4,x=10,y=5; again for more");
   add("--fixed", options->fixed, "a fixed line: x1,y1,x2,y2; again for more");
   add("--measured", options->measured, "a measured point: x,y; again for more");
-  add("--edge-node-ratio", options->edge_node_ratio, "how near crossings become one when cut; 0.001");
-  app.add_option("--seed", options->seed, "the same seed gives the same drawing; rules that of SPEC; 1");
+  add("--edge-node-ratio", options->edge_node_ratio,
+      "how near crossings become one when cut, over the extent of the drawing (default: 0.001)");
+  app.add_option("--seed", options->seed, "the same seed gives the same drawing; rules that of SPEC (default: 1)");
   app.add_flag("--force", options->may_overwrite, "overwrite the file if it exists");
   app.add_flag("--json", options->as_json, "print the counts as JSON");
   return [options] { return make_joints(*options); };

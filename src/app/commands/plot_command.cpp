@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "formats/views/vtu_reading.hpp"
@@ -34,6 +35,7 @@ struct PlotOptions {
   std::string field;
   std::optional<int> step;
   std::string file;
+  bool numbers = false;
   bool force = false;
   bool as_json = false;
 };
@@ -58,6 +60,13 @@ std::vector<std::size_t> places_of(const std::vector<int>& numbers, const format
   return places;
 }
 
+/// As tables have them.
+std::vector<int> numbers_of(const formats::VtuFrame& frame) {
+  std::vector<int> numbers;
+  for (const int number : frame.numbers) numbers.push_back(number + 1);
+  return numbers;
+}
+
 /// What a picture may not take the place of: the frames, the record and the tables.
 std::vector<fs::path> kept_files(const fs::path& folder) {
   std::vector<fs::path> kept;
@@ -73,15 +82,17 @@ std::string default_name(const PlotOptions& options) {
 }
 
 ExitCode plot(const PlotOptions& options) {
+  require_picture_name("-o", options.file);
   const std::map<int, fs::path> frames = frames_in(options.folder);
   if (frames.empty())
     throw InputError({options.folder},
                      fmt::format("expected the folder of a run, with {}/*.vtu, found none", kFrameFolder));
   const std::string file = options.file.empty() ? default_name(options) : options.file;
   require_writable({file}, kept_files(options.folder), overwrite_if(options.force));
-  const RunHeading heading = heading_of(options.folder);
+  RunHeading heading = heading_of(options.folder);
   const fs::path shown = frame_at(frames, options);
   const formats::VtuFrame frame = formats::read_vtu(formats::load(shown.string()));
+  if (heading.units == Units{}) heading.units = frame.units;  // of a run that was killed, which has no record
   const FieldFrame& field = frame.field;
   const report::FieldShown quantity =
       options.field.empty() ? report::most_varied(field) : report::field_of_word(options.field);
@@ -94,7 +105,8 @@ ExitCode plot(const PlotOptions& options) {
                                       quantity,
                                       heading.is_of_motion,
                                       heading.units,
-                                      places_of(heading.left_out, frame)}),
+                                      places_of(heading.left_out, frame),
+                                      options.numbers ? numbers_of(frame) : std::vector<int>()}),
                overwrite_if(options.force));
   if (options.as_json)
     fmt::print("{}\n", Json({{"file", file}, {"frame", shown.string()}, {"field", word}, {"time", field.time}})
@@ -120,6 +132,7 @@ Action configure_plot(CLI::App& options) {
       .add_option("-o,--output", chosen->file,
                   "the picture to write, SVG (default: RUN/field_FIELD_end.svg, or with the step in place of end)")
       ->type_name("FILE");
+  options.add_flag("--numbers", chosen->numbers, "write into every block, or element, that has room for it its number");
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
   options.add_flag("--json", chosen->as_json, "print file, frame, field and time as JSON");
   return [chosen] { return plot(*chosen); };

@@ -13,15 +13,16 @@
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/commands/both_profiles.hpp"
-#include "app/commands/strength_reduction.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
 #include "app/output_options.hpp"
 #include "app/progress.hpp"
 #include "app/stop_request.hpp"
+#include "app/strength/strength_reduction.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "geometry/box.hpp"
+#include "geometry/polygon.hpp"
 #include "job/run_heading.hpp"
 #include "job/run_job.hpp"
 #include "run/cover_settings.hpp"
@@ -34,6 +35,7 @@
 #include "settings/settings_table.hpp"
 #include "study/cases/case_file.hpp"
 #include "study/cases/named_files.hpp"
+#include "study/strength/strength_trial.hpp"
 
 namespace keyblock {
 namespace {
@@ -119,6 +121,26 @@ std::string what_they_do(const std::vector<std::string>& options) {
     if (std::ranges::any_of(options, [&](const std::string& option) { return option.find(part) != std::string::npos; }))
       words += fmt::format("{}{}", words.empty() ? "" : ", ", what);
   return words;
+}
+
+// Statics says nothing of a scene from which a sliver falls.
+void print_sliver_hint(const Prepared& prepared, const RunOutcome& outcome) {
+  const std::vector<BlockPolygon>& blocks = prepared.blocks.blocks;
+  if (!is_of_the_scene(outcome.failure) || outcome.numbers.empty() || !outcome.scenes.empty()) return;
+  const double most = study::kLooseArea * prepared.scene.model.mean_area;
+  const auto is_sliver = [&](int number) {
+    const auto at = static_cast<std::size_t>(number) - 1;
+    return at < blocks.size() && area(points_of(blocks[at].outer)) < most;
+  };
+  if (!std::ranges::all_of(outcome.numbers, is_sliver)) return;
+  const bool is_one = outcome.numbers.size() == 1;
+  spdlog::info(
+      "block{} {} {}, below {:g} % of the mean area, and nothing else was found to move: taken out of the drawing, or "
+      "lost in the rest by a larger edge_node_ratio, {} no equilibrium of the others; `keyblock fos` leaves such "
+      "blocks "
+      "out by itself",
+      is_one ? "" : "s", fmt::join(outcome.numbers, ", "), is_one ? "is a sliver" : "are slivers",
+      100 * study::kLooseArea, is_one ? "it hides" : "they hide");
 }
 
 // What to try where a run failed.
@@ -216,6 +238,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
   if (record.outcome.end == RunEnd::failed) {
     spdlog::error("keyblock: error: {}", record.outcome.reason);
+    print_sliver_hint(prepared, record.outcome);
     print_hint(prepared.scene.settings, record.outcome);
   }
   if (record.outcome.end == RunEnd::stopped) spdlog::warn("{}; {}", stopped_how(), how_to_go_on(folder));
@@ -336,7 +359,6 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
   record.warnings = joined(joined(loaded.warnings, prepared.warnings), look_ahead(loaded.problem, prepared));
   record.timings.prepare = watch.lap();
-  const std::size_t told = record.warnings.size();
   const std::string title = title_of(options.files.front(), record.profile);
   RunRequest request = request_of(options, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
@@ -346,6 +368,7 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
               options.checkpoint_every, loaded.problem.analysis->place, loaded.problem.outputs, options.outputs.field},
              saved);
   listen_for_stops();  // from here on something is left that a stop should leave whole
+  const std::size_t told = job.record().warnings.size();
   job.open();
   ProgressLine progress(prepared.scene.settings.step_count, job.steps_before().value_or(0), softer_springs(prepared));
   print_start(prepared, job, saved != nullptr);
@@ -531,7 +554,10 @@ Action configure_run(CLI::App& options) {
                                          "of the old programs, standard for own case files)")
                              ->check(CLI::IsMember(profile_names()));
   CLI::Option* folder =
-      options.add_option("-o,--output", chosen->folder, "folder for the results")->type_name("FOLDER");
+      options
+          .add_option("-o,--output", chosen->folder,
+                      "folder for the results (required, but not with --resume, --reduce-strength and --settings)")
+          ->type_name("FOLDER");
   const auto [sets, settings_file] = add_settings_options(options, *chosen);
   CLI::Option* every =
       options

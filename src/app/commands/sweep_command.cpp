@@ -10,6 +10,7 @@
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
+#include "app/picture_name.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
 #include "base/loop.hpp"
@@ -139,7 +140,9 @@ std::string picture_of(const Map& map) {
 }
 
 ExitCode run_sweep(const SweepOptions& options) {
+  require_picture_name("--picture", options.picture);
   const study::StudyCase chosen = case_asked(options);
+  require_no_picture_name("--table", options.table, "--picture");
   require_writable({options.table, options.picture}, {options.paths.begin(), options.paths.end()},
                    overwrite_if(options.force));
   const auto designed = [&] {

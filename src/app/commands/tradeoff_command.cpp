@@ -13,6 +13,7 @@
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
+#include "app/picture_name.hpp"
 #include "app/stop_request.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -211,6 +212,7 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   const study::Wish wish = wish_of(options);
   if (!options.output.empty() && !options.has_wish())
     throw UsageError("-o is for the settings that meet --budget or --error: neither is given");
+  require_picture_name("--picture", options.picture);
   const study::StudyCase chosen = case_asked(options);
   const std::string file = output_of(options, chosen);
   require_writable({file, options.picture}, {options.paths.begin(), options.paths.end()}, overwrite_if(options.force));

@@ -12,6 +12,7 @@
 
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
+#include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "formats/case.hpp"
@@ -80,6 +81,8 @@ study::ElementPath path_of(const ElementOptions& options) {
 }
 
 ExitCode run_element(const ElementOptions& options) {
+  require_picture_name("--svg", options.picture);
+  require_no_picture_name("-o", options.output, "--svg");
   require_writable({options.output, options.picture}, {options.input}, overwrite_if(options.may_overwrite));
   const auto [law, units] = chosen_material(options);
   const study::ElementCurve curve = study::drive(law, path_of(options), options.steps, options.size);

@@ -16,6 +16,7 @@
 
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
+#include "app/picture_name.hpp"
 #include "base/printable.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
@@ -194,6 +195,8 @@ void print(const Outcome& out, bool as_json) {
 
 ExitCode run_fit(const FitOptions& options) {
   const Overwrite overwrite = overwrite_if(options.may_overwrite);
+  require_picture_name("--svg", options.picture);
+  require_no_picture_name("-o", options.output, "--svg");
   require_writable({options.output, options.material, options.picture}, {options.input}, overwrite);
   const formats::CsvTable table = formats::read_csv(formats::load(options.input));
   const Outcome out = options.is_triaxial ? triaxial_outcome(study::read_pairs(table, "s3", "s1"))

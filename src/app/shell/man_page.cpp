@@ -27,18 +27,18 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
-std::string entry(const DescribedOption& option) {
+std::string entry(const CLI::Option& of_program) {
+  const DescribedOption option = described(of_program);
   const std::string name = option.names.empty() ? option.placeholder : fmt::format("{}", fmt::join(option.names, ", "));
   const std::string value = option.names.empty() || !option.takes_value ? ""
                             : option.words.empty() ? fmt::format(" \\fI{}\\fR", escaped(option.value))
                                                    : " " + escaped(option.value);
-  return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", escaped(name), value,
-                     escaped(option.description + (option.range.empty() ? "" : " [" + option.range + "]")));
+  return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", escaped(name), value, escaped(sentence_of(of_program)));
 }
 
 std::string options_of(const CLI::App& app) {
   std::string text;
-  for (const DescribedOption& option : described_options(app)) text += entry(option);
+  for (const CLI::Option* option : app.get_options()) text += entry(*option);
   return text;
 }
 
@@ -50,7 +50,9 @@ constexpr const char* kExitCodes =
     ".TP\n\\fB3\\fR\ninput that cannot be read or used; the message names file, line and column\n"
     ".TP\n\\fB4\\fR\nthe computation could not go on, or its results could not be written\n"
     ".TP\n\\fB5\\fR\na limit of time or memory was reached\n"
-    ".TP\n\\fB130\\fR\nstopped by the user\n";
+    ".TP\n\\fB130\\fR\nstopped by the user; keyblock run \\-\\-resume goes on with a run\n"
+    ".TP\n\\fB128 + n\\fR\nended by signal n: 137 killed, 141 nobody reads its output any more; a run can be "
+    "resumed\n";
 
 }  // namespace
 

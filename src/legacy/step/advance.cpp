@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/listed.hpp"
+#include "base/words/plain_number.hpp"
 #include "geometry/polygon.hpp"
 #include "legacy/contact/carry.hpp"
 #include "legacy/contact/detect.hpp"
@@ -209,12 +210,12 @@ class Attempts {
   }
   // The old rule on the way of a step, with the block that breaks it.
   StepFailure moved_too_far(const std::string& when) const {
-    StepFailure told{
-        failure(fmt::format("blocks move too far {}: {} by {:.3g}, where a step may move {:.3g} ({:g} times "
-                            "allowed_displacement_ratio times half the size of the scene){}; {}",
-                            when, in_words(farthest_), ratio_ * allowed(), kGreatestRatio * allowed(), kGreatestRatio,
-                            why_no_step_is_short_enough(), kRepeatedWithoutEnd)),
-        {}};
+    StepFailure told{failure(fmt::format("blocks move too far {}: {} by {}, where a step may move {} ({:g} times "
+                                         "allowed_displacement_ratio times half the size of the scene){}; {}",
+                                         when, in_words(farthest_), plain(ratio_ * allowed(), 3),
+                                         plain(kGreatestRatio * allowed(), 3), kGreatestRatio,
+                                         why_no_step_is_short_enough(), kRepeatedWithoutEnd)),
+                     {}};
     told.elements = {farthest_};
     return told;
   }
@@ -263,8 +264,8 @@ class Attempts {
   std::string in_words(ElementIndex e) const {
     const ElementState& block = stepping_.state.elements[e];
     const double drawn = drawn_area(e);
-    return fmt::format("block {} at {:.4g}, {:.4g} (area {:.3g}; drawn with {:.3g}, {:.2g} % of the mean)", e.value + 1,
-                       block.centroid.x, block.centroid.y, block.moments.area, drawn,
+    return fmt::format("block {} at {}, {} (area {}; drawn with {}, {:.2g} % of the mean)", e.value + 1,
+                       plain(block.centroid.x), plain(block.centroid.y), plain(block.moments.area, 3), plain(drawn, 3),
                        100 * drawn / scene_.model.mean_area);
   }
 
@@ -277,9 +278,9 @@ class Attempts {
     for (std::size_t i = 0; i < std::min(kNamed, unsettled_.size()); ++i) {
       const Triple& end = contacts_[unsettled_[i]].first;
       const Point at = start_.vertices[end.vertex];
-      words += fmt::format("{}{} (block {} on block {} at {:.4g}, {:.4g})", i == 0 ? "" : ", ", unsettled_[i] + 1,
+      words += fmt::format("{}{} (block {} on block {} at {}, {})", i == 0 ? "" : ", ", unsettled_[i] + 1,
                            scene_.model.vertices[end.vertex].element.value + 1,
-                           scene_.model.vertices[end.start].element.value + 1, at.x, at.y);
+                           scene_.model.vertices[end.start].element.value + 1, plain(at.x), plain(at.y));
     }
     if (unsettled_.size() > kNamed) words += fmt::format(" and {} more", unsettled_.size() - kNamed);
     return words;

@@ -18,6 +18,10 @@ namespace {
 constexpr double kRoundOff = 1e-9;  // of the range of a scale: what is beyond it by less is not
 constexpr double kExtreme = 0.005;  // share of patches, or of their area, beyond either end of the colours
 
+// Of the value farthest from 0: where the nearest is beyond it, 0 is not on the scale.
+constexpr double kNearShare = 0.5;
+constexpr double kPalest = 0.08;  // of all colours: from white to the palest of a scale without 0
+
 using Stops = std::array<std::array<double, 3>, 5>;
 constexpr Stops kDiverging{{{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
 // OrRd of ColorBrewer (Brewer 2003): told apart by eyes that miss red or green, and in grey.
@@ -114,12 +118,25 @@ std::vector<std::vector<Point>> contours_of(const FieldFrame& field, const Corne
   return lines;
 }
 
+namespace {
+
+double share_of(double value, double from, double to, double otherwise) {
+  return to > from ? std::clamp((value - from) / (to - from), 0.0, 1.0) : otherwise;
+}
+
+/// Of the colours from blue, 0, through white to red, 1.
+double share_about_zero(const ColourScale& scale, double value) {
+  if (scale.high < 0) return std::lerp(0.0, 0.5 - kPalest, share_of(value, scale.low, scale.high, 0));
+  if (scale.low > 0) return std::lerp(0.5 + kPalest, 1.0, share_of(value, scale.low, scale.high, 1));
+  const double most = std::max(-scale.low, scale.high);
+  return share_of(value, -most, most, 0.5);
+}
+
+}  // namespace
+
 std::string ColourScale::colour(double value) const {
   const Stops& stops = map == Map::rising ? kRising : kDiverging;
-  const double most = std::max(-low, high);
-  const double from = map == Map::about_zero ? -most : low;
-  const double to = map == Map::about_zero ? most : high;
-  const double share = to > from ? std::clamp((value - from) / (to - from), 0.0, 1.0) : map == Map::rising ? 0 : 0.5;
+  const double share = map == Map::rising ? share_of(value, low, high, 0) : share_about_zero(*this, value);
   const double at = share * (stops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   const double part = at - static_cast<double>(below);
@@ -137,21 +154,10 @@ ColourScale ends_of(const std::vector<Patch>& patches, ColourScale::Map map) {
     std::ranges::copy_if(patches, std::back_inserter(risen), [](const Patch& patch) { return patch.value > 0; });
     return {0, risen.empty() ? 0 : ends_by_area(risen).second, map};
   }
-  if (map == ColourScale::Map::about_zero) {
-    const auto [low, high] = ends_by_area(patches);
-    return {std::min(low, 0.0), std::max(high, 0.0), map};
-  }
-  std::vector<double> values;
-  for (const Patch& patch : patches) values.push_back(patch.value);
-  std::ranges::sort(values);
-  const auto left_out = static_cast<std::size_t>(kExtreme * static_cast<double>(values.size()));
-  ColourScale scale{values[left_out], values[values.size() - 1 - left_out]};
-  if (scale.low < 0 && scale.high > 0) {
-    const double most = std::max(-scale.low, scale.high);
-    scale.low = -most;
-    scale.high = most;
-  }
-  return scale;
+  const auto [low, high] = ends_by_area(patches);
+  if (high < kNearShare * low) return {low, high, map};
+  if (low > kNearShare * high) return {low, high, map};
+  return {std::min(low, 0.0), std::max(high, 0.0), map};
 }
 
 }  // namespace
@@ -164,6 +170,12 @@ ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map) {
   scale.has_below = least.value < scale.low - round_off;
   scale.has_above = most.value > scale.high + round_off;
   return scale;
+}
+
+double range_of(const std::vector<Patch>& patches) {
+  if (patches.empty()) return 0;
+  const auto [low, high] = ends_by_area(patches);
+  return high - low;
 }
 
 void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& patches, const ColourScale& scale,

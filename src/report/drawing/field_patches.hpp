@@ -50,23 +50,27 @@ std::vector<std::vector<Point>> contours_of(const FieldFrame& field, const Corne
 /// Colours of the values from `low` to `high`.
 struct ColourScale {
   enum class Map {
-    diverging,   ///< from blue through white in the middle to red
-    about_zero,  ///< the same, white at 0 and as strong on either side; a side without values is left out
-    rising       ///< from pale at `low` to dark red
+    /// From blue through white at 0 to red, as strong on either side. A side without values is left out; where all
+    /// values are far from 0, from pale to strong blue, or red.
+    about_zero,
+    rising  ///< from pale at `low` to dark red
   };
   double low = 0;
   double high = 1;
-  Map map = Map::diverging;
+  Map map = Map::about_zero;
   bool has_below = false;  ///< values beyond an end have its colour
   bool has_above = false;
 
   std::string colour(double value) const;
 };
 
-/// Between the values of patches but for the most extreme at either end, by their number or, but for `diverging`, by
-/// their area: meshes are fine where values peak. `diverging` is centred where values of both signs are there;
-/// `about_zero` has zero at an end where they are not; `rising` begins at zero and counts the area above.
-ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map = ColourScale::Map::diverging);
+/// Between the values of patches but for the most extreme at either end by their area: meshes are fine where values
+/// peak. `about_zero` has zero at an end where not both signs are there, unless the value nearest to it is more than
+/// half of the farthest; `rising` begins at zero and counts the area above.
+ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map = ColourScale::Map::about_zero);
+
+/// From the least value to the greatest, but for the same extreme ones.
+double range_of(const std::vector<Patch>& patches);
 
 /// `seam`: width of the line round each patch that hides the gap to the next.
 void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& patches, const ColourScale& scale,

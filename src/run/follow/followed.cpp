@@ -6,12 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "base/counted.hpp"
 #include "base/printable.hpp"
+#include "base/words/plain_number.hpp"
+#include "geometry/box.hpp"
+#include "geometry/segment.hpp"
 #include "model/continuum.hpp"
 #include "problem/units/measure.hpp"
 #include "run/follow/resultant.hpp"
@@ -152,6 +156,7 @@ class Lines {
   void resultant(const Segment& line, const ContactFrames& contacts) {
     const LineResultant found = resultant_across(line, stepper_, contacts);
     const Point along = (1 / distance(line.start, line.end)) * (line.end - line.start);
+    bears = found.closed > 0 || found.bolts > 0;
     put("closed_contacts", found.closed, "1");
     put("bolts", found.bolts, "1");
     force("force", found.force);
@@ -161,6 +166,8 @@ class Lines {
   }
 
   std::string text;
+  bool bears = false;               ///< a contact that is closed, or what crosses the line
+  std::optional<double> least_gap;  ///< of contacts that were looked at
 
  private:
   void put(std::string_view quantity, double value, const std::string& unit) {
@@ -184,6 +191,8 @@ class Lines {
     put(name + "_y", force.y, units_.force);
   }
   void put(const ContactSum& sum) {
+    bears = sum.closed > 0;
+    if (std::isfinite(sum.least_gap)) least_gap = sum.least_gap;
     put("closed_contacts", sum.closed, "1");
     put("sliding_contacts", sum.sliding, "1");
     if (std::isfinite(sum.least_gap)) put("least_gap", sum.least_gap, units_.length);
@@ -202,8 +211,8 @@ int point_at(const Scene& first, const HistoryPlan& plan) {
   const std::vector<CarriedPoint>& points = first.model.measured_points;
   for (std::size_t i = points.size(); i-- > 0;)
     if (points[i].start == *plan.point) return first.model.identities.of_measured_point(i);
-  throw InputError(plan.place, fmt::format("expected the point of a history within a block, found {:g}, {:g} in none",
-                                           plan.point->x, plan.point->y));
+  throw InputError(plan.place, fmt::format("expected the point of a history within a block, found {}, {} in none",
+                                           plain(plan.point->x, 6), plain(plan.point->y, 6)));
 }
 
 void require_block(const Scene& first, int number, const HistoryPlan& plan) {
@@ -231,6 +240,37 @@ void require_line(const Scene& first, const Segment& line, const HistoryPlan& pl
       "on covers: what acts there is its stress");
 }
 
+Point start_of(const Model& model, VertexIndex v) {
+  return model.start_vertices[static_cast<std::size_t>(v.value)];
+}
+
+double distance_between(const Model& model, ElementIndex one, ElementIndex other) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto add = [&](ElementIndex of_points, ElementIndex of_edges) {
+    for (const VertexIndex v : model.elements[of_points].vertices())
+      for (const VertexIndex w : model.elements[of_edges].vertices()) {
+        const Segment edge{start_of(model, w), start_of(model, model.vertices[w].next)};
+        least = std::min(least, distance(edge, start_of(model, v)));
+      }
+  };
+  add(one, other);
+  add(other, one);
+  return least;
+}
+
+double size_of(const Model& model, ElementIndex e) {
+  Box box;
+  for (const VertexIndex v : model.elements[e].vertices()) box.add(start_of(model, v));
+  return length(box.size());
+}
+
+std::string what_bore_nothing(const HistoryPlan& plan) {
+  if (plan.contact)
+    return fmt::format("no contact of blocks {} and {} is closed", plan.contact->first + 1, plan.contact->second + 1);
+  if (plan.joint) return fmt::format("no contact along joint {} of the drawing is closed", *plan.joint + 1);
+  return "no closed contact and no bolt crosses the line";
+}
+
 }  // namespace
 
 FollowedUnits::FollowedUnits(const Units& units)
@@ -256,26 +296,78 @@ Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, co
     if (plan.point) one.point = point_at(first, plan);
     if (plan.block) require_block(first, *plan.block, plan);
     if (plan.contact) require_block(first, std::max(plan.contact->first, plan.contact->second), plan);
+    if (plan.contact) look_at_pair(one, first.model);
     if (plan.joint) require_joint(joints, *plan.joint, plan);
     if (plan.line) require_line(first, *plan.line, plan);
   }
 }
 
-std::string Followed::rows(const Stepper& stepper, const DrawnJoints& joints) const {
+std::string Followed::rows(const Stepper& stepper, const DrawnJoints& joints) {
   ContactFrames contacts;
   if (std::ranges::any_of(all_, [](const One& one) { return !one.plan.point; })) contacts = stepper.contacts();
   joints.name(contacts, stepper.model());
   std::string text;
-  for (const auto& [plan, name, point] : all_) {
-    Lines lines(stepper, units_, word_of(plan), name);
-    if (plan.point) lines.point(point);
+  for (One& one : all_) {
+    const HistoryPlan& plan = one.plan;
+    Lines lines(stepper, units_, word_of(plan), one.name);
+    if (plan.point) lines.point(one.point);
     if (plan.block) lines.block(*plan.block, contacts);
     if (plan.contact) lines.pair(*plan.contact, contacts);
     if (plan.joint) lines.joint(*plan.joint, contacts);
     if (plan.line) lines.resultant(*plan.line, contacts);
+    one.has_rows = true;
+    one.has_borne = one.has_borne || lines.bears;
+    if (lines.least_gap) one.nearest = one.nearest < 0 ? *lines.least_gap : std::min(one.nearest, *lines.least_gap);
     text += lines.text;
   }
   return text;
+}
+
+void Followed::look_at_pair(One& one, const Model& model) {
+  const std::optional<ElementIndex> first = element_numbered(model, one.plan.contact->first);
+  const std::optional<ElementIndex> second = element_numbered(model, one.plan.contact->second);
+  if (!first || !second) return;
+  one.apart = distance_between(model, *first, *second);
+  one.is_distant = one.apart > std::min(size_of(model, *first), size_of(model, *second));
+}
+
+Warnings Followed::of_distant_pairs() const {
+  Warnings warnings;
+  for (const One& one : all_) {
+    if (!one.is_distant) continue;
+    const BlockPair& pair = *one.plan.contact;
+    warnings.push_back(
+        {"history_of_distant_blocks", one.plan.place,
+         fmt::format("history \"contact {}\": blocks {} and {} are {} apart before any load, farther than the "
+                     "smaller of them is large; its forces are 0 until they meet",
+                     one.name, pair.first + 1, pair.second + 1, plain(one.apart))});
+  }
+  return warnings;
+}
+
+Warnings Followed::of_nothing() const {
+  Warnings warnings;
+  for (const One& one : all_) {
+    const HistoryPlan& plan = one.plan;
+    if (one.has_borne || !one.has_rows || plan.point || plan.block) continue;
+    std::string how_near;
+    if (one.nearest >= 0)
+      how_near = fmt::format("; the least gap is {}", plain(one.nearest));
+    else if (one.apart >= 0)
+      how_near = fmt::format("; before any load they are {} apart", plain(one.apart));
+    warnings.push_back({"history_of_nothing", plan.place,
+                        fmt::format("history \"{} {}\": {} in any of its rows, so that its forces are 0{}",
+                                    word_of(plan), one.name, what_bore_nothing(plan), how_near)});
+  }
+  return warnings;
+}
+
+void Followed::describe(Archive& archive) {
+  archive.table("followed", all_, [&](One& one) {
+    archive.value("nearest", one.nearest);
+    archive.value("has_borne", one.has_borne);
+    archive.value("has_rows", one.has_rows);
+  });
 }
 
 bool Followed::follows(const ContactFrame& contact) const {

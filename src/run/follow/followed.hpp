@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "run/follow/drawn_joints.hpp"
@@ -38,7 +39,16 @@ class Followed {
   bool is_empty() const { return all_.empty(); }
 
   /// Lines of the state at hand, `step,time,what,name,quantity,value,unit`: none of what is not there.
-  std::string rows(const Stepper& stepper, const DrawnJoints& joints) const;
+  std::string rows(const Stepper& stepper, const DrawnJoints& joints);
+
+  /// Of pairs that lie farther apart before any load than the smaller of the two is large.
+  Warnings of_distant_pairs() const;
+
+  /// Of contacts, joints and lines that bore nothing in any of the rows: zeros that might pass for an answer.
+  Warnings of_nothing() const;
+
+  /// What the rows so far have shown.
+  void describe(Archive& archive);
 
   /// Whether a contact is one of those of a block, a contact or a joint that is followed.
   bool follows(const ContactFrame& contact) const;
@@ -47,8 +57,15 @@ class Followed {
   struct One {
     HistoryPlan plan;
     std::string name;
-    int point = -1;  ///< number of the measured point
+    int point = -1;           ///< number of the measured point
+    double apart = -1;        ///< least distance of the two blocks before any load; below 0 where it is not known
+    bool is_distant = false;  ///< farther than the smaller of them is large
+    double nearest = -1;      ///< least gap that was seen; below 0 where no contact was
+    bool has_borne = false;   ///< something was closed, or crossed the line
+    bool has_rows = false;
   };
+
+  static void look_at_pair(One& one, const Model& model);
 
   std::vector<One> all_;
   FollowedUnits units_;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/nearest.hpp"
+#include "base/words/plain_number.hpp"
 #include "cut/bodies/place_points.hpp"
 #include "geometry/polygon.hpp"
 
@@ -53,8 +54,8 @@ std::optional<int> element_at(const Cover& cover, Point p) {
 }
 
 [[noreturn]] void refuse_outside(const HistoryPlan& plan) {
-  throw InputError(plan.place, fmt::format("expected the point of a history within a block, found {:g}, {:g} in none",
-                                           plan.point->x, plan.point->y));
+  throw InputError(plan.place, fmt::format("expected the point of a history within a block, found {}, {} in none",
+                                           plain(plan.point->x, 6), plain(plan.point->y, 6)));
 }
 
 void add_point(Problem& problem, const HistoryPlan& plan) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/progress/headway.hpp"
+#include "base/words/plain_number.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/equilibrium.hpp"
@@ -88,10 +89,9 @@ class Relaxation {
         number = scene_.model.number_of(e);
       }
     result_.failure = fmt::format(
-        "{}; dynamic relaxation followed it for {} steps: block {} has gone {:.3g} times its size, by ({:.3g}, "
-        "{:.3g}), "
+        "{}; dynamic relaxation followed it for {} steps: block {} has gone {:.3g} times its size, by ({}, {}), "
         "and comes to no rest near where it was",
-        no_equilibrium(scene_, travel.far), steps_, number, farthest, way.x, way.y);
+        no_equilibrium(scene_, travel.far), steps_, number, farthest, plain(way.x, 3), plain(way.y, 3));
   }
 
   void make_step() {

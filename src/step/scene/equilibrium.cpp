@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "base/listed.hpp"
+#include "base/words/plain_number.hpp"
 #include "base/worse.hpp"
 #include "contact/rows/constraints.hpp"
 #include "step/newton/tolerances.hpp"
@@ -52,8 +53,8 @@ std::string smallest_in_words(const StandardScene& scene, const std::vector<Elem
   const Point at = scene.reference.centroids[smallest];
   const std::string which =
       blocks.size() > 1 ? fmt::format("the smallest, {}, ", scene.model.number_of(smallest)) : std::string();
-  return fmt::format("{}at {:.4g}, {:.4g}; area {:.3g}, {:.3g} % of the mean", which, at.x, at.y, area_of(smallest),
-                     100 * area_of(smallest) / scene.model.mean_area);
+  return fmt::format("{}at {}, {}; area {}, {:.3g} % of the mean", which, plain(at.x), plain(at.y),
+                     plain(area_of(smallest), 3), 100 * area_of(smallest) / scene.model.mean_area);
 }
 
 }  // namespace

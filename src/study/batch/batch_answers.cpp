@@ -74,6 +74,7 @@ CatalogueAnswer answer_in(const std::filesystem::path& folder, const std::string
     const Json& outcome = record.at("outcome");
     answer.end = outcome.at("end");
     if (outcome.contains("reason")) answer.end += ": " + outcome.at("reason").get<std::string>();
+    answer.failure = outcome.value("failure", "");
     if (const Json doubts = outcome.value("doubts", Json::array()); !doubts.empty()) answer.doubt = doubts.front();
     answer.steps = outcome.at("steps");
     answer.time = outcome.at("time");

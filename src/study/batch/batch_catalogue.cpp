@@ -53,13 +53,15 @@ Json json_of(const CatalogueAnswer& a) {
           {"steps", a.steps},     {"time", a.time},
           {"of_what", a.of_what}, {"dx", a.dx},
           {"dy", a.dy},           {"measures", a.measures ? json_of(*a.measures) : Json()},
-          {"doubt", a.doubt}};
+          {"doubt", a.doubt},     {"failure", a.failure}};
 }
 
 CatalogueAnswer answer_of(const Json& json) {
-  return {json.at("profile"),     json.at("end"), json.at("steps"), json.at("time"),
-          json.at("of_what"),     json.at("dx"),  json.at("dy"),    measures_of(json.at("measures")),
-          json.value("doubt", "")};
+  return {json.at("profile"),      json.at("end"),
+          json.at("steps"),        json.at("time"),
+          json.at("of_what"),      json.at("dx"),
+          json.at("dy"),           measures_of(json.at("measures")),
+          json.value("doubt", ""), json.value("failure", "")};
 }
 
 std::string cell(const std::string& text) {

@@ -7,6 +7,7 @@
 
 #include "cut/bodies/cut_blocks.hpp"
 #include "report/thumbnail.hpp"
+#include "run/look_ahead.hpp"
 #include "run/prepare.hpp"
 #include "study/batch/batch_files.hpp"
 #include "study/batch/scene_sentence.hpp"
@@ -70,6 +71,18 @@ Warnings look_at_scene(CatalogueRow& row, const Problem& problem) {
   return {};
 }
 
+// Those that `run` and `check` tell before the first step.
+Warnings warnings_before_steps(const Problem& problem, const std::string& profile, CheckDepth depth,
+                               const Warnings& of_cut) {
+  try {
+    const Prepared prepared = prepare(with_named_files(problem, {}, {}), profile_of(problem, profile), {});
+    return joined(prepared.warnings, look_ahead(problem, prepared));
+  } catch (const InputError&) {
+    if (depth == CheckDepth::plan) throw;
+    return of_cut;
+  }
+}
+
 // What is found out before something throws stays in the row.
 void follow(CatalogueRow& row, const std::vector<std::string>& paths, CheckDepth depth, const std::string& profile,
             Warnings& warnings) {
@@ -89,10 +102,9 @@ void follow(CatalogueRow& row, const std::vector<std::string>& paths, CheckDepth
   }
   if (!checked.errors.empty()) throw checked.errors.front();
   const Warnings of_cut = look_at_scene(row, checked.problem);
-  const std::string chosen = profile_of(checked.problem, profile);
-  const bool is_prepared = depth == CheckDepth::plan && can_prepare(checked.problem);
+  const bool is_prepared = depth != CheckDepth::scene && can_prepare(checked.problem);
   warnings = joined(std::move(warnings),
-                    is_prepared ? prepare(with_named_files(checked.problem, {}, {}), chosen, {}).warnings : of_cut);
+                    is_prepared ? warnings_before_steps(checked.problem, profile, depth, of_cut) : of_cut);
 }
 
 }  // namespace

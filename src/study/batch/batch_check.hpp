@@ -15,8 +15,9 @@ namespace keyblock::study {
 
 /// How far a job is followed.
 enum class CheckDepth {
-  scene,  ///< read, paired, cut
-  plan,   ///< and prepared as for a run, which may refuse it
+  scene,    ///< read, paired, cut
+  outlook,  ///< and prepared as for a run, for its warnings; where that is refused, the run says so
+  plan,     ///< prepared, and failed where a run refuses it
 };
 
 /// The row of a job, `files` with their checksums. `profile` as `keyblock run` takes it; empty: its default. What is

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace keyblock::study {
 namespace {
 
 // Times nearer than this share end together; runs whose steps are cut end earlier.
 constexpr double kSameEnd = 0.01;
+// What `answer_in` puts before the reason.
+constexpr std::string_view kFailed = "failed: ";
 
 using report::CatalogueAnswer;
 using report::CatalogueVerdict;
@@ -44,9 +47,30 @@ std::string how_they_differ(const CatalogueAnswer& one, const CatalogueAnswer& o
                      one.profile, other.profile, 100 * apart / larger, of_their_ends(one, other));
 }
 
+bool is_finished(const CatalogueAnswer& answer) {
+  return answer.end == "finished";
+}
+
+/// What each profile came to, where runs failed because the scene has no equilibrium and for nothing else; otherwise
+/// empty.
+std::string without_equilibrium(const report::CatalogueRow& row) {
+  std::string why;
+  bool has_none = false;
+  for (const CatalogueAnswer& answer : row.answers) {
+    const bool falls = answer.failure == "no_equilibrium";
+    if (!falls && !is_finished(answer)) return {};
+    has_none = has_none || falls;
+    why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", answer.profile,
+                       falls ? answer.end.substr(answer.end.starts_with(kFailed) ? kFailed.size() : 0)
+                             : fmt::format("came to its end, {} steps", answer.steps));
+  }
+  return has_none ? why : std::string();
+}
+
 }  // namespace
 
 CatalogueVerdict verdict_of(const report::CatalogueRow& row, BatchAim aim) {
+  if (std::string why = without_equilibrium(row); !why.empty()) return {"no equilibrium", std::move(why)};
   if (row.outcome == "failed") return {"failed", row.message};
   if (row.outcome == "listed") return {"listed", "no case"};
   if (aim == BatchAim::convert) return {"converted", ""};

@@ -111,7 +111,8 @@ class FactorSearch {
   }
 
   Verdict made_at(double factor) {
-    TrialOutcome outcome = trials_.run(factor, options_.wants_stop);
+    options_.on_begin(factor);
+    TrialOutcome outcome = tried_at(factor);
     if (outcome.told.verdict == Verdict::falls && trials_.may_leave_out(outcome.restless)) {
       loose_ = outcome.restless;
       outcome.told.verdict = Verdict::undecided;
@@ -122,6 +123,18 @@ class FactorSearch {
     forget();
     options_.on_trial(made_.at(factor).told);
     return made_.at(factor).told.verdict;
+  }
+
+  TrialOutcome tried_at(double factor) {
+    try {
+      return trials_.run(factor, options_.wants_stop);
+    } catch (const StopRequested&) {
+      TrialOutcome given_up;
+      given_up.told.factor = factor;
+      given_up.told.why = options_.why_given_up();
+      if (given_up.told.why.empty()) throw;
+      return given_up;
+    }
   }
 
   void judge() {
@@ -196,6 +209,24 @@ class FactorSearch {
   };
 };
 
+/// With what is known on either side of the trial that was not decided.
+std::string why_undecided(const FactorOfSafety& result) {
+  const StrengthTrial& last = result.trials.back();
+  const Bracket& at = result.bracket;
+  std::string known = "; nothing is known ";
+  if (at.is_closed())
+    known += fmt::format("between {:.6g} and {:.6g}", *at.stands, *at.falls);
+  else if (at.stands)
+    known += fmt::format("above {:.6g}", *at.stands);
+  else if (at.falls)
+    known += fmt::format("below {:.6g}", *at.falls);
+  else
+    known = "; nothing is known";
+  return fmt::format(
+      "statics does not decide at {:.6g}: it finds neither an equilibrium nor a block that accelerates ({}){}",
+      last.factor, last.why, known);
+}
+
 void add_notes(FactorOfSafety& result) {
   std::vector<std::string>& notes = result.notes;
   if (result.is_lower_estimate)
@@ -209,9 +240,7 @@ void add_notes(FactorOfSafety& result) {
         "displacement passes its knee ({:g} times that of the first trial) between {:.4g} and {:.4g}, but equilibrium "
         "is found up to {:.4g}: the factor is that of the knee",
         kKnee, *knee.stands, *knee.falls, *balance.stands));
-  if (result.end == SearchEnd::undecided)
-    notes.emplace_back(
-        "statics does not decide: it finds neither an equilibrium nor a block that accelerates where it had to");
+  if (result.end == SearchEnd::undecided) notes.push_back(why_undecided(result));
 }
 
 }  // namespace

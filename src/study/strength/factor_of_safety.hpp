@@ -22,7 +22,10 @@ struct SearchOptions {
   std::optional<double> to;    ///< the largest that is tried; none: 16 times the first
   double within = 0.01;        ///< width of the bracket
   std::function<bool()> wants_stop = [] { return false; };
+  std::function<void(double factor)> on_begin = [](double) {};  ///< before each trial
   std::function<void(const StrengthTrial&)> on_trial = [](const StrengthTrial&) {};
+  /// Why a trial was stopped that is to be given up as undecided; empty where the search is to stop.
+  std::function<std::string()> why_given_up = [] { return std::string(); };
   std::function<void(const std::string&)> on_loose = {};  ///< told that a block is left out, and the search begins anew
 };
 

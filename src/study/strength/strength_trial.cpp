@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/stop.hpp"
+#include "base/words/plain_number.hpp"
 #include "geometry/polygon.hpp"
 #include "run/record.hpp"
 #include "run/settings_of.hpp"
@@ -217,9 +218,9 @@ void StrengthTrials::leave_out(const std::vector<int>& blocks) {
     const BlockPolygon& polygon = whole_->blocks[static_cast<std::size_t>(block)];
     const Point at = centroid(points_of(polygon.outer));
     notes_.push_back(
-        fmt::format("block {} at {:.4g}, {:.4g} falls by itself and is small (area {:.3g}, {:.2g} % of the "
+        fmt::format("block {} at {}, {} falls by itself and is small (area {}, {:.2g} % of the "
                     "mean): it is left out, so that the factor is that of the others",
-                    block + 1, at.x, at.y, area_of(polygon), 100 * area_of(polygon) / mean));
+                    block + 1, plain(at.x), plain(at.y), plain(area_of(polygon), 3), 100 * area_of(polygon) / mean));
   }
   left_out_.insert(left_out_.end(), blocks.begin(), blocks.end());
   problem_.geometry = without(*whole_, left_out_);

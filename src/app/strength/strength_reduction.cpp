@@ -1,6 +1,6 @@
 // Checks before the first trial, a table as trials come, files at the end.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/strength_reduction.hpp"
+#include "app/strength/strength_reduction.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -12,8 +12,10 @@
 
 #include "app/above_zero.hpp"
 #include "app/stop_request.hpp"
+#include "app/strength/trial_watch.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "base/stop.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
@@ -212,7 +214,12 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
                       "first factor, at which the case must stand (default: 1, and less where that falls)")
           ->check(above_zero()),
       options.add_option("--to", chosen.to, "largest factor (default: 16 times the first)")->check(above_zero()),
-      options.add_option("--to-within", chosen.within, "width of the bracket (default: 0.01)")->check(above_zero())};
+      options.add_option("--to-within", chosen.within, "width of the bracket (default: 0.01)")->check(above_zero()),
+      options
+          .add_option("--trial-limit", chosen.trial_limit,
+                      "seconds after which a trial is given up as undecided, which ends the search with the bracket "
+                      "that is known by then (default: none)")
+          ->check(above_zero())};
 }
 
 ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& options) {
@@ -222,8 +229,15 @@ ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& opti
                       look_ahead(chosen.input.problem, trials.prepared())));
   listen_for_stops();
   study::SearchOptions search{options.from, options.to, options.within.value_or(0.01)};
-  search.wants_stop = [] { return stop_signal() != 0; };
-  search.on_trial = [](const StrengthTrial& trial) {
+  search.wants_stop = [] { return stop_signal() != 0 || is_stop_requested(); };
+  TrialWatch watch(options.trial_limit);
+  search.on_begin = [&](double factor) { watch.begin(factor); };
+  search.why_given_up = [&]() -> std::string {
+    if (stop_signal() != 0 || !watch.takes_back_stop()) return {};
+    return fmt::format("given up after {:g} s (--trial-limit)", *options.trial_limit);
+  };
+  search.on_trial = [&](const StrengthTrial& trial) {
+    watch.end();
     spdlog::info("F = {:.6g}: {}{}{}", trial.factor, kind_of(trial), trial.why.empty() ? "" : ": ", trial.why);
   };
   search.on_loose = [](const std::string& sentence) { spdlog::info("{}; the search begins anew", sentence); };

@@ -19,12 +19,13 @@ struct ReductionOptions {
   std::optional<double> from;
   std::optional<double> to;
   std::optional<double> within;
+  std::optional<double> trial_limit;  ///< seconds
   std::string folder;
   bool as_json = false;
   bool force = false;
 };
 
-/// `--from`, `--to`, `--to-within`.
+/// `--from`, `--to`, `--to-within`, `--trial-limit`.
 std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen);
 
 /// The case as it was read. `folder`: files that overrides name lie there.

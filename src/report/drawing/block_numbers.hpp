@@ -1,0 +1,37 @@
+// Numbers of blocks, each as large as fits inside its block.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "report/drawing/svg.hpp"
+
+namespace keyblock::report {
+
+/// Of blocks, in pictures: of all that have room for it.
+enum class Numbers { none, all };
+
+/// A block on the page: the outer loop first, then holes.
+struct NumberedBlock {
+  int number = 0;  ///< from 1
+  std::vector<std::vector<Point>> loops;
+};
+
+/// Where the text of a number stands, and how large.
+struct NumberInside {
+  Point middle;
+  double size = 0;  ///< of the face; 0: it fits nowhere
+};
+
+/// The largest size, up to the usual one, at which `words` stand inside the loops.
+NumberInside largest_inside(const std::vector<std::vector<Point>>& loops, const std::string& words);
+
+/// Writes the numbers of all blocks but those too small for it to be read, and returns how many these are.
+std::size_t draw_block_numbers(SvgPage& page, const std::vector<NumberedBlock>& blocks);
+
+/// "; 3 blocks are too small for their number"; empty of none.
+std::string without_number_in_words(std::size_t count);
+
+}  // namespace keyblock::report
