@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "study/fit/curve_fit.hpp"
 #include "study/fit/strength_fit.hpp"
+#include "study/fit/toughness_fit.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -181,6 +182,73 @@ TEST(Fit, what_cannot_be_fitted_is_refused_where_it_stands) {
   EXPECT_NE(strengths({1, 1}, {4, 5}).find("two values of s3"), std::string::npos);
   EXPECT_NE(strengths({1, 2}, {4, 1}).find("t.csv:3:1"), std::string::npos);
   EXPECT_NE(strengths({1, 2}, {9, 9.5}).find("N = 0.5"), std::string::npos);
+}
+
+namespace {
+
+ToughnessFit toughness(const std::string& text, ToughnessTest test) {
+  return fit_toughness(formats::read_csv({"tests.csv", text}), test);
+}
+
+}  // namespace
+
+// The rows of benchmark fra-08.
+TEST(ToughnessFit, chevron_bend) {
+  const ToughnessFit fit = toughness(
+      "diameter,span,notch,load\n0.054,0.1798,0.0081,1000\n0.05,0.1665,0.0075,900\n0.0477,0.1588,0.00716,800\n",
+      ToughnessTest::chevron_bend);
+  ASSERT_EQ(fit.of_specimen.size(), 3U);
+  EXPECT_NEAR(fit.of_specimen[0], 830287, 1);
+  EXPECT_NEAR(fit.of_specimen[1], 838793, 1);
+  EXPECT_NEAR(fit.of_specimen[2], 800229, 1);
+  EXPECT_NEAR(fit.mean.value, (830287 + 838793 + 800229) / 3.0, 1);
+  // s = 20261 of the three, t = 4.302653 for two degrees of freedom (tables of Student's t).
+  EXPECT_NEAR(fit.mean.standard_error, 20260.87 / std::sqrt(3.0), 1);
+  EXPECT_NEAR(fit.mean.high - fit.mean.value, 4.302653 * fit.mean.standard_error, 1);
+  EXPECT_EQ(fit.unit, "");
+}
+
+// The same specimen in millimetres and kilonewtons.
+TEST(ToughnessFit, takes_units_of_headings) {
+  const ToughnessFit fit = toughness("Diameter [mm],Span [mm],Notch [mm],Load [kN],remark\n54,179.8,8.1,1,wet\n",
+                                     ToughnessTest::chevron_bend);
+  EXPECT_NEAR(fit.of_specimen[0], 0.830287, 1e-6);
+  EXPECT_EQ(fit.unit, "MPa√m");
+  EXPECT_FALSE(std::isfinite(fit.mean.high)) << "one specimen has no scatter";
+}
+
+// Benchmark fra-13: Y = 0.841398 at a1/R 0.65; B √D = 0.03 √0.075.
+TEST(ToughnessFit, notched_disc) {
+  const ToughnessFit fit = toughness("diameter,thickness,notch,end,load\n0.075,0.03,0.00988875,0.024375,5000\n",
+                                     ToughnessTest::notched_disc);
+  EXPECT_NEAR(fit.of_specimen[0], 5000 * 0.841398 / (0.03 * std::sqrt(0.075)), 1);
+}
+
+// fra-09: K of the half disc by independent finite elements at a/R 0.5 and S/2R 0.5, 0.8 (cases semicircular_bend_05,
+// _08): the formula, a fit of ISRM 2014, lies within 2 %.
+TEST(ToughnessFit, semicircular_bend) {
+  const ToughnessFit fit =
+      toughness("radius,thickness,notch,span,load\n1,1,0.5,1,1\n1,1,0.5,1.6,1\n", ToughnessTest::semicircular_bend);
+  // By hand: Y = -1.297 + 9.516 s - (0.47 + 16.457 s) b + (1.071 + 34.401 s) b².
+  EXPECT_NEAR(fit.of_specimen[0], std::sqrt(std::numbers::pi / 2) * 3.679625 / 2, 1e-9);
+  EXPECT_NEAR(fit.of_specimen[1], std::sqrt(std::numbers::pi / 2) * 6.64595 / 2, 1e-9);
+  EXPECT_NEAR(fit.of_specimen[0] / (std::sqrt(std::numbers::pi / 2) * 3.6113618569 / 2), 1, 0.02);
+  EXPECT_NEAR(fit.of_specimen[1] / (std::sqrt(std::numbers::pi / 2) * 6.53301117774 / 2), 1, 0.02);
+}
+
+TEST(ToughnessFit, says_what_is_wrong) {
+  const auto refused = [](const char* text) { return refusal([&] { toughness(text, ToughnessTest::chevron_bend); }); };
+  EXPECT_EQ(refused("diameter,span,load\n0.054,0.1798,1000\n"),
+            "tests.csv:1:1: error: expected one column whose heading begins with \"notch\", found none");
+  EXPECT_EQ(refused("diameter [mm],span,notch,load\n54,179.8,8.1,1\n"),
+            "tests.csv:1:1: error: expected units in all headings or in none, found them in some");
+  EXPECT_EQ(
+      refused("diameter,span,notch,load\n0.054,0.1798,0.03,1000\n"),
+      "tests.csv:2:1: error: expected a notch over the diameter from 0.05 to 0.25, for which the formula was made, "
+      "found 0.5556");
+  EXPECT_EQ(refused("diameter,span,notch,load\n0.054,0.1798,0.0081,-5\n"),
+            "tests.csv:2:1: error: expected a load above 0, found -5");
+  EXPECT_EQ(refused("diameter,span,notch,load\n"), "tests.csv: error: expected at least one specimen, found none");
 }
 
 }  // namespace keyblock::study

@@ -24,6 +24,7 @@
 #include "report/rock/element_picture.hpp"
 #include "study/fit/curve_fit.hpp"
 #include "study/fit/strength_fit.hpp"
+#include "study/fit/toughness_fit.hpp"
 
 namespace keyblock {
 namespace {
@@ -33,6 +34,7 @@ using Json = nlohmann::ordered_json;
 struct FitOptions {
   std::string input;
   bool is_triaxial = false;
+  std::string toughness;  ///< the test; empty: none
   std::string compression = "auto";
   std::optional<double> strain_factor;  ///< else as the heading says
   double friction_deg = 0;
@@ -46,6 +48,10 @@ struct FitOptions {
 const std::map<std::string, study::CompressionSign> kSigns{{"auto", study::CompressionSign::found},
                                                            {"positive", study::CompressionSign::positive},
                                                            {"negative", study::CompressionSign::negative}};
+
+const std::map<std::string, study::ToughnessTest> kTests{{"chevron_bend", study::ToughnessTest::chevron_bend},
+                                                         {"semicircular_bend", study::ToughnessTest::semicircular_bend},
+                                                         {"notched_disc", study::ToughnessTest::notched_disc}};
 
 struct NamedFound {
   const char* name;
@@ -62,6 +68,7 @@ struct Outcome {
   study::MeasuredPairs measured;
   report::AxisLabels axes;
   report::Curve line;
+  bool is_mean = false;  ///< of specimens: there is no R²
 };
 
 Json json_of(const study::Found& f) {
@@ -161,12 +168,31 @@ Outcome triaxial_outcome(study::MeasuredPairs tests) {
   return out;
 }
 
-std::string residuals_csv(const Outcome& out, bool is_triaxial) {
+Outcome toughness_outcome(const formats::CsvTable& tests, study::ToughnessTest test) {
+  const study::ToughnessFit fit = study::fit_toughness(tests, test);
+  const std::string unit = fit.unit.empty() ? "F/L^1.5" : fit.unit;
+  Outcome out;
+  out.values = {{"toughness", unit, fit.mean}};
+  out.material["toughness"] = {
+      {"mode_1", fit.unit.empty() ? Json(fit.mean.value) : Json(fmt::format("{} {}", fit.mean.value, fit.unit))}};
+  out.measured.y = fit.of_specimen;
+  out.measured.y_unit = fit.unit;
+  for (std::size_t i = 1; i <= fit.of_specimen.size(); ++i) out.measured.x.push_back(static_cast<double>(i));
+  out.agreement = study::agreement(out.measured.y, std::vector<double>(out.measured.y.size(), fit.mean.value));
+  out.line = {"mean", {out.measured.x.front(), out.measured.x.back()}, {fit.mean.value, fit.mean.value}};
+  out.is_mean = true;
+  out.title = "toughness of specimens, and their mean";
+  out.axes = {"specimen", fmt::format("K_Ic [{}]", unit)};
+  return out;
+}
+
+std::string residuals_csv(const Outcome& out, const FitOptions& options) {
   const std::string& unit = out.measured.y_unit;
-  const std::string of_stress = unit.empty() ? "" : fmt::format(" [{}]", unit);
-  std::string text = fmt::format(
-      fmt::runtime(is_triaxial ? "s3{0},s1{0},fitted{0},residual{0}\n" : "strain,stress{0},fitted{0},residual{0}\n"),
-      of_stress);
+  const std::string of_y = unit.empty() ? "" : fmt::format(" [{}]", unit);
+  const char* heading = !options.toughness.empty() ? "specimen,toughness{0},fitted{0},residual{0}\n"
+                        : options.is_triaxial      ? "s3{0},s1{0},fitted{0},residual{0}\n"
+                                                   : "strain,stress{0},fitted{0},residual{0}\n";
+  std::string text = fmt::format(fmt::runtime(heading), of_y);
   for (std::size_t i = 0; i < out.measured.x.size(); ++i) {
     const double fitted = out.agreement.fitted[i];
     text += fmt::format("{},{},{},{}\n", out.measured.x[i], out.measured.y[i], fitted, out.measured.y[i] - fitted);
@@ -181,6 +207,7 @@ void print(const Outcome& out, bool as_json) {
     for (const NamedFound& value : out.values) json["parameters"][value.name] = json_of(value.found);
     json["residual"] = {
         {"rms", out.agreement.rms}, {"largest", out.agreement.largest}, {"r_squared", out.agreement.r_squared}};
+    if (out.is_mean) json["residual"]["r_squared"] = nullptr;
     json["material"] = out.material;
     fmt::print("{}\n", json.dump(2));
     return;
@@ -189,6 +216,11 @@ void print(const Outcome& out, bool as_json) {
   for (const NamedFound& v : out.values)
     fmt::print("{:<22}{:>14.6g}{:>16.3g}{:>16.6g}{:>16.6g}  {}\n", v.name, v.found.value, v.found.standard_error,
                v.found.low, v.found.high, v.unit);
+  if (out.is_mean) {
+    const auto [least, greatest] = std::ranges::minmax_element(out.measured.y);
+    fmt::print("{} specimen{}, from {:.4g} to {:.4g}\n", count, count == 1 ? "" : "s", *least, *greatest);
+    return;
+  }
   fmt::print("{} points, residual rms {:.4g}, largest {:.4g}, R² {:.6f}\n", count, out.agreement.rms,
              out.agreement.largest, out.agreement.r_squared);
 }
@@ -199,10 +231,11 @@ ExitCode run_fit(const FitOptions& options) {
   require_no_picture_name("-o", options.output, "--svg");
   require_writable({options.output, options.material, options.picture}, {options.input}, overwrite);
   const formats::CsvTable table = formats::read_csv(formats::load(options.input));
-  const Outcome out = options.is_triaxial ? triaxial_outcome(study::read_pairs(table, "s3", "s1"))
-                                          : curve_outcome(options, study::read_pairs(table, "strain", "stress"));
+  const Outcome out = !options.toughness.empty() ? toughness_outcome(table, kTests.at(options.toughness))
+                      : options.is_triaxial      ? triaxial_outcome(study::read_pairs(table, "s3", "s1"))
+                                                 : curve_outcome(options, study::read_pairs(table, "strain", "stress"));
   print(out, options.as_json);
-  if (!options.output.empty()) write_output(options.output, residuals_csv(out, options.is_triaxial), overwrite);
+  if (!options.output.empty()) write_output(options.output, residuals_csv(out, options), overwrite);
   if (!options.material.empty()) write_output(options.material, out.material.dump(2) + "\n", overwrite);
   if (!options.picture.empty()) {
     const report::Curve measured{"measured", out.measured.x, out.measured.y, report::Curve::Style::points};
@@ -223,17 +256,27 @@ Action configure_fit(CLI::App& app) {
          "of what is found")
       ->required();
   CLI::Option* triaxial = app.add_flag("--triaxial", options->is_triaxial, "fit cohesion and friction to s1 over s3");
+  CLI::Option* toughness =
+      app.add_option("--toughness", options->toughness,
+                     "find the toughness from loads at which notched specimens broke, a row each, with columns of the "
+                     "test: chevron_bend (diameter, span, notch, load), semicircular_bend (radius, thickness, notch, "
+                     "span, load) or notched_disc (diameter, thickness, notch, end, load)")
+          ->check(CLI::IsMember(kTests))
+          ->excludes(triaxial);
   app.add_option("--compression", options->compression, "its sign in the file: positive, negative, auto")
       ->check(CLI::IsMember(kSigns))
-      ->excludes(triaxial);
+      ->excludes(triaxial)
+      ->excludes(toughness);
   app.add_option("--strain-factor", options->strain_factor,
                  "what 1 in the column of strain is: 0.01 for per cent (default: as its heading says, \"strain [%]\")")
       ->check(above_zero())
-      ->excludes(triaxial);
+      ->excludes(triaxial)
+      ->excludes(toughness);
   app.add_option("--friction", options->friction_deg,
                  "angle of friction in degrees, from other tests, with which the strength becomes one of mohr_coulomb")
       ->check(CLI::Range(0.0, 89.0))
-      ->excludes(triaxial);
+      ->excludes(triaxial)
+      ->excludes(toughness);
   app.add_option("-o,--output", options->output, "measured, fitted and residual of each point to write (CSV)")
       ->type_name("FILE");
   app.add_option("--material", options->material, "keys of a block material of a case file to write (JSON)");

@@ -84,6 +84,13 @@ std::string stress_unit(const MeasuredPairs& pairs, bool both) {
   return pairs.y_unit;
 }
 
+MeasuredColumn read_column(const formats::CsvTable& table, std::string_view word) {
+  const std::size_t column = column_of(table, word);
+  MeasuredColumn read{{}, unit_of(table.header[column])};
+  for (const formats::CsvRow& row : table.rows) read.values.push_back(formats::csv_real(table, row, column));
+  return read;
+}
+
 MeasuredPairs read_pairs(const formats::CsvTable& table, std::string_view x, std::string_view y) {
   formats::CsvTable rows = table;
   std::size_t x_column = 0, y_column = 1;

@@ -20,6 +20,16 @@ struct MeasuredPairs {
   std::string y_unit = {};
 };
 
+/// One column, and its unit as above.
+struct MeasuredColumn {
+  std::vector<double> values;
+  std::string unit;
+};
+
+/// The column whose heading begins with this word, upper or lower case. Throws InputError where there is none or more
+/// than one, or for what is not a finite number.
+MeasuredColumn read_column(const formats::CsvTable& table, std::string_view word);
+
 /// Columns whose headings begin with these words, upper or lower case; of a table without headings the two there are.
 /// Throws InputError for other columns, or for what is not a finite number.
 MeasuredPairs read_pairs(const formats::CsvTable& table, std::string_view x, std::string_view y);
