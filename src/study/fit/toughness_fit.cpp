@@ -22,7 +22,13 @@ class Specimens {
   explicit Specimens(const formats::CsvTable& table) : table_(table) {}
 
   std::vector<double> lengths(std::string_view word) { return column(word, kLengthDimension, "length, such as mm"); }
-  std::vector<double> loads() { return column("load", kForceDimension, "force, such as kN"); }
+  /// Read last: all columns have units then, or none has.
+  std::vector<double> loads() {
+    std::vector<double> read = column("load", kForceDimension, "force, such as kN");
+    if (with_unit_ > 0 && without_unit_ > 0)
+      throw InputError({table_.name, 1, 1}, "expected units in all headings or in none, found them in some");
+    return read;
+  }
   bool have_units() const { return with_unit_ > 0; }
 
   /// Refuses a specimen whose proportion lies elsewhere.
@@ -31,11 +37,6 @@ class Specimens {
     throw InputError({table_.name, table_.rows[row].line, 1},
                      fmt::format("expected {} from {:.4g} to {:.4g}, for which the formula was made, found {:.4g}",
                                  what, low, high, found));
-  }
-
-  void require_same_units() const {
-    if (with_unit_ > 0 && without_unit_ > 0)
-      throw InputError({table_.name, 1, 1}, "expected units in all headings or in none, found them in some");
   }
 
  private:
@@ -113,7 +114,6 @@ ToughnessFit fit_toughness(const formats::CsvTable& tests, ToughnessTest test) {
   fit.of_specimen = test == ToughnessTest::chevron_bend        ? of_chevron_bend(table)
                     : test == ToughnessTest::semicircular_bend ? of_semicircular_bend(table)
                                                                : of_notched_disc(table);
-  table.require_same_units();
   if (table.have_units()) {
     fit.unit = "MPa√m";
     for (double& k : fit.of_specimen) k /= kMega;
