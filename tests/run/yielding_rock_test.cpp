@@ -105,6 +105,40 @@ TEST(YieldingRock, a_load_beyond_the_strength_ends_the_run_and_is_named) {
   EXPECT_NE(done.messages.find("no equilibrium beyond"), std::string::npos) << done.messages;
 }
 
+// Tresca ground over ten points, under a stiff block and under the same pressure as a traction, which another search
+// finds equilibria for.
+TEST(YieldingRock, ground_under_a_block_stands_up_to_its_limit_load) {
+  const std::string ground = R"({"outer": [[-5, -3, 1], [5, -3, 1], [5, 0, 1], [-5, 0, 1]], "material": 1})";
+  const std::string analysis = R"("time_step": 1, "velocity_carry_over": 0, "plane_strain": true,
+    "allowed_displacement_ratio": 0.1, "joint_materials": [{"friction_angle_deg": 30}], "block_materials": [
+      {"density": 0.001, "unit_weight": 0.01, "youngs_modulus": 1e5, "poissons_ratio": 0.3,
+       "strength": {"surface": "tresca", "cohesion": 10}},
+      {"density": 8.2, "unit_weight": 82, "youngs_modulus": 1e6, "poissons_ratio": 0.3}])";
+  std::string points, springs;
+  for (const int x : {-5, -4, -3, -2, -1, 0, 1, 2, 3, 5}) {
+    points += fmt::format("{}[{}, -3, 1]", points.empty() ? "" : ", ", x);
+    springs += fmt::format("{}[{}, -3, 1, 0, 1e8], [{}, -3, 0, 1, 1e8]", springs.empty() ? "" : ", ", x, x);
+  }
+  const Done by_block = run_of("ground_block",
+                               R"({"keyblock": 1, "blocks": {"blocks": [)" + ground +
+                                   R"(, {"outer": [[-1, 0, 1], [1, 0, 1], [1, 0.5, 1], [-1, 0.5, 1]], "material": 2}],
+        "fixed_points": [)" + points +
+                                   R"(]}, "covers": {"mesh": {"side": 0.4, "materials": [[1]]}},
+        "analysis": {"step_count": 10, "gravity": 10, )" +
+                                   analysis + "}}",
+                               {"--set", "load_steps=10"});
+  EXPECT_EQ(by_block.exit_code, 0) << by_block.messages;
+  for (const auto& [pressure, exit_code] : {std::pair{42, 0}, std::pair{43, 4}}) {
+    const Done by_traction =
+        run_of(fmt::format("ground_{}", pressure),
+               R"({"keyblock": 1, "blocks": {"blocks": [)" + ground + R"(]}, "covers": {"mesh": {"side": 0.4},
+        "tractions": [{"along": [[-1, 0], [1, 0]], "y": )" +
+                   fmt::format("{}", -pressure) + R"(}], "springs": [)" + springs +
+                   R"(]}, "analysis": {"step_count": 10, "gravity": 0, )" + analysis + "}}");
+    EXPECT_EQ(by_traction.exit_code, exit_code) << pressure << ": " << by_traction.messages;
+  }
+}
+
 // pla-09 A: 2:1, H 10, φ 20°, c/(γ H) 0.05, no foundation layer; published factors of safety are 1.36 to 1.42
 // (Griffiths & Lane 1999; log-spiral 1.368); flow is associated here. With sides of 1.5 the slope slides by 2 % of its
 // height at 1.45 and then bears its weight: the mesh must be finer than that.
