@@ -86,6 +86,17 @@ double largest_size(const Strength& strength, double modulus) {
   return fall > 0 ? 2 * modulus * strength.change->fracture_energy / (fall * fall) : kInfinite;
 }
 
+Strength unreachable_strength() {
+  Strength none;
+  none.surface = YieldSurface::tresca;
+  none.values.cohesion = kInfinite;
+  return none;
+}
+
+bool is_reachable(const Strength& strength) {
+  return std::isfinite(strength.values.cohesion);
+}
+
 std::string why_unusable(const Strength& strength) {
   if (std::string why = why_not(strength, strength.values, "strength"); !why.empty()) return why;
   if (!strength.change) return {};

@@ -22,6 +22,10 @@ double strain_of_change(const Strength& strength, double size);
 /// infinity where no energy is given. `modulus`: E by which the point unloads, the least on the way.
 double largest_size(const Strength& strength, double modulus);
 
+/// One that nothing reaches: of rock that stays elastic but keeps a plastic strain, or has cracks alone.
+Strength unreachable_strength();
+bool is_reachable(const Strength& strength);
+
 /// Empty, or why no run can be made of it: "expected cohesion of strength: 0 or more, found -2".
 std::string why_unusable(const Strength& strength);
 

@@ -122,7 +122,8 @@ void look_at_blocks(const Model& model, const Settings& settings) {
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);
     if (element.is_on_covers() || !element.can_move() || !material.is_nonlinear()) continue;
-    if (element.basis == &rigid_basis())
+    const bool is_elastic = material.strength && !is_reachable(*material.strength) && !material.crack_closure;
+    if (element.basis == &rigid_basis() && !is_elastic)
       throw InputError(material.place,
                        fmt::format("expected basis affine of blocks whose material has a {}, found rigid: what does "
                                    "not strain bears any stress",
