@@ -108,8 +108,9 @@ Warnings look_at_covers(const Scene& scene, const Place& place) {
   if (continuum.functions == CoverFunctions::derived)
     warnings.push_back(
         {"functions_lock", place,
-         "derived functions lock where rock flows without change of volume: limit loads come out 10 to 20 % "
-         "too high; constant ones (the default) do not"});
+         "derived functions lock where rock flows without change of volume: loads of flow come out far too high and go "
+         "on rising (a footing of tresca: 64 % above the exact load with five sides under half of it and 1,006 "
+         "unknowns, 51 % on a mesh turned by 10 degrees, 32 % with 2,706); constant ones (the default) do not: 1.4 %"});
   if (std::ranges::none_of(continuum.materials, softens_by_energy)) return warnings;
   require_sizes(continuum);
   return warnings;
