@@ -29,7 +29,8 @@ bool is_reachable(const Strength& strength);
 /// Empty, or why no run can be made of it: "expected cohesion of strength: 0 or more, found -2".
 std::string why_unusable(const Strength& strength);
 
-/// What a user should know of a usable one: dilation above friction, softening that depends on the mesh.
+/// What a user should know of a usable one: dilation above friction, tensile strength and matching that have no effect,
+/// a matching that is not that of the flow, softening that depends on the mesh.
 std::vector<std::string> doubts_of(const Strength& strength);
 
 }  // namespace keyblock
