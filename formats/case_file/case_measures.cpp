@@ -139,4 +139,8 @@ bool takes_unit(std::string_view parent, std::string_view key) {
   return measure_of(parent, key).value_or(measures::kNumber) != measures::kNumber;
 }
 
+bool takes_per_cent(std::string_view parent, std::string_view key) {
+  return parent == "initial_strain" || key == "plastic_strain" || key == "closure_strain";
+}
+
 }  // namespace keyblock::formats

@@ -16,4 +16,7 @@ std::optional<Measure> measure_of(std::string_view parent, std::string_view key)
 /// Whether a value with a unit may stand there.
 bool takes_unit(std::string_view parent, std::string_view key);
 
+/// Whether it is a strain, which may be written as a text in per cent or per mille: "1 %", "10 ‰".
+bool takes_per_cent(std::string_view parent, std::string_view key);
+
 }  // namespace keyblock::formats

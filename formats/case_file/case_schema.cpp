@@ -22,6 +22,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kLike = "like";
 // A number and a unit, as `quantity_in` takes them apart.
 constexpr const char* kValueWithUnit = R"(^-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)? *[^ ]+ *$)";
+constexpr const char* kPerCent = R"(^-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)? *[%‰] *$)";
 
 /// Describes one struct: as an object with keys, or as a row, whose places are named.
 class CaseSchema {
@@ -174,6 +175,7 @@ class CaseSchema {
   }
   /// As the reader has it: where a number has a unit, a text with one may stand.
   Json number_of(std::string_view name, const char* type) const {
+    if (takes_per_cent(parent_, name)) return {{"type", {type, "string"}}, {"pattern", kPerCent}};
     if (!takes_unit(parent_, name)) return {{"type", type}};
     return {{"type", {type, "string"}}, {"pattern", kValueWithUnit}};
   }

@@ -308,12 +308,21 @@ void resolve(JsonText& text) {
   resolve_names(text);
 }
 
+// Strain at which cracks close, above which it is no strain of rock.
+constexpr double kLargeClosure = 0.1;
+
 Warnings doubtful_strengths(const Analysis& analysis) {
   Warnings warnings;
-  for (const BlockMaterial& material : analysis.block_materials)
+  for (const BlockMaterial& material : analysis.block_materials) {
     if (material.strength)
       for (const std::string& doubt : doubts_of(*material.strength))
         add_warning(warnings, {"strength", material.place, doubt});
+    if (material.crack_closure && material.crack_closure->closure_strain > kLargeClosure)
+      add_warning(warnings, {"crack_closure", material.place,
+                             fmt::format("closure_strain {:.4g} is above {}: cracks of rock close at a hundredth or "
+                                         "less; is it in per cent?",
+                                         material.crack_closure->closure_strain, kLargeClosure)});
+  }
   return warnings;
 }
 

@@ -34,10 +34,22 @@ double NumberFields::converted_at(const JsonValue& value, std::string_view name,
   return *number;
 }
 
+std::optional<double> NumberFields::share_in(std::string_view text) {
+  const std::optional<Quantity> quantity = quantity_in(text);
+  if (!quantity) return std::nullopt;
+  if (quantity->unit == "%") return quantity->number / 100;
+  if (quantity->unit == "‰") return quantity->number / 1000;
+  return std::nullopt;
+}
+
 void NumberFields::real(std::string_view name, double& value, const Demand& demand) {
   const auto fail_at = [&](const JsonValue& at) { at.fail(fmt::format("{} of {}: {}", name, noun_, demand.wording)); };
   if (take(name)) {
-    if (value_->kind() == JsonKind::string && takes_unit(noun_, name))
+    const auto share =
+        value_->kind() == JsonKind::string && takes_per_cent(noun_, name) ? share_in(value_->string()) : std::nullopt;
+    if (share)
+      value = *share;
+    else if (value_->kind() == JsonKind::string && takes_unit(noun_, name))
       value = converted_at(*value_, name, measure_of(noun_, name), "a number");
     else if (value_->kind() != JsonKind::number)
       fail_at(*value_);

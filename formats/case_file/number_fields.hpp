@@ -36,6 +36,9 @@ class NumberFields : public TakenFields {
   /// A number and the name of a unit, which no expression is: x, y and functions are none.
   static bool is_quantity(std::string_view text);
 
+  /// 0.01 of "1 %", 0.001 of "1 ‰".
+  static std::optional<double> share_in(std::string_view text);
+
   /// The number that a text stands for, in the units of the case; `or_else`: what else may stand there.
   static double converted_at(const JsonValue& value, std::string_view name, const std::optional<Measure>& of,
                              std::string_view or_else);

@@ -120,6 +120,26 @@ void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& reco
                                  made, limit, undamped_covers(prepared))});
 }
 
+// Of plastic work: what the forces of steps did less than is booked of it. In a step the force has the mean of the
+// stresses at its start and end, the plastic strain is booked with that at the end: ½ (σ1 - σ0) · Δεᵖ is between them.
+constexpr double kMissedPlasticWork = 0.1;
+// Of the largest energy: less plastic work than this is not worth a word.
+constexpr double kLittlePlasticWork = 1e-3;
+
+void add_plastic_work(Warnings& remarks, const RunRecord& record, const Place& place) {
+  const LedgerScope& scope = record.outcome.ledger_scope;
+  if (!scope.has_flows || !scope.may_yield || record.ledger.rows().empty()) return;
+  const EnergyFlow& flow = record.ledger.rows().back().flow;
+  if (flow.plastic < kLittlePlasticWork * record.ledger_sums.largest_energy()) return;
+  if (!(-flow.algorithmic > kMissedPlasticWork * flow.plastic)) return;
+  remarks.push_back(
+      {"plastic_work_overstated", place,
+       fmt::format("steps are long for rock that yields: `algorithmic` is {:.3g}, {:.2g} % of the plastic "
+                   "work {:.4g}, which is booked with the stress at the end of each step while its force "
+                   "has the mean of start and end; a smaller time_step brings them together",
+                   flow.algorithmic, -100 * flow.algorithmic / flow.plastic, flow.plastic)});
+}
+
 // What a stage was to come to before the next began.
 void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) {
   for (std::size_t i = 0; i < outcome.scenes.size(); ++i) {
@@ -168,6 +188,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, place);
   add_stages(found, record.outcome, place);
+  add_plastic_work(judgement.remarks, record, place);
   add_tips(judgement, prepared, last, place);
   return judgement;
 }

@@ -21,6 +21,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kShorter = 10;  // times, of a step that is to be tried
+// Load steps of a run that found no equilibrium, times as many.
+constexpr int kMoreLoadSteps = 5;
 
 const char* word_for(RunEnd end) {
   switch (end) {
@@ -110,7 +112,7 @@ Json start_json(const StartReport& start) {
           {"unsolved_steps", start.unsolved_steps}};
 }
 
-Json outcome_json(const RunRecord& record, const Settings& settings) {
+Json outcome_json(const RunRecord& record, const Prepared& prepared) {
   const RunOutcome& outcome = record.outcome;
   Json contacts = Json::array();
   for (std::size_t c : outcome.contacts) contacts.push_back(c + 1);
@@ -121,7 +123,7 @@ Json outcome_json(const RunRecord& record, const Settings& settings) {
     json["contacts"] = contacts;
     json["blocks"] = Json::array();
     for (const int number : outcome.numbers) json["blocks"].push_back(number);
-    json["try"] = what_to_try(settings, outcome);
+    json["try"] = what_to_try(prepared, outcome);
   }
   Json doubts = Json::array();
   for (const Warning& doubt : record.doubts) doubts.push_back(doubt.sentence);
@@ -218,9 +220,19 @@ std::string kind_of(const Warning& warning) {
   return kind;
 }
 
+/// Of load steps of rock that yields, in which nothing touches: relaxation and motion would have loads and driven edges
+/// all at once.
+std::vector<std::string> what_to_try_under_loads(const Scene& scene) {
+  std::vector<std::string> options{fmt::format("--set steps={}", kMoreLoadSteps * scene.settings.step_count)};
+  if (scene.settings.standard.load_control == LoadControl::share && !scene.next && scene.end.steps == 0)
+    options.emplace_back("--set load_control=arc_length");
+  return options;
+}
+
 }  // namespace
 
-std::vector<std::string> what_to_try(const Settings& settings, const RunOutcome& outcome) {
+std::vector<std::string> what_to_try(const Prepared& prepared, const RunOutcome& outcome) {
+  const Settings& settings = prepared.scene.settings;
   if (settings.dynamics == Dynamics::shi) {
     if (!settings.quirks.velocity_from_coming_step) return {"--profile standard"};
     return {"--profile standard", "--set quirk.velocity_from_coming_step=off"};
@@ -230,8 +242,13 @@ std::vector<std::string> what_to_try(const Settings& settings, const RunOutcome&
   // Contacts that do not settle in a step of relaxation may do so in shorter ones.
   if (motion == MotionRule::relaxation && outcome.failure != FailureKind::accelerates)
     return {fmt::format("--set time_step={:.3g}", settings.time_step / kShorter), "--set motion=dynamic"};
-  if (motion == MotionRule::equilibrium) return {"--set motion=relaxation", "--set motion=dynamic", "--profile legacy"};
-  return {"--set motion=dynamic", "--profile legacy"};
+  const bool yields = may_yield(prepared.scene);
+  if (yields && prepared.scene.is_untouched && outcome.failure == FailureKind::no_equilibrium)
+    return what_to_try_under_loads(prepared.scene);
+  std::vector<std::string> options{"--set motion=dynamic"};
+  if (motion == MotionRule::equilibrium) options.insert(options.begin(), "--set motion=relaxation");
+  if (!yields) options.emplace_back("--profile legacy");  // which knows no strength
+  return options;
 }
 
 Json inputs_json(const std::vector<InputRecord>& inputs) {
@@ -295,7 +312,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"version", KEYBLOCK_VERSION},
       {"profile", record.profile},
       {"profile_because", record.profile_because},
-      {"outcome", outcome_json(record, prepared.scene.settings)},
+      {"outcome", outcome_json(record, prepared)},
       {"extremes", json_of(record.extremes)},
       {"start", start_json(record.outcome.start)},
       {"inputs", inputs_json(record.inputs)},

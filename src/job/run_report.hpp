@@ -63,7 +63,7 @@ struct RunRecord {
 };
 
 /// What to try where a run failed, as options of `run`; empty where nothing is known to help.
-std::vector<std::string> what_to_try(const Settings& settings, const RunOutcome& outcome);
+std::vector<std::string> what_to_try(const Prepared& prepared, const RunOutcome& outcome);
 
 nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
 

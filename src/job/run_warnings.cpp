@@ -158,8 +158,9 @@ std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
        [](const StepReport& s) { return s.residual; }},
       {"step_in_parts", [](const StepReport& s) { return s.parts >= kManyParts; },
        [](const StepReport& s, int concerned, int steps) {
-         return fmt::format("step {} was made in {} parts: near a limit load; as in {} of {} steps", s.step, s.parts,
-                            concerned, steps);
+         return fmt::format(
+             "step {} was made in {} parts: near a limit load, or too long for rock that yields; as in {} of {} steps",
+             s.step, s.parts, concerned, steps);
        }},
       {"overlaps_locked", [](const StepReport& s) { return s.locked_overlaps > 0; },
        [](const StepReport& s, int concerned, int steps) {

@@ -24,6 +24,12 @@ bool has_friction(const Strength& strength) {
   return strength.surface == YieldSurface::mohr_coulomb || strength.surface == YieldSurface::drucker_prager;
 }
 
+/// The mean stress that the surface ends at, c cot φ of both; infinity without friction.
+double apex_of(const Strength& strength, const StrengthValues& values) {
+  if (!has_friction(strength) || values.friction_deg == 0) return kInfinite;
+  return values.cohesion / std::tan(values.friction_deg * std::numbers::pi / 180);
+}
+
 // `where`: the object of a case that holds the values.
 std::string why_not(const Strength& strength, const StrengthValues& values, const char* where) {
   struct Named {
@@ -86,6 +92,17 @@ double largest_size(const Strength& strength, double modulus) {
   return fall > 0 ? 2 * modulus * strength.change->fracture_energy / (fall * fall) : kInfinite;
 }
 
+Strength unreachable_strength() {
+  Strength none;
+  none.surface = YieldSurface::tresca;
+  none.values.cohesion = kInfinite;
+  return none;
+}
+
+bool is_reachable(const Strength& strength) {
+  return std::isfinite(strength.values.cohesion);
+}
+
 std::string why_unusable(const Strength& strength) {
   if (std::string why = why_not(strength, strength.values, "strength"); !why.empty()) return why;
   if (!strength.change) return {};
@@ -113,10 +130,29 @@ std::vector<std::string> doubts_of(const Strength& strength) {
       doubts.push_back(fmt::format("dilation_deg {} is above friction_deg {}{}: flow then makes energy",
                                    values.dilation_deg, values.friction_deg, when));
   };
+  const auto look_at_tension = [&](const StrengthValues& values, const char* when) {
+    const double apex = apex_of(strength, values);
+    if (values.tensile_strength && *values.tensile_strength > apex)
+      doubts.push_back(
+          fmt::format("tensile_strength {} is above the apex of the surface, c cot φ = {:.4g}{}: it has no effect",
+                      *values.tensile_strength, apex, when));
+  };
   look(strength.values, "");
+  look_at_tension(strength.values, "");
   const auto angles = [](const StrengthValues& values) { return std::pair(values.friction_deg, values.dilation_deg); };
   if (strength.change && angles(strength.change->values) != angles(strength.values))
     look(strength.change->values, " after the change");
+  if (strength.change && strength.change->values.tensile_strength != strength.values.tensile_strength)
+    look_at_tension(strength.change->values, " after the change");
+  const bool is_cone = strength.surface == YieldSurface::drucker_prager;
+  if (!is_cone && strength.matching != ConeMatching::compression)
+    doubts.emplace_back("matching is read of drucker_prager alone: with this surface it has no effect");
+  if (is_cone && strength.matching == ConeMatching::plane_strain &&
+      strength.values.dilation_deg != strength.values.friction_deg)
+    doubts.push_back(
+        fmt::format("matching plane_strain is that of associated flow, with dilation_deg {} beside friction_deg {} the "
+                    "cone bears another load in plane strain than mohr_coulomb",
+                    strength.values.dilation_deg, strength.values.friction_deg));
   if (strength.change && strength.change->plastic_strain > 0 &&
       compressive_strength(strength, strength.change->values) < compressive_strength(strength, strength.values))
     doubts.emplace_back(

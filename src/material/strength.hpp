@@ -22,10 +22,15 @@ double strain_of_change(const Strength& strength, double size);
 /// infinity where no energy is given. `modulus`: E by which the point unloads, the least on the way.
 double largest_size(const Strength& strength, double modulus);
 
+/// One that nothing reaches: of rock that stays elastic but keeps a plastic strain, or has cracks alone.
+Strength unreachable_strength();
+bool is_reachable(const Strength& strength);
+
 /// Empty, or why no run can be made of it: "expected cohesion of strength: 0 or more, found -2".
 std::string why_unusable(const Strength& strength);
 
-/// What a user should know of a usable one: dilation above friction, softening that depends on the mesh.
+/// What a user should know of a usable one: dilation above friction, tensile strength and matching that have no effect,
+/// a matching that is not that of the flow, softening that depends on the mesh.
 std::vector<std::string> doubts_of(const Strength& strength);
 
 }  // namespace keyblock

@@ -7,7 +7,6 @@
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <limits>
 
 #include "material/crack_return.hpp"
 #include "material/principal_axes.hpp"
@@ -162,11 +161,9 @@ bool YieldLaw::has_symmetric_tangent() const {
 }
 
 YieldLaw yield_law(const BlockMaterial& material) {
-  Strength none;
-  none.surface = YieldSurface::tresca;
-  none.values.cohesion = std::numeric_limits<double>::infinity();
-  return {material.youngs_modulus, material.poissons_ratio, material.strength ? *material.strength : none,
-          material.crack_closure, material.strength != nullptr};
+  return {material.youngs_modulus, material.poissons_ratio,
+          material.strength ? *material.strength : unreachable_strength(), material.crack_closure,
+          material.strength != nullptr};
 }
 
 Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size) {
@@ -216,7 +213,8 @@ Response respond_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increm
   };
   Response r = at(across);
   const SurfaceOfKappa surface{law.strength, strain_of_change(law.strength, size)};
-  const double scale = std::max(elastic.cwiseAbs().maxCoeff(), surface_scale(surface, before.kappa));
+  const double strength = is_reachable(law.strength) ? surface_scale(surface, before.kappa) : 0;
+  const double scale = std::max(elastic.cwiseAbs().maxCoeff(), strength);
   // Stress across rises with the strain across: expand to a bracket, then Newton's steps inside it.
   double low = across, high = across;
   double reach = std::max(std::abs(r.stress(3)), kNoStress * scale) / modulus(3, 3);

@@ -320,10 +320,25 @@ std::string in_radians(double degrees) {
       degrees, degrees / kDegree);
 }
 
-/// The same of both angles of friction of a strength: rock softens to little friction, but not to a degree.
+/// The same of an angle of dilation. Small ones are plausible in degrees: only below 1 beside friction that is in
+/// degrees, which in radians would be less than 57 degrees.
+std::string dilation_in_radians(const StrengthValues& values) {
+  if (!(values.dilation_deg > 0 && values.dilation_deg < 1 && values.friction_deg > 10)) return {};
+  return fmt::format(
+      "dilation_deg {:.4g} beside friction_deg {:.4g} would be {:.3g} degrees, were it in radians: both angles are in "
+      "degrees",
+      values.dilation_deg, values.friction_deg, values.dilation_deg / kDegree);
+}
+
+/// The same of all angles of a strength: rock softens to little friction, but not to a degree.
 std::string in_radians(const Strength& strength) {
-  if (std::string why = in_radians(strength.values.friction_deg); !why.empty()) return why;
-  return strength.change ? in_radians(strength.change->values.friction_deg) : std::string();
+  std::vector<StrengthValues> all{strength.values};
+  if (strength.change) all.push_back(strength.change->values);
+  for (const StrengthValues& values : all) {
+    if (std::string why = in_radians(values.friction_deg); !why.empty()) return why;
+    if (std::string why = dilation_in_radians(values); !why.empty()) return why;
+  }
+  return {};
 }
 
 /// Empty, or why a strength and the modulus cannot be of one unit: of rock and soil it is a hundredth to a
@@ -348,13 +363,8 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
     if (!sentence.empty()) found.push_back({"units_contradict", place, sentence});
   };
   put(implausible(kGravity, length(settings.gravity), problem.units), problem.analysis->place);
-  for (const BlockMaterial& material : problem.analysis->block_materials) {
-    put(implausible(kModulus, material.youngs_modulus, problem.units), material.place);
-    put(implausible(kMassDensity, material.density, problem.units), material.place);
-    if (!material.strength) continue;
-    put(beside_modulus(material), material.place);
-    put(in_radians(*material.strength), material.place);
-  }
+  for (const BlockMaterial& material : problem.analysis->block_materials)
+    found = joined(std::move(found), contradictions_of(material, problem.units));
   if (settings.gravity.y > 0)
     put(fmt::format("gravity points upward, {:.4g} along y: a positive `gravity` of a file points downward",
                     settings.gravity.y),
@@ -371,6 +381,19 @@ bool is_of_blocks(const Prepared& prepared) {
 }
 
 }  // namespace
+
+Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
+  Warnings found;
+  const auto put = [&](const std::string& sentence) {
+    if (!sentence.empty()) found.push_back({"units_contradict", material.place, sentence});
+  };
+  put(implausible(kModulus, material.youngs_modulus, units));
+  put(implausible(kMassDensity, material.density, units));
+  if (!material.strength) return found;
+  put(beside_modulus(material));
+  put(in_radians(*material.strength));
+  return found;
+}
 
 Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
   Warnings found = contradictions(problem, prepared.scene.settings);

@@ -13,6 +13,9 @@ namespace keyblock {
 /// covers are looked at for units alone.
 Warnings look_ahead(const Problem& problem, const Prepared& prepared);
 
+/// `units_contradict` of a block material.
+Warnings contradictions_of(const BlockMaterial& material, const Units& units);
+
 /// Options that make contact springs soft enough for cheap steps, where they are too stiff for the step
 /// (`springs_stiff_for_step`); otherwise empty.
 std::string softer_springs(const Prepared& prepared);

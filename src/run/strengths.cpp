@@ -108,8 +108,9 @@ Warnings look_at_covers(const Scene& scene, const Place& place) {
   if (continuum.functions == CoverFunctions::derived)
     warnings.push_back(
         {"functions_lock", place,
-         "derived functions lock where rock flows without change of volume: limit loads come out 10 to 20 % "
-         "too high; constant ones (the default) do not"});
+         "derived functions lock where rock flows without change of volume: loads of flow come out far too high and go "
+         "on rising (a footing of tresca: 64 % above the exact load with five sides under half of it and 1,006 "
+         "unknowns, 51 % on a mesh turned by 10 degrees, 32 % with 2,706); constant ones (the default) do not: 1.4 %"});
   if (std::ranges::none_of(continuum.materials, softens_by_energy)) return warnings;
   require_sizes(continuum);
   return warnings;
@@ -122,7 +123,8 @@ void look_at_blocks(const Model& model, const Settings& settings) {
     const Element& element = model.elements[e];
     const BlockMaterial& material = model.material_of(element);
     if (element.is_on_covers() || !element.can_move() || !material.is_nonlinear()) continue;
-    if (element.basis == &rigid_basis())
+    const bool is_elastic = material.strength && !is_reachable(*material.strength) && !material.crack_closure;
+    if (element.basis == &rigid_basis() && !is_elastic)
       throw InputError(material.place,
                        fmt::format("expected basis affine of blocks whose material has a {}, found rigid: what does "
                                    "not strain bears any stress",

@@ -93,6 +93,18 @@ int LoadStepper::steps_of_scene() const {
   return std::max(1, scene_.end.steps > 0 ? scene_.end.steps : scene_.settings.step_count - first_step_);
 }
 
+// Where edges are driven, rock that bears less is pushed on, and what ends the search need not be a limit.
+std::string LoadStepper::no_equilibrium_beyond(double reached, const Work& work) const {
+  const bool is_driven = std::ranges::any_of(bodies_->driven(1), [](double way) { return way != 0; });
+  return fmt::format(
+      "no equilibrium beyond {:.4g} of the {} of this scene was found ({} rounds of Newton's method, {} cuts of the "
+      "step, the last by {}): {}",
+      reached, is_driven ? "displacements and loads" : "loads", work.rounds, work.cuts, in_words(work.cut_by),
+      is_driven ? "edges are driven, so that this need not be a limit load: more steps may go on, unless an element is "
+                  "turned over"
+                : "a limit load, or an element that is turned over");
+}
+
 // In halves of the way that is left where the whole of it finds no equilibrium, twice as far again after each that
 // does. Nothing of a step that fails is kept.
 std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
@@ -121,11 +133,7 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     ++work.cuts;
     work.cut_by = rounds.end;
     part = (to - reached) / 2;
-    if (part < least)
-      return fmt::format(
-          "no equilibrium beyond {:.4g} of the loads of this scene was found ({} rounds of Newton's method, "
-          "{} cuts of the step, the last by {}): a limit load, or an element that is turned over",
-          reached, work.rounds, work.cuts, in_words(work.cut_by));
+    if (part < least) return no_equilibrium_beyond(reached, work);
   }
   now_ = std::move(at);
   speed_ = std::move(speed);

@@ -51,6 +51,7 @@ class LoadStepper : public StaticStepper {
   LoadedState carried(const LoadedBodies& next, const SceneChange& change) const;
   int steps_of_scene() const;
   std::optional<std::string> advance_to(double share, Work& work);
+  std::string no_equilibrium_beyond(double reached, const Work& work) const;
   std::optional<std::string> advance_along(Work& work);
   void accept(PathPoint found, Work& work);
   /// Puts where the last search for an equilibrium ended, without finding one.

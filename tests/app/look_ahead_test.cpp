@@ -157,6 +157,14 @@ TEST(LookAhead, strength_above_the_modulus_and_its_friction_in_radians_are_told)
   EXPECT_TRUE(contains(
       said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 0.5236})"), {"--trial", "0"}), "units_contradict"),
       "would be 30 degrees"));
+  // Of dilation only below a degree, and beside friction in degrees.
+  const auto dilating = [&](const char* angle) {
+    const std::string strength = R"({"cohesion": 1e7, "friction_deg": 35, "dilation_deg": )" + std::string(angle) + "}";
+    return said(check_of(with(strength), {"--trial", "0"}), "units_contradict");
+  };
+  EXPECT_TRUE(contains(dilating("0.6109"), "dilation_deg 0.6109 beside friction_deg 35 would be 35 degrees"));
+  EXPECT_EQ(dilating("1"), "");
+  EXPECT_EQ(dilating("0"), "");
   // 2 c tan 45° in megapascals, beside a modulus in pascals.
   EXPECT_TRUE(contains(said(check_of(with(R"({"cohesion": 5})"), {"--trial", "0"}), "units_contradict"),
                        "a strength of 10 under uniaxial compression is 5e-10 of youngs_modulus 2e+10"));

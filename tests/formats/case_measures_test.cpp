@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -175,6 +176,27 @@ TEST(CaseMeasures, values_come_in_millimetres_and_tonnes) {
   EXPECT_EQ(std::stod(set.at("time_step")), 0.002);
   EXPECT_NEAR(std::stod(set.at("gravity")), 9810, 1e-9);
   EXPECT_EQ(set.at("contact_penalty"), "1000");
+}
+
+TEST(CaseMeasures, strains_come_in_per_cent) {
+  std::string text = case_of(kBlocks);
+  const auto put = [&](const std::string& what, const std::string& by) {
+    text.replace(text.find(what), what.size(), by);
+  };
+  put(R"("closure_strain": 0.001)", R"("closure_strain": "0.25 %")");
+  put(R"("initial_strain": [0, 0, 0])", R"("initial_strain": ["5 ‰", "-1%", 0])");
+  put(R"("fracture_energy": 80)", R"("plastic_strain": "2 %")");
+  const Content content = read({"f", text}).content;
+  const BlockMaterial& rock = content.analysis->block_materials[0];
+  EXPECT_NEAR(rock.crack_closure->closure_strain, 0.0025, 1e-18);
+  EXPECT_NEAR(rock.initial_strain[0], 0.005, 1e-18);
+  EXPECT_NEAR(rock.initial_strain[1], -0.01, 1e-18);
+  EXPECT_NEAR(rock.strength->change->plastic_strain, 0.02, 1e-17);
+  put(R"("plastic_strain": "2 %")", R"("plastic_strain": "2 kN")");
+  EXPECT_NE(error_of(text).find("plastic_strain of after"), std::string::npos);
+  put(R"("plastic_strain": "2 kN")", R"("plastic_strain": 0.02)");
+  put(R"("closure_strain": "0.25 %")", R"("closure_strain": 0.25)");
+  EXPECT_EQ(std::ranges::count(names(read({"f", text}).warnings), "crack_closure"), 1);
 }
 
 TEST(CaseMeasures, a_value_of_another_kind_is_refused_at_its_place) {

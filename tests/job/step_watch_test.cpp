@@ -44,7 +44,8 @@ TEST(StepWatch, a_load_step_of_many_parts_is_warned_of_once) {
   EXPECT_TRUE(told(prepared, {1, 1, 2, 3}).empty());
   const Warnings found = told(prepared, {1, 3, 7, 1, 9});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].sentence, "step 3 was made in 7 parts: near a limit load; as in 2 of 5 steps");
+  EXPECT_EQ(found[0].sentence,
+            "step 3 was made in 7 parts: near a limit load, or too long for rock that yields; as in 2 of 5 steps");
 }
 
 // 3 of 4 steps are out of balance by more than 1e-6; the third is the worst.

@@ -149,6 +149,28 @@ TEST(CoverYield, homogeneous_strain_has_the_stress_of_one_point) {
   EXPECT_NEAR(answer.force.dot(plate.homogeneous(change)), work, 1e-11 * std::abs(work));
 }
 
+// Mohr's circle of the true stress times J = det F touches the line of the strength, (σ1 - σ3) + (σ1 + σ3) sin φ =
+// 2 c cos φ, that of the stress itself does not: yield is tested on the stress that goes with ½ ln C, Kirchhoff's where
+// stress and stretch have the same axes.
+TEST(CoverYield, printed_stress_times_the_change_of_area_meets_the_strength) {
+  const Plate plate(CoverFunctions::constant, friction(1000, 30, 30));
+  Eigen::Matrix2d h;
+  h << 0.3, 0.05, -0.1, -0.08;
+  const Eigen::VectorXd d = plate.homogeneous(h);
+  const CoverYield::Answer answer = plate.yield.answer(d, plate.yield.start());
+  const double volume = (Eigen::Matrix2d::Identity() + h).determinant();
+  ASSERT_GT(volume, 1.1);
+  const Stress s = plate.yield.stress(d, answer.after, 0, {0.01, 0.01});
+  const double radius = std::hypot((s.xx - s.yy) / 2, s.xy), centre = (s.xx + s.yy) / 2;
+  const double greatest = std::max(centre + radius, s.zz), least = std::min(centre - radius, s.zz);
+  const auto over_strength = [&](double factor) {
+    const double shear = factor * (greatest - least) + factor * (greatest + least) * std::sin(std::numbers::pi / 6);
+    return shear / (2 * 1000 * std::cos(std::numbers::pi / 6));
+  };
+  EXPECT_NEAR(over_strength(volume), 1, 1e-9);
+  EXPECT_NEAR(over_strength(1), 1 / volume, 1e-9);
+}
+
 TEST(CoverYield, the_tangent_is_the_derivative_of_the_force) {
   for (const CoverFunctions functions : {CoverFunctions::constant, CoverFunctions::derived, CoverFunctions::linear})
     for (const Plane plane : {Plane::strain, Plane::stress}) {

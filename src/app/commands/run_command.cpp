@@ -111,8 +111,10 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
 }
 
 std::string what_they_do(const std::vector<std::string>& options) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWords{
       {{"motion=relaxation", "relaxation looks for a rest step by step"},
+       {"set steps=", "shorter load steps may go on, unless this is the limit load"},
+       {"arc_length", "arc_length follows the equilibria beyond a limit load"},
        {"time_step=", "contacts that do not settle may do so in shorter steps"},
        {"motion=dynamic", "dynamic shows the motion"},
        {"--profile legacy", "legacy makes each step from rest, as the old program did"}}};
@@ -144,8 +146,9 @@ void print_sliver_hint(const Prepared& prepared, const RunOutcome& outcome) {
 }
 
 // What to try where a run failed.
-void print_hint(const Settings& settings, const RunOutcome& outcome) {
-  const std::vector<std::string> options = what_to_try(settings, outcome);
+void print_hint(const Prepared& prepared, const RunOutcome& outcome) {
+  const Settings& settings = prepared.scene.settings;
+  const std::vector<std::string> options = what_to_try(prepared, outcome);
   if (options.empty()) return;
   if (settings.dynamics == Dynamics::shi)
     spdlog::info(
@@ -239,7 +242,7 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   if (record.outcome.end == RunEnd::failed) {
     spdlog::error("keyblock: error: {}", record.outcome.reason);
     print_sliver_hint(prepared, record.outcome);
-    print_hint(prepared.scene.settings, record.outcome);
+    print_hint(prepared, record.outcome);
   }
   if (record.outcome.end == RunEnd::stopped) spdlog::warn("{}; {}", stopped_how(), how_to_go_on(folder));
   if (record.outcome.end == RunEnd::finished && record.equilibrium_way && record.equilibrium_way->share)

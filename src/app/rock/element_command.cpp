@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -17,11 +18,14 @@
 #include "base/printable.hpp"
 #include "formats/case.hpp"
 #include "formats/registry.hpp"
+#include "formats/text/tokens.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
 #include "material/strength.hpp"
+#include "problem/magnitudes.hpp"
 #include "problem/units/measure.hpp"
 #include "report/rock/element_picture.hpp"
+#include "run/look_ahead.hpp"
 #include "study/element/element_path.hpp"
 
 namespace keyblock {
@@ -33,19 +37,20 @@ struct ElementOptions {
   std::string path = "uniaxial";
   std::vector<double> targets{-0.01};
   double confining = 0;
+  int cycles = 1;
   int steps = 100;
   double size = 1;
   std::string output;
   std::string picture;
   bool may_overwrite = false;
   bool as_json = false;
+  std::vector<std::string> given = {};  ///< of the options that some path does not read, those given
 };
 
-const std::map<std::string, study::NamedPath> kPaths{{"uniaxial", study::NamedPath::uniaxial},
-                                                     {"triaxial", study::NamedPath::triaxial},
-                                                     {"biaxial", study::NamedPath::biaxial},
-                                                     {"oedometer", study::NamedPath::oedometer},
-                                                     {"shear", study::NamedPath::shear}};
+const std::map<std::string, study::NamedPath> kPaths{
+    {"uniaxial", study::NamedPath::uniaxial},   {"cyclic", study::NamedPath::triaxial},
+    {"triaxial", study::NamedPath::triaxial},   {"biaxial", study::NamedPath::biaxial},
+    {"oedometer", study::NamedPath::oedometer}, {"shear", study::NamedPath::shear}};
 
 /// The material asked for, and the units of its case.
 struct Chosen {
@@ -64,6 +69,12 @@ Chosen chosen_material(const ElementOptions& options) {
   if (!(material.poissons_ratio < 0.5))
     throw InputError(material.place, fmt::format("expected poissons_ratio below 0.5 of a single element, found {}",
                                                  material.poissons_ratio));
+  log_warnings(contradictions_of(material, loaded.problem.units));
+  if (!loaded.problem.analysis->plane_strain)
+    log_warnings({{"plane_not_read",
+                   {options.input, 0, 0},
+                   "the case is one of plane stress, which an element does not read: its path says what zz does "
+                   "(uniaxial, triaxial and cyclic leave it free, biaxial, oedometer and shear hold its strain)"}});
   YieldLaw law = yield_law(material);
   if (const double allowed = largest_size(law.strength, law.youngs_modulus); options.size >= allowed)
     throw UsageError(fmt::format("--size: expected below {:.4g}, where this softening does not snap back, found {}",
@@ -71,21 +82,51 @@ Chosen chosen_material(const ElementOptions& options) {
   return {law, loaded.problem.units};
 }
 
+void require_read(const ElementOptions& options, std::string_view option, bool is_read) {
+  if (!is_read && std::ranges::find(options.given, option) != options.given.end())
+    throw UsageError(fmt::format("{}: expected none with --path {}, which does not read it", option, options.path));
+}
+
+/// Not a number, or beyond `greatest` either way.
+void require_within(std::string_view option, double value, double greatest) {
+  if (!(std::abs(value) <= greatest))
+    throw UsageError(
+        fmt::format("{}: expected a number from {:g} to {:g}, found {:g}", option, -greatest, greatest, value));
+}
+
+/// The targets, of a cyclic path with one alone 0 after it, as often as there are cycles.
+std::vector<double> targets_of(const ElementOptions& options) {
+  std::vector<double> once = options.targets;
+  if (options.path == "cyclic" && once.size() == 1) once.push_back(0);
+  std::vector<double> all;
+  for (int i = 0; i < options.cycles; ++i) all.insert(all.end(), once.begin(), once.end());
+  return all;
+}
+
 study::ElementPath path_of(const ElementOptions& options) {
-  if (const auto named = kPaths.find(options.path); named != kPaths.end())
-    return study::named_path(named->second, options.targets, options.confining);
-  if (!options.path.ends_with(".csv"))
-    throw UsageError(fmt::format(
-        "--path: expected uniaxial, triaxial, biaxial, oedometer, shear or a file .csv, found \"{}\"", options.path));
+  const auto named = kPaths.find(options.path);
+  const bool has_name = named != kPaths.end();
+  if (!has_name && !options.path.ends_with(".csv"))
+    throw UsageError(
+        fmt::format("--path: expected uniaxial, triaxial, biaxial, oedometer, shear, cyclic or a file .csv, found {}",
+                    formats::in_quotes(options.path)));
+  require_read(options, "--to", has_name);
+  require_read(options, "--cycles", has_name);
+  require_read(options, "--confining",
+               has_name && (named->second == study::NamedPath::triaxial || named->second == study::NamedPath::biaxial));
+  for (const double target : options.targets) require_within("--to", target, study::kGreatestStrain);
+  require_within("--confining", options.confining, kGreatestQuantity);
+  if (has_name) return study::named_path(named->second, targets_of(options), options.confining);
   return study::read_path(formats::read_csv(formats::load(options.path)));
 }
 
 ExitCode run_element(const ElementOptions& options) {
+  const study::ElementPath path = path_of(options);
   require_picture_name("--svg", options.picture);
   require_no_picture_name("-o", options.output, "--svg");
   require_writable({options.output, options.picture}, {options.input}, overwrite_if(options.may_overwrite));
   const auto [law, units] = chosen_material(options);
-  const study::ElementCurve curve = study::drive(law, path_of(options), options.steps, options.size);
+  const study::ElementCurve curve = study::drive(law, path, options.steps, options.size);
   const int shown = options.path == "shear" ? 2 : 1;
   double least = 0, greatest = 0;
   std::vector<double> strain, stress;
@@ -135,20 +176,26 @@ Action configure_element(CLI::App& app) {
   app.add_option(
       "--path", options->path,
       "uniaxial, triaxial or biaxial (yy driven, sides under --confining), oedometer (sides held), shear "
-      "(2xy driven); or a file .csv with columns exx or sxx, eyy or syy, gxy or sxy, ezz or szz, a row a leg");
+      "(2xy driven), cyclic (as triaxial, to the targets again and again, --cycles times: of --to -0.01,0.002 between "
+      "these, of --to -0.01 back to 0); or a file .csv with columns exx or sxx, eyy or syy, gxy or sxy, ezz or szz, a "
+      "row a leg");
   app.add_option("--to", options->targets, "strains that yy, or 2xy, is brought to one after another")
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--confining", options->confining, "pressure on the sides, F/L², above 0 presses");
+  app.add_option("--cycles", options->cycles, "how often the targets are gone through")->check(CLI::Range(1, 10000));
   app.add_option("--steps", options->steps, "of each leg")->check(CLI::Range(1, 1000000));
-  app.add_option("--size", options->size, "of the element, L: of softening by fracture_energy")
-      ->check(CLI::PositiveNumber);
+  app.add_option("--size", options->size, "of the element, L: of softening by fracture_energy")->check(above_zero());
   app.add_option("-o,--output", options->output, "the curve to write (CSV); without it, it is printed")
       ->type_name("FILE");
   app.add_option("--svg", options->picture, "a picture of stress over strain to write")->type_name("FILE");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
   app.add_flag("--json", options->as_json, "print extremes and end as JSON");
-  return [options] { return run_element(*options); };
+  return [options, &app] {
+    for (const char* name : {"--to", "--cycles", "--confining"})
+      if (app.get_option(name)->count() > 0) options->given.emplace_back(name);
+    return run_element(*options);
+  };
 }
 
 }  // namespace keyblock

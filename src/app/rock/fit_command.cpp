@@ -21,8 +21,10 @@
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
 #include "job/files.hpp"
+#include "job/run_report.hpp"
 #include "report/rock/element_picture.hpp"
 #include "study/fit/curve_fit.hpp"
+#include "study/fit/fit_doubts.hpp"
 #include "study/fit/strength_fit.hpp"
 #include "study/fit/toughness_fit.hpp"
 
@@ -69,6 +71,7 @@ struct Outcome {
   report::AxisLabels axes;
   report::Curve line;
   bool is_mean = false;  ///< of specimens: there is no R²
+  Warnings warnings;
 };
 
 Json json_of(const study::Found& f) {
@@ -141,6 +144,7 @@ Outcome curve_outcome(const FitOptions& options, study::MeasuredPairs pairs) {
   out.title = "uniaxial compression, measured and fitted";
   out.axes = {"strain", fmt::format("stress [{}]", stresses.in_words())};
   out.measured = std::move(pairs);
+  out.warnings = joined(study::doubts_of_curve(out.measured), study::doubts_of_fit(out.measured, out.agreement));
   return out;
 }
 
@@ -208,6 +212,7 @@ void print(const Outcome& out, bool as_json) {
     json["residual"] = {
         {"rms", out.agreement.rms}, {"largest", out.agreement.largest}, {"r_squared", out.agreement.r_squared}};
     if (out.is_mean) json["residual"]["r_squared"] = nullptr;
+    json["warnings"] = warning_list_json(out.warnings);
     json["material"] = out.material;
     fmt::print("{}\n", json.dump(2));
     return;
@@ -227,21 +232,28 @@ void print(const Outcome& out, bool as_json) {
 
 ExitCode run_fit(const FitOptions& options) {
   const Overwrite overwrite = overwrite_if(options.may_overwrite);
+  for (const std::string& name : {options.output, options.material, options.picture})
+    if (name == "-") throw UsageError("expected the name of a file to write, found -; --json prints the material too");
   require_picture_name("--svg", options.picture);
   require_no_picture_name("-o", options.output, "--svg");
   require_writable({options.output, options.material, options.picture}, {options.input}, overwrite);
   const formats::CsvTable table = formats::read_csv(formats::load(options.input));
+  const auto is_syy = [](const std::string& heading) { return heading.starts_with("syy"); };
+  const bool is_of_element =
+      std::ranges::count(table.header, "eyy") == 1 && std::ranges::count_if(table.header, is_syy) == 1;
   const Outcome out = !options.toughness.empty() ? toughness_outcome(table, kTests.at(options.toughness))
                       : options.is_triaxial      ? triaxial_outcome(study::read_pairs(table, "s3", "s1"))
+                      : is_of_element            ? curve_outcome(options, study::read_pairs(table, "eyy", "syy"))
                                                  : curve_outcome(options, study::read_pairs(table, "strain", "stress"));
   print(out, options.as_json);
+  log_warnings(out.warnings);
   if (!options.output.empty()) write_output(options.output, residuals_csv(out, options), overwrite);
   if (!options.material.empty()) write_output(options.material, out.material.dump(2) + "\n", overwrite);
   if (!options.picture.empty()) {
     const report::Curve measured{"measured", out.measured.x, out.measured.y, report::Curve::Style::points};
     write_output(options.picture, report::curves_picture(out.title, out.axes, {measured, out.line}), overwrite);
   }
-  return ExitCode::ok;
+  return out.warnings.empty() ? ExitCode::ok : ExitCode::check_failed;
 }
 
 }  // namespace
@@ -251,7 +263,8 @@ Action configure_fit(CLI::App& app) {
   app.add_option(
          "CURVE", options->input,
          "a file .csv with columns strain and stress of one loading under uniaxial compression; with --triaxial "
-         "s3 and s1 of tests at failure, compression positive; with a unit in the heading, \"stress [MPa]\", that is "
+         "s3 and s1 of tests at failure, compression positive; or what `element -o` writes; with a unit in the "
+         "heading, \"stress [MPa]\", that is "
          "the one "
          "of what is found")
       ->required();

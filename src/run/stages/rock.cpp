@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "cut/bodies/place_points.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
+#include "material/strength.hpp"
 #include "model/setup/from_blocks.hpp"
 
 namespace keyblock {
@@ -143,6 +145,7 @@ class Changing {
       bool is_met = false;
       for (BlockPolygon& block : rock_.blocks.blocks) {
         if (!is_in(change.outline, centroid(points_of(block.outer)))) continue;
+        keep_plastic_strain(block.material, change.block_material);
         block.material = change.block_material;
         is_met = true;
       }
@@ -158,6 +161,15 @@ class Changing {
       }
       if (edges == 0) warn(change.place, "no edge is of this joint material: none changes");
     }
+  }
+
+  /// Rock that may have yielded keeps its plastic strain as a material without a strength: from here on that one has a
+  /// strength which nothing reaches, or a block would spring back to the shape it had without flow.
+  void keep_plastic_strain(int from, int to) {
+    std::vector<BlockMaterial>& materials = rock_.analysis.block_materials;
+    BlockMaterial& after = materials[static_cast<std::size_t>(to)];
+    if (materials[static_cast<std::size_t>(from)].strength && !after.strength)
+      after.strength = std::make_shared<const Strength>(unreachable_strength());
   }
 
   /// How many edges of the loop it concerns.

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "problem/magnitudes.hpp"
 #include "problem/units/measure.hpp"
 
 namespace keyblock::study {
@@ -127,6 +128,11 @@ class Element {
   ElementPoint now_;
 };
 
+bool is_finite(const ElementPoint& point) {
+  return point.strain.allFinite() && point.stress.allFinite() && std::isfinite(point.state.kappa) &&
+         std::isfinite(point.plastic_work);
+}
+
 }  // namespace
 
 ElementPath named_path(NamedPath name, const std::vector<double>& targets, double confining) {
@@ -178,7 +184,14 @@ ElementPath read_path(const formats::CsvTable& table) {
   for (const formats::CsvRow& row : table.rows) {
     ElementLeg& leg = path.legs.emplace_back(shape);
     for (std::size_t i = 0; i < 4; ++i)
-      if (columns[i]) leg[i].target = formats::csv_real(table, row, *columns[i]);
+      if (columns[i]) {
+        leg[i].target = formats::csv_real(table, row, *columns[i]);
+        if (const double greatest = shape[i].is_stress ? kGreatestQuantity : kGreatestStrain;
+            !(std::abs(leg[i].target) <= greatest))
+          throw InputError({table.name, row.line, row.columns[*columns[i]]},
+                           fmt::format("expected {} from {:g} to {:g}, found {:g}", table.header[*columns[i]],
+                                       -greatest, greatest, leg[i].target));
+      }
   }
   if (path.legs.empty()) throw InputError({table.name, 1, 1}, "expected a row for each leg of the path, found none");
   return path;
@@ -195,6 +208,10 @@ ElementCurve drive(const YieldLaw& law, const ElementPath& path, int steps, doub
       if (!element.go(path.legs[l], began, from, to, to - from)) {
         curve.failure = fmt::format("leg {}, step {} of {}: no strain was found that bears the stress asked for", l + 1,
                                     i + 1, steps);
+        return curve;
+      }
+      if (!is_finite(element.now())) {
+        curve.failure = fmt::format("leg {}, step {} of {}: the answer is not a finite number", l + 1, i + 1, steps);
         return curve;
       }
       curve.points.push_back(element.now());

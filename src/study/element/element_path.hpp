@@ -26,6 +26,9 @@ struct ElementPath {
   std::vector<ElementLeg> legs;
 };
 
+/// Of the strains that a path may ask for: far beyond the small strain that an element answers to.
+inline constexpr double kGreatestStrain = 10;
+
 enum class NamedPath { uniaxial, triaxial, biaxial, oedometer, shear };
 
 /// The path of a test of rock: yy is brought to each of `targets` in turn (of `shear`: 2xy). uniaxial: nothing presses
@@ -47,7 +50,8 @@ struct ElementPoint {
 
 struct ElementCurve {
   std::vector<ElementPoint> points;
-  std::string failure;  ///< why it ends early: no strain bears the stress asked for; empty: it does not
+  /// Why it ends early: no strain bears the stress asked for, or the answer is not a finite number. Empty: it does not.
+  std::string failure;
 };
 
 /// `steps` a leg. A step's strains under prescribed stresses by Newton's method with the law's tangent, the least of

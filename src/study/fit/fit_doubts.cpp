@@ -1,0 +1,63 @@
+// Means of neighbours, which noise leaves small.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/fit/fit_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock::study {
+namespace {
+
+constexpr double kLeastAgreement = 0.9;  // R²
+constexpr double kOneSided = 0.05;       // of the greatest value
+constexpr double kFall = 0.1;            // of the peak
+constexpr std::size_t kFewNeighbours = 3;
+
+/// Of every `count` neighbouring values.
+std::vector<double> means(const std::vector<double>& values, std::size_t count) {
+  std::vector<double> found;
+  for (std::size_t i = 0; i + count <= values.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = i; k < i + count; ++k) sum += values[k];
+    found.push_back(sum / static_cast<double>(count));
+  }
+  return found;
+}
+
+double greatest_size(const std::vector<double>& values) {
+  double greatest = 0;
+  for (const double value : values) greatest = std::max(greatest, std::abs(value));
+  return greatest;
+}
+
+}  // namespace
+
+Warnings doubts_of_fit(const MeasuredPairs& measured, const Agreement& agreement) {
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i < measured.y.size(); ++i) residuals.push_back(measured.y[i] - agreement.fitted[i]);
+  const std::size_t neighbours = std::max(kFewNeighbours, measured.y.size() / 10);
+  const double share = greatest_size(means(residuals, neighbours)) / greatest_size(measured.y);
+  if (agreement.r_squared >= kLeastAgreement && share <= kOneSided) return {};
+  return {{"poor_fit",
+           {measured.file, 0, 0},
+           fmt::format("R² is {:.3g}, and {} points side by side lie off the fit by {:.2g} % of the greatest stress in "
+                       "the mean: it has not the shape of what was measured, and errors and intervals say nothing",
+                       agreement.r_squared, neighbours, 100 * share)}};
+}
+
+Warnings doubts_of_curve(const MeasuredPairs& measured) {
+  const std::vector<double> stresses = means(measured.y, kFewNeighbours);
+  const auto peak = std::ranges::max_element(stresses);
+  if (peak == stresses.end() || !(stresses.back() < (1 - kFall) * *peak)) return {};
+  const std::size_t at = static_cast<std::size_t>(peak - stresses.begin()) + kFewNeighbours / 2;
+  return {{"softening",
+           {measured.file, measured.lines[at], 1},
+           fmt::format("stress falls from {:.4g} at strain {:.4g} to {:.4g} at the end: the law that is fitted has a "
+                       "plateau and does not soften. Leave out the rows after the peak, and give the strength an "
+                       "`after` in the case",
+                       measured.y[at], measured.x[at], measured.y.back())}};
+}
+
+}  // namespace keyblock::study
