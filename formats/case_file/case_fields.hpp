@@ -26,9 +26,8 @@ inline constexpr Demand kWhole{[](double v) { return v >= 0 && is_whole(v); }, "
 
 inline constexpr Demand kHalfRows{[](double v) { return v >= 0 && v <= 1000 && is_whole(v); },
                                   "a whole number from 0 to 1000"};
-inline constexpr Demand kMeshError{[](double v) { return v >= 0 && v < 1; }, "a number from 0 to below 1"};
-inline constexpr Demand kMostUnknowns{[](double v) { return v >= 1 && v <= 4e6 && is_whole(v); },
-                                      "a whole number from 1 to 4000000"};
+inline constexpr Demand kMeshError{is_mesh_error, kMeshErrorExpected};
+inline constexpr Demand kMostUnknowns{is_mesh_limit, kMeshLimitExpected};
 inline constexpr Demand kStageSteps{[](double v) { return v >= 0 && v <= 1e9 && is_whole(v); },
                                     "a whole number from 0 to 1000000000"};
 inline constexpr Demand kStep{[](double v) { return is_whole(v); }, "a whole number"};

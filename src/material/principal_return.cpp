@@ -22,7 +22,7 @@ template <class T>
 using Principal = std::array<T, 3>;
 
 // Of the stress at hand: what multipliers, order and limits may miss by rounding when sides are chosen.
-constexpr double kRounding = 1e-13;
+constexpr double kFlowRounding = 1e-13;
 
 double value_of(double x) {
   return x;
@@ -213,7 +213,7 @@ Principal<T> land(const Corner& corner, const Principal<T>& trial, const Planes<
 Corner shear_corner(const Principal<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
   const Principal<double> plane = land(kPlane, trial, p, d);
   // Two that are equal stay so: where the plane is hardly reached, rounding would choose which of them alone gives way.
-  const double equal = kRounding * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
+  const double equal = kFlowRounding * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
   const bool upper = plane[0] < plane[1] || trial[0] - trial[1] <= equal;
   const bool lower = plane[1] < plane[2] || trial[1] - trial[2] <= equal;
   if (!upper && !lower) return kPlane;
@@ -243,7 +243,7 @@ Corner corner_of(const Principal<double>& trial, const Planes<double>& p, const 
   const bool sheared = p.ratio * trial[0] - trial[2] > p.strength;
   const Corner shear = sheared ? shear_corner(trial, p, d) : kPlane;
   if (!p.limited || (sheared ? land(shear, trial, p, d)[0] : trial[0]) <= p.tension) return shear;
-  const double rounding = kRounding * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
+  const double rounding = kFlowRounding * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
   const Corner* least = kTensionCorners.data();
   double least_fault = std::numeric_limits<double>::infinity();
   for (const Corner& corner : kTensionCorners) {

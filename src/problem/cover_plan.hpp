@@ -67,6 +67,16 @@ struct MeshedMaterial {
 /// each load step is one linear solution in which they pass through each other.
 enum class CoverContact { felt, ignored };
 
+// What keys of a file and settings of a command may say of a mesh by error.
+constexpr bool is_mesh_error(double v) {
+  return v >= 0 && v < 1;
+}
+inline constexpr const char* kMeshErrorExpected = "a number from 0 to below 1";
+constexpr bool is_mesh_limit(double v) {
+  return v >= 1 && v <= 1e6 && v == static_cast<int>(v);
+}
+inline constexpr const char* kMeshLimitExpected = "a whole number from 1 to 1000000";
+
 /// A regular mesh has `half_rows` or `side`, an unstructured one `side`; with neither there is none.
 struct MeshPlan {
   MeshKind kind = MeshKind::regular;

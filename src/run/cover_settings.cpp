@@ -65,14 +65,19 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
     return;
   }
   if (name == "mesh.error") {
-    constexpr const char* kExpected = "a share from 0 to below 1";
-    plan.mesh.error = number_of(name, kExpected, value);
-    if (!(plan.mesh.error >= 0 && plan.mesh.error < 1)) refuse_setting(name, kExpected, value);
+    plan.mesh.error = number_of(name, kMeshErrorExpected, value);
+    if (!is_mesh_error(plan.mesh.error)) refuse_setting(name, kMeshErrorExpected, value);
+    return;
+  }
+  if (name == "mesh.most_unknowns") {
+    const double most = number_of(name, kMeshLimitExpected, value);
+    if (!is_mesh_limit(most)) refuse_setting(name, kMeshLimitExpected, value);
+    plan.mesh.most_unknowns = static_cast<int>(most);
     return;
   }
   throw std::invalid_argument(fmt::format(
       "there is no setting \"{}\" of bodies on covers, only functions, contact, mesh.side, mesh.half_rows, mesh.angle, "
-      "mesh.error",
+      "mesh.error, mesh.most_unknowns",
       name));
 }
 

@@ -12,8 +12,8 @@
 
 namespace keyblock {
 
-/// functions; mesh.side or mesh.half_rows (one takes the place of the other); mesh.angle; mesh.error. Throws
-/// std::invalid_argument with the expected values if the name or the value is not valid.
+/// functions; mesh.side or mesh.half_rows (one takes the place of the other); mesh.angle; mesh.error;
+/// mesh.most_unknowns. Throws std::invalid_argument with the expected values if the name or the value is not valid.
 void set(CoverPlan& plan, const std::string& name, const std::string& value);
 
 /// What a setting of the mesh measures; nothing where it is none.

@@ -20,7 +20,6 @@
 #include "run/bodies/cover_plan_parts.hpp"
 #include "run/bodies/linear_case.hpp"
 #include "run/growth/growth_of.hpp"
-#include "run/mesh/mesh_by_error.hpp"
 #include "run/stages/chain.hpp"
 #include "run/stages/cover_stages.hpp"
 #include "run/stages/mixed_stages.hpp"
@@ -241,14 +240,6 @@ Place place_of(const Problem& problem) {
   return problem.place;
 }
 
-}  // namespace
-
-bool can_prepare(const Problem& problem) {
-  return problem.analysis && !std::holds_alternative<std::monostate>(problem.geometry);
-}
-
-namespace {
-
 /// What is asked for, once it is known whether its steps are linear solutions.
 struct Asked {
   Problem problem;
@@ -332,10 +323,6 @@ Warnings warnings_of_strengths(const Scene& first, const Place& place) {
   return warnings;
 }
 
-}  // namespace
-
-namespace {
-
 Prepared prepared_as_it_is(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
     throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
@@ -368,16 +355,30 @@ Prepared prepared_as_it_is(const Problem& problem, const std::string& profile, c
 
 }  // namespace
 
-Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
-  if (!has_mesh_by_error(problem) || !problem.analysis) return prepared_as_it_is(problem, profile, overrides);
-  const MeshByError found = mesh_by_error(problem, [&](const Problem& still, const std::vector<Override>& more) {
+void tell(const MeshByError& found, Prepared& prepared) {
+  if (found.rounds.empty()) return;
+  prepared.requirements.basis += "; " + found.sentence();
+  prepared.warnings = joined(std::move(prepared.warnings), found.warnings);
+}
+
+bool can_prepare(const Problem& problem) {
+  return problem.analysis && !std::holds_alternative<std::monostate>(problem.geometry);
+}
+
+MeshByError with_mesh_found(const Problem& problem, const std::string& profile,
+                            const std::vector<Override>& overrides) {
+  if (!has_mesh_by_error(problem) || !problem.analysis) return {problem, {}, {}};
+  return mesh_by_error(problem, [&](const Problem& still, const std::vector<Override>& more) {
     std::vector<Override> all = overrides;
     all.insert(all.end(), more.begin(), more.end());
     return prepared_as_it_is(still, profile, all).scene;
   });
+}
+
+Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
+  const MeshByError found = with_mesh_found(problem, profile, overrides);
   Prepared prepared = prepared_as_it_is(found.problem, profile, overrides);
-  prepared.requirements.basis += "; " + found.sentence();
-  prepared.warnings = joined(std::move(prepared.warnings), found.warnings);
+  tell(found, prepared);
   return prepared;
 }
 

@@ -66,7 +66,7 @@ TEST(BisectMesh, is_fine_at_points_conforming_and_sound) {
   const double before = area_of(mesh);
   const std::size_t triangles = mesh.triangles.size();
   const Point at{1.234, 1.987};
-  const MeshSize size{std::numeric_limits<double>::infinity(), {{at, 1e-3}}, 0.5};
+  const MeshSize size(std::numeric_limits<double>::infinity(), {{at, 1e-3}}, 0.5);
   const int added = bisect(mesh, size, {std::cos(kAngle), std::sin(kAngle)});
   EXPECT_GT(added, 200);
   EXPECT_LT(mesh.triangles.size(), triangles + 4000);

@@ -11,6 +11,7 @@
 #include "fracture/tip_report.hpp"
 #include "model/continuum.hpp"
 #include "run/bodies/planned_bodies.hpp"
+#include "run/cover_settings.hpp"
 #include "run/growth/solution_of.hpp"
 #include "run/mesh/stress_error.hpp"
 #include "run/prepare.hpp"
@@ -41,6 +42,18 @@ Problem cracked_plate(double error) {
   plan.springs = {{{1, -1}, {1, 0}, 1e9, {}}, {{1, -1}, {0, 1}, 1e9, {}}, {{1, 1}, {1, 0}, 1e9, {}}};
   plan.cracks = {{{{0, 0}, {0.5, 0}}, {}}};
   problem.covers = plan;
+  return problem;
+}
+
+/// 1 high, without weight.
+Problem beam_of(double length, double side, double error) {
+  Problem problem = cracked_plate(error);
+  std::get<Blocks>(problem.geometry).blocks = {support::rectangle({0, 0}, {length, 1})};
+  CoverPlan& plan = *problem.covers;
+  plan.mesh.side = side;
+  plan.tractions.clear();
+  plan.springs.clear();
+  plan.cracks.clear();
   return problem;
 }
 
@@ -157,6 +170,126 @@ TEST(MeshByError, stops_at_the_largest_mesh_and_says_so) {
   EXPECT_LE(found.unknowns, 1000);
   EXPECT_GT(found.error, 0.01);
   EXPECT_TRUE(has_warning(found.warnings, "mesh_error_not_reached"));
+}
+
+// The energy of a force at a point has no limit: nothing is asked of the stresses next to it.
+TEST(MeshByError, points_that_bear_forces_are_left_out_and_named) {
+  Problem plate = beam_of(5, 0.5, 0.01);
+  plate.analysis->block_materials[0].density = plate.analysis->block_materials[0].unit_weight = 1;
+  plate.analysis->gravity = 1;
+  plate.covers->springs = {{{0, 0}, {0, 1}, 1e9, {}}, {{5, 0}, {0, 1}, 1e9, {}}, {{0, 0}, {1, 0}, 1e9, {}}};
+  const Solved on_points = solved(plate);
+  EXPECT_TRUE(has_warning(on_points.warnings, "mesh_error_at_points"));
+  EXPECT_FALSE(has_warning(on_points.warnings, "mesh_error_not_reached"));
+  EXPECT_LT(on_points.unknowns, 5000);
+  EXPECT_FALSE(has_warning(solved(cracked_plate(0.05)).warnings, "mesh_error_at_points"))
+      << "springs that bear nothing";
+}
+
+// On elements as long as the beam the fits follow any stress: such a mesh does not show how wrong it is.
+TEST(MeshByError, coarse_first_meshes_are_not_trusted) {
+  const auto held_beam = [](CoverFunctions functions, double side, double error) {
+    Problem beam = beam_of(5, side, error);
+    beam.covers->functions = functions;
+    beam.covers->displacements = {{{{0, 0}, {0, 1}}, Held::both, {"0", {}}, {"0", {}}, {}, {}}};
+    beam.covers->tractions = {{{{5, 0}, {5, 1}}, {}, {"-1", {}}, {}, {}}};
+    return beam;
+  };
+  const double exact = solved(held_beam(CoverFunctions::quadratic, 0.1, 0.005)).strain;
+  for (const double side : {2.0, 6.0, 20.0}) {
+    const Solved found = solved(held_beam(CoverFunctions::constant, side, 0.1));
+    EXPECT_LE(found.error, 0.1) << side;
+    EXPECT_LT(std::sqrt(std::abs(exact - found.strain) / exact), 0.12) << side;
+  }
+}
+
+TEST(MeshByError, stress_that_is_round_off_is_not_refined) {
+  Problem moved = beam_of(5, 0.5, 0.01);
+  moved.covers->displacements = {{{{0, 0}, {0, 1}}, Held::both, {"1", {}}, {"2", {}}, {}, {}}};
+  Problem balanced = moved;
+  balanced.covers->displacements[0].along = {{0, 0}, {5, 0}};
+  balanced.covers->displacements[0].x = balanced.covers->displacements[0].y = {"0", {}};
+  balanced.analysis->block_materials[0].density = balanced.analysis->block_materials[0].unit_weight = 1;
+  balanced.analysis->gravity = 1;
+  balanced.covers->initial_stress.yy = {"y - 1", {}};
+  for (const Problem& problem : {moved, balanced}) {
+    Problem even = problem;
+    even.covers->mesh.error = 0;
+    const Solved found = solved(problem);
+    EXPECT_EQ(found.error, 0) << found.strain << " " << found.unknowns;
+    EXPECT_EQ(found.unknowns, solved(even).unknowns);
+    EXPECT_FALSE(has_warning(found.warnings, "mesh_error_not_reached"));
+  }
+}
+
+TEST(MeshByError, is_the_same_far_from_the_origin) {
+  const Solved near = solved(cracked_plate(0.05));
+  Problem far = cracked_plate(0.05);
+  const Point by{3e5, 5e6};
+  std::get<Blocks>(far.geometry).blocks = {support::rectangle(by + Point{0, -1}, by + Point{1, 1})};
+  for (auto* chains : {&far.covers->tractions[0].along, &far.covers->tractions[1].along, &far.covers->cracks[0].along})
+    for (Point& p : *chains) p = p + by;
+  for (SpringPlan& spring : far.covers->springs) spring.at = spring.at + by;
+  const Solved found = solved(far);
+  EXPECT_LE(found.error, 0.05);
+  EXPECT_NEAR(found.unknowns, near.unknowns, 0.2 * near.unknowns) << "round-off decides which equal sides are halved";
+  EXPECT_NEAR(found.mode_1, near.mode_1, 0.02 * near.mode_1);
+}
+
+// The error is that of all bodies together: the one that is strained gets the triangles.
+TEST(MeshByError, serves_several_bodies) {
+  Problem problem = cracked_plate(0.05);
+  std::get<Blocks>(problem.geometry).blocks.push_back(support::rectangle({3, -1}, {4, 1}));
+  for (double x : {3.0, 4.0}) problem.covers->springs.push_back({{x, -1}, {0, 1}, 1e9, {}});
+  problem.covers->springs.push_back({{3, -1}, {1, 0}, 1e9, {}});
+  const Solved found = solved(problem);
+  Problem even = problem;
+  even.covers->mesh.error = 0;
+  const int added = found.unknowns - solved(even).unknowns;
+  Problem alone = cracked_plate(0);
+  EXPECT_LE(found.error, 0.05);
+  EXPECT_NEAR(added, solved(cracked_plate(0.05)).unknowns - solved(alone).unknowns, 0.2 * added);
+}
+
+TEST(MeshByError, is_set_from_the_command) {
+  CoverPlan plan;
+  set(plan, "mesh.error", "0.03");
+  set(plan, "mesh.most_unknowns", "2000");
+  EXPECT_EQ(plan.mesh.error, 0.03);
+  EXPECT_EQ(plan.mesh.most_unknowns, 2000);
+  EXPECT_THROW(set(plan, "mesh.error", "1"), std::invalid_argument);
+  for (const char* wrong : {"0", "1.5", "1000001", "many"})
+    EXPECT_THROW(set(plan, "mesh.most_unknowns", wrong), std::invalid_argument) << wrong;
+}
+
+TEST(MeshByError, refuses_a_first_mesh_that_is_too_large) {
+  Problem problem = cracked_plate(0.05);
+  problem.covers->mesh.most_unknowns = 100;
+  EXPECT_NE(fault_of(problem).find("expected a first mesh of at most most_unknowns = 100 unknowns, found "),
+            std::string::npos)
+      << fault_of(problem);
+}
+
+// One more halving may be more than is allowed: then nothing has confirmed the estimate.
+TEST(MeshByError, says_that_a_first_estimate_is_not_confirmed) {
+  Problem problem = cracked_plate(0);
+  const int first = solved(problem).unknowns;
+  problem.covers->mesh.error = 0.9;
+  problem.covers->mesh.most_unknowns = first + 10;
+  EXPECT_TRUE(has_warning(solved(problem).warnings, "mesh_error_not_reached"));
+  problem.covers->mesh.most_unknowns = 10 * first;
+  EXPECT_FALSE(has_warning(solved(problem).warnings, "mesh_error_not_reached"));
+}
+
+TEST(MeshByError, is_found_before_cracks_grow) {
+  Problem growing = cracked_plate(0.05);
+  Toughness toughness;
+  toughness.mode_1 = 1;
+  growing.analysis->block_materials[0].toughness = toughness;
+  growing.covers->growth.emplace().increment = 0.05;
+  const Prepared prepared = prepare(growing, "standard", {});
+  EXPECT_NE(prepared.requirements.basis.find("mesh refined"), std::string::npos) << prepared.requirements.basis;
+  ASSERT_TRUE(prepared.scene.growth);
 }
 
 // Its mesh is found at rest without contact, whatever moves afterwards.

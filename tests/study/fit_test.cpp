@@ -236,6 +236,18 @@ TEST(ToughnessFit, semicircular_bend) {
   EXPECT_NEAR(fit.of_specimen[1] / (std::sqrt(std::numbers::pi / 2) * 6.53301117774 / 2), 1, 0.02);
 }
 
+// 20 mm over 50 mm is a little less than 0.4 in binary.
+TEST(ToughnessFit, limits_of_the_formula_are_within_it) {
+  const auto half_disc = [](const char* row) {
+    return toughness("radius [mm],thickness [mm],notch [mm],span [mm],load [kN]\n" + std::string(row),
+                     ToughnessTest::semicircular_bend);
+  };
+  for (const char* row : {"50,30,20,50,1\n", "50,30,30,80,1\n", "35,30,14,35,1\n", "37.5,30,22.5,60,1\n"})
+    EXPECT_NO_THROW(half_disc(row)) << row;
+  for (const char* row : {"50,30,19.99,50,1\n", "50,30,30.01,80,1\n", "50,30,25,49.9,1\n", "50,30,25,80.1,1\n"})
+    EXPECT_NE(refusal([&] { half_disc(row); }).find("for which the formula was made"), std::string::npos) << row;
+}
+
 TEST(ToughnessFit, says_what_is_wrong) {
   const auto refused = [](const char* text) { return refusal([&] { toughness(text, ToughnessTest::chevron_bend); }); };
   EXPECT_EQ(refused("diameter,span,load\n0.054,0.1798,1000\n"),

@@ -174,6 +174,20 @@ TEST(Tradeoff, a_case_on_covers_varies_functions_and_mesh) {
   EXPECT_EQ(named(plans, "linear, side /2")->coarser, "linear");
 }
 
+TEST(Tradeoff, a_mesh_by_error_is_varied_by_its_error) {
+  const StudyCase plate = study_case({kCases + "stress_intensity/edge_crack_05_by_error"});
+  const std::vector<RunPlan> plans = usual_design(plate, "standard", {"mesh"});
+  const RunPlan* finer = named(plans, "mesh error /2");
+  ASSERT_NE(finer, nullptr);
+  EXPECT_EQ(value_of(*finer, "mesh.error"), "0.01");
+  EXPECT_EQ(named(plans, "side /2"), nullptr);
+  const RunPlan own{"standard", "profile", "standard", {}, {}, 1};
+  const MeasuredRun coarse = measured_run(plate, *named(plans, "mesh error x4"), {});
+  const MeasuredRun usual = measured_run(plate, own, {});
+  EXPECT_LT(coarse.unknowns, usual.unknowns);
+  EXPECT_LT(usual.unknowns, measured_run(plate, *finer, {}).unknowns);
+}
+
 TEST(Tradeoff, the_full_design_keeps_to_its_cap) {
   const StudyCase chosen = study_case({kCases + "sliding_block/a30_p20"});
   EXPECT_EQ(full_design(chosen, "standard", 40).size(), 40U);

@@ -331,7 +331,7 @@ MeshPlan mesh(Dice& dice) {
   if (dice.happens(0.5)) plan.tip_side = positive_real(dice);
   if (dice.happens(0.3)) {
     plan.error = dice.between(1e-9, 0.99);
-    plan.most_unknowns = 1 + dice.below(4000000);
+    plan.most_unknowns = 1 + dice.below(1000000);
   }
   if (dice.happens(0.2)) {
     plan.tip_functions.kind = TipFunctions::williams;

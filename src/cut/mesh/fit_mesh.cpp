@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "cut/mesh/bisect_mesh.hpp"
 #include "cut/mesh/snap_nodes.hpp"
@@ -50,9 +51,7 @@ void require_length(double length, const char* what) {
 
 /// Corners of shorter sides would fall on one another: refinement would not end.
 void require_resolved(double side, const Box& box, const char* what) {
-  const double farthest =
-      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
-  const double least = kLeastSide * farthest;
+  const double least = least_side(box);
   if (side < least)
     throw std::invalid_argument(
         fmt::format("expected {} of at least {:.3g}, which coordinates still resolve, found {}", what, least, side));
@@ -80,16 +79,33 @@ TriangleMesh bisected(TriangleMesh mesh, const MeshPlan& plan, std::vector<Refin
   return mesh;
 }
 
+/// About how many of the sizes wanted fill a box, counted in cells that are no wider than two sides in their middle; no
+/// further than `kMostTriangles`.
+double triangles_in(const Box& box, const MeshSize& size) {
+  std::vector<Box> cells{box};
+  double count = 0;
+  while (!cells.empty() && count <= kMostTriangles) {
+    const Box cell = cells.back();
+    cells.pop_back();
+    const Point middle = cell.middle(), extent = cell.size();
+    const double side = size.at(middle);
+    if (std::max(extent.x, extent.y) <= 2 * side) {
+      count += 2 * extent.x * extent.y / (side * side);
+      continue;
+    }
+    const Point half = 0.5 * extent;
+    for (const Point low : {cell.low, Point{middle.x, cell.low.y}, Point{cell.low.x, middle.y}, middle})
+      cells.push_back({low, low + half});
+  }
+  return count;
+}
+
 TriangleMesh unstructured(const MeshPlan& plan, const BodyGraph& graph, const Box& box, std::span<const Point> tips) {
   require_length(plan.side, "the side of the mesh");
   require_resolved(plan.side, box, "the side of the mesh");
-  MeshSize size;
-  size.side = plan.side;
-  size.refined = refined_points(plan, box, tips);
-  double triangles = (box.size().x / plan.side + 1) * (box.size().y / plan.side + 1);
-  for (const RefinedPoint& point : size.refined)
-    triangles += std::log(std::max(1.0, plan.side / point.side)) / (size.growth * size.growth);
-  require_fewer(triangles, plan.side);
+  const MeshSize size(plan.side, refined_points(plan, box, tips), kUnstructuredGrowth);
+  require_fewer((box.size().x / plan.side + 1) * (box.size().y / plan.side + 1), plan.side);
+  require_fewer(triangles_in(box, size), size.least());
   std::vector<Segment> along;
   if (plan.placement == MeshPlacement::aligned) {
     for (const BodyPiece& piece : graph.pieces)
@@ -109,6 +125,10 @@ FittedMesh with_nodes_at_lines(TriangleMesh mesh, const MeshPlan& plan, const Bo
 }
 
 }  // namespace
+
+double least_side(const Box& box) {
+  return kLeastSide * std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+}
 
 Box box_of(const BodyGraph& graph) {
   Box box;

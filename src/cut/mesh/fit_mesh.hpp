@@ -15,6 +15,7 @@ inline constexpr int kMostHalfRows = 1000;  ///< of a regular mesh: some four mi
 
 /// Of sides per length from a refined point or tip of a bisected mesh: a quarter costs twice the triangles.
 inline constexpr double kMeshGrowth = 0.5;
+inline constexpr double kUnstructuredGrowth = 0.3;  ///< the same of an unstructured mesh
 
 struct FittedMesh {
   TriangleMesh mesh;
@@ -23,6 +24,9 @@ struct FittedMesh {
 
 /// The box about all bodies.
 Box box_of(const BodyGraph& graph);
+
+/// Corners of shorter sides would fall on one another.
+double least_side(const Box& box);
 
 /// The mesh over all bodies: refined as the plan says at its points and at the tips of cracks, each of which gets a
 /// node where the plan says a side or functions there and that leaves sound triangles. Throws std::invalid_argument

@@ -103,14 +103,8 @@ TriangleMesh numbered(const Triangulation& triangulation) {
 
 }  // namespace
 
-double MeshSize::at(Point p) const {
-  double wanted = side;
-  for (const RefinedPoint& point : refined) wanted = std::min(wanted, point.side + growth * distance(point.at, p));
-  return wanted;
-}
-
 TriangleMesh unstructured_mesh(const Box& box, const MeshSize& size, std::span<const Segment> along) {
-  const Point margin{size.side / 2, size.side / 2};
+  const Point margin{size.side() / 2, size.side() / 2};
   const Point low = box.low - margin;
   const Point high = box.high + margin;
   const std::array<Point, 4> corners = {low, Point{high.x, low.y}, high, Point{low.x, high.y}};
@@ -118,7 +112,7 @@ TriangleMesh unstructured_mesh(const Box& box, const MeshSize& size, std::span<c
   for (std::size_t k = 0; k < 4; ++k)
     triangulation.insert_constraint(from_point(corners[k]), from_point(corners[(k + 1) % 4]));
   for (const Segment& s : along) triangulation.insert_constraint(from_point(s.start), from_point(s.end));
-  for (const RefinedPoint& point : size.refined) {
+  for (const RefinedPoint& point : size.refined()) {
     if (box.holds(point.at)) triangulation.insert(from_point(point.at));
   }
   CGAL::Delaunay_mesher_2<Triangulation, Wanted> mesher(triangulation, Wanted(size));

@@ -3,23 +3,12 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "cut/mesh/mesh_size.hpp"
 #include "geometry/box.hpp"
-#include "problem/cover_plan.hpp"
 #include "problem/manifold.hpp"
 
 namespace keyblock {
-
-/// The longest side wanted in a place: `side`, or less near refined points, from which it grows by `growth` per length.
-/// Lengths in the unit of the drawing, `side` and those of refined points above 0.
-struct MeshSize {
-  double side = 1;
-  std::vector<RefinedPoint> refined;
-  double growth = 0.3;
-
-  double at(Point p) const;
-};
 
 /// Delaunay refinement (Ruppert 1995; CGAL's mesher) over the box and half a side beyond: no side longer than wanted at
 /// the middle of its triangle, no angle below 20.7 degrees but where two of `along` meet at a smaller one. Sides of the

@@ -6,13 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
-#include <optional>
 #include <utility>
+#include <variant>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "cut/mesh/fit_mesh.hpp"
+#include "cut/mesh/mesh_size.hpp"
 #include "model/continuum.hpp"
 #include "run/bodies/planned_bodies.hpp"
 #include "run/mesh/stress_error.hpp"
@@ -23,7 +25,16 @@ namespace {
 
 constexpr double kHalf = 0.5;        // of ‖e‖²
 constexpr double kSameError = 1e-6;  // of symmetric places
-constexpr int kMostRounds = 40;      // each at least halves some sides: 1e-12 of the first ones
+constexpr double kLow = 3;           // estimates are low at tips, by up to 2.4 (see the tests)
+constexpr int kMostRounds = 60;
+constexpr double kShortest =
+    1e-6;                     // sides, of the extent of the mesh: at points of infinite stress nothing else ends it
+constexpr double kFew = 0.1;  // of the error wanted: what a force at a point may do without being looked at
+constexpr double kAboutPoints = 0.25;  // of the side of the first mesh: within, the error at a point does not count
+
+double squared(double v) {
+  return v * v;
+}
 
 const Place& place_of_mesh(const CoverPlan& plan) {
   return plan.mesh.place.line > 0 ? plan.mesh.place : plan.place;
@@ -53,108 +64,212 @@ Problem still_bodies(const Problem& problem) {
 const std::vector<Override> kAtRest{
     {"motion", "static"}, {"velocity_carry_over", "0"}, {"steps", "1"}, {"load_control", "share"}};
 
-/// Elements with the greatest errors, together kHalf of all.
-std::vector<int> marked(const StressError& error) {
-  std::vector<int> order(error.of_element.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto of = [&](int e) { return error.of_element[static_cast<std::size_t>(e)]; };
-  std::ranges::stable_sort(order, [&](int a, int b) { return of(a) > of(b); });
-  double sum = 0;
-  std::size_t count = 0;
-  while (count < order.size() && sum < kHalf * error.total) sum += of(order[count++]);
-  while (count > 0 && count < order.size() && of(order[count]) >= (1 - kSameError) * of(order[count - 1])) ++count;
-  order.resize(count);
-  return order;
+double longest_side(const std::array<Point, 3>& t) {
+  return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
 }
 
 /// At the middle of a triangle, half of its longest side.
 RefinedPoint halved(const std::array<Point, 3>& t) {
-  const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
-  return {(1.0 / 3) * (t[0] + t[1] + t[2]), longest / 2};
+  return {(1.0 / 3) * (t[0] + t[1] + t[2]), longest_side(t) / 2};
 }
 
-/// Without those that others make needless.
-void put(std::vector<RefinedPoint>& all, const std::vector<RefinedPoint>& more) {
-  for (const RefinedPoint& point : more) {
-    std::erase_if(all, [&](const RefinedPoint& old) {
-      return point.side + kMeshGrowth * distance(point.at, old.at) <= old.side;
-    });
-    all.push_back(point);
+double shortest_side(const TriangleMesh& mesh) {
+  Box box;
+  for (const Point& node : mesh.nodes) box.add(node);
+  return std::max(least_side(box), kShortest * std::max(box.size().x, box.size().y));
+}
+
+/// A triangle that may be halved, and the error of its element.
+struct Half {
+  double error = 0;
+  RefinedPoint at;
+};
+
+std::vector<Half> halves_of(const Manifold& manifold, const std::vector<double>& error) {
+  const double shortest = shortest_side(manifold.mesh);
+  std::vector<Half> halves;
+  for (std::size_t e = 0; e < error.size(); ++e) {
+    const RefinedPoint half = halved(manifold.triangle(manifold.elements[e]));
+    if (half.side >= shortest) halves.push_back({error[e], half});
   }
+  std::ranges::stable_sort(halves, std::greater(), &Half::error);
+  return halves;
+}
+
+/// Those with the greatest errors, together `share` of all.
+std::vector<RefinedPoint> marked(const std::vector<Half>& halves, double share) {
+  double total = 0;
+  for (const Half& half : halves) total += half.error;
+  std::vector<RefinedPoint> points;
+  double sum = 0, last = 0;
+  for (const Half& half : halves) {
+    if (sum >= share * total && half.error < (1 - kSameError) * last) break;
+    sum += half.error;
+    last = half.error;
+    points.push_back(half.at);
+  }
+  return points;
+}
+
+/// Without old ones that new ones make needless: those of a triangle that is halved again.
+void put(std::vector<RefinedPoint>& all, const std::vector<RefinedPoint>& more) {
+  if (more.empty()) return;
+  const MeshSize wanted(std::numeric_limits<double>::infinity(), more, kMeshGrowth);
+  std::erase_if(all, [&](const RefinedPoint& old) { return wanted.at(old.at) <= old.side; });
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Where a force acts on a point, or a spring bears one, that adds to the strain energy: of a force P
+/// some P²/E each time that sides there are halved, without limit (Flamant 1892).
+std::vector<Uncounted> forces_at_points(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& d,
+                                        double felt) {
+  std::vector<Uncounted> found;
+  const auto look = [&](int element, Point at, double force) {
+    const std::array<Point, 3> t =
+        continuum.manifold.triangle(continuum.manifold.elements[static_cast<std::size_t>(element)]);
+    if (force * force > felt * continuum.material(element).youngs_modulus)
+      found.push_back({at, kAboutPoints * longest_side(t)});
+  };
+  for (const PointForce& force : continuum.point_forces) look(force.element, force.at, length(force.force));
+  for (const PointSpring& spring : continuum.point_springs) {
+    const ElementShape shape = basis.shape(spring.element);
+    const Eigen::RowVectorXd values = shape.values(spring.at);
+    Eigen::Vector2d u = Eigen::Vector2d::Zero();
+    for (int a = 0; a < shape.function_count(); ++a)
+      u += values[a] * d.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
+    look(spring.element, spring.at, spring.stiffness * dot(spring.direction, {u.x(), u.y()}));
+  }
+  return found;
 }
 
 struct Estimate {
   MeshRound round;
-  std::vector<RefinedPoint> finer;
+  std::size_t triangles = 0;  ///< of the mesh, which reaches beyond the bodies
+  double strain = 0;          ///< twice the strain energy
+  std::vector<Half> halves;
+};
+
+/// A mesh that was not solved.
+struct TooLarge {
+  int unknowns = 0;
 };
 
 class Refinement {
  public:
   Refinement(const Problem& problem, const std::function<Scene(const Problem&, const std::vector<Override>&)>& scene)
-      : scene_(scene), result_{problem, {}, {}} {
+      : wanted_(problem.covers->mesh.error),
+        most_unknowns_(problem.covers->mesh.most_unknowns),
+        place_(place_of_mesh(*problem.covers)),
+        scene_(scene),
+        result_{problem, {}, {}} {
     MeshPlan& mesh = result_.problem.covers->mesh;
     mesh.error = 0;
-    // Else cracks end where they leave the last element, and no difference of stresses says so.
+    // Else cracks end where they leave the last element, and the stresses of all meshes agree on it.
     mesh.has_nodes_at_tips = true;
   }
 
-  MeshByError result(double wanted, int most_unknowns) {
-    Estimate found = estimate();
+  MeshByError result() {
+    auto first = estimate();
+    if (const auto* large = std::get_if<TooLarge>(&first))
+      throw InputError(place_, fmt::format("expected a first mesh of at most most_unknowns = {} unknowns, found {}",
+                                           most_unknowns_, large->unknowns));
+    Estimate found = std::get<Estimate>(std::move(first));
     result_.rounds.push_back(found.round);
-    while (found.round.error > wanted && result_.rounds.size() < kMostRounds) {
-      std::vector<RefinedPoint>& refined = result_.problem.covers->mesh.refined;
-      const std::vector<RefinedPoint> before = refined;
-      put(refined, found.finer);
-      const std::optional<Estimate> next = estimate_below(most_unknowns);
-      if (!next) {
-        refined = before;
-        break;
-      }
-      found = *next;
-      result_.rounds.push_back(found.round);
-    }
-    if (found.round.error > wanted)
-      result_.warnings.push_back(
-          {"mesh_error_not_reached", place_of_mesh(*result_.problem.covers),
-           fmt::format(
-               "the stresses of the mesh are estimated to be off by {:.2g} of the energy norm, not by the error "
-               "of {:.2g} asked for: the next mesh would have more than most_unknowns = {}",
-               found.round.error, wanted, most_unknowns)});
+    std::string obstacle;
+    is_confirmed_ = found.round.error == 0;
+    while (obstacle.empty() && !(is_confirmed_ && found.round.error <= wanted_)) obstacle = refine(found);
+    warn(obstacle);
     return std::move(result_);
   }
 
  private:
-  Estimate estimate() { return *estimate_below(std::numeric_limits<int>::max()); }
+  /// One round: half of the error, or all triangles where an estimate that is small enough is to be confirmed. Returns
+  /// what is in the way, if anything is.
+  std::string refine(Estimate& found) {
+    if (result_.rounds.size() == kMostRounds) return fmt::format("after {} rounds", kMostRounds);
+    if (found.halves.empty()) return "its sides can be no shorter";
+    std::vector<RefinedPoint>& refined = result_.problem.covers->mesh.refined;
+    const std::vector<RefinedPoint> before = refined;
+    if (found.round.error > wanted_)
+      put(refined, marked(found.halves, kHalf));
+    else
+      for (const Half& half : found.halves) refined.push_back(half.at);
+    auto next = estimate();
+    if (std::holds_alternative<TooLarge>(next)) {
+      refined = before;
+      return fmt::format("the next mesh would have more than most_unknowns = {}", most_unknowns_);
+    }
+    const Estimate last = std::exchange(found, std::get<Estimate>(std::move(next)));
+    result_.rounds.push_back(found.round);
+    is_confirmed_ = agrees(last, found);
+    return found.triangles == last.triangles ? "refinement no longer changes it" : "";
+  }
 
-  /// None for a mesh of more unknowns.
-  std::optional<Estimate> estimate_below(int most_unknowns) {
+  /// Whether a mesh changed the energy by no more than the last one was estimated to lack of it. Where sides are longer
+  /// than a body is wide, stresses hardly differ, and the estimate says nothing.
+  bool agrees(const Estimate& last, const Estimate& now) const {
+    const double estimate = kLow * std::max(wanted_, last.round.error);
+    return std::abs(now.strain - last.strain) <= estimate * estimate * now.strain;
+  }
+
+  void warn(const std::string& obstacle) {
+    if (!uncounted_.empty())
+      result_.warnings.push_back(
+          {"mesh_error_at_points", place_,
+           fmt::format("the stress has no limit at {}, the first of them ({}, {}): within {:.2g} of it, a quarter of "
+                       "the first mesh's side, errors do not count",
+                       counted(uncounted_.size(), "point") +
+                           (uncounted_.size() == 1 ? " that bears a force" : " that bear forces"),
+                       uncounted_.front().at.x, uncounted_.front().at.y, uncounted_.front().radius)});
+    if (obstacle.empty()) return;
+    const double error = result_.rounds.back().error;
+    result_.warnings.push_back(
+        {"mesh_error_not_reached", place_,
+         error > wanted_ ? fmt::format("the stresses of the mesh are estimated to be off by {:.2g} of the energy norm, "
+                                       "not by the error of {:.2g} asked for: {}",
+                                       error, wanted_, obstacle)
+                         : fmt::format("the stresses of the mesh are estimated to be off by {:.2g} of the energy norm, "
+                                       "and no finer mesh confirms it: {}",
+                                       error, obstacle)});
+  }
+
+  std::variant<Estimate, TooLarge> estimate() {
     const Problem still = still_bodies(result_.problem);
-    const Place& place = place_of_mesh(*still.covers);
     Scene scene = scene_(still, kAtRest);
     if (!scene.is_untouched || !scene.model.continuum)
-      throw InputError(place,
+      throw InputError(place_,
                        "expected all bodies on covers beside an error of the mesh, which is found on them alone, found "
                        "blocks beside them");
     const CoverBasis basis = basis_of(*scene.model.continuum);
-    if (2 * basis.function_count() > most_unknowns) return std::nullopt;
+    const int unknowns = 2 * basis.function_count();
+    if (unknowns > most_unknowns_) return TooLarge{unknowns};
     LinearStepper stepper(std::move(scene));
     const auto step = stepper.advance();
     if (const auto* failure = std::get_if<StepFailure>(&step))
-      throw InputError(place,
+      throw InputError(place_,
                        "expected bodies that their supports hold without contact beside an error of the mesh, which is "
                        "found on them alone at rest, found: " +
                            failure->reason);
     const Continuum& continuum = *stepper.model().continuum;
-    const StressError error = stress_error(continuum, basis, stepper.on_covers()->d);
-    Estimate found{{basis.element_count(), 2 * basis.function_count(), error.share()}, {}};
-    for (const int e : marked(error))
-      found.finer.push_back(
-          halved(continuum.manifold.triangle(continuum.manifold.elements[static_cast<std::size_t>(e)])));
-    return found;
+    const Eigen::VectorXd& d = stepper.on_covers()->d;
+    StressError error = stress_error(continuum, basis, d, uncounted_);
+    if (result_.rounds.empty()) {
+      uncounted_ = forces_at_points(continuum, basis, d, squared(kFew * wanted_) * error.strain);
+      if (!uncounted_.empty()) error = stress_error(continuum, basis, d, uncounted_);
+    }
+    return Estimate{{basis.element_count(), unknowns, error.share()},
+                    continuum.manifold.mesh.triangles.size(),
+                    error.strain,
+                    halves_of(continuum.manifold, error.of_element)};
   }
 
+  double wanted_;
+  int most_unknowns_;
+  Place place_;
   const std::function<Scene(const Problem&, const std::vector<Override>&)>& scene_;
   MeshByError result_;
+  std::vector<Uncounted> uncounted_;  // known from the first mesh on
+  bool is_confirmed_ = false;         // the last estimate, by the mesh before
 };
 
 }  // namespace
@@ -164,15 +279,18 @@ bool has_mesh_by_error(const Problem& problem) {
 }
 
 std::string MeshByError::sentence() const {
-  const MeshRound& last = rounds.back();
-  return fmt::format("mesh refined {} times, to stresses that are estimated to be off by {:.2g} of the energy norm",
-                     rounds.size() - 1, last.error);
+  if (rounds.empty()) return "";
+  const std::size_t times = rounds.size() - 1;
+  return fmt::format("{}, stresses are estimated to be off by {:.2g} of the energy norm",
+                     times == 0   ? "mesh not refined"
+                     : times == 1 ? "mesh refined once"
+                                  : fmt::format("mesh refined {} times", times),
+                     rounds.back().error);
 }
 
 MeshByError mesh_by_error(const Problem& problem,
                           const std::function<Scene(const Problem&, const std::vector<Override>&)>& scene) {
-  const MeshPlan& mesh = problem.covers->mesh;
-  return Refinement(problem, scene).result(mesh.error, mesh.most_unknowns);
+  return Refinement(problem, scene).result();
 }
 
 }  // namespace keyblock

@@ -13,8 +13,14 @@
 namespace keyblock {
 namespace {
 
-// Fits to fewer say little: those at the rim of a body look one ring of elements further.
-constexpr std::size_t kFewElements = 4;
+// Of the coefficients of a fit, that stresses of its elements have: a fit to as many as it has would be exact whatever
+// they are.
+constexpr int kMoreThanFitted = 2;
+constexpr double kWhole = 1e-6;  // of a triangle that no line cuts, by round-off
+constexpr int kMostRings = 3;    // of elements about a cover that its fit looks at
+// Strains by round-off alone, of displacement over the size of an element and of initial stress over Young's modulus:
+// solutions keep some ten digits.
+constexpr double kRoundOff = 1e-10;
 // Of the largest column: what samples in so few elements do not tell stays at the least values that fit.
 constexpr double kTold = 1e-6;
 
@@ -23,12 +29,18 @@ struct Sample {
   Point at;
   double weight = 0;
   Eigen::Vector3d stress;
+  double displacement = 0;
 };
+
+double square(double v) {
+  return v * v;
+}
 
 /// A polynomial for each component.
 struct Fit {
   LocalFrame frame;
   Eigen::MatrixX3d coefficients;  ///< monomials × components
+  bool is_told = false;           ///< by more stresses than it follows
 
   Eigen::Vector3d at(int degree, Point x) const { return coefficients.transpose() * monomials(degree, frame.local(x)); }
 };
@@ -46,18 +58,25 @@ class Recovery {
     samples_.resize(manifold_.elements.size());
     for (std::size_t e = 0; e < samples_.size(); ++e) samples_[e] = samples_in(static_cast<int>(e), 2 * degree_ - 2);
     for (std::size_t c = 0; c < manifold_.covers.size(); ++c) fits_.push_back(fit_of(static_cast<int>(c)));
+    has_whole_triangle_.assign(manifold_.body_materials.size(), 0);
+    for (const ManifoldElement& element : manifold_.elements)
+      if (is_whole(element)) has_whole_triangle_[static_cast<std::size_t>(element.body)] = 1;
   }
 
-  StressError error() const {
+  StressError error(std::span<const Uncounted> uncounted) const {
     StressError error;
     error.of_element.assign(manifold_.elements.size(), 0);
     for (std::size_t e = 0; e < manifold_.elements.size(); ++e) {
       const bool is_polynomial = basis_.shape(static_cast<int>(e)).tip == nullptr;
       const Eigen::Matrix3d compliance = continuum_.modulus(static_cast<int>(e)).inverse();
       for (const Sample& s : samples_in(static_cast<int>(e), 2 * degree_)) {
+        const auto holds = [&](const Uncounted& disc) { return distance(disc.at, s.at) < disc.radius; };
+        if (std::ranges::any_of(uncounted, holds)) continue;
         error.strain += s.weight * s.stress.dot(compliance * s.stress);
+        error.round_off += s.weight * round_off_at(static_cast<int>(e), s);
         if (!is_polynomial) continue;
-        const Eigen::Vector3d off = recovered(static_cast<int>(e), s.at) - s.stress;
+        const Eigen::Vector3d off =
+            is_told(static_cast<int>(e)) ? Eigen::Vector3d(recovered(static_cast<int>(e), s.at) - s.stress) : s.stress;
         error.of_element[e] += s.weight * off.dot(compliance * off);
       }
       // The points of an area with re-entrant corners may count some of it negative.
@@ -76,28 +95,62 @@ class Recovery {
       own.segment<2>(2 * a) = d_.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]);
     std::vector<Sample> samples;
     for (const AreaPoint& p : area_rule(manifold_, e, shape, degree))
-      samples.push_back({p.at, p.weight, modulus * (shape.strain(p.at) * own)});
+      samples.push_back(
+          {p.at, p.weight, modulus * (shape.strain(p.at) * own), (shape.displacement(p.at) * own).norm()});
     return samples;
   }
 
-  /// The elements of a cover, and where they are few those of all covers about.
+  /// σ:ε by round-off alone at a sample, of its element.
+  double round_off_at(int e, const Sample& s) const {
+    const std::array<Point, 3> t = manifold_.triangle(manifold_.elements[static_cast<std::size_t>(e)]);
+    const double size = std::sqrt(std::abs(cross(t[1] - t[0], t[2] - t[0])));
+    const double youngs_modulus = continuum_.material(e).youngs_modulus;
+    const Stress initial = continuum_.initial_stress_at(e, s.at);
+    const double stress = std::hypot(initial.xx, initial.yy, initial.xy);
+    return youngs_modulus * square(kRoundOff * (s.displacement / size + stress / youngs_modulus));
+  }
+
+  bool are_enough(const std::vector<int>& elements) const {
+    return std::ssize(elements) * monomial_count(degree_ - 1) >= kMoreThanFitted * monomial_count(degree_);
+  }
+
+  bool is_whole(const ManifoldElement& element) const {
+    const std::array<Point, 3> t = manifold_.triangle(element);
+    double area = 0;
+    for (const std::vector<Point>& loop : manifold_.polygon(element)) area += keyblock::area(loop);
+    return area >= (1 - kWhole) * std::abs(cross(t[1] - t[0], t[2] - t[0])) / 2;
+  }
+
+  /// Whether the fits of an element's covers say anything of its stress. Where all triangles are wider than the body
+  /// displacements are nearly those of one triangle, and so are stresses.
+  bool is_told(int e) const {
+    const ManifoldElement& element = manifold_.elements[static_cast<std::size_t>(e)];
+    return has_whole_triangle_[static_cast<std::size_t>(element.body)] != 0 &&
+           std::ranges::all_of(element.covers,
+                               [&](int cover) { return fits_[static_cast<std::size_t>(cover)].is_told; });
+  }
+
+  /// The elements of a cover, and ring by ring those of all covers about until their stresses tell enough.
   std::vector<int> elements_about(int cover) const {
     const auto own = manifold_.elements_of(manifold_.covers[static_cast<std::size_t>(cover)]);
     std::vector<int> elements(own.begin(), own.end());
-    if (elements.size() >= kFewElements) return elements;
-    for (const int e : own)
-      for (const int other : manifold_.elements[static_cast<std::size_t>(e)].covers)
-        for (const int more : manifold_.elements_of(manifold_.covers[static_cast<std::size_t>(other)]))
-          elements.push_back(more);
-    std::ranges::sort(elements);
-    const auto repeated = std::ranges::unique(elements);
-    elements.erase(repeated.begin(), repeated.end());
+    for (int ring = 0; ring < kMostRings && !are_enough(elements); ++ring) {
+      const std::vector<int> inner = elements;
+      for (const int e : inner)
+        for (const int other : manifold_.elements[static_cast<std::size_t>(e)].covers)
+          for (const int more : manifold_.elements_of(manifold_.covers[static_cast<std::size_t>(other)]))
+            elements.push_back(more);
+      std::ranges::sort(elements);
+      const auto repeated = std::ranges::unique(elements);
+      elements.erase(repeated.begin(), repeated.end());
+    }
     return elements;
   }
 
   Fit fit_of(int cover) const {
     const std::vector<int> elements = elements_about(cover);
     Fit fit;
+    fit.is_told = are_enough(elements);
     const int node = manifold_.covers[static_cast<std::size_t>(cover)].node;
     fit.frame = {manifold_.mesh.nodes[static_cast<std::size_t>(node)], 0};
     Eigen::Index rows = 0;
@@ -137,16 +190,18 @@ class Recovery {
   int degree_;
   std::vector<std::vector<Sample>> samples_;  // of each element, those that are fitted
   std::vector<Fit> fits_;                     // of each cover
+  std::vector<char> has_whole_triangle_;      // of each body
 };
 
 }  // namespace
 
 double StressError::share() const {
-  return total > 0 ? std::sqrt(total / (strain + total)) : 0;
+  return strain > round_off ? std::sqrt(total / (strain + total)) : 0;
 }
 
-StressError stress_error(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& d) {
-  return Recovery(continuum, basis, d).error();
+StressError stress_error(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& d,
+                         std::span<const Uncounted> uncounted) {
+  return Recovery(continuum, basis, d).error(uncounted);
 }
 
 }  // namespace keyblock

@@ -3,27 +3,38 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "model/continuum.hpp"
 
 namespace keyblock {
 
-/// Squares of energy norms per unit thickness, F. Of elements whose functions are no polynomials the error is 0: near a
-/// tip, recovered stresses are none.
+/// A disc in which errors do not count.
+struct Uncounted {
+  Point at;
+  double radius = 0;
+};
+
+/// Squares of energy norms per unit thickness, F. Elements that carry near-tip functions count no error: no polynomial
+/// can be fitted there.
 struct StressError {
   std::vector<double> of_element;
-  double total = 0;   ///< their sum
-  double strain = 0;  ///< ∫ σ:ε of the solution, twice its strain energy; the initial stress does no part of it
+  double total = 0;      ///< their sum
+  double strain = 0;     ///< ∫ σ:ε of the solution where errors count: twice its energy, without initial stress
+  double round_off = 0;  ///< what `strain` may be by round-off alone
 
-  /// Of the energy norm of the exact solution, as estimated: √(e² / (u² + e²)) (Zienkiewicz & Zhu 1987).
+  /// Of the energy norm of the exact solution, as estimated: √(e² / (u² + e²)) (Zienkiewicz & Zhu 1987); 0 where there
+  /// is no strain but round-off.
   double share() const;
 };
 
 /// ‖e‖² = ∫ (σ* - σ):D⁻¹:(σ* - σ) dA, σ the stress of the displacement `d` and σ* that recovered from it (Zienkiewicz &
 /// Zhu 1992): on the elements of each physical cover one polynomial of the degree of the displacement, fitted to the
-/// stress by least squares, in an element the three of its covers joined by the weights of its triangle. Covers are of
-/// one body and end at joints and cracks, and so do the fits.
-StressError stress_error(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& d);
+/// stress by least squares, in an element the three of its covers joined by the weights of its triangle. Where the
+/// elements of a cover tell too little, those around them are fitted too; where a body has too few, or no whole triangle,
+/// all of its stress is counted as wrong. Covers are of one body and end at joints and cracks, and so do the fits.
+StressError stress_error(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& d,
+                         std::span<const Uncounted> uncounted = {});
 
 }  // namespace keyblock

@@ -15,6 +15,7 @@ namespace keyblock::study {
 namespace {
 
 constexpr double kMega = 1e6;
+constexpr double kSameProportion = 1e-9;  // of lengths that are written with decimals
 
 /// Lengths and loads of a table, in SI where they have units.
 class Specimens {
@@ -33,7 +34,7 @@ class Specimens {
 
   /// Refuses a specimen whose proportion lies elsewhere.
   void require(std::size_t row, const char* what, double found, double low, double high) const {
-    if (found >= low && found <= high) return;
+    if (found >= low * (1 - kSameProportion) && found <= high * (1 + kSameProportion)) return;
     throw InputError({table_.name, table_.rows[row].line, 1},
                      fmt::format("expected {} from {:.4g} to {:.4g}, for which the formula was made, found {:.4g}",
                                  what, low, high, found));

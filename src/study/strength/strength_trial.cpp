@@ -179,7 +179,11 @@ StrengthTrials::StrengthTrials(Problem problem, std::string profile, std::vector
       put_setting(overrides_, "steps", fmt::format("{}", steps));
     }
   }
+  // Of elastic rock: the same at every factor.
+  MeshByError found = with_mesh_found(problem_, profile_, overrides_);
+  problem_ = found.problem;
   prepared_ = prepared_at(1);
+  tell(found, prepared_);
   if (what_ == Reduced::joints && prepared_.scene.is_untouched)
     throw InputError(problem_.analysis->place,
                      "expected bodies that touch, whose joints are to be reduced, found bodies on covers that do not "

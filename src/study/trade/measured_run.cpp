@@ -152,12 +152,18 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   overrides.insert(overrides.end(), plan.set.begin(), plan.set.end());
   Problem problem = with_named_files(chosen.input.problem, overrides, chosen.folder);
   const std::vector<Override> left = set_plan(problem, overrides);
-  const Prepared prepared = prepare(problem, plan.profile, left);
+  const double begin = cpu_seconds();
+  const MeshByError found = with_mesh_found(problem, plan.profile, left);
+  const double finding = found.rounds.empty() ? 0 : cpu_seconds() - begin;
+  const Prepared prepared = prepare(found.problem, plan.profile, left);
   const Model& model = prepared.scene.model;
   require_there(chosen, model);
   require_points(chosen, problem, model.measured_points.size());
   measured.unknowns = prepared.requirements.unknowns;
-  best_of(limits, measured, [&](MeasuredRun& run) { run_scene(chosen, prepared.scene, limits, run); });
+  RunLimits rest = limits;
+  rest.cpu_seconds -= finding;
+  best_of(limits, measured, [&](MeasuredRun& run) { run_scene(chosen, prepared.scene, rest, run); });
+  measured.seconds += finding;
 }
 
 void tell(MeasuredRun& measured, MeasuredEnd end, const std::string& reason) {

@@ -53,8 +53,9 @@ struct MeasuredRun {
   RunPlan plan;
   MeasuredEnd end = MeasuredEnd::finished;
   std::string reason;  ///< why there is no result
-  double seconds =
-      0;  ///< of processor time, all threads: start and steps, or load steps with their cutting; without reading
+  /// Of processor time, all threads: start and steps, or load steps with their cutting, and finding a mesh by error;
+  /// without reading.
+  double seconds = 0;
   int timings = 0;  ///< the best of so many runs
   int steps = 0;
   int unknowns = 0;

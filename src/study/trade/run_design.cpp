@@ -50,6 +50,7 @@ Base base_of(const StudyCase& chosen, const std::string& profile, const std::vec
     base.plan = *problem.covers;
     base.plan.functions = functions_of(*problem.covers, problem.analysis->block_materials);
   }
+  if (base.has_plan) problem.covers->mesh.error = 0;  // says nothing of what is asked here
   const Scene scene = prepare(problem, profile, left).scene;
   base.is_untouched = scene.is_untouched;
   base.settings = scene.settings;
@@ -108,15 +109,25 @@ Axis step_axis(const Base& base, int finest) {
 }
 
 std::vector<Override> mesh_overrides(const MeshPlan& mesh, double factor) {
+  if (mesh.error > 0) {
+    if (!is_mesh_error(mesh.error * factor)) return {};
+    return {{"mesh.error", fmt::format("{:.12g}", mesh.error * factor)}};
+  }
   if (mesh.side > 0) return {{"mesh.side", fmt::format("{:.12g}", mesh.side * factor)}};
   const int rows = std::max(1, static_cast<int>(std::lround(mesh.half_rows / factor)));
   if (rows == mesh.half_rows) return {};
   return {{"mesh.half_rows", fmt::format("{}", rows)}};
 }
 
+const char* word_of(const MeshPlan& mesh) {
+  return mesh.error > 0 ? "mesh error" : "side";
+}
+
 Axis mesh_axis(const Base& base, int finest) {
   Axis axis{"mesh", {}};
-  const auto add = [&](double factor) { add_refinement(axis, "side", factor, mesh_overrides(base.plan.mesh, factor)); };
+  const auto add = [&](double factor) {
+    add_refinement(axis, word_of(base.plan.mesh), factor, mesh_overrides(base.plan.mesh, factor));
+  };
   for (const double factor : {4.0, 2.0}) add(factor);
   for (int part = 2; part <= finest; part *= 2) add(1.0 / part);
   return axis;
@@ -330,7 +341,7 @@ namespace {
 
 /// What refinement changes, and what the level is called: relative to the case's own under the profile of the plan.
 struct Refinement {
-  std::string of;  ///< "step", "side", "tolerance"
+  std::string of;  ///< "step", "side", "mesh error", "tolerance"
   std::string name;
   std::vector<Override> set;
 };
@@ -345,10 +356,12 @@ std::string refinement_name(const char* of, double factor) {
 Refinement refinement_of(const Base& own, const Base& now, int parts) {
   if (now.is_untouched) {
     const std::vector<Override> set = mesh_overrides(now.plan.mesh, 1.0 / parts);
-    const bool by_side = own.plan.mesh.side > 0;
-    const double factor = by_side ? now.plan.mesh.side / own.plan.mesh.side
-                                  : static_cast<double>(own.plan.mesh.half_rows) / now.plan.mesh.half_rows;
-    return {"side", refinement_name("side", factor / parts), set};
+    const MeshPlan& was = own.plan.mesh;
+    const MeshPlan& is = now.plan.mesh;
+    const double factor = was.error > 0  ? is.error / was.error
+                          : was.side > 0 ? is.side / was.side
+                                         : static_cast<double>(was.half_rows) / is.half_rows;
+    return {word_of(was), refinement_name(word_of(was), factor / parts), set};
   }
   if (now.settings.step_control == StepControl::error) {
     const std::string tolerance = fmt::format("{:.2g}", now.settings.standard.step_tolerance / parts);
