@@ -21,6 +21,9 @@ namespace {
 // Between two checkpoints: a few steps of a small scene.
 const std::vector<std::string> kOften{"--checkpoint-every", "0.003"};
 
+// Where none of the moments asked for fell between the first checkpoint and the end: a busy machine.
+constexpr int kMoreMoments = 20;
+
 // Each part of a run has another number of them.
 const std::vector<std::string> kThreads{"1", "2", "4", "7"};
 
@@ -74,7 +77,8 @@ KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, u
     return joined(words, {"--threads", kThreads.at(dice() % kThreads.size())});
   };
   KilledRuns result;
-  for (int i = 0; i < moments && result.differs.empty(); ++i) {
+  const auto goes_on = [&](int i) { return i < moments || (result.resumed == 0 && i < moments + kMoreMoments); };
+  for (int i = 0; goes_on(i) && result.differs.empty(); ++i) {
     fs::remove_all(folder + "/out");
     const std::vector<std::string> begin = joined(command, {"-o", folder + "/out", "--force"});
     const std::vector<std::string> resume = joined({"run", "--resume", folder + "/out"}, kOften);
