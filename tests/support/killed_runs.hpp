@@ -19,9 +19,9 @@ struct KilledRuns {
       differs;  ///< the first file that is another, or the message of a program that failed; empty if all is the same
 };
 
-/// At least `moments` runs, more until one was resumed, of `keyblock run ARGUMENTS…`, each killed at a random moment of its length, resumed, and compared to
-/// the whole run; every third is killed once more on the way, and each part is on another number of threads. The dice
-/// are those of `seed`.
+/// Runs of `keyblock run ARGUMENTS…`, at least `moments` and more until one was resumed, each killed at a random moment
+/// of its length, resumed, and compared to the whole run; every third is killed once more on the way, and each part is
+/// on another number of threads. The dice are those of `seed`.
 KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, unsigned seed);
 
 }  // namespace keyblock::support
