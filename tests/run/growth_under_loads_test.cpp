@@ -212,6 +212,44 @@ TEST(GrowthUnderLoads, a_run_at_rest_that_ends_with_tips_that_go_on_is_not_trust
   }
 }
 
+// A plate with an inclined edge crack, in tension that lets every step go on.
+std::string pulled_plate(const char* loads, double pull, const char* corrector) {
+  return fmt::format(
+      R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[0, -2, 1], [3, -2, 1], [3, 2, 1], [0, 2, 1]]}}]}},
+      "covers": {{"mesh": {{"side": 0.4, "angle": 10}}, "cracks": [{{"along": [[0, 0], [0.8, 0.5]]}}],
+        "growth": {{"increment": 0.2, "loads": "{}", "corrector": {}}},
+        "tractions": [{{"along": [[0, 2], [3, 2]], "y": {}}}, {{"along": [[0, -2], [3, -2]], "y": {}}}],
+        "springs": [[3, -2, 1, 0, 1e6], [3, -2, 0, 1, 1e6], [3, 2, 1, 0, 1e6]]}},
+      "analysis": {{"step_count": 4, "time_step": 1, "velocity_carry_over": 0, "allowed_displacement_ratio": 0.1,
+        "plane_strain": true, "gravity": 0, "joint_materials": [{{}}],
+        "block_materials": [{{"density": 1, "unit_weight": 0, "youngs_modulus": 1e6, "poissons_ratio": 0.3,
+          "toughness": {{"mode_1": 1}}}}]}}}})",
+      loads, corrector, pull, -pull);
+}
+
+constexpr std::size_t kPathSteps = 3;
+
+std::vector<Point> path_of(const std::string& text) {
+  const std::unique_ptr<Stepper> stepper = stepper_for(scene_of(file_of("path", text)));
+  std::vector<Point> path;
+  for (std::size_t step = 0; step < kPathSteps; ++step) {
+    if (!std::holds_alternative<StepReport>(stepper->advance())) return {};
+    path.push_back(stepper->tips().front().at);
+  }
+  return path;
+}
+
+// What a path is does not depend on how much more than enough pulls.
+TEST(GrowthUnderLoads, goes_at_rest_where_scaled_loads_lead_it) {
+  const std::vector<Point> scaled = path_of(pulled_plate("scaled", 1, "true"));
+  const std::vector<Point> given = path_of(pulled_plate("given", 3, "true"));
+  const std::vector<Point> uncorrected = path_of(pulled_plate("given", 3, "false"));
+  for (const auto* path : {&scaled, &given, &uncorrected}) ASSERT_EQ(path->size(), kPathSteps);
+  EXPECT_GT(distance(scaled.front(), scaled.back()), 0.35);
+  for (std::size_t i = 0; i < kPathSteps; ++i) EXPECT_LT(distance(scaled[i], given[i]), 1e-3) << i;
+  EXPECT_GT(distance(given.back(), uncorrected.back()), 5e-3) << "a correction";
+}
+
 // A plate pressed at its ends, narrowest at half its height: the first crack starts in shear at the strength of
 // Coulomb, 2 c cos φ / (1 - sin φ), at 45° + φ/2 to the horizontal.
 TEST(GrowthUnderLoads, a_crack_starts_in_shear_as_coulomb_says) {

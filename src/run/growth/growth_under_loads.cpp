@@ -224,8 +224,9 @@ void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
   }
 }
 
-void GrowthUnderLoads::recut() {
+std::unique_ptr<StandardStepper> GrowthUnderLoads::recut() {
   auto change = std::make_shared<SceneChange>();
+  std::unique_ptr<StandardStepper> of_before;
   CrackFront before = front_;
   const std::vector<CrackPlan> wanted = next_;
   const std::vector<PartingFaces> parting_before = parting_;
@@ -243,7 +244,7 @@ void GrowthUnderLoads::recut() {
     const Manifold& manifold = change->scene.model.continuum->manifold;
     const int first = static_cast<int>(change->scene.model.elements.size() - manifold.elements.size());
     place_parting(manifold);
-    now_ = std::make_unique<StandardStepper>(*now_, *change, pulls(first));
+    now_.swap(of_before = std::make_unique<StandardStepper>(*now_, *change, pulls(first)));
   } catch (...) {
     next_ = wanted;
     front_ = std::move(before);
@@ -255,6 +256,43 @@ void GrowthUnderLoads::recut() {
   for (PartingFaces& faces : parting_)
     look_at_openings(faces, [&](int e, Point p) { return displacement_at(moved, e, p); });
   pieces_.clear();
+  return of_before;
+}
+
+std::vector<double> GrowthUnderLoads::corrections(const CrackFront& front) const {
+  std::vector<double> more(front.tips.size(), 0);
+  const std::vector<TipState> found = tips_of(solution(), front_.cracks, first_.growth->plan.criterion);
+  for (std::size_t i = 0; i < more.size(); ++i)
+    for (const TipState& tip : found)
+      if (front.tips[i].goes_on && front.tips[i].has_room && tip.crack == front.tips[i].crack &&
+          tip.at_end == front.tips[i].at_end && tip.has_room)
+        more[i] = tip.kink / 2;
+  return more;
+}
+
+void GrowthUnderLoads::correct() {
+  const CrackFront front = front_;
+  const std::vector<Piece> pieces = pieces_;
+  const std::vector<RefinedPoint> refined = refined_;
+  const int next_number = next_number_;
+  std::unique_ptr<StandardStepper> before = recut();
+  const bool stands = std::holds_alternative<StepReport>(now_->advance());
+  const std::vector<double> more = stands ? corrections(front) : std::vector<double>(front.tips.size(), 0);
+  now_ = std::move(before);
+  front_ = front;
+  pieces_ = pieces;
+  refined_ = refined;
+  next_number_ = next_number;
+  put_next(more);
+}
+
+// What arrives where the step ended is that of `next_`, which may be put a second time.
+void GrowthUnderLoads::put_next(const std::vector<double>& more) {
+  std::erase_if(arrivals_, [&](const Arrival& arrival) { return arrival.time == state().time; });
+  next_ = prolonged(front_, model().continuum->manifold, first_.growth->plan.increment, more);
+  for (const auto& [from, to] : gained(front_.cracks, next_)) arrivals_.push_back({to, state().time});
+  for (std::size_t c = next_.size() - front_.starts.size(); c < next_.size(); ++c)
+    arrivals_.push_back({next_[c].along.front(), state().time});
 }
 
 // Without a field of its own a tip goes on only where it came from afar.
@@ -288,14 +326,13 @@ void GrowthUnderLoads::look_at_tips() {
     const PlaneElasticity rock = rock_at(continuum, {start.at, start.along});
     pieces_.push_back({start.at - start.half_length * start.along, energy_of_fracture(rock, start.toughness)});
   }
-  next_ = prolonged(front_, continuum.manifold, plan.increment, std::vector<double>(front_.tips.size(), 0));
-  for (const auto& [from, to] : gained(front_.cracks, next_)) arrivals_.push_back({to, state().time});
-  for (std::size_t c = next_.size() - front_.starts.size(); c < next_.size(); ++c)
-    arrivals_.push_back({next_[c].along.front(), state().time});
+  put_next(std::vector<double>(front_.tips.size(), 0));
 }
 
 std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
   if (!next_.empty()) try {
+      const bool may_turn = std::ranges::any_of(front_.tips, &TipState::goes_on);
+      if (may_turn && !is_in_time() && first_.growth->plan.has_corrector) correct();
       recut();
     } catch (const InputError& error) {
       return cannot_go_on(state().step + 1, error);

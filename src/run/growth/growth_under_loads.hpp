@@ -14,8 +14,8 @@
 namespace keyblock {
 
 /// After each step the tips whose K_eq has reached the toughness go on by an increment, those cracks start that have
-/// reached the strength, and the next step is made on bodies cut so, which keep their motion (carry_motion.hpp). In
-/// time a tip goes on no faster than waves run along a free surface, and its new faces part as PartingFaces says; at
+/// reached the strength, and the next step is made on bodies cut so, which keep their motion (carry_motion.hpp). At
+/// rest the kink is the mean of those before and after a trial of the step. In time a tip goes on no faster than waves run along a free surface, and its new faces part as PartingFaces says; at
 /// rest they part at once, the work they would have done being lost.
 class GrowthUnderLoads : public StepperOfScenes {
  public:
@@ -50,10 +50,17 @@ class GrowthUnderLoads : public StepperOfScenes {
   /// Of the faces that part, the elements on covers being numbered on from `first`.
   std::vector<FacePull> pulls(int first) const;
   Scene scene_with_cracks() const;
-  /// Cuts the scene with `next_`. Throws InputError where it cannot be cut so.
-  void recut();
+  /// Cuts the scene with `next_` and returns the stepper of the scene before. Throws InputError where it cannot be cut
+  /// so.
+  std::unique_ptr<StandardStepper> recut();
+  /// Puts `next_` to the mean of the kinks before and after a trial of the step, which leaves nothing else behind.
+  void correct();
+  /// Half of the kink that the trial finds at each tip of a front.
+  std::vector<double> corrections(const CrackFront& front) const;
   void begin_to_part(const std::vector<CrackPlan>& after);
   void look_at_tips();
+  /// `next_` of the tips that go on, tip i by its kink and more[i] (rad), and of the cracks that start.
+  void put_next(const std::vector<double>& more);
   bool may_go_on(const TipState& tip, double speed) const;
 
   Scene first_;
