@@ -43,6 +43,13 @@ struct BlockPolygon {
   }
 };
 
+/// What becomes of blocks so small or so narrow that they are slivers.
+enum class Slivers {
+  kept,
+  glued,     ///< each to the neighbour that it shares the longest length of side with
+  left_out,  ///< they are not there
+};
+
 /// A point carried by a block.
 struct BlockPoint {
   Point position;
