@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -66,6 +67,7 @@ struct BlockBolt {
   double strength = 0;    ///< force
   double pretension = 0;  ///< force
   Place place = {};       ///< where a file says so
+  std::string name = {};  ///< of a case file; empty: none
 };
 
 /// The blocks of a scene and their points. Lengths in the file's unit.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -32,6 +33,7 @@ struct BoltLine {
   double pretension = 0;  ///< force
   int type = 0;           ///< DDAML: index from 0 of the bolt properties
   Place place;
+  std::string name = {};  ///< of a case file; empty: none
 };
 
 /// A fixed line: yields fixed points where it crosses block edges. A point if both ends are equal.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment.hpp"
@@ -100,10 +101,11 @@ class Placer {
     if (!first || !second) return;
     if (*first == *second) {
       warnings_.push_back(
-          {"bolt_in_one_block", bolt.place, "both ends of the bolt lie in one block: it holds nothing"});
+          {"bolt_in_one_block", bolt.place,
+           fmt::format("both ends of the bolt{} lie in one block: it holds nothing", quoted_name(bolt.name))});
     }
     blocks_.bolts.push_back(
-        {bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension, bolt.place});
+        {bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension, bolt.place, bolt.name});
   }
 
   // Loads belong to loading points by their order: leaving one out would give its load to the next.

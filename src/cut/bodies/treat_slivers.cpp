@@ -13,6 +13,7 @@
 
 #include "base/counted.hpp"
 #include "base/words/plain_number.hpp"
+#include "base/words/quoted_name.hpp"
 #include "cut/bodies/slivers.hpp"
 #include "cut/bodies/unite_blocks.hpp"
 #include "geometry/box.hpp"
@@ -203,14 +204,16 @@ class Treatment {
       const bool was_between = bolt.first_block != bolt.second_block;
       renumber(bolt.first_block);
       renumber(bolt.second_block);
-      if (was_between && bolt.first_block == bolt.second_block) idle_bolts_.push_back(bolt.place);
+      if (was_between && bolt.first_block == bolt.second_block) idle_bolts_.push_back(bolt);
     }
   }
 
   void warn_of_bolts() {
-    for (const Place& place : idle_bolts_)
-      cut_.warnings.push_back({"bolt_in_one_block", place,
-                               "both ends of the bolt lie in one block since slivers are glued: it holds nothing"});
+    for (const BlockBolt& bolt : idle_bolts_)
+      cut_.warnings.push_back(
+          {"bolt_in_one_block", bolt.place,
+           fmt::format("both ends of the bolt{} lie in one block since slivers are glued: it holds nothing",
+                       quoted_name(bolt.name))});
   }
 
   void require_nothing_on(std::size_t sliver) const {
@@ -241,7 +244,7 @@ class Treatment {
   std::vector<char> was_sliver_;     ///< of each block as cut: it is one, or is part of one
   std::vector<std::size_t> number_;  ///< of each block as cut: that of the block it belongs to at the end
   std::vector<BlockForm> found_;     ///< slivers in the order in which they went
-  std::vector<Place> idle_bolts_;
+  std::vector<BlockBolt> idle_bolts_;
   double total_ = 0;  ///< area of all, as cut
   double area_left_ = 0;
   std::size_t left_ = 0;  ///< how many blocks

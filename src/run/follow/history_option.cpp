@@ -21,7 +21,7 @@ namespace keyblock {
 namespace {
 
 constexpr const char* kForms =
-    "point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2, with NAME= before it or not";
+    "point:X,Y, block:N, contact:A,B, joint:N, line:X1,Y1,X2,Y2 or bolt:N, with NAME= before it or not";
 
 [[noreturn]] void refuse_history(const std::string& text, const std::string& more = {}) {
   throw std::invalid_argument(fmt::format("expected {}; found \"{}\"{}", kForms, text, more));
@@ -85,8 +85,8 @@ HistoryPlan history_of(const std::string& text) {
   const std::size_t colon = rest.find(':');
   if (colon == std::string_view::npos) refuse_history(text);
   const std::string word(rest.substr(0, colon));
-  constexpr std::array<std::pair<const char*, std::size_t>, 5> kWords{
-      {{"point", 2}, {"block", 1}, {"contact", 2}, {"joint", 1}, {"line", 4}}};
+  constexpr std::array<std::pair<const char*, std::size_t>, 6> kWords{
+      {{"point", 2}, {"block", 1}, {"contact", 2}, {"joint", 1}, {"line", 4}, {"bolt", 1}}};
   std::size_t wanted = 0;
   std::vector<std::string> known;
   for (const auto& [name, count] : kWords) {
@@ -101,6 +101,7 @@ HistoryPlan history_of(const std::string& text) {
   if (word == "contact") plan.contact = BlockPair{index_of(values[0], text), index_of(values[1], text)};
   if (word == "joint") plan.joint = index_of(values[0], text);
   if (word == "line") plan.line = Segment{{values[0], values[1]}, {values[2], values[3]}};
+  if (word == "bolt") plan.bolt = index_of(values[0], text);
   if (plan.line && plan.line->start == plan.line->end) refuse_history(text, ", a line without length");
   return plan;
 }
