@@ -54,7 +54,7 @@ class CaseSchema {
   }
   void flag(std::string_view name, bool& value) { add(name, {{"type", "boolean"}, {"default", value}}); }
   void text(std::string_view name, std::string&) { add(name, {{"type", "string"}}); }
-  void name_at_end(std::string_view name, std::string&) {
+  void name_at_end(std::string_view name, Rare<std::string>&) {
     add(name, {{"type", "string"}, {"minLength", 1}});
     ++places_that_may_lack_;
   }

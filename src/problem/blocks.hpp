@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "geometry/point.hpp"
+#include "problem/rare.hpp"
 
 namespace keyblock {
 
@@ -63,11 +64,11 @@ struct BlockBolt {
   Segment segment;
   int first_block = 0;
   int second_block = 0;
-  double stiffness = 0;   ///< force / length
-  double strength = 0;    ///< force
-  double pretension = 0;  ///< force
-  Place place = {};       ///< where a file says so
-  std::string name = {};  ///< of a case file; empty: none
+  double stiffness = 0;         ///< force / length
+  double strength = 0;          ///< force
+  double pretension = 0;        ///< force
+  Place place = {};             ///< where a file says so
+  Rare<std::string> name = {};  ///< of a case file; never empty
 };
 
 /// The blocks of a scene and their points. Lengths in the file's unit.

@@ -118,7 +118,7 @@ std::vector<InputError> bolts_that_push(const std::vector<B>& bolts, auto place_
     if (!(bolts[i].stiffness >= 0))
       errors.emplace_back(place_of(bolts[i]),
                           fmt::format("expected a stiffness of at least 0 of bolt {} of {}{}, found {}", i + 1,
-                                      bolts.size(), quoted_name(bolts[i].name), bolts[i].stiffness));
+                                      bolts.size(), quoted_name(bolts[i].name.value_or({})), bolts[i].stiffness));
   return errors;
 }
 

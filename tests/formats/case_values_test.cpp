@@ -88,15 +88,15 @@ std::string bolted(const std::string& removed, const std::string& third = "\"tie
 
 TEST(CaseValues, bolts_have_names_that_stand_for_their_numbers) {
   const Content content = read({"f", bolted(R"("tie")", R"("tie")", R"("left, ä")")}).content;
-  EXPECT_EQ(content.blocks->bolts[0].name, "left, ä");
-  EXPECT_EQ(content.blocks->bolts[1].name, "");
-  EXPECT_EQ(content.stages.at(0).bolts[0].name, "tie");
+  EXPECT_EQ(content.blocks->bolts[0].name.value_or({}), "left, ä");
+  EXPECT_FALSE(content.blocks->bolts[1].name);
+  EXPECT_EQ(content.stages.at(0).bolts[0].name.value_or({}), "tie");
   EXPECT_EQ(content.stages.at(1).removed_bolts[0].bolt, 2);
   EXPECT_EQ(content.outputs->histories[0].bolt, 0);
   const std::string written = kKeyblockCase.write(content);
   const Content again = read({"g", written}).content;
-  EXPECT_EQ(again.blocks->bolts[0].name, "left, ä");
-  EXPECT_EQ(again.stages.at(0).bolts[0].name, "tie");
+  EXPECT_EQ(again.blocks->bolts[0].name.value_or({}), "left, ä");
+  EXPECT_EQ(again.stages.at(0).bolts[0].name.value_or({}), "tie");
   EXPECT_EQ(again.stages.at(1).removed_bolts[0].bolt, 2);
 }
 

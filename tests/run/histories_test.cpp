@@ -210,7 +210,7 @@ TEST(Histories, a_bolt_is_followed_by_its_force_and_elongation) {
   scene.blocks = {rectangle({-2, -1}, {4, 0}), rectangle({0, 0}, {2, 1})};
   scene.fixed_points = {{{-1, -0.5}, 0, {}}, {{3, -0.5}, 0, {}}};
   scene.bolts = {{{{-1, -0.2}, {-1.5, -0.2}}, 0, 0, 0, 0, 0, {}},
-                 {{{1, -0.5}, {1, 0.5}}, 0, 1, 2e6, 0, 5000, {}, "crown, left"}};
+                 {{{1, -0.5}, {1, 0.5}}, 0, 1, 2e6, 0, 5000, {}, std::string("crown, left")}};
   const Prepared made = prepared(scene, 30, 30, "standard");
   Followed followed({history_of("bolt:2"), history_of("mine=bolt:2")}, made.scene, {}, {});
   std::map<std::string, double> values;

@@ -100,9 +100,9 @@ class Placer {
     const auto second = find("bolt end", bolt.segment.end, bolt.place);
     if (!first || !second) return;
     if (*first == *second) {
-      warnings_.push_back(
-          {"bolt_in_one_block", bolt.place,
-           fmt::format("both ends of the bolt{} lie in one block: it holds nothing", quoted_name(bolt.name))});
+      warnings_.push_back({"bolt_in_one_block", bolt.place,
+                           fmt::format("both ends of the bolt{} lie in one block: it holds nothing",
+                                       quoted_name(bolt.name.value_or({})))});
     }
     blocks_.bolts.push_back(
         {bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension, bolt.place, bolt.name});

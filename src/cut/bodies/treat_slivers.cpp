@@ -213,7 +213,7 @@ class Treatment {
       cut_.warnings.push_back(
           {"bolt_in_one_block", bolt.place,
            fmt::format("both ends of the bolt{} lie in one block since slivers are glued: it holds nothing",
-                       quoted_name(bolt.name))});
+                       quoted_name(bolt.name.value_or({})))});
   }
 
   void require_nothing_on(std::size_t sliver) const {
